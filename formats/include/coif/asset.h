@@ -1,0 +1,75 @@
+#pragma once
+
+#include <coif/asset_records.h>
+#include <coif/load_status.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+struct OpenOptions {
+  /// Compare the payload's hash (about 0.1 ms per MB). Without it open() still proves that every later access is
+  /// in range; only silent changes of values inside their ranges pass.
+  bool verify_hash = true;
+};
+
+/// A read-only view of a cooked asset. Owns nothing and allocates nothing: the bytes given to open() must stay
+/// where they are, unchanged, for as long as the view or anything created from it is used.
+class Asset {
+ public:
+  /// Checks everything once: sizes, ranges, references, finite numbers, order. `bytes` starts at a multiple of 16,
+  /// of 64 where textures are used. On failure the view is empty and the status says which check failed where.
+  /// Never throws, never allocates; time is linear in the size. Source: formats/SPECIFICATION.md.
+  LoadStatus open(std::span<const std::byte> bytes, const OpenOptions& options = {});
+
+  [[nodiscard]] bool is_open() const { return skeleton_ != nullptr; }
+  [[nodiscard]] std::uint16_t minor() const { return header_->minor; }
+  [[nodiscard]] std::uint64_t total_bytes() const { return header_->total_bytes; }
+
+  /// The chunk table as stored, for tools that list sizes.
+  [[nodiscard]] std::span<const ChunkEntry> chunks() const { return chunks_; }
+
+  [[nodiscard]] const SkeletonRecord& skeleton() const { return *skeleton_; }
+  [[nodiscard]] std::span<const BoneRecord> bones() const { return bones_; }
+  /// Never null; empty where the asset has no names.
+  [[nodiscard]] const char* bone_name(std::uint32_t bone) const;
+  [[nodiscard]] std::span<const ChainRecord> chains() const { return chains_; }
+  [[nodiscard]] std::span<const DynamicsRecord> dynamics() const { return dynamics_; }
+  [[nodiscard]] std::span<const ColliderRecord> colliders() const { return colliders_; }
+
+  [[nodiscard]] std::span<const VertexRecord> vertices() const { return vertices_; }
+  [[nodiscard]] std::span<const SkinRecord> skin() const { return skin_; }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+  [[nodiscard]] std::span<const PatchRecord> patches() const { return patches_; }
+
+  [[nodiscard]] const MaterialRecord* material() const { return material_; }  ///< Null where absent.
+  [[nodiscard]] std::span<const TextureRecord> textures() const { return textures_; }
+  /// Null where the asset has no texture of this role.
+  [[nodiscard]] const TextureRecord* texture(TextureRole role) const;
+  /// Texels of one mip; `mip` below texture.mip_count.
+  [[nodiscard]] std::span<const std::byte> texels(const TextureRecord& texture, std::uint32_t mip) const;
+
+  [[nodiscard]] const ProvenanceRecord* provenance() const { return provenance_; }  ///< Null where absent.
+
+ private:
+  const FileHeader* header_ = nullptr;
+  std::span<const ChunkEntry> chunks_;
+  const SkeletonRecord* skeleton_ = nullptr;
+  std::span<const BoneRecord> bones_;
+  std::span<const char> names_;
+  std::span<const ChainRecord> chains_;
+  std::span<const DynamicsRecord> dynamics_;
+  std::span<const ColliderRecord> colliders_;
+  std::span<const VertexRecord> vertices_;
+  std::span<const SkinRecord> skin_;
+  std::span<const std::uint32_t> indices_;
+  std::span<const PatchRecord> patches_;
+  const MaterialRecord* material_ = nullptr;
+  std::span<const TextureRecord> textures_;
+  std::span<const std::byte> texels_;
+  const ProvenanceRecord* provenance_ = nullptr;
+};
+
+}  // namespace coif

@@ -1,0 +1,213 @@
+#pragma once
+// The bytes of a .coif, as plain records. formats/SPECIFICATION.md describes the same layout in prose and
+// changes together with this file. Everything is little-endian and used in place.
+//
+// Space: "head space" has its origin at the head bone's joint in the rest pose and the axes of the model:
+// right-handed, +Y up, metres. Nothing in an asset is in any other space.
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace coif {
+
+static_assert(std::endian::native == std::endian::little, "a .coif is used in place; big-endian hosts need a reader");
+
+inline constexpr std::uint8_t kAssetMagic[8] = {0x89, 'C', 'O', 'I', 'F', '\r', '\n', 0x1A};
+inline constexpr std::uint16_t kAssetMajor = 1;
+inline constexpr std::uint16_t kAssetMinor = 0;
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
+inline constexpr std::uint32_t kMaxBones = 256;      ///< Skin indices are one byte.
+inline constexpr std::uint32_t kMaxChunks = 64;
+
+constexpr std::uint32_t chunk_id(const char (&text)[5]) {
+  return std::uint32_t(std::uint8_t(text[0])) | std::uint32_t(std::uint8_t(text[1])) << 8 |
+         std::uint32_t(std::uint8_t(text[2])) << 16 | std::uint32_t(std::uint8_t(text[3])) << 24;
+}
+
+namespace chunk {
+inline constexpr std::uint32_t kSkeleton = chunk_id("SKEL");     ///< One SkeletonRecord. Required.
+inline constexpr std::uint32_t kBones = chunk_id("BONE");        ///< BoneRecord[]. Required.
+inline constexpr std::uint32_t kNames = chunk_id("NAME");        ///< UTF-8 bone names, each ended by a zero byte.
+inline constexpr std::uint32_t kChains = chunk_id("CHAN");       ///< ChainRecord[].
+inline constexpr std::uint32_t kDynamics = chunk_id("DYNA");     ///< DynamicsRecord[], one per bone.
+inline constexpr std::uint32_t kColliders = chunk_id("COLL");    ///< ColliderRecord[].
+inline constexpr std::uint32_t kVertices = chunk_id("VERT");     ///< VertexRecord[].
+inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord[], one per vertex.
+inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
+inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order, inner first.
+inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One MaterialRecord.
+inline constexpr std::uint32_t kTextures = chunk_id("TEXR");     ///< TextureRecord[].
+inline constexpr std::uint32_t kTexels = chunk_id("TEXD");       ///< Bytes that TextureRecord points into.
+inline constexpr std::uint32_t kProvenance = chunk_id("PROV");   ///< One ProvenanceRecord.
+}  // namespace chunk
+
+/// A reader that does not know a chunk with this flag must refuse the file.
+inline constexpr std::uint32_t kChunkRequired = 1u << 0;
+
+struct FileHeader {
+  std::uint8_t magic[8];
+  std::uint16_t major;
+  std::uint16_t minor;
+  std::uint32_t chunk_count;
+  std::uint64_t total_bytes;   ///< Of the whole file, header included.
+  std::uint64_t payload_hash;  ///< XXH64, seed 0, of every other byte of the file in order.
+};
+static_assert(sizeof(FileHeader) == 32);
+
+/// The table follows the header directly, sorted by offset.
+struct ChunkEntry {
+  std::uint32_t id;
+  std::uint32_t flags;
+  std::uint64_t offset;  ///< From the file's first byte; a multiple of 16, of 64 for TEXD.
+  std::uint64_t bytes;
+  std::uint64_t reserved;  ///< Zero.
+};
+static_assert(sizeof(ChunkEntry) == 32);
+
+struct SkeletonRecord {
+  std::uint32_t bone_count;
+  std::uint32_t simulated_count;
+  std::uint32_t chain_count;
+  std::uint32_t reserved;
+  /// Head bone in the rest pose of the source model: its joint (metres) and the rotation (x, y, z, w) from the
+  /// bone's own axes to the model's. A host whose head bone has the world pose (p, q) passes the head pose
+  /// (p, q * conjugate(head_rotation)).
+  float head_joint[3];
+  float head_rotation[4];
+  float reserved_tail;
+};
+static_assert(sizeof(SkeletonRecord) == 48);
+
+enum class BoneKind : std::uint32_t {
+  kHead = 0,       ///< Bone 0, and only bone 0: moved by the host.
+  kScalp = 1,      ///< Rigid with the head.
+  kSimulated = 2,  ///< A segment from the parent's tail (or a rigid parent's joint) to this bone's particle.
+};
+
+/// Bones are sorted: head, then scalp bones, then simulated bones chain by chain; parents come first.
+/// In the rest pose every bone's frame has the axes of head space, so a rotation is always "from rest".
+struct BoneRecord {
+  std::uint32_t parent;  ///< Index of an earlier bone; kNone for bone 0.
+  BoneKind kind;
+  std::uint32_t chain;  ///< Index into CHAN; kNone for rigid bones.
+  std::uint32_t name;   ///< Byte offset into NAME; kNone without a name.
+  float joint[3];       ///< Rest position of the bone's start, head space, metres.
+  float length;         ///< Start to particle, metres, > 0; 0 for rigid bones.
+  float rest_direction[3];  ///< Unit, start to particle at rest, in the parent's frame; 0 for rigid bones.
+  float reserved;
+};
+static_assert(sizeof(BoneRecord) == 48);
+
+/// A tree of simulated bones that hangs from one rigid bone.
+struct ChainRecord {
+  std::uint32_t first_bone;
+  std::uint32_t bone_count;
+  std::uint32_t root;  ///< The head or scalp bone that carries it.
+  std::uint32_t reserved;
+};
+static_assert(sizeof(ChainRecord) == 16);
+
+struct DynamicsRecord {
+  float resistance;     ///< Pull to the default pose per step of the authoring rate, 0..1 (thesis 5.2).
+  float friction;       ///< Velocity loss relative to the air, 1/s, >= 0.
+  float gravity_scale;  ///< Share of the scene's gravity that this bone feels.
+  float authoring_rate; ///< Steps per second at which the artist's resistance holds, > 0.
+};
+static_assert(sizeof(DynamicsRecord) == 16);
+
+enum class ColliderShape : std::uint32_t { kSphere = 0, kEllipsoid = 1 };
+
+struct ColliderRecord {
+  ColliderShape shape;
+  std::uint32_t bone;  ///< A rigid bone.
+  std::uint32_t reserved[2];
+  float center[3];  ///< Head space, metres.
+  float reserved_center;
+  float radii[3];  ///< Semi-axes, metres, > 0; all equal for a sphere.
+  float reserved_radii;
+  float rotation[4];  ///< Unit quaternion (x, y, z, w) from the ellipsoid's axes to head space.
+};
+static_assert(sizeof(ColliderRecord) == 64);
+
+struct VertexRecord {
+  float position[3];        ///< Rest pose, head space, metres.
+  std::int16_t normal[4];   ///< xyz: snorm16; w: 0.
+  std::int16_t tangent[4];  ///< xyz: snorm16, root to tip; w: place along the strand, 0 root, 32767 tip.
+  float uv[2];              ///< V grows downwards in the image (first row of texels is V = 0).
+};
+static_assert(sizeof(VertexRecord) == 36);
+
+struct SkinRecord {
+  std::uint8_t bone[4];
+  std::uint8_t weight[4];  ///< unorm8; the four add up to 255.
+};
+static_assert(sizeof(SkinRecord) == 8);
+
+struct PatchRecord {
+  std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
+  std::uint32_t index_count;  ///< A multiple of 3, > 0.
+  float head_distance;        ///< Of the patch's area centre from the head's centre, metres; ascending.
+  std::uint32_t bone;         ///< The bone with most weight on the patch.
+};
+static_assert(sizeof(PatchRecord) == 16);
+
+inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
+
+/// Parameters of the thesis's Algorithm 3 and the four passes of 5.3.1. Colours are linear.
+struct MaterialRecord {
+  float base_color[4];      ///< Multiplies the base texture.
+  float ambient[3];         ///< Times base colour, independent of lights.
+  float opaque_threshold;   ///< Texels with at least this alpha are drawn opaque, 0..1.
+  float primary_color[3];
+  float primary_exponent;
+  float secondary_color[3];
+  float secondary_exponent;
+  float primary_shift;      ///< Tangent shift along the normal, before the texture's share.
+  float secondary_shift;
+  float discard_threshold;  ///< Texels with less alpha than this are never drawn, 0..1.
+  std::uint32_t flags;
+};
+static_assert(sizeof(MaterialRecord) == 80);
+
+enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };
+enum class TexelFormat : std::uint32_t {
+  kSrgb8Alpha8 = 0,  ///< Four bytes, colour sRGB-encoded, alpha linear and not premultiplied.
+  kRg8 = 1,          ///< Two bytes, linear; red: shift, green: mask.
+};
+
+/// Mips follow each other, largest first, rows top to bottom without padding.
+struct TextureRecord {
+  TextureRole role;
+  TexelFormat format;
+  std::uint32_t width;  ///< 1..16384.
+  std::uint32_t height;
+  std::uint32_t mip_count;
+  std::uint32_t reserved;
+  std::uint64_t offset;  ///< Into TEXD.
+  std::uint64_t bytes;
+};
+static_assert(sizeof(TextureRecord) == 40);
+
+struct ProvenanceRecord {
+  std::uint64_t source_hash;  ///< XXH64 of the source file's bytes.
+  std::uint64_t recipe_hash;  ///< XXH64 of the complete recipe in its canonical form.
+  std::uint16_t tool_version[3];  ///< major, minor, patch.
+  std::uint16_t importer_version[3];
+  std::uint32_t reserved;
+};
+static_assert(sizeof(ProvenanceRecord) == 32);
+
+/// Bytes of one mip of a texture with these dimensions; 0 for an unknown format.
+constexpr std::uint64_t mip_bytes(TexelFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t mip) {
+  const std::uint64_t w = (width >> mip) > 0 ? width >> mip : 1;
+  const std::uint64_t h = (height >> mip) > 0 ? height >> mip : 1;
+  switch (format) {
+    case TexelFormat::kSrgb8Alpha8: return w * h * 4;
+    case TexelFormat::kRg8: return w * h * 2;
+  }
+  return 0;
+}
+
+}  // namespace coif

@@ -1,0 +1,26 @@
+#pragma once
+// The few types that cross the runtime's interface. Plain data; hosts cast their own.
+
+namespace coif {
+
+struct Vec3 {
+  float x = 0, y = 0, z = 0;
+};
+
+/// Rotation (x, y, z, w), unit length.
+struct Quat {
+  float x = 0, y = 0, z = 0, w = 1;
+};
+
+/// Affine transform, three rows of four, row-major: p' = rows * (p, 1). Uploads as three vec4 per bone.
+struct Mat34 {
+  float m[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+};
+
+/// World from head space. Double precision, so that hair does not shake far from the world's origin.
+struct HeadPose {
+  double position[3] = {0, 0, 0};  ///< Metres.
+  Quat rotation;
+};
+
+}  // namespace coif

@@ -1,0 +1,47 @@
+#pragma once
+// Runs the runtime over a motion and keeps what it did.
+
+#include "motion/motion.h"
+#include "tool_error.h"
+
+#include <coif/asset.h>
+#include <coif/hair.h>
+
+#include <tl/expected.hpp>
+
+#include <string>
+#include <vector>
+#include <cstddef>
+
+namespace coif {
+
+struct RecordingSettings {
+  Motion motion = Motion::kTurn;
+  double fps = 60;
+  double seconds = 4;
+  double settle_seconds = 2;  ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
+  StepSettings step;          ///< dt comes from fps.
+};
+
+struct RecordedFrame {
+  double seconds = 0;
+  HeadPose head;
+  std::vector<Mat34> palette;   ///< One per bone, head space.
+  std::vector<Vec3> bone_ends;  ///< One per bone, head space, metres.
+};
+
+struct Recording {
+  std::vector<RecordedFrame> frames;  ///< frames[0] is t = 0.
+  float stretch_max = 0;              ///< Worst |length / rest - 1| of a simulated bone.
+  float penetration_max = 0;          ///< Worst depth of a particle inside the head, as a share of the head's radius.
+};
+
+tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings);
+
+/// One row per frame and bone: frame,seconds,bone,name,x,y,z (head space) and world_x,world_y,world_z, metres.
+[[nodiscard]] std::string to_csv(const Asset& asset, const Recording& recording);
+
+/// A binary glTF 2.0: skinned mesh, joints, one animation of the recording. Opens in Blender and any glTF viewer.
+[[nodiscard]] std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording);
+
+}  // namespace coif

@@ -1,0 +1,76 @@
+#pragma once
+// What an artist may say about a cook. tools/cook/recipe_keys.cpp holds the one table of keys, defaults and ranges.
+
+#include "tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
+struct CurvePoint {
+  double at = 0;
+  double value = 0;
+};
+
+struct Recipe {
+  // source
+  double metres_per_unit = 0;  ///< 0: from the file.
+  std::string up_axis;         ///< "", "x", "y" or "z"; "": from the file.
+  // hair: patterns with * and ?, case-insensitive; all empty: every mesh
+  std::vector<std::string> hair_meshes;
+  std::vector<std::string> hair_materials;
+  std::vector<std::string> hair_bones;
+  // skeleton
+  std::string head_bone;            ///< Pattern; "": found by name and hierarchy.
+  std::string scalp_bones;          ///< "thesis", "none" or a pattern.
+  // patches
+  std::string patch_connectivity;   ///< "index" or "position".
+  double patch_weld_distance = 0;
+  // dynamics
+  std::vector<CurvePoint> resistance;
+  double friction = 0;
+  double gravity_scale = 0;
+  double authoring_rate = 0;
+  // head
+  std::string head_shape;                ///< "auto", "ellipsoid", "sphere" or "none".
+  std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
+  std::optional<std::array<double, 3>> head_radii;
+  // textures
+  std::string base_color_texture;   ///< Path beside the recipe; "": the source's.
+  std::string shift_texture;
+  std::string mask_texture;
+  std::uint32_t texture_max_size = 0;
+  std::uint32_t texture_seed = 0;
+  // material
+  std::array<double, 4> base_color{1, 1, 1, 1};
+  std::array<double, 3> ambient{};
+  double opaque_threshold = 0;
+  double discard_threshold = 0;
+  std::array<double, 3> primary_color{};
+  double primary_exponent = 0;
+  double primary_shift = 0;
+  std::array<double, 3> secondary_color{};
+  double secondary_exponent = 0;
+  double secondary_shift = 0;
+};
+
+/// Every key at its default.
+[[nodiscard]] Recipe default_recipe();
+
+/// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
+/// the range and, for a misspelt key, the nearest one.
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name);
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path);
+
+/// The complete recipe as JSON with a comment for each key: default, range, unit, meaning. Parses back to `recipe`.
+[[nodiscard]] std::string print_recipe(const Recipe& recipe);
+
+}  // namespace coif
