@@ -1,0 +1,26 @@
+#!/bin/sh
+# Installs those packages of tools/packages.txt that are missing; does nothing, and needs no rights, when all are there.
+set -eu
+list=$(dirname "$0")/packages.txt
+
+if ! command -v apt-get >/dev/null; then
+  echo "install_packages: no apt-get on this system; the build needs what $list lists" >&2
+  exit 0
+fi
+
+missing=
+for package in $(grep -v '^#' "$list"); do
+  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+as_root=
+if [ "$(id -u)" -ne 0 ]; then
+  as_root=sudo
+  command -v sudo >/dev/null || { echo "install_packages: as root, run: apt-get install$missing" >&2; exit 1; }
+fi
+echo "installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq
+# $missing is a list: it must fall apart into words.
+$as_root apt-get install -y -qq --no-install-recommends $missing >/dev/null
