@@ -54,6 +54,9 @@ class Asset {
   [[nodiscard]] const ProvenanceRecord* provenance() const { return provenance_; }  ///< Null where absent.
 
  private:
+  LoadStatus read_chunk_into_view(const std::byte* file, const ChunkEntry& entry);
+  [[nodiscard]] LoadStatus check_content() const;
+
   const FileHeader* header_ = nullptr;
   std::span<const ChunkEntry> chunks_;
   const SkeletonRecord* skeleton_ = nullptr;

@@ -52,7 +52,9 @@ struct FileHeader {
   std::uint16_t minor;
   std::uint32_t chunk_count;
   std::uint64_t total_bytes;   ///< Of the whole file, header included.
-  std::uint64_t payload_hash;  ///< XXH64, seed 0, of every other byte of the file in order.
+  /// XXH64 of everything after this header, seeded with the XXH64 (seed 0) of the header's first 24 bytes: every
+  /// byte of the file is covered.
+  std::uint64_t payload_hash;
 };
 static_assert(sizeof(FileHeader) == 32);
 

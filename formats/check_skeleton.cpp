@@ -1,0 +1,133 @@
+#include "chunk_checks.h"
+#include "number_checks.h"
+
+namespace coif {
+namespace {
+
+LoadStatus bone_error(LoadCode code, std::size_t bone, std::uint64_t expected = 0, std::uint64_t found = 0) {
+  return {code, chunk::kBones, bone, expected, found};
+}
+
+bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
+
+LoadStatus check_bone_place(std::span<const BoneRecord> bones, std::size_t i) {
+  const BoneRecord& bone = bones[i];
+  if (bone.kind > BoneKind::kSimulated) {
+    return bone_error(LoadCode::kEnumerator, i, std::uint64_t(BoneKind::kSimulated), std::uint64_t(bone.kind));
+  }
+  if (i == 0) {
+    const bool head = bone.kind == BoneKind::kHead && bone.parent == kNone;
+    return head ? LoadStatus{} : bone_error(LoadCode::kBoneOrder, i);
+  }
+  if (bone.kind == BoneKind::kHead || bone.kind < bones[i - 1].kind) return bone_error(LoadCode::kBoneOrder, i);
+  if (bone.parent >= i) return bone_error(LoadCode::kBoneOrder, i, i - 1, bone.parent);
+  if (is_rigid(bone) && !is_rigid(bones[bone.parent])) return bone_error(LoadCode::kBoneOrder, i);
+  return {};
+}
+
+LoadStatus check_bone_shape(const BoneRecord& bone, std::size_t i) {
+  if (!all_finite(bone.joint)) return bone_error(LoadCode::kNotFinite, i);
+  // The negated form also refuses NaN, and -0.0 passes as zero.
+  if (!(bone.reserved == 0.0f)) return bone_error(LoadCode::kReserved, i);
+  if (is_rigid(bone)) {
+    const bool rigid = bone.length == 0.0f && all_zero(bone.rest_direction) && bone.chain == kNone;
+    return rigid ? LoadStatus{} : bone_error(LoadCode::kNotFinite, i);
+  }
+  const bool segment = in_range(bone.length, 1.0e-6f, kMaxCoordinate) && is_unit(bone.rest_direction);
+  return segment ? LoadStatus{} : bone_error(LoadCode::kNotFinite, i);
+}
+
+LoadStatus check_chain(const Asset& asset, std::size_t c, std::uint32_t expected_first) {
+  const ChainRecord& chain = asset.chains()[c];
+  const auto bones = asset.bones();
+  const auto fail = [&](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
+    return LoadStatus{code, chunk::kChains, c, expected, found};
+  };
+  if (chain.reserved != 0) return fail(LoadCode::kReserved, 0, chain.reserved);
+  if (chain.first_bone != expected_first) return fail(LoadCode::kChainCover, expected_first, chain.first_bone);
+  if (chain.bone_count == 0 || chain.bone_count > bones.size() - chain.first_bone) return fail(LoadCode::kChainCover);
+  if (chain.root >= bones.size() || !is_rigid(bones[chain.root])) return fail(LoadCode::kReference);
+  for (std::uint32_t i = chain.first_bone; i < chain.first_bone + chain.bone_count; ++i) {
+    const bool inside = bones[i].parent == chain.root || (bones[i].parent >= chain.first_bone && i > chain.first_bone);
+    if (bones[i].chain != c || !inside) return fail(LoadCode::kChainCover, c, bones[i].chain);
+  }
+  return {};
+}
+
+LoadStatus check_chains(const Asset& asset, std::uint32_t rigid_count) {
+  std::uint32_t next = rigid_count;
+  for (std::size_t c = 0; c < asset.chains().size(); ++c) {
+    if (const LoadStatus status = check_chain(asset, c, next); !status) return status;
+    next += asset.chains()[c].bone_count;
+  }
+  if (next != asset.bones().size()) return {LoadCode::kChainCover, chunk::kChains, 0, asset.bones().size(), next};
+  return {};
+}
+
+}  // namespace
+
+LoadStatus check_names(std::span<const char> names) {
+  const bool ended = names.empty() || names.back() == 0;
+  return ended ? LoadStatus{} : LoadStatus{LoadCode::kName, chunk::kNames};
+}
+
+LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes) {
+  const SkeletonRecord& skeleton = asset.skeleton();
+  const auto bones = asset.bones();
+  const auto fail = [](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
+    return LoadStatus{code, chunk::kSkeleton, 0, expected, found};
+  };
+  if (skeleton.reserved != 0 || !(skeleton.reserved_tail == 0.0f)) return fail(LoadCode::kReserved);
+  if (!all_finite(skeleton.head_joint) || !is_unit(skeleton.head_rotation)) return fail(LoadCode::kNotFinite);
+  if (bones.empty() || bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
+  if (skeleton.bone_count != bones.size()) return fail(LoadCode::kChunkSize, bones.size(), skeleton.bone_count);
+  if (skeleton.chain_count != asset.chains().size()) {
+    return fail(LoadCode::kChunkSize, asset.chains().size(), skeleton.chain_count);
+  }
+  std::uint32_t rigid_count = 0;
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    if (const LoadStatus status = check_bone_place(bones, i); !status) return status;
+    if (const LoadStatus status = check_bone_shape(bones[i], i); !status) return status;
+    const bool named = bones[i].name == kNone || bones[i].name < name_bytes;
+    if (!named) return bone_error(LoadCode::kReference, i, name_bytes, bones[i].name);
+    rigid_count += is_rigid(bones[i]) ? 1 : 0;
+  }
+  const std::uint64_t simulated = bones.size() - rigid_count;
+  if (skeleton.simulated_count != simulated) return fail(LoadCode::kChunkSize, simulated, skeleton.simulated_count);
+  return check_chains(asset, rigid_count);
+}
+
+LoadStatus check_dynamics(const Asset& asset) {
+  const auto dynamics = asset.dynamics();
+  if (dynamics.empty() && asset.skeleton().simulated_count == 0) return {};
+  if (dynamics.empty()) return {LoadCode::kChunkMissing, chunk::kDynamics};
+  if (dynamics.size() != asset.bones().size()) {
+    return {LoadCode::kChunkSize, chunk::kDynamics, 0, asset.bones().size(), dynamics.size()};
+  }
+  for (std::size_t i = 0; i < dynamics.size(); ++i) {
+    const DynamicsRecord& d = dynamics[i];
+    const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
+                      in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f);
+    if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
+  }
+  return {};
+}
+
+LoadStatus check_colliders(const Asset& asset) {
+  for (std::size_t i = 0; i < asset.colliders().size(); ++i) {
+    const ColliderRecord& c = asset.colliders()[i];
+    const auto fail = [&](LoadCode code) { return LoadStatus{code, chunk::kColliders, i}; };
+    if (c.shape > ColliderShape::kEllipsoid) return fail(LoadCode::kEnumerator);
+    if (c.reserved[0] != 0 || c.reserved[1] != 0 || !(c.reserved_center == 0.0f) || !(c.reserved_radii == 0.0f)) {
+      return fail(LoadCode::kReserved);
+    }
+    if (c.bone >= asset.bones().size() || !is_rigid(asset.bones()[c.bone])) return fail(LoadCode::kReference);
+    const bool sphere = c.radii[0] == c.radii[1] && c.radii[1] == c.radii[2];
+    const bool good = all_finite(c.center) && all_in_range(c.radii, 1.0e-6f, kMaxCoordinate) && is_unit(c.rotation) &&
+                      (c.shape != ColliderShape::kSphere || sphere);
+    if (!good) return fail(LoadCode::kNotFinite);
+  }
+  return {};
+}
+
+}  // namespace coif

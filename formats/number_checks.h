@@ -1,0 +1,40 @@
+#pragma once
+// Comparisons that are false for NaN, so that one test covers range and finiteness.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace coif {
+
+inline constexpr float kMaxCoordinate = 1.0e5f;  ///< Metres, texture repeats, colours: larger is a broken file.
+
+inline bool in_range(float value, float low, float high) { return value >= low && value <= high; }
+
+template <std::size_t kCount>
+bool all_in_range(const float (&values)[kCount], float low, float high) {
+  for (float value : values) {
+    if (!in_range(value, low, high)) return false;
+  }
+  return true;
+}
+
+template <std::size_t kCount>
+bool all_finite(const float (&values)[kCount]) {
+  return all_in_range(values, -kMaxCoordinate, kMaxCoordinate);
+}
+
+/// True where the vector's length is 1 within one per mille.
+template <std::size_t kCount>
+bool is_unit(const float (&values)[kCount]) {
+  if (!all_in_range(values, -2.0f, 2.0f)) return false;
+  float square = 0;
+  for (float value : values) square += value * value;
+  return in_range(square, 0.998f, 1.002f);
+}
+
+template <std::size_t kCount>
+bool all_zero(const float (&values)[kCount]) {
+  return all_in_range(values, 0.0f, 0.0f);
+}
+
+}  // namespace coif

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+/// XXH64, a fast 64-bit checksum against accidents (it is no defence against a forger).
+/// Source: the XXH64 algorithm description in the xxHash specification by Yann Collet.
+[[nodiscard]] std::uint64_t xxh64(std::span<const std::byte> bytes, std::uint64_t seed = 0);
+
+/// What FileHeader::payload_hash of this file should be. `file` holds at least a header.
+[[nodiscard]] std::uint64_t asset_hash(std::span<const std::byte> file);
+
+}  // namespace coif
