@@ -9,18 +9,20 @@
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
-#include <cstddef>
 
 namespace coif {
 
 struct RecordingSettings {
   Motion motion = Motion::kTurn;
-  double fps = 60;
-  double seconds = 4;
-  double settle_seconds = 2;  ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
-  StepSettings step;          ///< dt comes from fps.
+  double fps = 60;             ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
+  double seconds = 4;          ///< Length of the recording, 0..3600.
+  double settle_seconds = 2;   ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
+  StepSettings step;           ///< dt comes from fps.
 };
 
 struct RecordedFrame {
@@ -36,12 +38,17 @@ struct Recording {
   float penetration_max = 0;          ///< Worst depth of a particle inside the head, as a share of the head's radius.
 };
 
+/// Simulates one head. Errors: kUsage for settings outside their ranges or a recording above 1 GiB, kBadInput for an
+/// asset that the runtime refuses. Deterministic.
 tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings);
 
 /// One row per frame and bone: frame,seconds,bone,name,x,y,z (head space) and world_x,world_y,world_z, metres.
 [[nodiscard]] std::string to_csv(const Asset& asset, const Recording& recording);
 
 /// A binary glTF 2.0: skinned mesh, joints, one animation of the recording. Opens in Blender and any glTF viewer.
-[[nodiscard]] std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording);
+/// `base_color_png`: encoded texture for the material, embedded as it is; empty: the plain base colour.
+/// Empty where the recording has no frame or the file would pass glTF's limit of 4 GiB.
+[[nodiscard]] std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording,
+                                            std::span<const std::uint8_t> base_color_png = {});
 
 }  // namespace coif

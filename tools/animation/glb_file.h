@@ -1,0 +1,58 @@
+#pragma once
+// The container of a binary glTF 2.0: one JSON document, one buffer.
+// Source: Khronos, "glTF 2.0 Specification", chapters 3.6 (binary data) and 4.4 (GLB).
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// The numbers that glTF stores; the values are those of the specification.
+enum class GlbComponent : std::uint32_t { kUnsignedByte = 5121, kUnsignedInt = 5125, kFloat = 5126 };
+
+/// What the GPU uses a buffer view for; kNone for animation data and images.
+enum class GlbTarget : std::uint32_t { kNone = 0, kVertices = 34962, kIndices = 34963 };
+
+struct GlbArray {
+  GlbComponent component = GlbComponent::kFloat;
+  const char* type = "SCALAR";  ///< "SCALAR", "VEC2", "VEC3", "VEC4" or "MAT4".
+  GlbTarget target = GlbTarget::kNone;
+  bool normalized = false;
+};
+
+class GlbFile {
+ public:
+  /// Everything but buffers, bufferViews and accessors is the caller's to fill.
+  nlohmann::json document;
+
+  /// Copies the elements into the buffer; returns the accessor's index. `Element` is one tightly packed element.
+  template <typename Element>
+  std::size_t add(std::span<const Element> elements, const GlbArray& array) {
+    return add_accessor(std::as_bytes(elements), elements.size(), array);
+  }
+  template <typename Element>
+  std::size_t add(const std::vector<Element>& elements, const GlbArray& array) {
+    return add(std::span<const Element>(elements), array);
+  }
+
+  /// Writes the smallest and largest value of each component, which glTF demands of positions and key times.
+  /// `values`: the accessor's numbers, `width` per element.
+  void add_bounds(std::size_t accessor, std::span<const float> values, std::size_t width);
+
+  /// Copies raw bytes into the buffer; returns the buffer view's index.
+  std::size_t add_view(std::span<const std::byte> bytes, GlbTarget target = GlbTarget::kNone);
+
+  /// The finished file; empty above the container's limit of 4 GiB.
+  [[nodiscard]] std::vector<std::byte> bytes() const;
+
+ private:
+  std::size_t add_accessor(std::span<const std::byte> bytes, std::size_t count, const GlbArray& array);
+
+  std::vector<std::byte> buffer_;
+};
+
+}  // namespace coif

@@ -1,0 +1,113 @@
+#include "animation/recording.h"
+
+#include "animation/constraint_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+namespace coif {
+namespace {
+
+constexpr double kMaxFps = 1000;
+constexpr double kMaxSeconds = 3600;
+constexpr double kMaxRecordingBytes = 1024.0 * 1024.0 * 1024.0;
+
+using AlignedMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
+
+AlignedMemory allocate(const MemoryNeed& need) {
+  const std::size_t units = std::max<std::size_t>(1, (need.bytes + need.alignment - 1) / need.alignment);
+  return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
+}
+
+tl::unexpected<ToolError> usage(std::string message) {
+  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
+}
+
+tl::unexpected<ToolError> refused(Status status) {
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kBadInput, fmt::format("the runtime refuses this simulation: {}", describe(status))});
+}
+
+std::size_t frame_count(const RecordingSettings& settings) {
+  return static_cast<std::size_t>(std::llround(settings.seconds * settings.fps)) + 1;
+}
+
+// Written so that a NaN fails every check.
+tl::expected<void, ToolError> check(const Asset& asset, const RecordingSettings& settings) {
+  // dt is rounded to float; 1 / 0.1f is a little below 10, so exactly 10 frames per second must pass.
+  if (!(static_cast<float>(1.0 / settings.fps) <= kMaxTimeStep && settings.fps <= kMaxFps)) {
+    return usage(fmt::format("{} frames per second are outside {} .. {}", settings.fps,
+                             std::lround(1.0f / kMaxTimeStep), kMaxFps));
+  }
+  if (!(settings.seconds >= 0 && settings.seconds <= kMaxSeconds)) {
+    return usage(fmt::format("{} seconds are outside 0 .. {}", settings.seconds, kMaxSeconds));
+  }
+  if (!(settings.settle_seconds >= 0 && settings.settle_seconds <= kMaxSeconds)) {
+    return usage(fmt::format("{} seconds to settle are outside 0 .. {}", settings.settle_seconds, kMaxSeconds));
+  }
+  const double frame_bytes = static_cast<double>(asset.bones().size()) * double(sizeof(Mat34) + sizeof(Vec3));
+  if (frame_bytes * static_cast<double>(frame_count(settings)) > kMaxRecordingBytes) {
+    return usage(fmt::format("{} frames of {} bones need more than 1 GiB; record fewer seconds",
+                             frame_count(settings), asset.bones().size()));
+  }
+  return {};
+}
+
+RecordedFrame snapshot(const Hair& hair, const HeadPose& head, double seconds) {
+  const auto palette = hair.palette(0);
+  const auto ends = hair.bone_ends(0);
+  return {seconds, head, {palette.begin(), palette.end()}, {ends.begin(), ends.end()}};
+}
+
+Status settle(Hair& hair, const RecordingSettings& settings, const StepSettings& step) {
+  if (const Status status = hair.reset(0, head_pose(settings.motion, 0)); status != Status::kOk) return status;
+  const auto steps = std::llround(settings.settle_seconds * settings.fps);
+  for (long long i = 0; i < steps; ++i) {
+    if (const Status status = hair.step(step); status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+Status advance(Hair& hair, const HeadPose& pose, const StepSettings& step) {
+  if (const Status status = hair.set_head(0, pose); status != Status::kOk) return status;
+  return hair.step(step);
+}
+
+}  // namespace
+
+tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings) {
+  if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+
+  const MemoryNeed need = Hair::memory_need(asset, {});
+  const AlignedMemory memory = allocate(need);
+  if (!memory) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
+  Hair hair;
+  if (const Status status = hair.create(asset, {}, {memory.get(), need.bytes}); status != Status::kOk) {
+    return refused(status);
+  }
+  StepSettings step = settings.step;
+  step.dt = static_cast<float>(1.0 / settings.fps);
+  if (const Status status = settle(hair, settings, step); status != Status::kOk) return refused(status);
+
+  Recording recording;
+  recording.frames.push_back(snapshot(hair, head_pose(settings.motion, 0), 0));
+  const std::size_t count = frame_count(settings);
+  recording.frames.reserve(count);
+  for (std::size_t i = 1; i < count; ++i) {
+    const double seconds = static_cast<double>(i) / settings.fps;
+    const HeadPose pose = head_pose(settings.motion, seconds);
+    if (const Status status = advance(hair, pose, step); status != Status::kOk) return refused(status);
+    recording.frames.push_back(snapshot(hair, pose, seconds));
+  }
+  for (const RecordedFrame& frame : recording.frames) {
+    recording.stretch_max = std::max(recording.stretch_max, worst_stretch(asset, frame.bone_ends));
+    recording.penetration_max = std::max(recording.penetration_max, worst_penetration(asset, frame.bone_ends));
+  }
+  return recording;
+}
+
+}  // namespace coif
