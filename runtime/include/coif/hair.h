@@ -2,7 +2,9 @@
 
 #include <coif/asset.h>
 #include <coif/math.h>
+#include <coif/particle.h>
 #include <coif/status.h>
+#include <coif/thesis_step_job.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,7 @@
 
 namespace coif {
 
-inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds; the thesis's own bound (5.2).
+inline constexpr std::uint32_t kMaxInstances = 1'000'000;
 
 enum class Solver : std::uint8_t {
   kThesis = 0,  ///< Algorithm 1 exactly as published (thesis 5.2).
@@ -28,12 +30,12 @@ struct Environment {
 struct StepSettings {
   float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep.
   Solver solver = Solver::kThesis;
-  std::uint32_t iterations = 1;  ///< Passes over the length and head constraints, 1..64.
+  std::uint32_t iterations = 1;  ///< Passes over the length and head constraints, 1..kMaxIterations.
   Environment environment;
 };
 
 struct HairDesc {
-  std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..1'000'000.
+  std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
 };
 
 struct MemoryNeed {
@@ -41,39 +43,78 @@ struct MemoryNeed {
   std::size_t alignment = 64;
 };
 
+class MemoryCarver;
+
 /// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
-/// once, create() carves it up. Not thread safe; different Hair objects are independent.
+/// once, create() carves it up. Not thread safe; different Hair objects are independent. A thin owner: a game with
+/// its own memory and job system can run ThesisStepJob and PaletteJob itself.
 class Hair {
  public:
+  Hair() = default;
+  Hair(const Hair&) = delete;  ///< Two owners would step the same memory.
+  Hair& operator=(const Hair&) = delete;
+  Hair(Hair&&) = default;  ///< The source may then only be assigned to, moved into or destroyed.
+  Hair& operator=(Hair&&) = default;
+
   /// Exact need of create() for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
-  /// Every instance starts in its rest pose with the head at the identity pose. The asset's bytes and `memory` must
-  /// outlive this object.
+  /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
+  /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
+  /// open, or simulated bones without dynamics), kBadArgument (instances), kMemoryTooSmall.
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
   [[nodiscard]] std::uint32_t instance_count() const { return instances_; }
-  [[nodiscard]] std::uint32_t bone_count() const { return bone_count_; }
+  [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(bones_.size()); }
 
-  /// Where the head is at the end of the next step. The step moves it there from where it was.
+  /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
+  /// that: call reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length is off
+  /// one by more than 1e-3; smaller errors are normalised away.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
-  /// Puts the head at `pose` and the hair into its rest pose there, at rest.
+  /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
   Status reset(std::uint32_t instance, const HeadPose& pose);
 
-  /// Advances every instance by settings.dt and renews the matrices.
+  /// Advances every instance by settings.dt and renews the matrices. An instance whose numbers overflow (a head that
+  /// moves by light years, gravity of 1e30) is put back into its rest pose, at rest; the others are not affected.
   Status step(const StepSettings& settings);
 
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under
-  /// the head's world transform. Valid until the next call of step() or reset(); empty for a bad index.
+  /// the head's world transform. Their values change with step() and reset(); empty for a bad index.
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t instance) const;
 
   /// Where each bone's particle is (rigid bones: their joint), head space, metres; empty for a bad index.
   [[nodiscard]] std::span<const Vec3> bone_ends(std::uint32_t instance) const;
 
  private:
+  struct HeadTrack {
+    HeadPose now;   ///< Where the last step left it.
+    HeadPose next;  ///< Where the next step takes it.
+  };
+
+  /// What create() carves out of the caller's memory. Arrays "per instance" hold one block for each, in order.
+  struct Storage {
+    std::span<HeadTrack> heads;         ///< One per instance.
+    std::span<Particle> particles;      ///< Simulated bones per instance.
+    std::span<Mat34> palettes;          ///< Bones per instance.
+    std::span<Vec3> bone_ends;          ///< Bones per instance.
+    std::span<float> friction_factors;  ///< Simulated bones, shared by the instances during a step.
+    std::span<BoneScratch> scratch;     ///< Simulated bones, shared.
+    std::span<Quat> frames;             ///< Simulated bones, shared.
+  };
+
+  static Storage carve(MemoryCarver& carver, const SkeletonRecord& skeleton, std::uint32_t instances);
+  [[nodiscard]] std::span<Particle> particles_of(std::uint32_t instance) const;
+  void advance(std::uint32_t instance, const StepSettings& settings);
+  void put_to_rest(std::uint32_t instance);
+  void renew_palette(std::uint32_t instance);
+
   std::uint32_t instances_ = 0;
-  std::uint32_t bone_count_ = 0;
+  std::uint32_t simulated_count_ = 0;
+  std::span<const BoneRecord> bones_;
+  std::span<const DynamicsRecord> dynamics_;
+  std::span<const ColliderRecord> colliders_;
+  Storage storage_;
 };
 
 }  // namespace coif

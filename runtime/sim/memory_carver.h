@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <span>
+
+namespace coif {
+
+/// Takes arrays one after another out of one block. Without a block it only counts, so that the sum told before and
+/// the memory used later come from the same calls.
+class MemoryCarver {
+ public:
+  static constexpr std::size_t kAlignment = 64;
+
+  /// `base` null to count, else aligned to kAlignment and as large as a counting run says.
+  explicit MemoryCarver(std::byte* base) : base_(base) {}
+
+  /// `count` values of T, default-initialised; empty while counting.
+  template <typename T>
+  std::span<T> take(std::uint64_t count) {
+    static_assert(alignof(T) <= kAlignment);
+    used_ = (used_ + kAlignment - 1) / kAlignment * kAlignment;
+    const std::uint64_t begin = used_;
+    used_ += count * sizeof(T);
+    if (base_ == nullptr || count == 0) return {};
+    T* const first = reinterpret_cast<T*>(base_ + begin);
+    for (std::uint64_t i = 0; i < count; ++i) ::new (static_cast<void*>(first + i)) T{};
+    return {first, std::size_t(count)};
+  }
+
+  /// Bytes taken, padding between arrays included.
+  [[nodiscard]] std::uint64_t used() const { return used_; }
+
+ private:
+  std::byte* base_;
+  std::uint64_t used_ = 0;
+};
+
+}  // namespace coif
