@@ -20,7 +20,8 @@ struct MotionInfo {
 [[nodiscard]] std::span<const MotionInfo> all_motions();
 [[nodiscard]] std::optional<Motion> find_motion(std::string_view name);
 
-/// The pose of the head at `seconds`, world.
+/// The pose of the head at `seconds`, world; before 0 as at 0. Position and rotation are continuous, and so is their
+/// velocity, except where kTeleport jumps.
 [[nodiscard]] HeadPose head_pose(Motion motion, double seconds);
 
 }  // namespace coif
