@@ -4,10 +4,13 @@
 #include <coif/math.h>
 #include <coif/status.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace coif {
+
+struct GlFunctions;
 
 /// The host's way to find an OpenGL ES 3.0 function: eglGetProcAddress or the like. Must return null for unknown names.
 struct GlLoader {
@@ -27,7 +30,7 @@ struct Light {
 enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary };
 
 struct DrawDesc {
-  float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space.
+  float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space; must not mirror (front faces stay front).
   Vec3 eye;                        ///< World, metres.
   HeadPose head;                   ///< World from head space.
   std::span<const Mat34> palette;  ///< From Hair::palette(); as many as the asset has bones.
@@ -37,13 +40,111 @@ struct DrawDesc {
   const MaterialRecord* material = nullptr;
   /// False: everything drawn once, without blending, cut at the opaque threshold.
   bool transparency = true;
-  /// The framebuffer encodes sRGB itself (GL_SRGB8_ALPHA8). Otherwise the shader encodes.
+  /// The framebuffer encodes sRGB itself (GL_SRGB8_ALPHA8). Otherwise the shader encodes, and blending happens between
+  /// encoded values, which makes soft tips a little darker.
   bool framebuffer_is_srgb = false;
 };
 
-/// Programs shared by all models of one OpenGL context. The context must be current in every call.
-class HairRenderer;
-/// One asset's buffers and textures on the GPU.
 class HairModel;
+
+/// Programs shared by all models of one OpenGL context. The context must be current in every call. Allocates nothing
+/// itself. The destructor calls no OpenGL function: call destroy() while the context lives.
+class HairRenderer {
+ public:
+  HairRenderer() = default;
+  HairRenderer(const HairRenderer&) = delete;
+  HairRenderer& operator=(const HairRenderer&) = delete;
+
+  /// Finds the functions and builds the programs; OpenGL ES 3.0 or later. kBadArgument without get_proc; kDriver when
+  /// a function is missing or a shader is refused, see failure(). A renderer that exists already is destroyed first.
+  Status create(const GlLoader& loader);
+
+  /// Frees what create() made. Models of this renderer must have been destroyed before.
+  void destroy();
+
+  [[nodiscard]] bool is_created() const { return created_; }
+
+  /// Draws one head of hair into the bound framebuffer and viewport, which need a depth buffer. Four passes (thesis
+  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. Colour
+  /// leaves premultiplied with alpha. Draw what is opaque before, what is transparent after.
+  ///
+  /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when the palette has not one
+  /// matrix per bone; kBadPose; kBadArgument for too many lights or a number out of its range. After a failure no
+  /// OpenGL function has been called.
+  ///
+  /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit, 2D textures and samplers
+  /// of units 0 and 1, uniform buffer binding and its indices 0 and 1; GL_BLEND, blend function and equation;
+  /// GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front face; colour mask.
+  /// Nothing else changes. Scissor, stencil, polygon offset, alpha to coverage and the like apply as the host left
+  /// them. Never calls glGetError.
+  Status draw(const HairModel& model, const DrawDesc& desc);
+
+  /// Why the last create() returned kDriver: the missing function's name or the compiler's log, cut to fit. Never null.
+  [[nodiscard]] const char* failure() const { return failure_; }
+
+ private:
+  friend class HairModel;
+  static constexpr std::size_t kFunctionBytes = 80 * sizeof(void*);
+  static constexpr std::size_t kFailureBytes = 512;
+
+  [[nodiscard]] const GlFunctions& functions() const;
+  Status create_programs();
+  void create_uniform_buffers();
+  void send_uniforms(const struct DrawBlock& block, std::span<const Mat34> palette) const;
+  void bind(const HairModel& model) const;
+  void draw_passes(const HairModel& model, const MaterialRecord& material, bool transparency) const;
+  void leave_initial_state() const;
+
+  alignas(void*) std::byte functions_[kFunctionBytes] = {};  ///< A GlFunctions; its type would bring OpenGL's header here.
+  char failure_[kFailureBytes] = {};
+  std::uint32_t shaded_program_ = 0;
+  std::uint32_t depth_program_ = 0;
+  std::int32_t shaded_alpha_range_ = -1;  ///< Uniform locations.
+  std::int32_t depth_alpha_range_ = -1;
+  std::uint32_t draw_buffer_ = 0;
+  std::uint32_t palette_buffer_ = 0;
+  bool created_ = false;
+};
+
+/// One asset's buffers and textures on the GPU. Any number of heads may be drawn from one model. The destructor calls
+/// no OpenGL function: call destroy() while the context lives.
+class HairModel {
+ public:
+  HairModel() = default;
+  HairModel(const HairModel&) = delete;
+  HairModel& operator=(const HairModel&) = delete;
+
+  /// Copies mesh and textures to the GPU; afterwards the asset may go. Absent textures become neutral ones (white;
+  /// shift 0.5, mask 1), an absent material the thesis's Gallery 1, absent skin weights rigid hair. `renderer` must
+  /// outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory, texture too large); a failure
+  /// leaves what was uploaded before.
+  ///
+  /// Clears OpenGL's error flags. Leaves at their initial values: vertex array, array buffer, pixel unpack buffer and
+  /// the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.
+  Status upload(HairRenderer& renderer, const Asset& asset);
+
+  /// Frees what upload() made. Harmless when there is nothing.
+  void destroy();
+
+  [[nodiscard]] bool is_uploaded() const { return renderer_ != nullptr; }
+  [[nodiscard]] std::uint32_t bone_count() const { return bone_count_; }
+  [[nodiscard]] const MaterialRecord& material() const { return material_; }
+
+ private:
+  friend class HairRenderer;
+
+  void upload_mesh(const GlFunctions& gl, const Asset& asset);
+  void release(const GlFunctions& gl);
+
+  const HairRenderer* renderer_ = nullptr;
+  std::uint32_t vertex_array_ = 0;
+  std::uint32_t vertex_buffer_ = 0;
+  std::uint32_t index_buffer_ = 0;
+  std::uint32_t base_texture_ = 0;
+  std::uint32_t shift_mask_texture_ = 0;
+  std::uint32_t index_count_ = 0;
+  std::uint32_t bone_count_ = 0;
+  MaterialRecord material_{};
+};
 
 }  // namespace coif

@@ -1,0 +1,76 @@
+#include "gl/texture_upload.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace coif {
+namespace {
+
+struct PixelLayout {
+  GLenum storage;
+  GLenum transfer;
+};
+
+PixelLayout layout_of(TexelFormat format) {
+  if (format == TexelFormat::kRg8) return {GL_RG8, GL_RG};
+  return {GL_SRGB8_ALPHA8, GL_RGBA};
+}
+
+GLsizei mip_size(std::uint32_t size, std::uint32_t mip) {
+  return static_cast<GLsizei>((size >> mip) > 0 ? size >> mip : 1);
+}
+
+GLuint bind_new_texture(const GlFunctions& gl) {
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // Artists tile strand textures along a strip.
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  return texture;
+}
+
+void send_neutral_texel(const GlFunctions& gl, TextureRole role) {
+  // Shift 128 of 255 is the nearest there is to 0.5.
+  constexpr std::uint8_t kWhite[4] = {255, 255, 255, 255};
+  constexpr std::uint8_t kShiftMask[2] = {128, 255};
+  const bool color = role == TextureRole::kBaseColor;
+  const PixelLayout layout = layout_of(color ? TexelFormat::kSrgb8Alpha8 : TexelFormat::kRg8);
+  gl.TexStorage2D(GL_TEXTURE_2D, 1, layout.storage, 1, 1);
+  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, layout.transfer, GL_UNSIGNED_BYTE, color ? kWhite : kShiftMask);
+}
+
+}  // namespace
+
+void reset_unpack_state(const GlFunctions& gl) {
+  gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  gl.PixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+  gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+  gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+  gl.PixelStorei(GL_UNPACK_SKIP_IMAGES, 0);
+}
+
+GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole role) {
+  const GLuint texture = bind_new_texture(gl);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  if (const TextureRecord* record = asset.texture(role)) {
+    const PixelLayout layout = layout_of(record->format);
+    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout.storage,
+                    static_cast<GLsizei>(record->width), static_cast<GLsizei>(record->height));
+    for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) {
+      gl.TexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(mip), 0, 0, mip_size(record->width, mip),
+                       mip_size(record->height, mip), layout.transfer, GL_UNSIGNED_BYTE,
+                       asset.texels(*record, mip).data());
+    }
+  } else {
+    send_neutral_texel(gl, role);
+  }
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  return texture;
+}
+
+}  // namespace coif

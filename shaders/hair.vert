@@ -1,0 +1,36 @@
+// Skins a vertex with four bones. Positions, normals and tangents come in head space at rest and leave in head space.
+layout(std140) uniform PaletteBlock {
+  vec4 palette[256 * 3];  // three rows of an affine matrix for each bone
+};
+
+layout(location = 0) in vec3 rest_position;
+layout(location = 1) in vec3 rest_normal;
+layout(location = 2) in vec3 rest_tangent;
+layout(location = 3) in vec2 texture_place;
+layout(location = 4) in uvec4 bones;
+layout(location = 5) in vec4 weights;
+
+out vec3 position;
+out vec3 normal;
+out vec3 tangent;
+out vec2 uv;
+
+// Two programs draw the same triangles; their depths must agree to the bit.
+invariant gl_Position;
+
+vec4 blended_row(int row) {
+  return weights.x * palette[int(bones.x) * 3 + row] + weights.y * palette[int(bones.y) * 3 + row] +
+         weights.z * palette[int(bones.z) * 3 + row] + weights.w * palette[int(bones.w) * 3 + row];
+}
+
+void main() {
+  vec4 x = blended_row(0);
+  vec4 y = blended_row(1);
+  vec4 z = blended_row(2);
+  vec4 rest = vec4(rest_position, 1.0);
+  position = vec3(dot(x, rest), dot(y, rest), dot(z, rest));
+  normal = vec3(dot(x.xyz, rest_normal), dot(y.xyz, rest_normal), dot(z.xyz, rest_normal));
+  tangent = vec3(dot(x.xyz, rest_tangent), dot(y.xyz, rest_tangent), dot(z.xyz, rest_tangent));
+  uv = texture_place;
+  gl_Position = clip_from_head * vec4(position, 1.0);
+}
