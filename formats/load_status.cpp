@@ -81,10 +81,12 @@ std::size_t describe(const LoadStatus& status, char* text, std::size_t capacity)
     out.add(": ");
   }
   out.add(describe(status.code));
-  if (status.expected != status.found) {
-    out.add(" (expected ");
+  // A reference is refused for reaching the array's size or more, so both numbers are printed even when equal.
+  const bool reference = status.code == LoadCode::kReference && status.expected != 0;
+  if (reference || status.expected != status.found) {
+    out.add(reference ? " (size " : " (expected ");
     out.add(status.expected);
-    out.add(", found ");
+    out.add(reference ? ", index " : ", found ");
     out.add(status.found);
     out.add(")");
   }

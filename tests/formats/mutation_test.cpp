@@ -1,0 +1,100 @@
+// Every truncation and every single-byte change of a cooked file is refused with its reason, or harmless.
+
+#include <coif/asset.h>
+
+#include "formats/aligned_bytes.h"
+#include "formats/small_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace coif {
+namespace {
+
+/// Reads whatever a runtime may read of an open asset; a value outside its promise shows as a non-finite sum or under
+/// AddressSanitizer.
+double touch_everything(const Asset& asset) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < asset.bones().size(); ++i) {
+    const BoneRecord& bone = asset.bones()[i];
+    if (bone.parent != kNone) sum += asset.bones()[bone.parent].joint[0];
+    for (const char* c = asset.bone_name(i); *c != 0; ++c) sum += *c;
+    sum += bone.length + bone.rest_direction[0] + bone.rest_direction[1] + bone.rest_direction[2];
+  }
+  for (const ChainRecord& chain : asset.chains()) {
+    for (std::uint32_t i = 0; i < chain.bone_count; ++i) sum += asset.bones()[chain.first_bone + i].joint[1];
+  }
+  for (const DynamicsRecord& d : asset.dynamics()) sum += d.resistance + d.friction + d.gravity_scale;
+  for (const ColliderRecord& c : asset.colliders()) sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3];
+  for (const PatchRecord& patch : asset.patches()) {
+    for (std::uint32_t k = 0; k < patch.index_count; ++k) {
+      const std::uint32_t v = asset.indices()[patch.first_index + k];
+      sum += asset.vertices()[v].position[0] + asset.bones()[asset.skin()[v].bone[0]].joint[0];
+    }
+  }
+  for (const TextureRecord& t : asset.textures()) {
+    for (std::uint32_t mip = 0; mip < t.mip_count; ++mip) {
+      for (std::byte b : asset.texels(t, mip)) sum += double(b);
+    }
+  }
+  return sum;
+}
+
+TEST(Mutation, OpenRefusesEveryTruncation) {
+  const std::vector<std::byte> good = write_asset(small_asset());
+  for (bool verify_hash : {true, false}) {
+    for (std::size_t n = 0; n < good.size(); ++n) {
+      AlignedBytes cut({good.data(), n});
+      EXPECT_FALSE(Asset{}.open(cut.bytes(), {verify_hash})) << n << " of " << good.size() << " bytes";
+    }
+  }
+}
+
+TEST(Mutation, OpenRefusesAddedBytes) {
+  std::vector<std::byte> longer = write_asset(small_asset());
+  longer.push_back(std::byte{0});
+  AlignedBytes file(longer);
+  EXPECT_EQ(Asset{}.open(file.bytes()).code, LoadCode::kSize);
+}
+
+TEST(Mutation, HashRefusesEverySingleByteChange) {
+  AlignedBytes file(write_asset(small_asset()));
+  const std::span<std::byte> bytes = file.bytes();
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const std::byte original = bytes[at];
+    for (unsigned flip = 1; flip < 256; ++flip) {
+      bytes[at] = original ^ std::byte(flip);
+      ASSERT_FALSE(Asset{}.open(bytes)) << "byte " << at << " xor " << flip;
+    }
+    bytes[at] = original;
+  }
+  EXPECT_TRUE(Asset{}.open(bytes)) << "the unchanged file opens";
+}
+
+TEST(Mutation, WithoutTheHashEverySingleByteChangeIsRefusedOrHarmless) {
+  AlignedBytes file(write_asset(small_asset()));
+  const std::span<std::byte> bytes = file.bytes();
+  std::size_t refused = 0, harmless = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const std::byte original = bytes[at];
+    for (unsigned flip = 1; flip < 256; ++flip) {
+      bytes[at] = original ^ std::byte(flip);
+      Asset asset;
+      if (!asset.open(bytes, {.verify_hash = false})) {
+        ++refused;
+        continue;
+      }
+      ++harmless;
+      ASSERT_TRUE(std::isfinite(touch_everything(asset))) << "byte " << at << " xor " << flip;
+    }
+    bytes[at] = original;
+  }
+  RecordProperty("refused", int(refused));
+  RecordProperty("harmless", int(harmless));
+  EXPECT_GT(refused, harmless) << "the structural checks see most changes";
+}
+
+}  // namespace
+}  // namespace coif

@@ -1,0 +1,181 @@
+#include <coif/asset.h>
+
+#include "formats/aligned_bytes.h"
+#include "formats/small_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace coif {
+namespace {
+
+LoadStatus open_written(const AssetContents& contents) {
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  const LoadStatus status = asset.open(file.bytes());
+  EXPECT_EQ(asset.is_open(), bool(status)) << "a refused asset must leave the view empty";
+  return status;
+}
+
+/// Opens small_asset() after a change that should be refused.
+template <typename Change>
+LoadCode refusal(Change change) {
+  AssetContents contents = small_asset();
+  change(contents);
+  return open_written(contents).code;
+}
+
+TEST(Open, GivesBackWhatWasWritten) {
+  const AssetContents contents = small_asset();
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.total_bytes(), file.bytes().size());
+  EXPECT_EQ(asset.skeleton().simulated_count, 3u);
+  ASSERT_EQ(asset.bones().size(), contents.bones.size());
+  EXPECT_STREQ(asset.bone_name(3), "hair_2");
+  EXPECT_STREQ(asset.bone_name(999), "");
+  EXPECT_FLOAT_EQ(asset.bones()[4].length, 0.1f);
+  EXPECT_EQ(asset.indices().size(), 6u);
+  EXPECT_EQ(asset.patches()[1].first_index, 3u);
+  ASSERT_NE(asset.texture(TextureRole::kShiftMask), nullptr);
+  const TextureRecord& base = *asset.texture(TextureRole::kBaseColor);
+  EXPECT_EQ(asset.texels(base, 2).size(), 4u);
+  EXPECT_EQ(asset.texels(base, 2)[0], contents.texels[40]);
+  EXPECT_EQ(asset.provenance()->importer_version[1], 2);
+}
+
+TEST(Open, WritingTwiceGivesTheSameBytes) { EXPECT_EQ(write_asset(small_asset()), write_asset(small_asset())); }
+
+TEST(Open, AcceptsASkeletonAlone) {
+  AssetContents contents = small_asset();
+  contents.vertices.clear();
+  contents.skin.clear();
+  contents.indices.clear();
+  contents.patches.clear();
+  contents.material.clear();
+  contents.textures.clear();
+  contents.texels.clear();
+  contents.colliders.clear();
+  contents.provenance.clear();
+  contents.bone_names.clear();
+  EXPECT_TRUE(open_written(contents));
+}
+
+TEST(Open, AcceptsAnyMinorVersionAndSkipsUnknownOptionalChunks) {
+  std::vector<std::byte> bytes = write_asset(small_asset());
+  bytes[10] = std::byte{7};                       // minor version
+  bytes[32 + 2 * 32] = std::byte{'Z'};            // the NAME chunk becomes unknown
+  AlignedBytes file(bytes);
+  Asset asset;
+  const LoadStatus status = asset.open(file.bytes(), {.verify_hash = false});
+  // Bones still point into NAME, so the reader must notice that they have nothing to point to.
+  EXPECT_EQ(status.code, LoadCode::kReference);
+  AssetContents nameless = small_asset();
+  nameless.bone_names.clear();
+  nameless.provenance.clear();
+  AlignedBytes other(write_asset(nameless));
+  other.bytes()[10] = std::byte{7};
+  EXPECT_TRUE(asset.open(other.bytes(), {.verify_hash = false}));
+  EXPECT_EQ(asset.minor(), 7);
+}
+
+TEST(Open, RefusesUnknownRequiredChunks) {
+  AlignedBytes file(write_asset(small_asset()));
+  file.bytes()[32 + 3 * 32] = std::byte{'Z'};      // CHAN
+  file.bytes()[32 + 3 * 32 + 4] = std::byte{1};    // required
+  Asset asset;
+  EXPECT_EQ(asset.open(file.bytes(), {.verify_hash = false}).code, LoadCode::kChunkUnknown);
+}
+
+TEST(Open, RefusesMemoryThatIsNotAligned) {
+  const std::vector<std::byte> bytes = write_asset(small_asset());
+  std::vector<std::byte> room(16, std::byte{});
+  room.insert(room.end(), bytes.begin(), bytes.end());
+  AlignedBytes block(room);
+  Asset asset;
+  EXPECT_EQ(asset.open(block.bytes().subspan(16)).code, LoadCode::kMisaligned) << "texels want 64";
+  EXPECT_EQ(asset.open(block.bytes().subspan(8)).code, LoadCode::kMisaligned);
+}
+
+TEST(Open, RefusesForeignFilesByTheirFirstBytes) {
+  AlignedBytes file(write_asset(small_asset()));
+  file.bytes()[1] = std::byte{'X'};
+  EXPECT_EQ(Asset{}.open(file.bytes()).code, LoadCode::kMagic);
+  EXPECT_EQ(Asset{}.open({}).code, LoadCode::kTooSmall);
+}
+
+TEST(Open, RefusesBrokenSkeletons) {
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].parent = 3; }), LoadCode::kBoneOrder);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[0].parent = 0; }), LoadCode::kBoneOrder);
+  EXPECT_EQ(refusal([](auto& a) { std::swap(a.bones[1], a.bones[2]); }), LoadCode::kBoneOrder);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].length = 0; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].length = std::nanf(""); }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[3].rest_direction[0] = 0.5f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[3].kind = BoneKind(9); }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.bones.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.chains[0].bone_count = 1; }), LoadCode::kChainCover);
+  EXPECT_EQ(refusal([](auto& a) { a.chains[1].bone_count = 0xFFFFFFFFu; }), LoadCode::kChainCover);
+  EXPECT_EQ(refusal([](auto& a) { a.chains[0].root = 2; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.chains.pop_back(); }), LoadCode::kChainCover);
+  EXPECT_EQ(refusal([](auto& a) { a.skeleton.head_rotation[3] = 0; }), LoadCode::kNotFinite);
+}
+
+TEST(Open, RefusesBrokenDynamicsAndColliders) {
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].resistance = 1.01f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].friction = -1.0f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].radii[1] = 0; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape::kSphere; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = 3; }), LoadCode::kReference);
+}
+
+TEST(Open, RefusesBrokenMeshes) {
+  EXPECT_EQ(refusal([](auto& a) { a.indices[4] = 6; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.indices.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.skin.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.skin.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.vertices.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.skin[0].bone[3] = 5; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.skin[5].weight[0] = 0; }), LoadCode::kWeightSum);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].first_index = 0; }), LoadCode::kPatchCover);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].index_count = 6; }), LoadCode::kPatchCover);
+  EXPECT_EQ(refusal([](auto& a) { a.patches.pop_back(); }), LoadCode::kPatchCover);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0; }), LoadCode::kNotFinite) << "not ascending";
+  EXPECT_EQ(refusal([](auto& a) { a.vertices[2].position[1] = std::numeric_limits<float>::infinity(); }),
+            LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.vertices[2].normal[2] = 0; }), LoadCode::kNotFinite);
+}
+
+TEST(Open, RefusesBrokenAppearance) {
+  EXPECT_EQ(refusal([](auto& a) { a.material[0].opaque_threshold = 2; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.material[0].flags = 4; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[0].mip_count = 4; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[0].width = 0; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[1].offset = 64; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[1].bytes = 9; }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[1].role = TextureRole::kBaseColor; }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.texels.clear(); }), LoadCode::kReference);
+}
+
+TEST(LoadStatus, NamesChunkRecordAndNumbers) {
+  AssetContents contents = small_asset();
+  contents.indices[4] = 6;
+  char text[200];
+  const std::size_t length = describe(open_written(contents), text, sizeof text);
+  EXPECT_EQ(std::string(text, length),
+            "chunk INDX, record 4: index points outside the array it refers to (size 6, index 6)");
+}
+
+TEST(LoadStatus, DescriptionFitsTheBufferGiven) {
+  char text[8] = "1234567";
+  EXPECT_EQ(describe(LoadStatus{LoadCode::kHash, 0, 0, 1, 2}, text, sizeof text), 7u);
+  EXPECT_STREQ(text, "the byt");
+}
+
+}  // namespace
+}  // namespace coif

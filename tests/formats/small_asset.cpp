@@ -1,0 +1,86 @@
+#include "formats/small_asset.h"
+
+namespace coif {
+namespace {
+
+BoneRecord rigid(BoneKind kind, std::uint32_t parent, float y) {
+  BoneRecord bone{};
+  bone.parent = parent;
+  bone.kind = kind;
+  bone.chain = kNone;
+  bone.name = kNone;
+  bone.joint[1] = y;
+  return bone;
+}
+
+BoneRecord simulated(std::uint32_t parent, std::uint32_t chain, float y) {
+  BoneRecord bone = rigid(BoneKind::kSimulated, parent, y);
+  bone.chain = chain;
+  bone.length = 0.1f;
+  bone.rest_direction[1] = -1.0f;
+  return bone;
+}
+
+VertexRecord vertex(float x, float y) {
+  VertexRecord v{};
+  v.position[0] = x;
+  v.position[1] = y;
+  v.position[2] = 0.1f;
+  v.normal[2] = 32767;
+  v.tangent[1] = -32767;
+  v.tangent[3] = 16384;
+  v.uv[0] = x;
+  v.uv[1] = -y;
+  return v;
+}
+
+void add_mesh(AssetContents& asset) {
+  for (int patch = 0; patch < 2; ++patch) {
+    const auto first = std::uint32_t(asset.vertices.size());
+    for (int k = 0; k < 3; ++k) {
+      asset.vertices.push_back(vertex(0.05f * float(k + patch), -0.1f * float(k % 2)));
+      asset.skin.push_back({{std::uint8_t(2 + patch), 0, 0, 0}, {200, 55, 0, 0}});
+      asset.indices.push_back(first + std::uint32_t(k));
+    }
+    asset.patches.push_back({std::uint32_t(3 * patch), 3, 0.1f + 0.01f * float(patch), std::uint32_t(2 + patch)});
+  }
+}
+
+void add_textures(AssetContents& asset) {
+  asset.textures.push_back({TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, 4, 2, 3, 0, 0, 32 + 8 + 4});
+  asset.textures.push_back({TextureRole::kShiftMask, TexelFormat::kRg8, 2, 2, 1, 0, 48, 8});
+  asset.texels.resize(56);
+  for (std::size_t i = 0; i < asset.texels.size(); ++i) asset.texels[i] = std::byte(i * 37);
+}
+
+}  // namespace
+
+AssetContents small_asset() {
+  AssetContents asset;
+  asset.skeleton.head_joint[1] = 1.6f;
+  asset.skeleton.head_rotation[3] = 1.0f;
+  asset.bones = {rigid(BoneKind::kHead, kNone, 0.0f), rigid(BoneKind::kScalp, 0, 0.05f), simulated(1, 0, 0.05f),
+                 simulated(2, 0, -0.05f), simulated(0, 1, 0.0f)};
+  asset.bone_names = {"Head", "scalp", "hair_1", "hair_2", "fringe"};
+  asset.chains = {{2, 2, 1, 0}, {4, 1, 0, 0}};
+  for (std::size_t i = 0; i < asset.bones.size(); ++i) asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f});
+  ColliderRecord head{};
+  head.shape = ColliderShape::kEllipsoid;
+  head.radii[0] = 0.08f;
+  head.radii[1] = 0.12f;
+  head.radii[2] = 0.1f;
+  head.rotation[3] = 1.0f;
+  asset.colliders = {head};
+  add_mesh(asset);
+  MaterialRecord material{};
+  for (float& c : material.base_color) c = 1.0f;
+  material.opaque_threshold = 0.9f;
+  material.primary_exponent = 150.0f;
+  material.secondary_exponent = 30.0f;
+  asset.material = {material};
+  add_textures(asset);
+  asset.provenance = {{1, 2, {0, 1, 0}, {5, 2, 4}, 0}};
+  return asset;
+}
+
+}  // namespace coif

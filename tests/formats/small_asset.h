@@ -1,0 +1,11 @@
+#pragma once
+
+#include "write/asset_writer.h"
+
+namespace coif {
+
+/// An asset of about 2 KiB that uses every chunk: a head, one scalp bone, a chain of two bones and one of one bone
+/// that branches off the head, two patches of one triangle each, both textures.
+[[nodiscard]] AssetContents small_asset();
+
+}  // namespace coif
