@@ -1,0 +1,20 @@
+# What a game takes with it: shipped libraries, public headers, the CMake package; and the coif program for its build.
+include(CMakePackageConfigHelpers)
+set(shipped coif_formats coif_sim)
+if(COIF_GL)
+  list(APPEND shipped coif_gl)
+endif()
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/coif)
+
+install(TARGETS ${shipped} EXPORT coif-targets FILE_SET HEADERS)
+install(EXPORT coif-targets NAMESPACE coif:: DESTINATION ${package_folder})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/coif-config.cmake.in
+  ${PROJECT_BINARY_DIR}/coif-config.cmake INSTALL_DESTINATION ${package_folder})
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/coif-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif-config-version.cmake
+  DESTINATION ${package_folder})
+
+if(TARGET coif_cli)
+  install(TARGETS coif_cli RUNTIME)
+endif()

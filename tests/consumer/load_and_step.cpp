@@ -1,0 +1,52 @@
+// A game that knows only the installed package. With an asset: loads it and steps one head for a second. Without: makes
+// sure that something else is refused.
+#include <coif/asset.h>
+#include <coif/hair.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+std::span<std::byte> read_file(const char* path) {
+  std::FILE* file = std::fopen(path, "rb");
+  auto* memory = static_cast<std::byte*>(std::aligned_alloc(64, kMaxBytes));
+  if (file == nullptr || memory == nullptr) return {};
+  const std::size_t size = std::fread(memory, 1, kMaxBytes, file);
+  std::fclose(file);
+  return {memory, size};
+}
+
+bool refuses_text() {
+  alignas(64) std::byte text[256] = {};
+  coif::Asset asset;
+  const coif::LoadStatus status = asset.open(text);
+  std::printf("%s\n", coif::describe(status.code));
+  return !status && !asset.is_open();
+}
+
+bool steps_for_a_second(const char* path) {
+  coif::Asset asset;
+  if (!asset.open(read_file(path))) return false;
+  const coif::MemoryNeed need = coif::Hair::memory_need(asset, {});
+  const std::size_t whole_lines = (need.bytes + need.alignment - 1) / need.alignment * need.alignment;
+  auto* memory = static_cast<std::byte*>(std::aligned_alloc(need.alignment, whole_lines));
+  coif::Hair hair;
+  if (memory == nullptr || hair.create(asset, {}, {memory, need.bytes}) != coif::Status::kOk) return false;
+  for (int frame = 1; frame <= 60; ++frame) {
+    coif::HeadPose pose;
+    pose.position[0] = 0.02 * frame;
+    if (hair.set_head(0, pose) != coif::Status::kOk || hair.step({}) != coif::Status::kOk) return false;
+  }
+  std::printf("%u bones, last at x = %g m\n", hair.bone_count(), double(hair.bone_ends(0).back().x));
+  return hair.palette(0).size() == asset.bones().size();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool good = refuses_text() && (argc < 2 || steps_for_a_second(argv[1]));
+  return good ? 0 : 1;
+}

@@ -1,0 +1,14 @@
+# The package as a game sees it. Not under sanitizers: a game that links such an archive must be built with them too.
+function(coif_consumer_test name)
+  add_test(NAME consumer.${name}
+    COMMAND ${CMAKE_COMMAND} -D WORK=${CMAKE_BINARY_DIR}/consumer/${name} ${ARGN}
+            -P ${PROJECT_SOURCE_DIR}/tests/consumer/consume.cmake)
+  set_tests_properties(consumer.${name} PROPERTIES TIMEOUT 300)
+endfunction()
+
+coif_consumer_test(sim_only -D SOURCE=${PROJECT_SOURCE_DIR})
+coif_consumer_test(embedded -D EMBED=${PROJECT_SOURCE_DIR})
+if(TARGET coif_cli)
+  coif_consumer_test(installed -D BUILD=${CMAKE_BINARY_DIR} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
+  set_tests_properties(consumer.installed PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE)
+endif()

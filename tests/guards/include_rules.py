@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Who may include whom. LAYERS, HOMES and STANDARD below are the rules; the rest applies them.
+
+usage: include_rules.py SOURCE_DIR | --self-test
+"""
+import re
+import sys
+from pathlib import Path
+
+FORMATS = {"formats/include"}
+SIM = FORMATS | {"runtime/include"}
+TOOL_BASE = SIM | {"formats/write", "runtime/sim", "tools"}
+
+# Folder (or file) -> folders it may include from; itself always. The longest match owns a file.
+LAYERS = {
+    "formats": FORMATS,
+    "formats/include": set(),
+    "formats/write": FORMATS | {"formats"},
+    "runtime/include": FORMATS,
+    "runtime/include/coif/renderer.h": SIM,
+    "runtime/sim": SIM,
+    "runtime/gl": SIM | {"runtime/include/coif/renderer.h"},
+    "runtime/examples": SIM | {"runtime/include/coif/renderer.h"},
+    "tools": set(),
+    "tools/import": TOOL_BASE,
+    "tools/cook": TOOL_BASE | {"tools/import"},
+    "tools/motion": TOOL_BASE,
+    "tools/animation": TOOL_BASE | {"tools/motion"},
+    "tools/render": TOOL_BASE | {"tools/import", "tools/motion", "runtime/include/coif/renderer.h"},
+    "tools/sample": TOOL_BASE,
+    "tools/cli": None,  # Everything.
+    "tests": None,
+}
+
+# Third-party header -> the folders that may include it.
+HOMES = {
+    "assimp/": ["tools/import"],
+    "CLI/": ["tools/cli"],
+    "meshoptimizer.h": ["tools/cook"],
+    "nlohmann/": ["tools/", "tests/"],
+    "Eigen/": ["tools/", "tests/"],
+    "fmt/": ["tools/", "tests/"],
+    "tl/": ["tools/", "tests/"],
+    "stb/stb_image.h": ["tools/cook", "tests/"],
+    "stb/stb_image_resize.h": ["tools/cook"],
+    "stb/stb_image_write.h": ["tools/render", "tools/sample"],
+    "EGL/": ["tools/render", "tests/gl"],
+    "GLES2/": ["tools/render", "tests/gl"],
+    "GLES3/": ["runtime/gl", "tools/render", "tests/gl"],
+    "KHR/": ["tools/render"],
+    "gtest/": ["tests/"],
+    "benchmark/": ["tests/"],
+}
+
+# What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
+STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
+            "limits", "new", "numeric", "span", "type_traits", "utility"}
+SHIPPED = ("formats", "formats/include", "runtime/include", "runtime/include/coif/renderer.h", "runtime/sim",
+           "runtime/gl")
+
+# Headers that the build writes, by the one layer that includes them.
+GENERATED = {"runtime/gl": {"hair_shaders.h"}}
+
+ROOTS = ["", "formats/include", "runtime/include", "formats", "runtime", "tools", "tests"]
+SUFFIXES = {".h", ".cpp", ".hpp", ".c", ".inl"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+
+
+def layer_of(path):
+    """The longest entry of LAYERS that `path` lies in, or None."""
+    fitting = [name for name in LAYERS if path == name or path.startswith(name + "/")]
+    return max(fitting, key=len, default=None)
+
+
+def resolve(name, folder, exists):
+    """Path of an included project file, or None: beside the includer first, then under ROOTS."""
+    for root in [folder, *ROOTS]:
+        candidate = f"{root}/{name}" if root else name
+        if exists(candidate):
+            return candidate
+    return None
+
+
+def foreign_violation(layer, path, name):
+    home = next((HOMES[prefix] for prefix in HOMES if name.startswith(prefix)), None)
+    if home is not None:
+        return None if any(path.startswith(h) for h in home) else f"<{name}> belongs in {' or '.join(home)} only"
+    if layer in SHIPPED and name not in STANDARD:
+        return f"<{name}> is not among the headers that shipped code may use"
+    if "/" in name and not name.startswith("sys/"):
+        return f"<{name}> has no home; give it one in HOMES, with a reason in the commit"
+    return None
+
+
+def violations(path, text, exists):
+    """One sentence for each #include of `text` that breaks a rule."""
+    layer = layer_of(path)
+    if layer is None:
+        yield f"{path}: belongs to no layer; see LAYERS"
+        return
+    for match in INCLUDE.finditer(text):
+        name = match.group(1) or match.group(2)
+        target = resolve(name, path.rpartition("/")[0], exists)
+        if target is None:
+            generated = name in GENERATED.get(layer, ())
+            problem = None if generated else foreign_violation(layer, path, name)
+        else:
+            owner, allowed = layer_of(target), LAYERS[layer]
+            problem = None
+            if owner != layer and allowed is not None and owner not in allowed:
+                problem = f'"{name}" is in {owner}, which {layer} may not include'
+        if problem:
+            yield f"{path}: {problem}"
+
+
+def check(source):
+    files = [p for top in ("formats", "runtime", "tools", "tests") for p in sorted((source / top).rglob("*"))
+             if p.suffix in SUFFIXES]
+    bad = [] if files else [f"no source files under {source}: the rules checked nothing"]
+    for file in files:
+        path = file.relative_to(source).as_posix()
+        bad += violations(path, file.read_text(encoding="utf-8"), lambda p: (source / p).is_file())
+    return len(files), bad
+
+
+def self_test():
+    tree = {"tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
+            "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h", "tests/sim/rig.h"}
+    must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
+                 ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
+                 ("runtime/gl/a.cpp", "#include <nlohmann/json.hpp>"), ("runtime/gl/a.cpp", "#  include <EGL/egl.h>"),
+                 ("formats/a.cpp", "#include <coif/hair.h>"), ("formats/a.cpp", '#include "write/asset_writer.h"'),
+                 ("runtime/include/coif/a.h", "#include <string>"), ("tools/cook/a.cpp", "#include <assimp/scene.h>"),
+                 ("tools/cook/a.cpp", '#include "render/picture.h"'), ("tools/import/a.cpp", '#include "cook/cook.h"'),
+                 ("tools/cook/a.cpp", "#include <CLI/CLI.hpp>"), ("tools/cook/a.cpp", "#include <newlib/new.h>"),
+                 ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", "")]
+    must_pass = [("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
+                 ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
+                 ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <sys/stat.h>')]
+    bad = [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]
+    bad += [f"rule fired on: {c}" for c in must_pass if list(violations(*c, tree.__contains__))]
+    if not check(Path("/nonexistent"))[1]:
+        bad.append("an empty tree passed")
+    return len(must_fail) + len(must_pass), bad
+
+
+if __name__ == "__main__":
+    seen, problems = self_test() if sys.argv[1] == "--self-test" else check(Path(sys.argv[1]))
+    print("\n".join(problems) or f"include rules: {seen} checked")
+    sys.exit(1 if problems else 0)

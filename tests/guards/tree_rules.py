@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""What no file of the project may be: too long, written for one machine or one tracker, a copy of a test asset that is
+not ours to ship, or named so that anything could end up in it.
+
+usage: tree_rules.py SOURCE_DIR ASSET_DIR | --self-test
+"""
+import hashlib
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+MAX_LINES = 300
+# Files that are longer for a reason: path -> the reason.
+LONGER = {}
+CODE = {".h", ".cpp", ".py", ".sh", ".cmake", ".vert", ".frag", ".txt"}
+TEXT = CODE | {".md", ".json", ".in", ""}
+BAD_NAMES = {"utils", "util", "common", "misc", "helpers", "helper", "manager"}
+BAD_TEXT = [
+    (re.compile(r"(?<![\w.])/(?:work|root|home)/\w"), "a path of one machine"),
+    (re.compile(r"\b(?:TODO|FIXME|XXX|HACK)\b"), "a note to oneself"),
+    (re.compile(r"\b(?:tickets?|issue\s*#?\d+|(?:fixes|closes|see)\s+#\d+)\b", re.IGNORECASE), "a tracker's number"),
+    (re.compile(r"\b(?:chatgpt|claude|copilot|as an ai|language model)\b", re.IGNORECASE), "talk about its making"),
+]
+FOLDERS = ("formats", "runtime", "tools", "shaders", "tests", "sample_assets", ".ci")
+
+
+def project_files(source):
+    """Files of the project; build trees and outputs lie elsewhere."""
+    yield from (p for p in sorted(source.iterdir()) if p.is_file())
+    for folder in FOLDERS:
+        yield from (p for p in sorted((source / folder).rglob("*")) if p.is_file() and "__pycache__" not in p.parts)
+
+
+def text_problems(path, text):
+    if path == "tests/guards/tree_rules.py":  # Holds the very words it forbids.
+        return
+    lines = text.count("\n")
+    if Path(path).suffix in CODE and lines > MAX_LINES and path not in LONGER:
+        yield f"{path}: {lines} lines, above {MAX_LINES}; split it, or give the reason in LONGER"
+    for number, line in enumerate(text.splitlines(), 1):
+        for pattern, what in BAD_TEXT:
+            if pattern.search(line):
+                yield f"{path}:{number}: {what}: {line.strip()[:80]}"
+
+
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def copied(source, files, assets):
+    """Project files whose bytes are those of a test asset."""
+    by_size = {}
+    for asset in (p for p in assets.rglob("*") if p.is_file() and p.stat().st_size > 0):
+        by_size.setdefault(asset.stat().st_size, []).append(asset)
+    for file in files:
+        if any(digest(file) == digest(asset) for asset in by_size.get(file.stat().st_size, [])):
+            yield f"{file.relative_to(source)}: a copy of a test asset, which may not be shipped"
+
+
+def check(source, assets):
+    files = list(project_files(source))
+    bad = [] if files else [f"no files under {source}: nothing was checked"]
+    for file in files:
+        path = file.relative_to(source).as_posix()
+        if BAD_NAMES & set(re.split(r"[/._]", path.lower())):
+            bad.append(f"{path}: a name for a place where anything may end up")
+        if file.suffix in TEXT:
+            bad += text_problems(path, file.read_text(encoding="utf-8", errors="replace"))
+    return len(files), bad + list(copied(source, files, assets))
+
+
+def self_test():
+    must_fail = {"tools/cook/long.cpp": "//\n" * 301, "tools/x.cpp": "// /" + "work/main\n", "formats/a.md": "TO" "DO\n",
+                 "tests/b.cpp": "// see #12\n", "tools/string_utils.h": "", "tools/utils/x.h": "",
+                 "sample_assets/a/a.glb": "bytes of an artist", "runtime/c.cpp": "// made by Chat" "GPT\n"}
+    must_pass = {"tools/cook/fine.cpp": "//\n" * 300, "README.md": "an issue of a file, at https://example.org/home/x\n"}
+    bad = []
+    for path, text in {**must_fail, **must_pass}.items():
+        with tempfile.TemporaryDirectory() as tree, tempfile.TemporaryDirectory() as assets:
+            Path(assets, "artist.glb").write_text("bytes of an artist")
+            Path(tree, path).parent.mkdir(parents=True, exist_ok=True)
+            Path(tree, path).write_text(text)
+            fired = bool(check(Path(tree), Path(assets))[1])
+            if fired != (path in must_fail):
+                bad.append(f"{'fired on' if fired else 'did not fire on'}: {path}")
+    with tempfile.TemporaryDirectory() as empty:
+        if not check(Path(empty), Path(empty))[1]:
+            bad.append("an empty tree passed")
+    return len(must_fail) + len(must_pass) + 1, bad
+
+
+if __name__ == "__main__":
+    seen, problems = self_test() if sys.argv[1] == "--self-test" else check(Path(sys.argv[1]), Path(sys.argv[2]))
+    print("\n".join(problems) or f"tree rules: {seen} files or cases checked")
+    sys.exit(1 if problems else 0)
