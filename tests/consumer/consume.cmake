@@ -45,7 +45,7 @@ run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -D CMAKE_BUILD_TYPE=
     -D COIF_GL=OFF -D COIF_TOOLS=OFF -D COIF_TESTS=OFF)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${prefix})
-build_consumer(game -D CMAKE_PREFIX_PATH=${prefix})
+build_consumer(game -D CMAKE_PREFIX_PATH=${prefix} -D README=${SOURCE}/README.md)
 
 # The part that was not built is missed when the game is configured, by name, and has left nothing behind.
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${consumer} -B ${WORK}/absent -D CMAKE_PREFIX_PATH=${prefix}
