@@ -23,7 +23,7 @@ bool is_finite(const float (&values)[N]) {
 }
 
 bool is_valid(const HeadPose& pose) {
-  constexpr double kUnitTolerance = 1e-2;
+  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
   const double square = x * x + y * y + z * z + w * w;
   return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&

@@ -1,0 +1,98 @@
+#include "render/camera.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace coif {
+namespace {
+
+constexpr double kMargin = 1.08;   // of the distance: a thin border, and room for hair that swings
+constexpr double kSpacing = 1.12;  // between heads of a grid, of their own size
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+void aim(Camera& camera, const CameraSettings& settings) {
+  const double yaw = radians(settings.yaw_degrees);
+  const double pitch = radians(std::clamp(settings.pitch_degrees, -89.0, 89.0));
+  camera.back = {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+  camera.right = {std::cos(yaw), 0.0, -std::sin(yaw)};
+  camera.up = camera.back.cross(camera.right);
+}
+
+struct Box {
+  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d max = -min;
+};
+
+/// Offsets in camera space of a grid of cells, row by row from the top, the last row centred.
+std::vector<Eigen::Vector2d> grid(const Eigen::Vector2d& cell, const CameraSettings& settings) {
+  const double wide = std::sqrt(settings.heads * settings.aspect * cell.y() / cell.x());
+  const auto columns = static_cast<std::uint32_t>(std::clamp(std::round(wide), 1.0, double(settings.heads)));
+  const std::uint32_t rows = (settings.heads + columns - 1) / columns;
+  std::vector<Eigen::Vector2d> places;
+  for (std::uint32_t i = 0; i < settings.heads; ++i) {
+    const std::uint32_t row = i / columns;
+    const std::uint32_t in_row = std::min(columns, settings.heads - row * columns);
+    places.emplace_back((i % columns - 0.5 * (in_row - 1.0)) * cell.x(), (0.5 * (rows - 1.0) - row) * cell.y());
+  }
+  return places;
+}
+
+Eigen::Matrix4d perspective(double tan_x, double tan_y, double near, double far) {
+  Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
+  clip(0, 0) = 1.0 / tan_x;
+  clip(1, 1) = 1.0 / tan_y;
+  clip(2, 2) = (near + far) / (near - far);
+  clip(2, 3) = 2.0 * near * far / (near - far);
+  clip(3, 2) = -1.0;
+  return clip;
+}
+
+}  // namespace
+
+CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings) {
+  CrowdView view;
+  Camera& camera = view.camera;
+  aim(camera, settings);
+  Eigen::Matrix3d axes;
+  axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
+
+  Box box;
+  for (const Eigen::Vector3d& point : points) {
+    box.min = box.min.cwiseMin(axes * point);
+    box.max = box.max.cwiseMax(axes * point);
+  }
+  const Eigen::Vector3d center = 0.5 * (box.min + box.max);
+  const Eigen::Vector2d size = (box.max - box.min).head<2>().cwiseMax(1e-3);
+  Eigen::Vector2d reach = Eigen::Vector2d::Zero();  // of the grid's outermost places
+  for (const Eigen::Vector2d& place : grid(kSpacing * size, settings)) {
+    reach = reach.cwiseMax(place.cwiseAbs());
+    view.places.push_back(camera.right * place.x() + camera.up * place.y());
+  }
+
+  const double tan_short = std::tan(0.5 * radians(settings.fov_degrees));
+  const double tan_x = tan_short * std::max(settings.aspect, 1.0);
+  const double tan_y = tan_short / std::min(settings.aspect, 1.0);
+  double distance = 0;
+  for (const Eigen::Vector3d& point : points) {
+    const Eigen::Vector3d p = axes * point - center;
+    distance = std::max({distance, (std::abs(p.x()) + reach.x()) / tan_x + p.z(),
+                         (std::abs(p.y()) + reach.y()) / tan_y + p.z()});
+  }
+  distance *= kMargin;
+
+  const double depth = box.max.z() - box.min.z() + size.norm();  // swinging hair may leave the box
+  const double near = std::max(distance - depth, 0.02 * distance);
+  camera.eye = axes.transpose() * (center + Eigen::Vector3d(0, 0, distance));
+  Eigen::Matrix4d view_from_world = Eigen::Matrix4d::Identity();
+  view_from_world.topLeftCorner<3, 3>() = axes;
+  view_from_world.topRightCorner<3, 1>() = -(axes * camera.eye);
+  camera.clip_from_world = (perspective(tan_x, tan_y, near, distance + depth) * view_from_world).cast<float>();
+  return view;
+}
+
+}  // namespace coif

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+struct Camera {
+  Eigen::Matrix4f clip_from_world;  ///< Column-major, OpenGL clip space.
+  Eigen::Vector3d eye;              ///< World, metres.
+  Eigen::Vector3d right, up, back;  ///< Unit, world; `back` points from the scene to the eye.
+};
+
+struct CameraSettings {
+  double yaw_degrees = 0;    ///< 0: from +Z; positive: towards +X.
+  double pitch_degrees = 0;  ///< Positive: from above, -89..89.
+  double fov_degrees = 30;   ///< Of the shorter side of the picture.
+  double aspect = 4.0 / 3.0;
+  std::uint32_t heads = 1;
+};
+
+struct CrowdView {
+  Camera camera;
+  std::vector<Eigen::Vector3d> places;  ///< World, one per head: a grid that faces the camera.
+};
+
+/// Places copies of what `points` (world, metres, not empty) outline side by side and moves the camera as near as it can
+/// be while it sees all of them.
+[[nodiscard]] CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings);
+
+}  // namespace coif

@@ -1,0 +1,161 @@
+#include "render/picture.h"
+
+#include "render/camera.h"
+#include "render/egl_context.h"
+#include "render/hair_pose.h"
+#include "render/offscreen_target.h"
+#include "render/solid_mesh.h"
+#include "render/stage_renderer.h"
+
+#include <GLES3/gl3.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kMaxHeads = 10'000;
+constexpr double kMaxSeconds = 3600;
+
+tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+  return tl::unexpected(ToolError{kind, std::move(message)});
+}
+
+tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
+  const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
+  if (!side_ok(settings.width) || !side_ok(settings.height)) {
+    return fail(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way, not " +
+                                             std::to_string(settings.width) + " x " + std::to_string(settings.height));
+  }
+  if (settings.heads < 1 || settings.heads > kMaxHeads) {
+    return fail(ToolError::Kind::kUsage, "a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
+  }
+  if (!(settings.time >= 0 && settings.time <= kMaxSeconds)) {
+    return fail(ToolError::Kind::kUsage, "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
+  }
+  if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
+    return fail(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
+  }
+  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
+    return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
+  }
+  return {};
+}
+
+std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings) {
+  std::vector<SolidMesh> meshes;
+  if (settings.body != nullptr) {
+    const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
+    for (const SourceMesh& mesh : settings.body->meshes) meshes.push_back(body_mesh(*settings.body, mesh, head_joint));
+  } else if (settings.mannequin) {
+    for (const ColliderRecord& collider : asset.colliders()) meshes.push_back(mannequin_mesh(collider));
+  }
+  return meshes;
+}
+
+/// What the picture is about: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
+std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
+  std::vector<Eigen::Vector3d> points;
+  for (const VertexRecord& vertex : asset.vertices()) {
+    points.push_back(Eigen::Map<const Eigen::Vector3f>(vertex.position).cast<double>());
+  }
+  for (const ColliderRecord& collider : asset.colliders()) {
+    for (const SolidVertex& vertex : mannequin_mesh(collider).vertices) points.push_back(vertex.position.cast<double>());
+  }
+  return points;
+}
+
+Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+
+/// Photographer's lights that move with the camera. The key stands high and to the side: both highlights then lie as
+/// bands across the strands, apart from each other. The rim parts the hair from the backdrop.
+std::array<Light, 3> studio_lights(const Camera& camera) {
+  const auto light = [&](double right, double up, double back, Vec3 color) {
+    return Light{Light::Kind::kDirectional, to_vec3(camera.right * right + camera.up * up + camera.back * back), color};
+  };
+  return {light(-0.45, 0.75, 0.8, {0.95f, 0.92f, 0.86f}), light(0.7, 0.7, -0.75, {0.55f, 0.6f, 0.7f}),
+          light(0.9, 0.05, 0.6, {0.22f, 0.23f, 0.26f})};
+}
+
+struct Scene {
+  const HairModel& model;
+  const StageRenderer& stage;
+  const HairPose& pose;
+  const CrowdView& view;
+};
+
+Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSettings& settings) {
+  const auto lights = studio_lights(scene.view.camera);
+  DrawDesc desc;
+  Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.view.camera.clip_from_world;
+  desc.eye = to_vec3(scene.view.camera.eye);
+  desc.head = scene.pose.head;
+  desc.palette = scene.pose.palette;
+  desc.lights = lights;
+  desc.component = settings.component;
+  desc.transparency = settings.transparency;
+  desc.framebuffer_is_srgb = true;
+
+  scene.stage.draw_backdrop();
+  for (const Eigen::Vector3d& place : scene.view.places) {
+    // The camera follows the head: the picture's world begins at each head's joint.
+    Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
+    scene.stage.draw_bodies(scene.view.camera, desc.head, lights);
+  }
+  for (const Eigen::Vector3d& place : scene.view.places) {
+    Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
+    if (const Status status = renderer.draw(scene.model, desc); status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRenderer& renderer, const Scene& scene,
+                                              const PictureSettings& settings) {
+  const auto target = OffscreenTarget::create(settings.width, settings.height);
+  if (!target) return tl::unexpected(target.error());
+  Picture picture{settings.width, settings.height, {}, context.device(), 0};
+  target->bind();
+  // The first frame also pays for what drivers put off until then.
+  for (int frame = 0; frame < 2; ++frame) {
+    glFinish();
+    const auto start = std::chrono::steady_clock::now();
+    if (const Status status = draw_scene(renderer, scene, settings); status != Status::kOk) {
+      return fail(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
+    }
+    glFinish();
+    picture.draw_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
+  picture.rgba = target->read();
+  return picture;
+}
+
+}  // namespace
+
+tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
+  if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  const auto pose = simulate_pose(asset, settings.motion, settings.time, settings.step);
+  if (!pose) return tl::unexpected(pose.error());
+  const auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+
+  HairRenderer renderer;
+  HairModel model;
+  if (renderer.create(context->loader()) != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
+  }
+  if (const Status status = model.upload(renderer, asset); status != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+  }
+  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings);
+  const auto stage = StageRenderer::create(meshes);
+  if (!stage) return tl::unexpected(stage.error());
+
+  const double aspect = double(settings.width) / settings.height;
+  const CrowdView view = frame_crowd(
+      framed_points(asset), {settings.yaw_degrees, settings.pitch_degrees, CameraSettings{}.fov_degrees, aspect, settings.heads});
+  return take_picture(*context, renderer, {model, *stage, *pose, view}, settings);
+}
+
+}  // namespace coif

@@ -1,0 +1,76 @@
+#include "render/solid_mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace coif {
+namespace {
+
+// Hair rests on the collider; drawn at full size the two would fight for the same depth.
+constexpr float kMannequinScale = 0.98f;
+
+std::vector<Eigen::Vector3f> smooth_normals(const SourceMesh& mesh) {
+  std::vector<Eigen::Vector3f> normals(mesh.positions.size(), Eigen::Vector3f::Zero());
+  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+    const std::uint32_t* corner = &mesh.triangles[i];
+    const Eigen::Vector3f& a = mesh.positions[corner[0]];
+    // Not normalised: large triangles shall count for more.
+    const Eigen::Vector3f n = (mesh.positions[corner[1]] - a).cross(mesh.positions[corner[2]] - a);
+    for (int k = 0; k < 3; ++k) normals[corner[k]] += n;
+  }
+  for (Eigen::Vector3f& n : normals) n = n.squaredNorm() > 0 ? n.normalized() : Eigen::Vector3f::UnitY();
+  return normals;
+}
+
+}  // namespace
+
+SolidMesh mannequin_mesh(const ColliderRecord& collider) {
+  constexpr std::uint32_t kRings = 48;
+  constexpr std::uint32_t kSectors = 96;
+  const Eigen::Map<const Eigen::Vector3f> center(collider.center);
+  const Eigen::Array3f radii = kMannequinScale * Eigen::Map<const Eigen::Array3f>(collider.radii);
+  const Eigen::Map<const Eigen::Quaternionf> rotation(collider.rotation);
+
+  SolidMesh mesh;
+  for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
+    const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
+    for (std::uint32_t sector = 0; sector <= kSectors; ++sector) {
+      const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
+      const Eigen::Array3f unit(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+      mesh.vertices.push_back({center + rotation * (unit * radii).matrix(),
+                               (rotation * (unit / radii).matrix()).normalized()});
+    }
+  }
+  constexpr std::uint32_t kRow = kSectors + 1;
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+      const std::uint32_t a = ring * kRow + sector;
+      const std::uint32_t b = a + kRow;
+      mesh.triangles.insert(mesh.triangles.end(), {a, b, b + 1, a, b + 1, a + 1});
+    }
+  }
+  return mesh;
+}
+
+SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint) {
+  const std::vector<Eigen::Vector3f> made = mesh.normals.empty() ? smooth_normals(mesh) : std::vector<Eigen::Vector3f>{};
+  const std::vector<Eigen::Vector3f>& normals = mesh.normals.empty() ? made : mesh.normals;
+  SolidMesh solid;
+  solid.vertices.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    solid.vertices.push_back({mesh.positions[i] - head_joint, normals[i]});
+  }
+  solid.triangles = mesh.triangles;
+  if (mesh.material < model.materials.size()) {
+    const SourceMaterial& material = model.materials[mesh.material];
+    const bool textured = !material.base_texture.path.empty() || material.base_texture.image != kNoIndex;
+    // Textures are not drawn here, and the colour beneath one is white as a rule: clay then.
+    if (!textured) solid.color = material.base_color.head<3>();
+  }
+  return solid;
+}
+
+}  // namespace coif

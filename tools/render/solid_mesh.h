@@ -1,0 +1,32 @@
+#pragma once
+
+#include "import/source_model.h"
+
+#include <coif/asset_records.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+struct SolidVertex {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;  ///< Unit.
+};
+
+/// What is drawn opaque beneath the hair. Head space, metres.
+struct SolidMesh {
+  std::vector<SolidVertex> vertices;
+  std::vector<std::uint32_t> triangles;
+  Eigen::Vector3f color{0.42f, 0.33f, 0.28f};  ///< Linear; the default is a mannequin's clay.
+};
+
+/// A head collider as a smooth ellipsoid, a little smaller than it collides.
+[[nodiscard]] SolidMesh mannequin_mesh(const ColliderRecord& collider);
+
+/// A mesh of the source model; `head_joint` as in the asset's skeleton. Smooth normals are made where the mesh has none.
+[[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint);
+
+}  // namespace coif

@@ -1,0 +1,166 @@
+#include "render/stage_renderer.h"
+
+#include <GLES3/gl3.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace coif {
+namespace {
+
+constexpr char kBackdropVertex[] = R"glsl(#version 300 es
+out float height;
+void main() {  // one triangle that covers the picture
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  height = 0.5 * corner.y + 0.5;
+  gl_Position = vec4(corner, 0.0, 1.0);
+})glsl";
+
+constexpr char kBackdropFragment[] = R"glsl(#version 300 es
+precision highp float;
+in float height;
+out vec4 fragment;
+void main() { fragment = vec4(mix(vec3(0.36, 0.36, 0.37), vec3(0.17, 0.19, 0.22), smoothstep(0.0, 1.0, height)), 1.0); }
+)glsl";
+
+constexpr char kBodyVertex[] = R"glsl(#version 300 es
+uniform mat4 clip_from_world;
+uniform mat4 world_from_head;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 head_normal;
+out vec3 normal;
+void main() {
+  normal = mat3(world_from_head) * head_normal;
+  gl_Position = clip_from_world * (world_from_head * vec4(position, 1.0));
+})glsl";
+
+constexpr char kBodyFragment[] = R"glsl(#version 300 es
+precision highp float;
+uniform vec3 color;
+uniform vec3 light_direction[8];
+uniform vec3 light_color[8];
+uniform int light_count;
+in vec3 normal;
+out vec4 fragment;
+void main() {
+  vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+  vec3 light = vec3(0.12);
+  for (int i = 0; i < light_count; ++i) light += light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
+  fragment = vec4(color * light, 1.0);
+})glsl";
+
+GLuint compile(GLenum stage, const char* source, std::string& log) {
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLchar text[512] = {};
+  glGetShaderInfoLog(shader, sizeof text, nullptr, text);
+  log += text;
+  return shader;
+}
+
+tl::expected<GLuint, ToolError> build(const char* vertex_source, const char* fragment_source) {
+  std::string log;
+  const GLuint program = glCreateProgram();
+  const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_source, log);
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_source, log);
+  glAttachShader(program, vertex);
+  glAttachShader(program, fragment);
+  glLinkProgram(program);
+  glDeleteShader(vertex);
+  glDeleteShader(fragment);
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked == GL_TRUE) return program;
+  return tl::unexpected(ToolError{ToolError::Kind::kUnsupported, "the driver refuses the stage's shaders: " + log});
+}
+
+GLuint upload(const SolidMesh& mesh) {
+  GLuint array = 0;
+  GLuint buffers[2] = {};
+  glGenVertexArrays(1, &array);
+  glGenBuffers(2, buffers);
+  glBindVertexArray(array);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SolidVertex)),
+               mesh.vertices.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(std::uint32_t)),
+               mesh.triangles.data(), GL_STATIC_DRAW);
+  static_assert(sizeof(SolidVertex) == 6 * sizeof(float));
+  const GLsizei stride = sizeof(SolidVertex);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(3 * sizeof(float)));
+  glEnableVertexAttribArray(0);
+  glEnableVertexAttribArray(1);
+  glBindVertexArray(0);
+  return array;
+}
+
+Eigen::Matrix4f matrix_of(const HeadPose& pose) {
+  const Quat& q = pose.rotation;
+  Eigen::Affine3f world_from_head = Eigen::Affine3f::Identity();
+  world_from_head.linear() = Eigen::Quaternionf(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  world_from_head.translation() = Eigen::Map<const Eigen::Vector3d>(pose.position).cast<float>();
+  return world_from_head.matrix();
+}
+
+void set_lights(GLuint program, std::span<const Light> lights) {
+  float direction[kMaxLights][3] = {};
+  float color[kMaxLights][3] = {};
+  const std::size_t count = std::min<std::size_t>(lights.size(), kMaxLights);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& p = lights[i].position;
+    Eigen::Map<Eigen::Vector3f>{direction[i]} = Eigen::Vector3f(p.x, p.y, p.z).normalized();
+    Eigen::Map<Eigen::Vector3f>{color[i]} = Eigen::Vector3f(lights[i].color.x, lights[i].color.y, lights[i].color.z);
+  }
+  glUniform3fv(glGetUniformLocation(program, "light_direction"), kMaxLights, direction[0]);
+  glUniform3fv(glGetUniformLocation(program, "light_color"), kMaxLights, color[0]);
+  glUniform1i(glGetUniformLocation(program, "light_count"), static_cast<GLint>(count));
+}
+
+}  // namespace
+
+tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const SolidMesh> meshes) {
+  const auto backdrop = build(kBackdropVertex, kBackdropFragment);
+  if (!backdrop) return tl::unexpected(backdrop.error());
+  const auto body = build(kBodyVertex, kBodyFragment);
+  if (!body) return tl::unexpected(body.error());
+
+  StageRenderer stage;
+  stage.backdrop_program_ = *backdrop;
+  stage.body_program_ = *body;
+  glGenVertexArrays(1, &stage.empty_vertex_array_);
+  for (const SolidMesh& mesh : meshes) {
+    stage.bodies_.push_back({upload(mesh), static_cast<std::int32_t>(mesh.triangles.size()), mesh.color});
+  }
+  return stage;
+}
+
+void StageRenderer::draw_backdrop() const {
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_DEPTH_TEST);
+  glUseProgram(backdrop_program_);
+  glBindVertexArray(empty_vertex_array_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const {
+  glEnable(GL_DEPTH_TEST);
+  glUseProgram(body_program_);
+  glUniformMatrix4fv(glGetUniformLocation(body_program_, "clip_from_world"), 1, GL_FALSE, camera.clip_from_world.data());
+  glUniformMatrix4fv(glGetUniformLocation(body_program_, "world_from_head"), 1, GL_FALSE, matrix_of(head).data());
+  set_lights(body_program_, lights);
+  for (const Body& body : bodies_) {
+    glUniform3fv(glGetUniformLocation(body_program_, "color"), 1, body.color.data());
+    glBindVertexArray(body.vertex_array);
+    glDrawElements(GL_TRIANGLES, body.index_count, GL_UNSIGNED_INT, nullptr);
+  }
+  glBindVertexArray(0);
+}
+
+}  // namespace coif
