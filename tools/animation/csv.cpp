@@ -1,7 +1,7 @@
 #include "animation/recording.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <iterator>
 #include <string_view>

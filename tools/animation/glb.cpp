@@ -54,9 +54,8 @@ NodeTrack track_of(const Asset& asset, const Recording& recording, std::size_t b
   for (const RecordedFrame& frame : recording.frames) {
     const Isometry3d head_from_node = head_from_bone(record, frame.palette[bone]);
     const Isometry3d parent_from_head =
-        record.parent == kNone
-            ? from_pose(frame.head)
-            : head_from_bone(asset.bones()[record.parent], frame.palette[record.parent]).inverse();
+        record.parent == kNone ? from_pose(frame.head)
+                               : head_from_bone(asset.bones()[record.parent], frame.palette[record.parent]).inverse();
     track.add(parent_from_head * head_from_node);
   }
   return track;
@@ -110,9 +109,7 @@ json hair_skin(GlbFile& file, const Asset& asset) {
     inverse_bind.push_back(matrix);
     joints.push_back(bone);
   }
-  return {{"joints", joints},
-          {"skeleton", 0},
-          {"inverseBindMatrices", file.add(inverse_bind, {.type = "MAT4"})}};
+  return {{"joints", joints}, {"skeleton", 0}, {"inverseBindMatrices", file.add(inverse_bind, {.type = "MAT4"})}};
 }
 
 }  // namespace

@@ -46,7 +46,9 @@ VertexArrays unpack(const Asset& asset) {
 }
 
 json attributes(GlbFile& file, const VertexArrays& arrays) {
-  const auto floats = [](const char* type) { return GlbArray{GlbComponent::kFloat, type, GlbTarget::kVertices, false}; };
+  const auto floats = [](const char* type) {
+    return GlbArray{GlbComponent::kFloat, type, GlbTarget::kVertices, false};
+  };
   json result;
   const std::size_t positions = file.add(arrays.positions, floats("VEC3"));
   file.add_bounds(positions, {arrays.positions.data()->data(), arrays.positions.size() * 3}, 3);
@@ -82,10 +84,8 @@ json hair_material(GlbFile& file, const MaterialRecord* record, std::span<const 
 
 void add_hair_mesh(GlbFile& file, const Asset& asset, std::span<const std::uint8_t> base_color_png) {
   json primitive = {{"attributes", attributes(file, unpack(asset))}, {"material", 0}};
-  primitive["indices"] =
-      file.add(asset.indices(), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
-  file.document["meshes"] =
-      json::array({{{"name", "hair"}, {"primitives", json::array({std::move(primitive)})}}});
+  primitive["indices"] = file.add(asset.indices(), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
+  file.document["meshes"] = json::array({{{"name", "hair"}, {"primitives", json::array({std::move(primitive)})}}});
   file.document["materials"] = json::array({hair_material(file, asset.material(), base_color_png)});
 }
 

@@ -51,8 +51,8 @@ tl::expected<void, ToolError> check(const Asset& asset, const RecordingSettings&
   }
   const double frame_bytes = static_cast<double>(asset.bones().size()) * double(sizeof(Mat34) + sizeof(Vec3));
   if (frame_bytes * static_cast<double>(frame_count(settings)) > kMaxRecordingBytes) {
-    return usage(fmt::format("{} frames of {} bones need more than 1 GiB; record fewer seconds",
-                             frame_count(settings), asset.bones().size()));
+    return usage(fmt::format("{} frames of {} bones need more than 1 GiB; record fewer seconds", frame_count(settings),
+                             asset.bones().size()));
   }
   return {};
 }

@@ -1,0 +1,38 @@
+#include "cli/asset_file.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace coif {
+namespace {
+
+ToolError::Kind error_kind(LoadCode code) {
+  const bool newer = code == LoadCode::kMajorVersion || code == LoadCode::kChunkUnknown;
+  return newer ? ToolError::Kind::kUnsupported : ToolError::Kind::kBadInput;
+}
+
+const char* cure(LoadCode code) {
+  return code == LoadCode::kMagic ? "give a file written by 'coif cook'" : "cook its source again";
+}
+
+}  // namespace
+
+std::string describe_text(const LoadStatus& status) {
+  char text[256];
+  return std::string(text, describe(status, text, sizeof text));
+}
+
+tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
+  auto bytes = FileBytes::read(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  AssetFile file(std::move(*bytes));
+  const LoadStatus status = file.asset_.open(file.bytes_.span());
+  if (!status) {
+    return tl::unexpected(ToolError{
+        error_kind(status.code), fmt::format("{}: {}; {}", path.string(), describe_text(status), cure(status.code))});
+  }
+  return file;
+}
+
+}  // namespace coif

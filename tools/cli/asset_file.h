@@ -1,0 +1,34 @@
+#pragma once
+
+#include "cli/file_bytes.h"
+#include "tool_error.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace coif {
+
+/// An open asset together with the memory it looks into. Moving it leaves the asset's spans valid.
+class AssetFile {
+ public:
+  /// Errors: those of FileBytes::read(), and kBadInput or kUnsupported (another format version) for what the reader
+  /// refuses, with its evidence.
+  static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path);
+
+  [[nodiscard]] const Asset& asset() const { return asset_; }
+
+ private:
+  explicit AssetFile(FileBytes bytes) : bytes_(std::move(bytes)) {}
+
+  FileBytes bytes_;
+  Asset asset_;
+};
+
+/// The reader's verdict as a sentence with its evidence.
+[[nodiscard]] std::string describe_text(const LoadStatus& status);
+
+}  // namespace coif

@@ -1,0 +1,131 @@
+#include "cli/asset_file.h"
+#include "cli/body_model.h"
+#include "cli/command.h"
+#include "cli/motion_choice.h"
+#include "cli/options.h"
+#include "cli/output_file.h"
+#include "cli/recipe_choice.h"
+#include "cli/results.h"
+#include "render/picture.h"
+
+#include <memory>
+
+namespace coif {
+namespace {
+
+constexpr Choice<Component> kComponents[] = {{"all", Component::kAll},         {"ambient", Component::kAmbient},
+                                             {"diffuse", Component::kDiffuse}, {"specular", Component::kSpecular},
+                                             {"primary", Component::kPrimary}, {"secondary", Component::kSecondary}};
+constexpr Choice<bool> kTransparency[] = {{"blend", true}, {"opaque", false}};
+
+struct RenderOptions {
+  std::string file;
+  std::string output;
+  PixelSize size{1024, 768};
+  ViewAngles view{30, 5};
+  Motion motion = Motion::kStill;
+  bool moves = false;
+  std::string body;
+  std::string body_mesh;
+  std::optional<std::string> recipe;
+  PictureSettings picture;
+  OutputFormat format = OutputFormat::kText;
+};
+
+tl::expected<SourceModel, ToolError> read_body(const RenderOptions& options, const Messages& messages) {
+  const auto choice = choose_recipe(options.body, options.recipe, messages);
+  if (!choice) return tl::unexpected(choice.error());
+  auto model = import_model(options.body, import_settings(choice->recipe));
+  if (!model) return model;
+  return keep_body(std::move(*model), options.body_mesh, choice->recipe);
+}
+
+PictureSettings picture_settings(const RenderOptions& options) {
+  PictureSettings settings = options.picture;
+  settings.width = options.size.width;
+  settings.height = options.size.height;
+  settings.yaw_degrees = options.view.yaw_degrees;
+  settings.pitch_degrees = options.view.pitch_degrees;
+  if (options.moves) settings.motion = options.motion;
+  return settings;
+}
+
+std::string result_text(const RenderOptions& options, const Asset& asset, const Picture& picture) {
+  const std::size_t triangles = asset.indices().size() / 3;
+  const std::uint32_t heads = options.picture.heads;
+  if (options.format == OutputFormat::kJson) {
+    return json_text({{"output", options.output},
+                      {"width", picture.width},
+                      {"height", picture.height},
+                      {"heads", heads},
+                      {"triangles", triangles * heads},
+                      {"draw_ms", picture.draw_ms},
+                      {"device", picture.device}});
+  }
+  return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms\n  device: {}\n", options.output,
+                     picture.width, picture.height, counted(heads, "head", "heads"),
+                     counted(triangles, "triangle", "triangles"), picture.draw_ms, picture.device);
+}
+
+tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
+  const auto file = AssetFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+
+  PictureSettings settings = picture_settings(options);
+  tl::expected<SourceModel, ToolError> body;
+  if (!options.body.empty()) {
+    body = read_body(options, messages);
+    if (!body) return tl::unexpected(body.error());
+    settings.body = &*body;
+  }
+  const auto picture = render_picture(file->asset(), settings);
+  if (!picture) {
+    return tl::unexpected(ToolError{picture.error().kind, options.file + ": " + picture.error().message});
+  }
+  const std::vector<std::uint8_t> png = encode_png(*picture);
+  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
+  if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
+    return tl::unexpected(written.error());
+  }
+  print_result(result_text(options, file->asset(), *picture));
+  return Exit::kOk;
+}
+
+void add_content_options(CLI::App& app, RenderOptions& options) {
+  CLI::Option* motion =
+      add_choice<Motion>(app, "--motion", options.motion, motion_choices(), "How the head moves (default: at rest)");
+  motion->each([&options](const std::string&) { options.moves = true; });
+  app.add_option("--time", options.picture.time, "Seconds into the motion")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->needs(motion);
+  app.add_option("--heads", options.picture.heads, "Heads in a grid")
+      ->check(CLI::Range(1u, 10000u))
+      ->capture_default_str();
+  CLI::Option* body = app.add_option("--body", options.body, "Draw this model's other meshes with the hair");
+  body->type_name("SOURCE");
+  app.add_option("--body-mesh", options.body_mesh, "Which meshes, with * and ? (default: all that are not hair)")
+      ->type_name("PATTERN")
+      ->needs(body);
+  app.add_option("--recipe", options.recipe, "The recipe of the cook, for the body's units and which meshes are hair")
+      ->type_name("R.json")
+      ->needs(body);
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
+  const auto options = std::make_shared<RenderOptions>();
+  app->add_option("FILE", options->file, "A cooked asset")->required();
+  app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
+  add_size(*app, options->size);
+  add_view(*app, options->view);
+  add_content_options(*app, *options);
+  add_choice<Component>(*app, "--component", options->picture.component, kComponents, "Which part of the shading");
+  add_choice<bool>(*app, "--transparency", options->picture.transparency, kTransparency, "How soft edges are drawn");
+  add_format(*app, options->format);
+  return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
+}
+
+}  // namespace coif

@@ -1,0 +1,134 @@
+#include "animation/recording.h"
+#include "cli/asset_file.h"
+#include "cli/command.h"
+#include "cli/motion_choice.h"
+#include "cli/options.h"
+#include "cli/output_file.h"
+#include "cli/results.h"
+#include "render/picture.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+namespace coif {
+namespace {
+
+constexpr Choice<Solver> kSolvers[] = {{"thesis", Solver::kThesis}};
+
+struct SimulateOptions {
+  std::string file;
+  std::string output;
+  RecordingSettings recording;
+  OutputFormat format = OutputFormat::kText;
+};
+
+std::string lower_suffix(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
+}
+
+std::vector<std::uint8_t> base_color_png(const Asset& asset) {
+  const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
+  if (!texture || texture->format != TexelFormat::kSrgb8Alpha8) return {};
+  const auto texels = asset.texels(*texture, 0);
+  Picture picture;
+  picture.width = texture->width;
+  picture.height = texture->height;
+  const auto* first = reinterpret_cast<const std::uint8_t*>(texels.data());
+  picture.rgba.assign(first, first + texels.size());
+  return encode_png(picture);
+}
+
+tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& options, const Asset& asset,
+                                                       const Recording& recording) {
+  if (lower_suffix(options.output) == ".csv") {
+    const std::string csv = to_csv(asset, recording);
+    const auto bytes = std::as_bytes(std::span(csv));
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+  }
+  std::vector<std::byte> glb = to_glb(asset, recording, base_color_png(asset));
+  if (!glb.empty()) return glb;
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kUsage, fmt::format("{}: more than 4 GiB; record fewer seconds", options.output)});
+}
+
+std::string motion_name(Motion motion) {
+  for (const auto& choice : motion_choices()) {
+    if (choice.value == motion) return choice.name;
+  }
+  return "";
+}
+
+std::string result_text(const SimulateOptions& options, const Asset& asset, const Recording& recording) {
+  if (options.format == OutputFormat::kJson) {
+    return json_text({{"output", options.output},
+                      {"motion", motion_name(options.recording.motion)},
+                      {"fps", options.recording.fps},
+                      {"frames", recording.frames.size()},
+                      {"bones", asset.bones().size()},
+                      {"stretch_max_pct", 100 * recording.stretch_max},
+                      {"penetration_max_pct", 100 * recording.penetration_max}});
+  }
+  return fmt::format(
+      "{}: motion {}, {} of {} at {} per second\n"
+      "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n",
+      options.output, motion_name(options.recording.motion), counted(recording.frames.size(), "frame", "frames"),
+      counted(asset.bones().size(), "bone", "bones"), options.recording.fps, 100 * recording.stretch_max,
+      100 * recording.penetration_max);
+}
+
+tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options) {
+  const std::string suffix = lower_suffix(options.output);
+  if (suffix != ".csv" && suffix != ".glb") {
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kUsage, fmt::format("{}: the suffix must be .csv or .glb", options.output)});
+  }
+  const auto file = AssetFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  const Asset& asset = file->asset();
+  if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+
+  const auto recording = record(asset, options.recording);
+  if (!recording) {
+    return tl::unexpected(ToolError{recording.error().kind, options.file + ": " + recording.error().message});
+  }
+  const auto bytes = encode(options, asset, *recording);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());
+  print_result(result_text(options, asset, *recording));
+  return Exit::kOk;
+}
+
+}  // namespace
+
+Command add_simulate(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("simulate", "Run an asset through a head motion and write every frame");
+  const auto options = std::make_shared<SimulateOptions>();
+  RecordingSettings& recording = options->recording;
+  app->description(app->get_description() + "\n\n" + motion_help());
+  app->add_option("FILE", options->file, "A cooked asset")->required();
+  app->add_option("-o,--output", options->output, "CSV: bone ends; GLB: skinned animation for any glTF viewer")
+      ->required()
+      ->type_name("OUT.csv|OUT.glb");
+  add_choice<Motion>(*app, "--motion", recording.motion, motion_choices(), "How the head moves")->required();
+  app->add_option("--fps", recording.fps, "Steps and frames per second")
+      ->check(CLI::Range(10.0, 1000.0))
+      ->capture_default_str();
+  app->add_option("--seconds", recording.seconds, "Length of the recording")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app->add_option("--settle", recording.settle_seconds,
+                  "Seconds of rest before it, so that gravity has sagged the hair")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  add_choice<Solver>(*app, "--solver", recording.step.solver, kSolvers, "Which method moves the bones");
+  app->add_option("--iterations", recording.step.iterations, "Passes over the length and head constraints")
+      ->check(CLI::Range(1u, 64u))
+      ->capture_default_str();
+  add_format(*app, options->format);
+  return {app, [options](const Messages&) { return run_simulate(*options); }};
+}
+
+}  // namespace coif

@@ -1,0 +1,61 @@
+#include "cli/cook_summary.h"
+
+#include "cli/results.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+namespace {
+
+double total_ms(const CookReport& report) {
+  double sum = 0;
+  for (const PassTime& pass : report.passes) sum += pass.ms;
+  return sum;
+}
+
+std::string next_step(const CookSummary& summary) {
+  const CookReport& report = summary.report;
+  if (report.simulated_bones == 0) {
+    return "nothing will move: 'coif cook SOURCE --list' prints the bones; name the hair's in a recipe "
+           "('coif cook --print-recipe')";
+  }
+  if (report.triangles == 0) return fmt::format("coif simulate {} --motion turn -o turn.csv", summary.output);
+  return fmt::format("coif render {} -o picture.png", summary.output);
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const CookSummary& summary) {
+  const CookReport& report = summary.report;
+  auto passes = nlohmann::ordered_json::array();
+  for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
+  return {{"output", summary.output},
+          {"bytes", summary.bytes},
+          {"passes", std::move(passes)},
+          {"warnings", report.warnings},
+          {"triangles", report.triangles},
+          {"vertices", report.vertices},
+          {"patches", report.patches},
+          {"patches_by_index", report.patches_by_index},
+          {"patches_by_position", report.patches_by_position},
+          {"chains", report.chains},
+          {"bones", report.bones},
+          {"simulated_bones", report.simulated_bones},
+          {"left_out", report.left_out}};
+}
+
+std::string to_text(const CookSummary& summary) {
+  const CookReport& report = summary.report;
+  std::string text =
+      fmt::format("{}: {} in {} ({} by index, {} by position)\n", summary.output,
+                  counted(report.triangles, "triangle", "triangles"), counted(report.patches, "patch", "patches"),
+                  report.patches_by_index, report.patches_by_position);
+  text += fmt::format("  {} of {}, {} of them simulated\n", counted(report.chains, "chain", "chains"),
+                      counted(report.bones, "bone", "bones"), report.simulated_bones);
+  text += fmt::format("  {} bytes in {:.0f} ms, {}\n", summary.bytes, total_ms(report),
+                      counted(report.warnings.size(), "warning", "warnings"));
+  for (const std::string& item : report.left_out) text += fmt::format("  left out: {}\n", item);
+  return text + fmt::format("  next: {}\n", next_step(summary));
+}
+
+}  // namespace coif

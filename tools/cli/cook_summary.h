@@ -1,0 +1,24 @@
+#pragma once
+
+#include "cook/cook.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace coif {
+
+/// A cook as it is told to people and programs.
+struct CookSummary {
+  std::string output;     ///< Path of the asset.
+  std::size_t bytes = 0;  ///< Its size.
+  CookReport report;      ///< Passes include the import; warnings include the importer's.
+};
+
+[[nodiscard]] nlohmann::ordered_json to_json(const CookSummary& summary);
+
+/// A few lines: what was made, what was left out, what to do next.
+[[nodiscard]] std::string to_text(const CookSummary& summary);
+
+}  // namespace coif

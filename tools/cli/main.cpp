@@ -1,0 +1,69 @@
+// coif: cooks, checks, simulates and draws hair for games.
+
+#include "cli/command.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace coif {
+namespace {
+
+Exit report_usage(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return Exit(program.exit(error));  // --help and --version
+  const auto verbs = program.get_subcommands();
+  const std::string verb = verbs.empty() ? "" : verbs.front()->get_name();
+  Messages(verb).error(fmt::format("{}; see 'coif {}{}--help'", error.what(), verb, verb.empty() ? "" : " "));
+  return Exit::kUsage;
+}
+
+/// A result that did not reach its reader (a full disk behind a redirection) is a failure, too.
+Exit flush_results(Exit code, const Messages& messages) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  messages.error("standard output: cannot write");
+  return code == Exit::kOk ? Exit::kFileAccess : code;
+}
+
+Exit run(const Command& command) {
+  const Messages messages(command.app->get_name());
+  const auto result = command.run(messages);
+  if (!result) {
+    messages.error(result.error().message);
+    return flush_results(exit_code(result.error().kind), messages);
+  }
+  return flush_results(*result, messages);
+}
+
+Exit run_program(int argc, char** argv) {
+  CLI::App program("Hair for games: cooks polygon hair into an asset, checks, simulates and draws it.", "coif");
+  program.set_version_flag("--version", "coif " COIF_VERSION);
+  program.require_subcommand(1);
+  program.footer(kExitCodeHelp);
+  std::vector<Command> commands;
+  for (const auto add : {add_cook, add_validate, add_info, add_simulate, add_render}) {
+    commands.push_back(add(program));
+    commands.back().app->footer(kExitCodeHelp);
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report_usage(program, error);
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return run(command);
+  }
+  return Exit::kInternal;
+}
+
+}  // namespace
+}  // namespace coif
+
+int main(int argc, char** argv) try {
+  return static_cast<int>(coif::run_program(argc, argv));
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "coif: internal error: %s\n", error.what());
+  return static_cast<int>(coif::Exit::kInternal);
+}

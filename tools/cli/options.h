@@ -1,0 +1,63 @@
+#pragma once
+// Options that several commands share, and the types of values that CLI11 does not know.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+enum class OutputFormat { kText, kJson };
+
+/// --format text|json
+void add_format(CLI::App& app, OutputFormat& format);
+
+/// One word of the command line and what it stands for.
+template <typename Value>
+struct Choice {
+  const char* name;
+  Value value;
+};
+
+/// An option that takes one of the words in `choices`; any other is a usage error that lists them. `value` and
+/// `choices` must outlive the parsing.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, std::span<const Choice<Value>> choices,
+                        const std::string& help) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.emplace_back(choice.name);
+  const std::string list = fmt::format("{}", fmt::join(names, ", "));
+  const auto parse = [&value, choices, name, list](const std::string& word) {
+    for (const auto& choice : choices) {
+      if (word == choice.name) {
+        value = choice.value;
+        return;
+      }
+    }
+    throw CLI::ValidationError(name, fmt::format("'{}' is not one of {}", word, list));
+  };
+  return app.add_option_function<std::string>(name, parse, fmt::format("{}: {}", help, list))->type_name("NAME");
+}
+
+struct PixelSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+/// WIDTHxHEIGHT, 16..8192 each.
+CLI::Option* add_size(CLI::App& app, PixelSize& size);
+
+struct ViewAngles {
+  double yaw_degrees = 0;
+  double pitch_degrees = 0;
+};
+
+/// YAW,PITCH in degrees; pitch within -89 .. 89.
+CLI::Option* add_view(CLI::App& app, ViewAngles& view);
+
+}  // namespace coif

@@ -1,0 +1,80 @@
+#include "cli/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot write: {}", path.string(), why)});
+}
+
+std::error_code write_all(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return last_error();
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (file < 0) return last_error();
+  std::error_code why = write_all(file, bytes);
+  // close() reports what the disk refused late, for example on a full network share.
+  if (::close(file) != 0 && !why) why = last_error();
+  return why;
+}
+
+}  // namespace
+
+tl::expected<void, ToolError> check_output(const fs::path& output, std::initializer_list<fs::path> inputs) {
+  std::error_code ignored;
+  if (fs::is_directory(output, ignored)) return cannot_write(output, "it is a folder; name a file in it");
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored)) {
+    return cannot_write(output, fmt::format("no folder '{}'; create it first", folder.string()));
+  }
+  for (const fs::path& input : inputs) {
+    if (fs::equivalent(output, input, ignored)) {
+      return tl::unexpected(ToolError{ToolError::Kind::kUsage,
+                                      fmt::format("{}: is also an input; choose another output", output.string())});
+    }
+  }
+  return {};
+}
+
+tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {
+  std::error_code why;
+  // Through a link, so that the link stays and its target is replaced.
+  const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
+  if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
+    // Renaming over /dev/stdout or a pipe would replace the device.
+    if (const std::error_code failed = write_new_file(target, 0, bytes)) return cannot_write(output, failed.message());
+    return {};
+  }
+  fs::path temporary = target;
+  temporary += fmt::format(".{}.tmp", ::getpid());
+  std::error_code failed = write_new_file(temporary, O_CREAT | O_TRUNC | O_NOFOLLOW, bytes);
+  if (!failed) fs::rename(temporary, target, failed);
+  if (failed) {
+    fs::remove(temporary, why);
+    return cannot_write(output, failed.message());
+  }
+  return {};
+}
+
+}  // namespace coif

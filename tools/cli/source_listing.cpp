@@ -1,0 +1,101 @@
+#include "cli/source_listing.h"
+
+#include "cli/results.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace coif {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string material_name(const SourceModel& model, const SourceMesh& mesh) {
+  return mesh.material < model.materials.size() ? model.materials[mesh.material].name : "";
+}
+
+std::string texture_name(const SourceModel& model, const SourceTexture& texture) {
+  if (!texture.path.empty()) return texture.path;
+  return texture.image < model.images.size() ? fmt::format("embedded {}", model.images[texture.image].name) : "";
+}
+
+/// Nodes that a mesh is skinned to.
+std::vector<bool> find_bones(const SourceModel& model) {
+  std::vector<bool> is_bone(model.nodes.size(), false);
+  for (const SourceMesh& mesh : model.meshes) {
+    for (const SourceInfluence& influence : mesh.influences) is_bone[influence.node] = true;
+  }
+  return is_bone;
+}
+
+struct TreeWriter {
+  const SourceModel& model;
+  std::vector<bool> is_bone = find_bones(model);
+  std::vector<std::vector<std::size_t>> children = std::vector<std::vector<std::size_t>>(model.nodes.size());
+  std::string text = {};
+
+  std::string run() {
+    std::vector<std::pair<std::size_t, std::size_t>> open;  // node, depth; no recursion: files choose the depth
+    for (std::size_t i = model.nodes.size(); i-- > 0;) {
+      const std::uint32_t parent = model.nodes[i].parent;
+      if (parent != kNoIndex) children[parent].push_back(i);
+    }
+    for (std::size_t i = model.nodes.size(); i-- > 0;) {
+      if (model.nodes[i].parent == kNoIndex) open.emplace_back(i, 1);
+    }
+    while (!open.empty()) {
+      const auto [node, depth] = open.back();
+      open.pop_back();
+      text += fmt::format("{:{}}{}{}\n", "", 2 * depth, model.nodes[node].name, is_bone[node] ? "  (bone)" : "");
+      for (const std::size_t child : children[node]) open.emplace_back(child, depth + 1);
+    }
+    return text;
+  }
+};
+
+}  // namespace
+
+std::string list_text(const SourceModel& model) {
+  std::string text = fmt::format("{}\nmeshes\n", model.path);
+  for (const SourceMesh& mesh : model.meshes) {
+    text += fmt::format("  {}  {}, material '{}', {}, {}\n", mesh.name,
+                        counted(mesh.triangles.size() / 3, "triangle", "triangles"), material_name(model, mesh),
+                        mesh.uvs.empty() ? "no UV" : "UV", mesh.influences.empty() ? "rigid" : "skinned");
+  }
+  text += "materials\n";
+  for (const SourceMaterial& material : model.materials) {
+    const std::string texture = texture_name(model, material.base_texture);
+    text += fmt::format("  {}  {}\n", material.name, texture.empty() ? "no texture" : texture);
+  }
+  return text + "nodes\n" + TreeWriter{model}.run();
+}
+
+ordered_json list_json(const SourceModel& model) {
+  ordered_json meshes = ordered_json::array();
+  for (const SourceMesh& mesh : model.meshes) {
+    meshes.push_back({{"name", mesh.name},
+                      {"triangles", mesh.triangles.size() / 3},
+                      {"material", material_name(model, mesh)},
+                      {"uv", !mesh.uvs.empty()},
+                      {"skinned", !mesh.influences.empty()}});
+  }
+  ordered_json materials = ordered_json::array();
+  for (const SourceMaterial& material : model.materials) {
+    materials.push_back({{"name", material.name}, {"texture", texture_name(model, material.base_texture)}});
+  }
+  ordered_json nodes = ordered_json::array();
+  const std::vector<bool> is_bone = find_bones(model);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const SourceNode& node = model.nodes[i];
+    const std::string parent = node.parent == kNoIndex ? "" : model.nodes[node.parent].name;
+    nodes.push_back({{"name", node.name}, {"parent", parent}, {"bone", bool(is_bone[i])}});
+  }
+  return {{"path", model.path},
+          {"meshes", std::move(meshes)},
+          {"materials", std::move(materials)},
+          {"nodes", std::move(nodes)}};
+}
+
+}  // namespace coif
