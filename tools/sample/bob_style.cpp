@@ -1,0 +1,109 @@
+#include "sample/bob_style.h"
+
+#include "sample/strand_texture.h"
+#include "sample/strip.h"
+
+namespace coif::sample {
+namespace {
+
+/// The layer next to the skull: it closes the hair, so it is broad and as long as the cut.
+StripStyle panel(double azimuth, double half_width, double parting_from, double parting_to) {
+  StripStyle style;
+  style.columns = 7;
+  style.rows = 9;
+  style.azimuth = azimuth;
+  style.half_width = half_width;
+  style.parting_from = parting_from;
+  style.parting_to = parting_to;
+  style.start = 0.06;
+  style.lift = 0.007;
+  style.bulge = 0.001;
+  style.tip_height = 1.428;
+  style.flare = 0.004;
+  style.curl = 0.022;
+  style.taper = 0.12;
+  style.window = kBroadWindow;
+  return style;
+}
+
+/// A lock of the middle layer, full length.
+StripStyle lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
+  StripStyle style;
+  style.azimuth = azimuth;
+  style.half_width = half_width;
+  style.parting_from = parting_from;
+  style.parting_to = parting_to;
+  style.start = 0.02;
+  style.lift = 0.012;
+  style.bulge = 0.005;
+  style.tip_height = 1.425;
+  style.flare = 0.012;
+  style.curl = 0.034;
+  style.taper = 0.45;
+  style.window = kClumpWindows[static_cast<std::size_t>(window)];
+  return style;
+}
+
+/// A lock of the outer layer: shorter, so that the layers show.
+StripStyle top_lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
+  StripStyle style = lock(azimuth, half_width, parting_from, parting_to, window);
+  style.start = -0.03;
+  style.lift = 0.020;
+  style.bulge = 0.006;
+  style.tip_height = 1.462;
+  style.flare = 0.018;
+  style.curl = 0.028;
+  style.taper = 0.55;
+  return style;
+}
+
+/// A lock that falls over the forehead and is combed towards the model's right.
+StripStyle fringe(double azimuth, double half_width, double parting_from, double parting_to, double lift, int window) {
+  StripStyle style = lock(azimuth, half_width, parting_from, parting_to, window);
+  style.lift = lift;
+  style.sweep = -14;
+  style.tip_height = 1.600;
+  style.flare = 0.002;
+  style.curl = 0.002;
+  style.taper = 0.25;
+  return style;
+}
+
+/// The short side of the parting: combed back over the temple.
+StripStyle side_fringe(double azimuth, double half_width, double parting_from, double parting_to, int window) {
+  StripStyle style = fringe(azimuth, half_width, parting_from, parting_to, 0.017, window);
+  style.start = -0.02;
+  style.sweep = 16;
+  style.tip_height = 1.545;
+  style.flare = 0.014;
+  style.curl = 0.004;
+  style.taper = 0.5;
+  return style;
+}
+
+}  // namespace
+
+SurfaceMesh make_bob_hair() {
+  const StripStyle styles[] = {
+      panel(72, 30, 0.10, 0.80), panel(124, 32, 0.75, 1.00), panel(180, 36, 1.00, 1.00),
+      panel(-124, 32, 1.00, 0.75), panel(-72, 30, 0.80, 0.10),
+
+      lock(62, 15, 0.05, 0.40, 0), lock(90, 20, 0.35, 0.75, 1), lock(122, 20, 0.70, 0.95, 2), lock(152, 19, 0.92, 1.00, 3),
+      lock(180, 18, 0.98, 0.98, 0),
+      lock(-152, 19, 1.00, 0.92, 1), lock(-122, 20, 0.95, 0.70, 2), lock(-90, 20, 0.75, 0.35, 3), lock(-62, 15, 0.40, 0.05, 0),
+
+      top_lock(76, 17, 0.15, 0.60, 2), top_lock(106, 17, 0.55, 0.85, 3), top_lock(137, 17, 0.82, 0.98, 0),
+      top_lock(167, 16, 0.97, 1.00, 1),
+      top_lock(-167, 16, 1.00, 0.97, 2), top_lock(-137, 17, 0.98, 0.82, 3), top_lock(-106, 17, 0.85, 0.55, 1),
+      top_lock(-76, 17, 0.60, 0.15, 0),
+
+      side_fringe(34, 13, 0.02, 0.20, 3),
+      fringe(10, 17, 0.26, 0.00, 0.013, 2), fringe(-18, 19, 0.36, 0.08, 0.019, 1),
+  };
+  SurfaceMesh mesh;
+  unsigned seed = 1;
+  for (const StripStyle& style : styles) append_strip(style, seed++, mesh);
+  return mesh;
+}
+
+}  // namespace coif::sample
