@@ -1,0 +1,111 @@
+#include "import/assimp_reader.h"
+
+#include "import/printable_text.h"
+#include "import/scene_materials.h"
+#include "import/scene_meshes.h"
+#include "import/scene_nodes.h"
+#include "import/scene_units.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/version.h>
+#include <fmt/format.h>
+
+#include <fstream>
+#include <new>
+#include <set>
+#include <vector>
+
+namespace coif {
+namespace {
+
+// JoinIdenticalVertices is left out on purpose: in 5.2 it leaves bone weights of vertices that it has removed.
+constexpr unsigned kPostProcess = aiProcess_Triangulate | aiProcess_SortByPType;
+
+// assimp guesses from the content when the suffix's reader declines, with any of its fifty readers. Only those that
+// the suffix asks for stay: fewer parsers for a hostile file, and messages about the format that the artist meant.
+void keep_readers_of(Assimp::Importer& importer, const std::string& suffix) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    std::set<std::string> suffixes;
+    importer.GetImporter(i)->GetExtensionList(suffixes);
+    if (!suffixes.contains(suffix)) importer.UnregisterLoader(importer.GetImporter(i));
+  }
+}
+
+void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const ImportSettings& settings) {
+  keep_readers_of(importer, suffix.assimp_suffix);
+  // Else every pivot becomes a "$AssimpFbx$" node between two bones.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
+}
+
+const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::path& path, const SourceSuffix& suffix) {
+  const bool known_by_name = std::string_view(suffix.suffix).substr(1) == suffix.assimp_suffix;
+  if (known_by_name) return importer.ReadFile(path.string(), kPostProcess);
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+  return importer.ReadFileFromMemory(bytes.data(), bytes.size(), kPostProcess, suffix.assimp_suffix);
+}
+
+std::string cure_for(const std::string& reason) {
+  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb";
+  return "open it in a modelling tool and export it again, best as glTF (.glb)";
+}
+
+ToolError refusal(const std::filesystem::path& path, const SourceSuffix& suffix, const char* assimp_text) {
+  std::string reason = printable_text(assimp_text, 300);
+  if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  if (reason.find("No suitable reader") != std::string::npos) reason = "the content is not of that format, or damaged";
+  while (reason.ends_with('.') || reason.ends_with(' ')) reason.pop_back();
+  const std::string cure = cure_for(reason);
+  return {ToolError::Kind::kBadInput, fmt::format("{}: cannot be read as {}: {}; {}", path.string(),
+                                                  format_name(suffix.format), reason, cure)};
+}
+
+tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
+                                                   const SourceSuffix& suffix, const ImportSettings& settings) {
+  SourceModel model;
+  model.path = path.string();
+  describe_importer(model);
+  const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.warnings);
+  SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
+  convert_materials(scene, suffix.format, model);
+  model.meshes = convert_meshes(scene, nodes, model.warnings);
+  model.nodes = std::move(nodes.nodes);
+  if (model.meshes.empty()) {
+    return tl::unexpected(ToolError{
+        ToolError::Kind::kBadInput,
+        fmt::format("{}: no usable triangles; convert curves and hair particles to polygon strips before the export",
+                    model.path)});
+  }
+  warn_of_implausible_height(model, suffix.format);
+  return model;
+}
+
+}  // namespace
+
+tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
+                                                      const ImportSettings& settings) try {
+  Assimp::Importer importer;
+  configure(importer, suffix, settings);
+  const aiScene* scene = read_scene(importer, path, suffix);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    return tl::unexpected(refusal(path, suffix, importer.GetErrorString()));
+  }
+  return convert_scene(*scene, path, suffix, settings);
+} catch (const std::bad_alloc&) {
+  throw;
+} catch (const std::exception& error) {
+  return tl::unexpected(refusal(path, suffix, error.what()));
+}
+
+void describe_importer(SourceModel& model) {
+  const unsigned version[3] = {aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()};
+  model.importer = fmt::format("assimp {}.{}.{}", version[0], version[1], version[2]);
+  for (int i = 0; i < 3; ++i) model.importer_version[i] = static_cast<std::uint16_t>(version[i]);
+}
+
+}  // namespace coif

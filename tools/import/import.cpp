@@ -1,0 +1,100 @@
+#include "import/import.h"
+
+#include "import/assimp_reader.h"
+#include "import/child_process.h"
+#include "import/model_stream.h"
+#include "import/source_format.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <new>
+#include <system_error>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kReexport = "open it in a modelling tool and export it again, best as glTF (.glb)";
+constexpr const char* kReduce = "export only the hair and the head, best as glTF (.glb)";
+
+template <class... Args>
+ToolError error(ToolError::Kind kind, const fs::path& path, fmt::format_string<Args...> text, Args&&... args) {
+  return {kind, path.string() + ": " + fmt::format(text, std::forward<Args>(args)...)};
+}
+
+tl::expected<void, ToolError> check_file(const fs::path& path, std::uint64_t max_bytes) {
+  using Kind = ToolError::Kind;
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (!fs::exists(status)) {
+    return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}; check the path",
+                                code ? code.message() : "no such file"));
+  }
+  if (fs::is_directory(status)) {
+    return tl::unexpected(error(Kind::kFileAccess, path, "is a folder; name the model file in it"));
+  }
+  if (!fs::is_regular_file(status)) return tl::unexpected(error(Kind::kFileAccess, path, "is not a regular file"));
+  if (!std::ifstream(path, std::ios::binary)) {
+    return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}; check its permissions",
+                                std::strerror(errno)));
+  }
+  const std::uintmax_t size = fs::file_size(path, code);
+  if (code) return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}", code.message()));
+  if (size == 0) return tl::unexpected(error(Kind::kBadInput, path, "the file is empty; {}", kReexport));
+  if (size > max_bytes) {
+    return tl::unexpected(error(Kind::kBadInput, path, "{} bytes, and the limit is {}; {}", size, max_bytes, kReduce));
+  }
+  return {};
+}
+
+ToolError explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
+  using Kind = ToolError::Kind;
+  switch (result.end) {
+    case ChildResult::End::kTooSlow:
+      return error(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
+    case ChildResult::End::kOutOfMemory:
+    case ChildResult::End::kTooMuchOutput:
+      return error(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}",
+                   settings.max_memory_bytes >> 20, kReduce);
+    case ChildResult::End::kNotStarted:
+      return error(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
+    case ChildResult::End::kCrashed:
+    case ChildResult::End::kFinished: break;
+  }
+  if (result.end == ChildResult::End::kFinished) {
+    return error(Kind::kBadInput, path, "the importer crashed (its answer makes no sense); {}", kReexport);
+  }
+  return error(Kind::kBadInput, path, "the importer crashed ({} {}); {}", result.by_signal ? "signal" : "exit status",
+               result.code, kReexport);
+}
+
+tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
+  if (auto checked = check_file(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
+  const std::optional<SourceSuffix> suffix = find_suffix(path);
+  if (!suffix) {
+    return tl::unexpected(error(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",
+                                path.extension().string(), supported_suffixes()));
+  }
+  const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
+  const ChildResult result =
+      run_in_child(limits, [&] { return encode_outcome(read_with_assimp(path, *suffix, settings)); });
+  ImportOutcome outcome;
+  if (result.end == ChildResult::End::kFinished && decode_outcome(result.output, outcome)) return outcome;
+  return tl::unexpected(explain(result, path, settings));
+}
+
+}  // namespace
+
+tl::expected<SourceModel, ToolError> import_model(const fs::path& path, const ImportSettings& settings) try {
+  return import_checked(path, settings);
+} catch (const std::bad_alloc&) {
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, path.string() + ": not enough memory for this model"});
+} catch (const std::exception& failure) {
+  return tl::unexpected(ToolError{ToolError::Kind::kInternal, path.string() + ": " + failure.what()});
+}
+
+}  // namespace coif

@@ -1,0 +1,101 @@
+#include "import/scene_materials.h"
+
+#include "import/assimp_values.h"
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <assimp/texture.h>
+#include <fmt/format.h>
+
+#include <map>
+
+namespace coif {
+namespace {
+
+// What assimp fills in where an OBJ gives no Kd, or its material file is missing.
+constexpr float kObjFiller = 0.6f;
+
+Eigen::Vector4f base_color(const aiMaterial& material, SourceFormat format, bool textured) {
+  const Eigen::Vector4f white = Eigen::Vector4f::Ones();
+  aiColor4D color(1, 1, 1, 1);
+  if (format == SourceFormat::kGltf) {
+    if (material.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) return white;
+  } else {
+    const bool replaced = textured && format != SourceFormat::kObj;
+    if (replaced || material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != AI_SUCCESS) return white;
+    if (format == SourceFormat::kObj && color.r == kObjFiller && color.g == kObjFiller && color.b == kObjFiller) {
+      return white;
+    }
+    color.a = 1;
+  }
+  const Eigen::Vector4f out(color.r, color.g, color.b, color.a);
+  return out.allFinite() ? Eigen::Vector4f(out.cwiseMax(0.0f)) : white;
+}
+
+aiString base_texture_path(const aiMaterial& material) {
+  aiString path;
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+    if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0) return path;
+  }
+  return aiString();
+}
+
+class TextureTable {
+ public:
+  TextureTable(const aiScene& scene, SourceModel& model) : scene_(scene), model_(model) {}
+
+  SourceTexture find(const aiString& path) {
+    SourceTexture out;
+    out.path = text_of(path);
+    const aiTexture* texture = path.length == 0 ? nullptr : scene_.GetEmbeddedTexture(path.C_Str());
+    if (texture == nullptr) {
+      if (out.path.starts_with('*')) out.path.clear();  // assimp's mark for "embedded", but nothing is
+      return out;
+    }
+    // "*0" means nothing to the artist; the image's own name does.
+    if (out.path.starts_with('*') && texture->mFilename.length != 0) out.path = text_of(texture->mFilename);
+    out.image = image_of(*texture, out.path);
+    return out;
+  }
+
+ private:
+  std::uint32_t image_of(const aiTexture& texture, const std::string& name) {
+    const auto known = image_of_.find(&texture);
+    if (known != image_of_.end()) return known->second;
+    std::uint32_t image = kNoIndex;
+    if (texture.mHeight != 0 || texture.mWidth == 0 || texture.pcData == nullptr) {
+      model_.warnings.push_back(fmt::format("embedded image '{}' left out: it is not stored as PNG, JPEG or TGA", name));
+    } else {
+      // For encoded images mWidth is the size in bytes.
+      const auto* first = reinterpret_cast<const std::uint8_t*>(texture.pcData);
+      image = static_cast<std::uint32_t>(model_.images.size());
+      model_.images.push_back({name, std::vector<std::uint8_t>(first, first + texture.mWidth)});
+    }
+    image_of_.emplace(&texture, image);
+    return image;
+  }
+
+  const aiScene& scene_;
+  SourceModel& model_;
+  std::map<const aiTexture*, std::uint32_t> image_of_;  // looked up only; its order reaches no output
+};
+
+}  // namespace
+
+void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model) {
+  TextureTable textures(scene, model);
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
+    const aiMaterial& material = *scene.mMaterials[i];
+    const aiString path = base_texture_path(material);
+    SourceMaterial out;
+    aiString name;
+    if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
+    out.base_texture = textures.find(path);
+    out.base_color = base_color(material, format, path.length != 0);
+    int two_sided = 0;
+    out.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
+    model.materials.push_back(std::move(out));
+  }
+}
+
+}  // namespace coif

@@ -1,0 +1,194 @@
+#include "import/scene_meshes.h"
+
+#include "import/assimp_values.h"
+#include "import/skin_binding.h"
+
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace coif {
+namespace {
+
+Eigen::Vector3d vector(const aiVector3D& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
+
+// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model.
+constexpr float kFarthest = 1e6f;
+
+bool usable(const Eigen::Vector3f& position) {
+  return position.allFinite() && position.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+struct PlacedVertices {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;  // zero where the file's is unusable
+  std::vector<bool> mirrored;            // the vertex's transform turns the surface inside out
+};
+
+// Normals go by the inverse transpose. The cofactor matrix is that times the determinant, and exists without one.
+Eigen::Vector3f place_normal(const Eigen::Matrix3d& linear, const Eigen::Vector3d& normal) {
+  Eigen::Matrix3d cofactor;
+  cofactor << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
+      linear.col(0).cross(linear.col(1));
+  const double sign = linear.determinant() < 0 ? -1.0 : 1.0;
+  const Eigen::Vector3d placed = sign * (cofactor * normal);
+  const double length = placed.norm();
+  if (!(length > 0) || !std::isfinite(length)) return Eigen::Vector3f::Zero();
+  return (placed / length).cast<float>();
+}
+
+PlacedVertices place_vertices(const aiMesh& mesh, const SkinBinding& binding) {
+  PlacedVertices out;
+  out.positions.reserve(mesh.mNumVertices);
+  out.mirrored.reserve(mesh.mNumVertices);
+  for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+    const Eigen::Affine3d model_from_mesh = binding.model_from_mesh(v);
+    out.positions.push_back((model_from_mesh * vector(mesh.mVertices[v])).cast<float>());
+    out.mirrored.push_back(model_from_mesh.linear().determinant() < 0);
+    if (mesh.HasNormals()) out.normals.push_back(place_normal(model_from_mesh.linear(), vector(mesh.mNormals[v])));
+  }
+  return out;
+}
+
+// The importer's triangles that can be used, wound counter-clockwise after placement.
+std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVertices& placed, const std::string& label,
+                                            std::vector<std::string>& warnings) {
+  std::vector<std::uint32_t> triangles;
+  std::size_t not_triangles = 0;
+  std::size_t out_of_range = 0;
+  std::size_t misplaced = 0;
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices != 3) {
+      ++not_triangles;
+      continue;
+    }
+    std::uint32_t corner[3] = {face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+    if (std::ranges::any_of(corner, [&](std::uint32_t v) { return v >= placed.positions.size(); })) {
+      ++out_of_range;
+    } else if (!std::ranges::all_of(corner, [&](std::uint32_t v) { return usable(placed.positions[v]); })) {
+      ++misplaced;
+    } else {
+      const auto mirrored = std::ranges::count_if(corner, [&](std::uint32_t v) { return placed.mirrored[v]; });
+      if (mirrored >= 2) std::swap(corner[1], corner[2]);
+      triangles.insert(triangles.end(), corner, corner + 3);
+    }
+  }
+  const auto warn = [&](std::size_t count, const char* what) {
+    if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
+  };
+  warn(not_triangles, "points or lines dropped");
+  warn(out_of_range, "triangles dropped: vertex index out of range");
+  warn(misplaced, "triangles dropped: vertex position not finite or beyond 1000 km");
+  return triangles;
+}
+
+// Importers share one vertex buffer between primitives: only what the triangles use is this mesh's. Rewrites
+// `triangles` to the new numbers and returns the old number of each kept vertex, in ascending order.
+std::vector<std::uint32_t> keep_used_vertices(std::vector<std::uint32_t>& triangles, std::size_t vertex_count) {
+  std::vector<std::uint32_t> renumbered(vertex_count, kNoIndex);
+  for (const std::uint32_t v : triangles) renumbered[v] = 0;
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    if (renumbered[v] == kNoIndex) continue;
+    renumbered[v] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(v);
+  }
+  for (std::uint32_t& v : triangles) v = renumbered[v];
+  return kept;
+}
+
+void copy_uvs(const aiMesh& mesh, std::span<const std::uint32_t> kept, const std::string& label, SourceMesh& out,
+              std::vector<std::string>& warnings) {
+  if (!mesh.HasTextureCoords(0)) return;
+  std::size_t unusable = 0;
+  for (const std::uint32_t v : kept) {
+    // assimp's V grows upwards whatever the file, this project's downwards.
+    Eigen::Vector2f uv(mesh.mTextureCoords[0][v].x, 1.0f - mesh.mTextureCoords[0][v].y);
+    if (!uv.allFinite()) {
+      uv.setZero();
+      ++unusable;
+    }
+    out.uvs.push_back(uv);
+  }
+  if (unusable != 0) warnings.push_back(fmt::format("{}: {} UVs that are not finite set to zero", label, unusable));
+}
+
+void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {
+  if (!binding.skinned()) return;
+  out.influence_begin.push_back(0);
+  for (const std::uint32_t v : kept) {
+    const auto influences = binding.influences(v);
+    out.influences.insert(out.influences.end(), influences.begin(), influences.end());
+    out.influence_begin.push_back(static_cast<std::uint32_t>(out.influences.size()));
+  }
+}
+
+// Unusable normals are taken from the surface, or point up where that has none.
+void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std::string>& warnings) {
+  std::vector<Eigen::Vector3f> surface(mesh.normals.size(), Eigen::Vector3f::Zero());
+  for (std::size_t i = 0; i < mesh.triangles.size() && !surface.empty(); i += 3) {
+    const std::uint32_t* corner = &mesh.triangles[i];
+    const Eigen::Vector3f& origin = mesh.positions[corner[0]];
+    const Eigen::Vector3f area =
+        (mesh.positions[corner[1]] - origin).cross(mesh.positions[corner[2]] - origin);
+    for (int k = 0; k < 3; ++k) surface[corner[k]] += area;
+  }
+  std::size_t repaired = 0;
+  for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+    if (!mesh.normals[v].isZero(0)) continue;
+    const float length = surface[v].stableNorm();
+    mesh.normals[v] = std::isnormal(length) ? Eigen::Vector3f(surface[v] / length) : Eigen::Vector3f::UnitY();
+    ++repaired;
+  }
+  if (repaired != 0) warnings.push_back(fmt::format("{}: {} unusable normals replaced", label, repaired));
+}
+
+SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,
+                        std::vector<std::string>& warnings) {
+  SourceMesh out;
+  out.name = text_of(mesh.mName);
+  if (out.name.empty()) out.name = nodes.nodes[node].name;
+  out.node = node;
+  const std::string label = fmt::format("mesh '{}'", out.name);
+  if (mesh.mMaterialIndex < scene.mNumMaterials) out.material = mesh.mMaterialIndex;
+  else warnings.push_back(fmt::format("{}: refers to an absent material; a plain one is used", label));
+
+  const SkinBinding binding(mesh, node, nodes, label, warnings);
+  const PlacedVertices placed = place_vertices(mesh, binding);
+  out.triangles = usable_triangles(mesh, placed, label, warnings);
+  const std::vector<std::uint32_t> kept = keep_used_vertices(out.triangles, placed.positions.size());
+  for (const std::uint32_t v : kept) {
+    out.positions.push_back(placed.positions[v]);
+    if (!placed.normals.empty()) out.normals.push_back(placed.normals[v]);
+  }
+  copy_uvs(mesh, kept, label, out, warnings);
+  copy_influences(binding, kept, out);
+  repair_normals(out, label, warnings);
+  return out;
+}
+
+}  // namespace
+
+std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+                                       std::vector<std::string>& warnings) {
+  std::vector<SourceMesh> meshes;
+  for (std::uint32_t n = 0; n < nodes.nodes.size(); ++n) {
+    const aiNode& node = *nodes.origin[n];
+    for (const unsigned index : std::span(node.mMeshes, node.mNumMeshes)) {
+      if (index >= scene.mNumMeshes) {
+        warnings.push_back(fmt::format("node '{}': refers to an absent mesh", nodes.nodes[n].name));
+        continue;
+      }
+      SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
+      if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+      else warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
+    }
+  }
+  return meshes;
+}
+
+}  // namespace coif

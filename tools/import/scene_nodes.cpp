@@ -1,0 +1,91 @@
+#include "import/scene_nodes.h"
+
+#include "import/assimp_values.h"
+
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <unordered_set>
+
+namespace coif {
+namespace {
+
+struct Pending {
+  const aiNode* node;
+  std::uint32_t parent;
+};
+
+void append(SceneNodes& out, const Pending& pending, const Eigen::Affine3d& model_from_scene,
+            std::vector<std::string>& warnings) {
+  const Eigen::Affine3d& above =
+      pending.parent == kNoIndex ? model_from_scene : out.nodes[pending.parent].model_from_node;
+  SourceNode node;
+  node.name = text_of(pending.node->mName);
+  node.parent = pending.parent;
+  node.model_from_node = above * affine_of(pending.node->mTransformation);
+  if (!node.model_from_node.matrix().allFinite()) {
+    warnings.push_back(fmt::format("node '{}': transform is not finite; its parent's is used", node.name));
+    node.model_from_node = above;
+  }
+  out.nodes.push_back(std::move(node));
+  out.origin.push_back(pending.node);
+}
+
+std::unordered_set<std::string> bone_names(const aiScene& scene) {
+  std::unordered_set<std::string> names;
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiBone* bone : std::span(mesh->mBones, mesh->mNumBones)) names.emplace(bone->mName.C_Str());
+  }
+  return names;
+}
+
+// How much a node of a bone's name looks like the joint rather than something else of that name.
+int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bones) {
+  const auto is_bone = [&](const aiNode* other) { return other != nullptr && bones.contains(other->mName.C_Str()); };
+  const bool within_skeleton = is_bone(node.mParent) || std::ranges::any_of(
+      std::span(node.mChildren, node.mNumChildren), is_bone);
+  return (node.mNumMeshes == 0 ? 2 : 0) + (within_skeleton ? 1 : 0);
+}
+
+void name_joints(const aiScene& scene, SceneNodes& out, std::vector<std::string>& warnings) {
+  const std::unordered_set<std::string> bones = bone_names(scene);
+  std::vector<std::string> undecided;
+  for (std::uint32_t i = 0; i < out.origin.size(); ++i) {
+    const aiNode& node = *out.origin[i];
+    if (!bones.contains(node.mName.C_Str())) continue;
+    const auto [entry, is_new] = out.joint_named.emplace(node.mName.C_Str(), i);
+    if (is_new) continue;
+    const int gain = joint_likeness(node, bones) - joint_likeness(*out.origin[entry->second], bones);
+    if (gain == 0) undecided.push_back(out.nodes[i].name);
+    if (gain > 0) entry->second = i;
+  }
+  std::ranges::sort(undecided);
+  undecided.erase(std::ranges::unique(undecided).begin(), undecided.end());
+  for (const std::string& name : undecided) {
+    warnings.push_back(fmt::format("several nodes are named '{}'; the first is taken for the bone", name));
+  }
+}
+
+}  // namespace
+
+SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
+                         std::vector<std::string>& warnings) {
+  SceneNodes out;
+  // A list instead of recursion: a file may nest nodes deeper than the stack.
+  std::vector<Pending> pending{{scene.mRootNode, kNoIndex}};
+  while (!pending.empty()) {
+    const Pending next = pending.back();
+    pending.pop_back();
+    const auto index = static_cast<std::uint32_t>(out.nodes.size());
+    append(out, next, model_from_scene, warnings);
+    for (unsigned child = next.node->mNumChildren; child-- > 0;) {
+      if (next.node->mChildren[child] != nullptr) pending.push_back({next.node->mChildren[child], index});
+    }
+  }
+  name_joints(scene, out, warnings);
+  return out;
+}
+
+}  // namespace coif

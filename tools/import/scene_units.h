@@ -1,0 +1,26 @@
+#pragma once
+
+#include "import/import.h"
+#include "import/source_format.h"
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+struct aiScene;
+
+namespace coif {
+
+/// What takes the importer's coordinates to metres, Y up, right-handed.
+///
+/// What assimp 5.2 leaves to do, found by measuring real files: FBX is left in the file's unit (UnitScaleFactor
+/// centimetres) and axes (metadata); COLLADA has both applied in the root node; glTF is metres, Y up by definition; OBJ
+/// says nothing and is taken as metres, Y up. Settings override the file.
+[[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
+                                               const ImportSettings& settings, std::vector<std::string>& warnings);
+
+/// Adds a warning when the model's height cannot be that of hair or of somebody who wears it.
+void warn_of_implausible_height(SourceModel& model, SourceFormat format);
+
+}  // namespace coif

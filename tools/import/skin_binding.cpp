@@ -1,0 +1,124 @@
+#include "import/skin_binding.h"
+
+#include "import/assimp_values.h"
+
+#include <assimp/mesh.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+void warn_count(std::size_t count, const std::string& label, const char* what, std::vector<std::string>& warnings) {
+  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
+}
+
+}  // namespace
+
+SkinBinding::SkinBinding(const aiMesh& mesh, std::uint32_t mesh_node, const SceneNodes& nodes, const std::string& label,
+                         std::vector<std::string>& warnings)
+    : model_from_node_(nodes.nodes[mesh_node].model_from_node) {
+  if (!mesh.HasBones()) return;
+  palette_.assign(nodes.nodes.size(), Eigen::Affine3d::Identity());
+  std::vector<Weight> weights = collect_weights(mesh, nodes, label, warnings);
+  if (weights.empty()) {
+    warnings.push_back(fmt::format("{}: no usable bone weight; the mesh is taken as rigid", label));
+    return;
+  }
+  build_table(weights, mesh.mNumVertices, mesh_node, label, warnings);
+}
+
+std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const aiMesh& mesh, const SceneNodes& nodes,
+                                                              const std::string& label,
+                                                              std::vector<std::string>& warnings) {
+  std::vector<Weight> weights;
+  std::size_t out_of_range = 0;
+  std::size_t unusable = 0;
+  for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+    const aiBone& bone = *mesh.mBones[b];
+    const auto found = nodes.joint_named.find(bone.mName.C_Str());
+    const Eigen::Affine3d joint_from_mesh = affine_of(bone.mOffsetMatrix);
+    if (found == nodes.joint_named.end() || !joint_from_mesh.matrix().allFinite()) {
+      warnings.push_back(fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone.mName),
+                                     found == nodes.joint_named.end() ? "no node has its name"
+                                                                      : "its bind matrix is not finite"));
+      continue;
+    }
+    palette_[found->second] = nodes.nodes[found->second].model_from_node * joint_from_mesh;
+    for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+      const aiVertexWeight& weight = bone.mWeights[w];
+      if (weight.mVertexId >= mesh.mNumVertices) {
+        ++out_of_range;
+      } else if (!std::isfinite(weight.mWeight) || weight.mWeight < 0) {
+        ++unusable;
+      } else if (weight.mWeight > 0) {  // exporters pad with zeros; not worth a warning
+        weights.push_back({weight.mVertexId, {found->second, weight.mWeight}});
+      }
+    }
+  }
+  warn_count(out_of_range, label, "bone weights of absent vertices dropped", warnings);
+  warn_count(unusable, label, "bone weights below zero or not finite dropped", warnings);
+  return weights;
+}
+
+void SkinBinding::build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
+                              const std::string& label, std::vector<std::string>& warnings) {
+  // Stable: equal weights keep the file's order on every platform.
+  std::ranges::stable_sort(weights, {}, [](const Weight& w) { return std::pair(w.vertex, w.influence.node); });
+  begin_.reserve(vertex_count + 1);
+  unweighted_.assign(vertex_count, false);
+  begin_.push_back(0);
+  std::size_t first = 0;
+  std::size_t without = 0;
+  for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex) {
+    std::size_t last = first;
+    while (last < weights.size() && weights[last].vertex == vertex) ++last;
+    if (first == last) {
+      influences_.push_back({mesh_node, 1.0f});
+      unweighted_[vertex] = true;
+      ++without;
+    } else {
+      append_vertex({&weights[first], last - first});
+    }
+    begin_.push_back(static_cast<std::uint32_t>(influences_.size()));
+    first = last;
+  }
+  warn_count(without, label, "vertices without a bone weight follow the mesh's node", warnings);
+}
+
+// `weights` of one vertex, by node: merges the entries of one node, normalises, sorts the heaviest first.
+void SkinBinding::append_vertex(std::span<const Weight> weights) {
+  const std::size_t start = influences_.size();
+  double sum = 0;
+  for (const Weight& weight : weights) sum += double{weight.influence.weight};
+  for (const Weight& weight : weights) {
+    const auto share = static_cast<float>(double{weight.influence.weight} / sum);
+    if (influences_.size() > start && influences_.back().node == weight.influence.node) {
+      influences_.back().weight += share;
+    } else if (share > 0) {  // one that is nothing beside the others rounds to zero
+      influences_.push_back({weight.influence.node, share});
+    }
+  }
+  const auto own = std::span(influences_).subspan(start);
+  std::ranges::stable_sort(own, std::ranges::greater{}, &SourceInfluence::weight);
+}
+
+std::span<const SourceInfluence> SkinBinding::influences(std::size_t vertex) const {
+  if (begin_.empty()) return {};
+  return std::span(influences_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+}
+
+Eigen::Affine3d SkinBinding::model_from_mesh(std::size_t vertex) const {
+  if (begin_.empty() || unweighted_[vertex]) return model_from_node_;
+  Eigen::Affine3d blended;
+  blended.matrix().setZero();
+  for (const SourceInfluence& influence : influences(vertex)) {
+    blended.matrix() += double{influence.weight} * palette_[influence.node].matrix();
+  }
+  blended.makeAffine();
+  return blended;
+}
+
+}  // namespace coif
