@@ -31,7 +31,7 @@ struct StepSettings {
   float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep.
   Solver solver = Solver::kThesis;
   std::uint32_t iterations = 1;  ///< Passes over the length and head constraints, 1..kMaxIterations.
-  Environment environment;
+  Environment environment{};
 };
 
 struct HairDesc {

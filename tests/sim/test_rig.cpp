@@ -1,0 +1,156 @@
+#include "sim/test_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace coif {
+namespace {
+
+void store(const Vec3& v, float (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+
+}  // namespace
+
+TestRig::TestRig() {
+  BoneRecord head{};
+  head.parent = head.chain = head.name = kNone;
+  bones.push_back(head);
+  dynamics.push_back({0, 0, 1, 60});
+}
+
+std::uint32_t TestRig::add(const TestBone& bone) {
+  BoneRecord record{};
+  record.parent = bone.parent;
+  record.kind = BoneKind::kSimulated;
+  record.chain = bone.parent != 0 ? bones[bone.parent].chain : bones.size() == 1 ? 0 : bones.back().chain + 1;
+  record.name = kNone;
+  const Vec3 start = bone.parent == 0 ? bone.joint : rest_ends()[bone.parent - 1];
+  store(start, record.joint);
+  store(bone.rest_direction, record.rest_direction);
+  record.length = bone.length;
+  bones.push_back(record);
+  dynamics.push_back({bone.resistance, bone.friction, 1, 60});
+  return std::uint32_t(bones.size() - 1);
+}
+
+void TestRig::add_sphere(const Vec3& center, float radius) {
+  add_ellipsoid(center, {radius, radius, radius});
+  colliders.back().shape = ColliderShape::kSphere;
+}
+
+void TestRig::add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation) {
+  ColliderRecord record{};
+  record.shape = ColliderShape::kEllipsoid;
+  store(center, record.center);
+  store(radii, record.radii);
+  record.rotation[0] = rotation.x, record.rotation[1] = rotation.y;
+  record.rotation[2] = rotation.z, record.rotation[3] = rotation.w;
+  colliders.push_back(record);
+}
+
+std::vector<Vec3> TestRig::rest_ends() const {
+  std::vector<Vec3> ends;
+  for (std::size_t i = 1; i < bones.size(); ++i) {
+    const BoneRecord& b = bones[i];
+    ends.push_back({b.joint[0] + b.rest_direction[0] * b.length, b.joint[1] + b.rest_direction[1] * b.length,
+                    b.joint[2] + b.rest_direction[2] * b.length});
+  }
+  return ends;
+}
+
+AssetContents TestRig::contents() const {
+  AssetContents contents;
+  contents.skeleton.head_rotation[3] = 1;
+  contents.bones = bones;
+  contents.dynamics = dynamics;
+  contents.colliders = colliders;
+  for (std::uint32_t i = 1; i < bones.size(); ++i) {
+    if (bones[i].chain == contents.chains.size()) contents.chains.push_back({i, 0, 0, 0});
+    ++contents.chains.back().bone_count;
+  }
+  return contents;
+}
+
+TestRig nine_bone_rig() {
+  TestRig rig;
+  rig.add_sphere({0, 0, 0}, 0.1f);
+  const float sides[] = {-0.06f, 0.0f, 0.06f};
+  for (const float side : sides) {
+    std::uint32_t parent = 0;
+    const float resistance[] = {0.35f, 0.2f, 0.06f};
+    for (const float r : resistance) {
+      parent = rig.add({.parent = parent, .joint = {side, 0.02f, -0.12f}, .length = 0.1f, .resistance = r, .friction = 1});
+    }
+  }
+  return rig;
+}
+
+TestStep::TestStep(const TestRig& from) : rig(from), friction_factors(from.simulated_count(), 1.0f) {
+  for (const Vec3& end : rig.rest_ends()) particles.push_back({end, {}});
+  scratch.resize(rig.simulated_count());
+}
+
+ThesisStepJob TestStep::job() {
+  ThesisStepJob job;
+  job.dt = 0.1f;
+  job.gravity = {};
+  job.bones = rig.bones;
+  job.dynamics = rig.dynamics;
+  job.colliders = rig.colliders;
+  job.friction_factors = friction_factors;
+  job.scratch = scratch;
+  job.particles = particles;
+  return job;
+}
+
+namespace {
+
+AlignedBytes hair_memory(Asset& asset, AlignedBytes& file, std::uint32_t instances) {
+  if (!asset.open(file.bytes())) std::abort();  // the rig is the test's own
+  const MemoryNeed need = Hair::memory_need(asset, {.instances = instances});
+  return AlignedBytes(std::vector<std::byte>(need.bytes));
+}
+
+}  // namespace
+
+TestHair::TestHair(const TestRig& rig, std::uint32_t instances)
+    : file_(write_asset(rig.contents())), memory_(hair_memory(asset, file_, instances)) {
+  if (hair.create(asset, {.instances = instances}, memory_.bytes()) != Status::kOk) std::abort();
+}
+
+std::vector<std::byte> TestHair::memory_copy() {
+  const auto bytes = memory_.bytes();
+  return {bytes.begin(), bytes.end()};
+}
+
+std::vector<Vec3> TestHair::ends(std::uint32_t instance) const {
+  const auto all = hair.bone_ends(instance);
+  return {all.begin() + 1, all.end()};
+}
+
+float distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  float largest = a.size() == b.size() ? 0.0f : INFINITY;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    const float d = distance(a[i], b[i]);
+    largest = d <= largest ? largest : d;  // a NaN wins
+  }
+  return largest;
+}
+
+Quat turned_about(const Vec3& axis, double radians) {
+  const float s = float(std::sin(radians / 2));
+  return {axis.x * s, axis.y * s, axis.z * s, float(std::cos(radians / 2))};
+}
+
+Vec3 transformed(const Mat34& matrix, const Vec3& p) {
+  float out[3];
+  for (int row = 0; row < 3; ++row) {
+    const float* m = matrix.m[row];
+    out[row] = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+  }
+  return {out[0], out[1], out[2]};
+}
+
+}  // namespace coif

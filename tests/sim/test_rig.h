@@ -1,0 +1,81 @@
+#pragma once
+
+#include "formats/aligned_bytes.h"
+#include "write/asset_writer.h"
+
+#include <coif/asset.h>
+#include <coif/hair.h>
+#include <coif/thesis_step_job.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+/// One simulated bone as a test wants it. Defaults: hangs down, one metre long, nothing acts on it but gravity.
+struct TestBone {
+  std::uint32_t parent = 0;  ///< Bone 0 is the head.
+  Vec3 joint{};              ///< Of first bones; others start at their parent's particle.
+  Vec3 rest_direction{0, -1, 0};
+  float length = 1;
+  float resistance = 0;
+  float friction = 0;
+};
+
+/// The parts of an asset that the simulation reads: a head, and chains of bones in the order they are added.
+class TestRig {
+ public:
+  TestRig();
+  /// Returns the bone's index. A bone on the head begins a chain.
+  std::uint32_t add(const TestBone& bone);
+  void add_sphere(const Vec3& center, float radius);
+  void add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation = {});
+
+  [[nodiscard]] std::size_t simulated_count() const { return bones.size() - 1; }
+  /// Where the particles rest, head space.
+  [[nodiscard]] std::vector<Vec3> rest_ends() const;
+  [[nodiscard]] AssetContents contents() const;
+
+  std::vector<BoneRecord> bones;
+  std::vector<DynamicsRecord> dynamics;
+  std::vector<ColliderRecord> colliders;
+};
+
+/// Three chains of three bones behind and beside a head sphere, as a small hair style has.
+[[nodiscard]] TestRig nine_bone_rig();
+
+/// One step of one instance: the rig, its particles at rest, and everything else of a ThesisStepJob.
+class TestStep {
+ public:
+  explicit TestStep(const TestRig& rig);
+  ThesisStepJob job();  ///< dt 0.1, no gravity, no friction, head at rest; change what the test is about.
+
+  TestRig rig;
+  std::vector<Particle> particles;
+  std::vector<float> friction_factors;
+  std::vector<BoneScratch> scratch;
+};
+
+/// A Hair with the asset and the memory it needs.
+class TestHair {
+ public:
+  explicit TestHair(const TestRig& rig, std::uint32_t instances = 1);
+  [[nodiscard]] std::vector<std::byte> memory_copy();
+  /// Bone ends of the simulated bones.
+  [[nodiscard]] std::vector<Vec3> ends(std::uint32_t instance = 0) const;
+
+  Asset asset;
+  Hair hair;
+
+ private:
+  AlignedBytes file_;
+  AlignedBytes memory_;
+};
+
+[[nodiscard]] float distance(const Vec3& a, const Vec3& b);
+[[nodiscard]] float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+/// Unit quaternion; `axis` unit.
+[[nodiscard]] Quat turned_about(const Vec3& axis, double radians);
+[[nodiscard]] Vec3 transformed(const Mat34& matrix, const Vec3& point);
+
+}  // namespace coif
