@@ -67,6 +67,8 @@ def check(source, assets):
             bad.append(f"{path}: a name for a place where anything may end up")
         if file.suffix in TEXT:
             bad += text_problems(path, file.read_text(encoding="utf-8", errors="replace"))
+    if not assets.is_dir():
+        print(f"no test assets at {assets}: copies of them were not looked for")
     return len(files), bad + list(copied(source, files, assets))
 
 
