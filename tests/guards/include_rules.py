@@ -9,13 +9,15 @@ from pathlib import Path
 
 FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
-TOOL_BASE = SIM | {"formats/write", "runtime/sim", "tools"}
+HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
+TOOL_BASE = SIM | HASH | {"formats/write", "tools"}
 
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file.
 LAYERS = {
-    "formats": FORMATS,
+    "formats": FORMATS | HASH,
     "formats/include": set(),
-    "formats/write": FORMATS | {"formats"},
+    "formats/payload_hash.h": set(),
+    "formats/write": FORMATS | HASH,
     "runtime/include": FORMATS,
     "runtime/include/coif/renderer.h": SIM,
     "runtime/sim": SIM,
@@ -55,7 +57,7 @@ HOMES = {
 # What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
             "limits", "new", "numeric", "span", "type_traits", "utility"}
-SHIPPED = ("formats", "formats/include", "runtime/include", "runtime/include/coif/renderer.h", "runtime/sim",
+SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h", "runtime/sim",
            "runtime/gl")
 
 # Headers that the build writes, by the one layer that includes them.
