@@ -23,7 +23,7 @@ struct RecordingSettings {
   double seconds = 4;  ///< Length of the recording, 0..3600.
   double settle_seconds =
       2;              ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
-  StepSettings step;  ///< dt comes from fps.
+  StepSettings step{};///< dt comes from fps.
 };
 
 struct RecordedFrame {

@@ -1,0 +1,80 @@
+#include "animation/constraint_error.h"
+
+#include "animation/open_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace coif {
+namespace {
+
+std::vector<Vec3> resting_ends(const Asset& asset) {
+  std::vector<Vec3> ends;
+  for (const BoneRecord& bone : asset.bones()) {
+    ends.push_back({bone.joint[0] + bone.length * bone.rest_direction[0],
+                    bone.joint[1] + bone.length * bone.rest_direction[1],
+                    bone.joint[2] + bone.length * bone.rest_direction[2]});
+  }
+  return ends;
+}
+
+AssetContents with_collider(const ColliderRecord& collider) {
+  AssetContents contents = small_asset();
+  contents.colliders = {collider};
+  return contents;
+}
+
+TEST(WorstStretch, IsZeroInTheRestPose) {
+  const OpenAsset file(small_asset());
+  ASSERT_TRUE(file.asset().is_open());
+  EXPECT_NEAR(worst_stretch(file.asset(), resting_ends(file.asset())), 0.0f, 1e-6f);
+}
+
+TEST(WorstStretch, CountsLongerAndShorterBonesAlike) {
+  const OpenAsset file(small_asset());
+  ASSERT_TRUE(file.asset().is_open());
+  for (const float factor : {1.5f, 0.5f}) {
+    std::vector<Vec3> ends = resting_ends(file.asset());
+    ends[4].y *= factor;  // the lone bone hangs from the head's joint, the origin
+    EXPECT_NEAR(worst_stretch(file.asset(), ends), 0.5f, 1e-5f) << factor;
+  }
+}
+
+TEST(WorstPenetration, IsOneAtTheCentreAndZeroOnTheSurfaceOfASphere) {
+  const OpenAsset file(
+      with_collider({ColliderShape::kSphere, 0, {}, {1, 2, 3}, 0, {0.5f, 0.5f, 0.5f}, 0, {0, 0, 0, 1}}));
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+  ends[3] = {1, 2, 3.5f};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.0f, 1e-6f);
+  ends[3] = {1, 2, 3.4f};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.2f, 1e-5f);
+  ends[3] = {1, 2, 3};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 1.0f, 1e-6f);
+}
+
+TEST(WorstPenetration, FollowsTheEllipsoidsRotation) {
+  const float half = std::sqrt(0.5f);  // a quarter turn about Z: the long X axis points along Y
+  const OpenAsset file(
+      with_collider({ColliderShape::kEllipsoid, 0, {}, {0, 0, 0}, 0, {0.4f, 0.1f, 0.1f}, 0, {0, 0, half, half}}));
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
+  ends[2] = {0.3f, 0, 0};
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+  ends[2] = {0, 0.3f, 0};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.25f, 1e-5f);
+}
+
+TEST(WorstPenetration, LeavesRigidBonesOut) {
+  const OpenAsset file(small_asset());
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
+  ends[0] = ends[1] = {0, 0, 0};
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+}
+
+}  // namespace
+}  // namespace coif

@@ -1,0 +1,105 @@
+#include "animation/recording.h"
+
+#include "animation/open_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace coif {
+namespace {
+
+class Recorded : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(asset().is_open()); }
+  [[nodiscard]] const Asset& asset() const { return file_.asset(); }
+
+ private:
+  OpenAsset file_{small_asset()};
+};
+
+float largest_move(const RecordedFrame& a, const RecordedFrame& b) {
+  float largest = 0;
+  for (std::size_t i = 0; i < a.bone_ends.size(); ++i) {
+    const Vec3& p = a.bone_ends[i];
+    const Vec3& q = b.bone_ends[i];
+    largest = std::max(largest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+  }
+  return largest;
+}
+
+TEST_F(Recorded, HasOneFrameMoreThanStepsAndTheirTimes) {
+  const auto recording = record(asset(), {.motion = Motion::kNod, .fps = 24, .seconds = 1.5});
+  ASSERT_TRUE(recording);
+  ASSERT_EQ(recording->frames.size(), 37u);
+  for (std::size_t i = 0; i < recording->frames.size(); ++i) {
+    EXPECT_DOUBLE_EQ(recording->frames[i].seconds, double(i) / 24);
+    EXPECT_EQ(recording->frames[i].palette.size(), asset().bones().size());
+    EXPECT_EQ(recording->frames[i].bone_ends.size(), asset().bones().size());
+  }
+}
+
+TEST_F(Recorded, OfNoSecondsIsTheSettledPose) {
+  const auto recording = record(asset(), {.motion = Motion::kTurn, .seconds = 0});
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->frames.size(), 1u);
+}
+
+TEST_F(Recorded, SettlesBeforeTheFirstFrame) {
+  RecordingSettings settings{.motion = Motion::kStill, .seconds = 1};
+  const auto settled = record(asset(), settings);
+  settings.settle_seconds = 0;
+  const auto unsettled = record(asset(), settings);
+  ASSERT_TRUE(settled && unsettled);
+  const float drift = largest_move(settled->frames.front(), settled->frames.back());
+  const float sag = largest_move(unsettled->frames.front(), unsettled->frames.back());
+  EXPECT_LT(drift, 1e-3f);
+  EXPECT_GT(sag, 2 * drift);
+}
+
+TEST_F(Recorded, FollowsTheMotionsPoses) {
+  const auto recording = record(asset(), {.motion = Motion::kTurn, .fps = 30, .seconds = 1});
+  ASSERT_TRUE(recording);
+  for (const RecordedFrame& frame : recording->frames) {
+    const HeadPose pose = head_pose(Motion::kTurn, frame.seconds);
+    EXPECT_EQ(frame.head.rotation.y, pose.rotation.y);
+    EXPECT_EQ(frame.head.position[1], pose.position[1]);
+  }
+}
+
+TEST_F(Recorded, TwiceGivesTheSameBytes) {
+  const RecordingSettings settings{.motion = Motion::kTumble, .fps = 60, .seconds = 1};
+  const auto a = record(asset(), settings);
+  const auto b = record(asset(), settings);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(to_csv(asset(), *a), to_csv(asset(), *b));
+  EXPECT_EQ(to_glb(asset(), *a), to_glb(asset(), *b));
+}
+
+TEST_F(Recorded, RefusesSettingsOutsideTheirRanges) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double fps : {0.0, -60.0, 9.9, 1000.5, nan}) EXPECT_FALSE(record(asset(), {.fps = fps})) << fps;
+  for (const double seconds : {-1.0, 3601.0, nan}) {
+    EXPECT_FALSE(record(asset(), {.seconds = seconds})) << seconds;
+    EXPECT_FALSE(record(asset(), {.settle_seconds = seconds})) << seconds;
+  }
+  RecordingSettings many_passes;
+  many_passes.step.iterations = 1000;
+  EXPECT_FALSE(record(asset(), many_passes));
+}
+
+TEST_F(Recorded, TakesTheSlowestRateThatTheRuntimeAllows) {
+  EXPECT_TRUE(record(asset(), {.motion = Motion::kNod, .fps = 10, .seconds = 1}));
+}
+
+TEST_F(Recorded, RefusesWhatDoesNotFitInMemory) {
+  const auto recording = record(asset(), {.fps = 1000, .seconds = 3600});
+  ASSERT_FALSE(recording);
+  EXPECT_NE(recording.error().message.find("1 GiB"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coif
