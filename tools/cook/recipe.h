@@ -20,19 +20,22 @@ struct CurvePoint {
   double value = 0;
 };
 
+/// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
+/// default_recipe().
 struct Recipe {
   // source
   double metres_per_unit = 0;  ///< 0: from the file.
-  std::string up_axis;         ///< "", "x", "y" or "z"; "": from the file.
-  // hair: patterns with * and ?, case-insensitive; all empty: every mesh
+  std::string up_axis;         ///< "file", "x", "y" or "z".
+  // hair: patterns with * and ?, letters of either case
   std::vector<std::string> hair_meshes;
   std::vector<std::string> hair_materials;
   std::vector<std::string> hair_bones;
   // skeleton
-  std::string head_bone;            ///< Pattern; "": found by name and hierarchy.
-  std::string scalp_bones;          ///< "thesis", "none" or a pattern.
+  std::string head_bone;             ///< Pattern; "": found by name and hierarchy.
+  std::string scalp;                 ///< "thesis", "none" or "pattern".
+  std::vector<std::string> scalp_bones;
   // patches
-  std::string patch_connectivity;   ///< "index" or "position".
+  std::string patch_connectivity;    ///< "auto", "index" or "position".
   double patch_weld_distance = 0;
   // dynamics
   std::vector<CurvePoint> resistance;
@@ -40,17 +43,17 @@ struct Recipe {
   double gravity_scale = 0;
   double authoring_rate = 0;
   // head
-  std::string head_shape;                ///< "auto", "ellipsoid", "sphere" or "none".
+  std::string head_shape;                            ///< "auto", "ellipsoid", "sphere" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
   // textures
-  std::string base_color_texture;   ///< Path beside the recipe; "": the source's.
+  std::string base_color_texture;    ///< Path beside the recipe; "": the source's.
   std::string shift_texture;
   std::string mask_texture;
   std::uint32_t texture_max_size = 0;
   std::uint32_t texture_seed = 0;
   // material
-  std::array<double, 4> base_color{1, 1, 1, 1};
+  std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};
   double opaque_threshold = 0;
   double discard_threshold = 0;

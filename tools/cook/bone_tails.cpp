@@ -1,0 +1,84 @@
+#include "cook/bone_tails.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace coif {
+namespace {
+
+constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no direction to speak of.
+
+/// Nodes in the tree below `node`, itself included.
+std::size_t tree_size(const SourceModel& source, std::uint32_t node) {
+  std::vector<bool> inside(source.nodes.size(), false);
+  inside[node] = true;
+  std::size_t count = 1;
+  for (std::uint32_t n = node + 1; n < source.nodes.size(); ++n) {
+    if (source.nodes[n].parent == kNoIndex || !inside[source.nodes[n].parent]) continue;
+    inside[n] = true;
+    ++count;
+  }
+  return count;
+}
+
+/// The child that continues the chain: with most nodes below it, of equals the first.
+std::uint32_t main_child(const SourceModel& source, std::span<const std::uint32_t> children) {
+  std::uint32_t best = children.front();
+  std::size_t best_size = 0;
+  for (std::uint32_t child : children) {
+    const std::size_t size = tree_size(source, child);
+    if (size > best_size) {
+      best = child;
+      best_size = size;
+    }
+  }
+  return best;
+}
+
+std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32_t node) {
+  for (const SourceNode& child : source.nodes) {
+    if (child.parent == node) return child.model_from_node.translation();
+  }
+  return std::nullopt;
+}
+
+/// The end of the vertices that follow `node` more than all others, along the line from `start` to their middle.
+std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start) {
+  std::vector<Eigen::Vector3d> carried;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
+    for (const SourceInfluence& influence : hair.influences_of(v)) {
+      if (influence.node != node || influence.weight < 0.5f) continue;
+      carried.push_back(hair.positions[v].cast<double>());
+      sum += carried.back();
+    }
+  }
+  if (carried.empty()) return std::nullopt;
+  const Eigen::Vector3d to_middle = sum / double(carried.size()) - start;
+  if (to_middle.norm() < kShortestBone) return std::nullopt;
+  const Eigen::Vector3d direction = to_middle.normalized();
+  double reach = 0;
+  for (const Eigen::Vector3d& p : carried) reach = std::max(reach, direction.dot(p - start));
+  return start + direction * reach;
+}
+
+}  // namespace
+
+Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
+                               std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
+                               const SkeletonBone& parent) {
+  std::optional<Eigen::Vector3d> tail;
+  if (!hair_children.empty()) {
+    tail = source.nodes[main_child(source, hair_children)].model_from_node.translation();
+  } else if (!(tail = end_marker(source, node))) {
+    tail = end_of_vertices(hair, node, start);
+  }
+  if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
+  const double length = parent.length() >= kShortestBone ? parent.length() : kShortestBone;
+  const Eigen::Vector3d direction =
+      parent.length() >= kShortestBone ? Eigen::Vector3d((parent.tail - parent.start).normalized()) : -Eigen::Vector3d::UnitY();
+  // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.
+  return start + direction * (tail ? kShortestBone : length);
+}
+
+}  // namespace coif

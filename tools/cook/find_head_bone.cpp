@@ -1,0 +1,68 @@
+#include "cook/find_head_bone.h"
+
+#include "cook/name_pattern.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
+bool is_called_head(const std::string& name) {
+  const std::vector<std::string> not_heads{"*end*", "*nub*", "*top*", "*hair*", "*band*", "*phone*", "*light*", "*mesh*"};
+  return matches(name, "*head*") && !matches_any(name, not_heads);
+}
+
+/// The node with most weight below it; of equals the one nearest to the root.
+std::uint32_t heaviest(const SourceModel& source, const NodeWeights& below, auto is_candidate) {
+  std::uint32_t best = kNoIndex;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    if (!is_candidate(n) || below[n] <= 0) continue;
+    if (best == kNoIndex || below[n] > below[best]) best = n;
+  }
+  return best;
+}
+
+/// The lowest node that carries all of the hair, itself or below it.
+std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& below) {
+  const double total = *std::ranges::max_element(below);
+  std::uint32_t lowest = kNoIndex;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    if (total > 0 && below[n] >= total * (1 - 1.0e-9)) lowest = n;
+  }
+  return lowest;
+}
+
+}  // namespace
+
+NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights) {
+  NodeWeights below = weights;
+  // Parents come first, so backwards each node is complete before it is added to its parent.
+  for (std::size_t n = source.nodes.size(); n-- > 0;) {
+    if (source.nodes[n].parent != kNoIndex) below[source.nodes[n].parent] += below[n];
+  }
+  return below;
+}
+
+tl::expected<std::uint32_t, ToolError> find_head_bone(const SourceModel& source, const NodeWeights& weights,
+                                                      const std::string& pattern) {
+  const NodeWeights below = weights_below(source, weights);
+  if (!pattern.empty()) {
+    const auto named = [&](std::uint32_t n) { return matches(source.nodes[n].name, pattern); };
+    if (const std::uint32_t head = heaviest(source, below, named); head != kNoIndex) return head;
+    for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+      if (named(n)) return n;
+    }
+    return tl::unexpected(ToolError{
+        ToolError::Kind::kBadInput,
+        fmt::format("{}: recipe key \"skeleton.head\": no node is called '{}'; 'coif cook {} --list' names them",
+                    source.path, pattern, source.path)});
+  }
+  const auto by_name = [&](std::uint32_t n) { return is_called_head(source.nodes[n].name); };
+  if (const std::uint32_t head = heaviest(source, below, by_name); head != kNoIndex) return head;
+  return lowest_common_node(source, below);
+}
+
+}  // namespace coif

@@ -1,0 +1,139 @@
+#include "cook/fit_head.h"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kFewestVertices = 50;   ///< A head's mesh has more; fewer are teeth or a pin.
+constexpr double kInsideBox = 0.97;           ///< A skull is a little smaller than the box that nose and ears widen.
+constexpr double kSmallestShare = 0.5;        ///< A head that has to shrink further was not the head.
+
+/// Vertices of the other meshes that follow the head bone and nothing else.
+std::vector<Vector3d> head_vertices(const SourceModel& source, std::span<const std::uint32_t> hair_meshes,
+                                    const Skeleton& skeleton) {
+  std::vector<Vector3d> vertices;
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    if (std::ranges::find(hair_meshes, m) != hair_meshes.end()) continue;
+    const SourceMesh& mesh = source.meshes[m];
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+      float on_head = 0;
+      if (mesh.influence_begin.empty()) {
+        on_head = source.nodes[mesh.node].name == skeleton.bones[0].name ? 1.0f : 0.0f;
+      } else {
+        for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
+          const SourceInfluence& influence = mesh.influences[k];
+          if (source.nodes[influence.node].name == skeleton.bones[0].name) on_head += influence.weight;
+        }
+      }
+      if (on_head > 0.9f) vertices.push_back(mesh.positions[v].cast<double>());
+    }
+  }
+  return vertices;
+}
+
+FittedHead from_box(const std::vector<Vector3d>& vertices) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& v : vertices) box.extend(v);
+  FittedHead head;
+  head.center = box.center();
+  head.radii = box.sizes() * (0.5 * kInsideBox);
+  head.origin = fmt::format("the box of {} vertices that follow the head bone", vertices.size());
+  return head;
+}
+
+/// Sphere through points by linear least squares: |p|^2 = 2 c.p + (r^2 - |c|^2). Points relative to their mean.
+std::pair<Vector3d, double> fit_sphere(const std::vector<Vector3d>& points) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& p : points) mean += p / double(points.size());
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const Vector3d& p : points) {
+    const Vector3d d = p - mean;
+    const Eigen::Vector4d row(2 * d.x(), 2 * d.y(), 2 * d.z(), 1);
+    normal += row * row.transpose();
+    right += row * d.squaredNorm();
+  }
+  const Eigen::Vector4d solution = normal.completeOrthogonalDecomposition().solve(right);
+  const Vector3d center = solution.head<3>();
+  return {mean + center, std::sqrt(std::max(0.0, solution[3] + center.squaredNorm()))};
+}
+
+/// The hair lies on the skull at the top: a sphere through its upper part, no larger than the hair's inside there.
+FittedHead from_hair(const HairMesh& hair) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
+  const double width = std::min(box.sizes().x(), box.sizes().z());
+  std::vector<Vector3d> cap;
+  for (const Eigen::Vector3f& p : hair.positions) {
+    if (double(p.y()) > box.max().y() - 0.5 * width) cap.push_back(p.cast<double>());
+  }
+  auto [center, radius] = fit_sphere(cap);
+  // A flat or ragged cap can put the sphere anywhere: keep it within the hair's own size.
+  if (!(radius > 0.2 * width && radius < 0.8 * width) || !box.contains(center)) {
+    radius = 0.4 * width;
+    center = Vector3d(box.center().x(), box.max().y() - 0.5 * width, box.center().z());
+  }
+  std::vector<double> distances;
+  for (const Vector3d& p : cap) distances.push_back((p - center).norm());
+  const auto low = distances.begin() + std::ptrdiff_t(distances.size() / 20);
+  std::ranges::nth_element(distances, low);
+  FittedHead head;
+  head.center = center;
+  head.radii = Vector3d::Constant(std::min(radius, *low));
+  head.origin = "the inside of the hair's upper part";
+  return head;
+}
+
+/// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
+double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton) {
+  double share = 1;
+  for (const SkeletonBone& bone : skeleton.bones) {
+    if (bone.kind != BoneKind::kSimulated) continue;
+    share = std::min(share, (bone.tail - head.center).cwiseQuotient(head.radii).norm());
+  }
+  return share;
+}
+
+void resolve_rest_penetration(const Skeleton& skeleton, bool declared, FittedHead& head) {
+  if (!head.collides()) return;
+  const double share = share_at_first_particle(head, skeleton);
+  if (share >= 1) return;
+  if (declared) {
+    head.warnings.push_back(fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
+                                        "inside it; make head.radii smaller",
+                                        100 * (1 - share)));
+    return;
+  }
+  const double kept = std::max(share * 0.999, kSmallestShare);
+  head.radii *= kept;
+  head.warnings.push_back(fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}",
+                                      100 * kept, share < kSmallestShare ? "; some bones still end inside it" : ""));
+}
+
+}  // namespace
+
+FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> hair_meshes,
+                    const Skeleton& skeleton, const Recipe& recipe) {
+  FittedHead head;
+  const bool declared = recipe.head_center && recipe.head_radii;
+  if (declared) {
+    head.center = Vector3d(recipe.head_center->data());
+    head.radii = Vector3d(recipe.head_radii->data());
+    head.origin = "the recipe";
+  } else {
+    const std::vector<Vector3d> vertices = head_vertices(source, hair_meshes, skeleton);
+    head = vertices.size() >= kFewestVertices ? from_box(vertices) : from_hair(hair);
+  }
+  if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());
+  if (recipe.head_shape == "none") head.radii.setZero();
+  resolve_rest_penetration(skeleton, declared, head);
+  return head;
+}
+
+}  // namespace coif

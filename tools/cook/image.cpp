@@ -1,0 +1,88 @@
+#include "cook/image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+// The one home of both headers: third-party code, compiled without the project's warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wextra"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_MAX_DIMENSIONS 16384
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#include <stb/stb_image.h>
+#define STB_IMAGE_RESIZE_IMPLEMENTATION
+#define STB_IMAGE_RESIZE_STATIC
+#include <stb/stb_image_resize.h>
+#pragma GCC diagnostic pop
+
+namespace coif {
+namespace {
+
+constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{256} << 20;
+constexpr int kRgba = 4;
+
+}  // namespace
+
+tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes) {
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> data(
+      stbi_load_from_memory(bytes.data(), int(std::min<std::size_t>(bytes.size(), INT32_MAX)), &width, &height, &channels,
+                            kRgba),
+      stbi_image_free);
+  if (!data) return tl::unexpected(fmt::format("cannot read the image ({}); save it as PNG", stbi_failure_reason()));
+  Image image{std::uint32_t(width), std::uint32_t(height), kRgba, {}};
+  image.texels.assign(data.get(), data.get() + image.texel_count() * kRgba);
+  return image;
+}
+
+tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return tl::unexpected(std::string("no such file"));
+  if (std::filesystem::file_size(path, error) > kMaxImageBytes) {
+    return tl::unexpected(fmt::format("larger than {} MiB; reduce it", kMaxImageBytes >> 20));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return tl::unexpected(fmt::format("cannot open: {}", std::strerror(errno)));
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  return decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning) {
+  Image result{width, height, image.channels, {}};
+  result.texels.resize(result.texel_count() * image.channels);
+  const bool color = meaning == TexelMeaning::kSrgbColorAlpha;
+  stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(), int(width),
+                             int(height), 0, int(image.channels), color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_WRAP,
+                             STBIR_FILTER_BOX, color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR, nullptr);
+  return result;
+}
+
+std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning) {
+  const auto half = [&](const Image& i) {
+    return shrink(i, std::max(1u, i.width / 2), std::max(1u, i.height / 2), meaning);
+  };
+  while (std::max(image.width, image.height) > max_size) image = half(image);
+  std::vector<Image> mips;
+  mips.push_back(std::move(image));
+  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(half(mips.back()));
+  return mips;
+}
+
+}  // namespace coif

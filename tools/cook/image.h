@@ -1,0 +1,39 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Eight bits a channel, rows top to bottom, channels interleaved.
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t channels = 4;
+  std::vector<std::uint8_t> texels;
+
+  [[nodiscard]] std::size_t texel_count() const { return std::size_t(width) * height; }
+};
+
+/// Decodes PNG, JPEG, TGA or BMP to RGBA. The error is a sentence without the file's name.
+tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
+tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
+
+/// How an image's numbers are to be averaged.
+enum class TexelMeaning {
+  kSrgbColorAlpha,  ///< Four channels: colour is averaged as light, weighted by alpha.
+  kNumbers,         ///< Any channels, averaged as they are.
+};
+
+/// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
+[[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
+
+/// The image and all its halvings down to one texel. An image larger than `max_size` is first halved until it fits.
+[[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
+
+}  // namespace coif

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "cook/sort_patches.h"
+#include "cook/strand_direction.h"
+#include "write/asset_writer.h"
+
+namespace coif {
+
+/// Writes vertices, skin, indices and patches of `contents`: patches contiguous in draw order, triangles inside a patch
+/// ordered for the vertex cache, vertices in order of first use. Positions move to head space.
+void pack_mesh(const HairMesh& mesh, const PatchSet& patches, const PatchOrder& order, const StrandField& strands,
+               const Skeleton& skeleton, AssetContents& contents);
+
+}  // namespace coif

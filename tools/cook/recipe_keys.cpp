@@ -1,0 +1,88 @@
+#include "cook/recipe_keys.h"
+
+namespace coif {
+namespace {
+
+using R = Recipe;
+
+// clang-format off
+const RecipeKey kKeys[] = {
+  {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
+   "size of the file's unit; 0 takes it from the file (OBJ has none: 1)"},
+  {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
+   "axis that points up in the file"},
+
+  {"hair", "meshes", &R::hair_meshes, "[]", 0, 0, nullptr, "",
+   "names of the meshes that are hair; * and ? are wildcards; all empty: whatever is called hair, else everything"},
+  {"hair", "materials", &R::hair_materials, "[]", 0, 0, nullptr, "",
+   "names of the materials that are hair; with meshes given too, both must match"},
+  {"hair", "bones", &R::hair_bones, "[]", 0, 0, nullptr, "",
+   "names of hair bones; connected pieces that they move are hair, to cut hair out of a merged body"},
+
+  {"skeleton", "head", &R::head_bone, "\"\"", 0, 0, nullptr, "",
+   "name of the head bone; empty: found by its name above the hair bones"},
+  {"skeleton", "scalp", &R::scalp, "\"thesis\"", 0, 0, "thesis|none|pattern", "",
+   "rigid bones: 'thesis' the first bone of each chain below the head, 'none', or 'pattern' those in scalp_bones"},
+  {"skeleton", "scalp_bones", &R::scalp_bones, "[]", 0, 0, nullptr, "",
+   "names of the bones that stay rigid with the head, where scalp is 'pattern'"},
+
+  {"patches", "connectivity", &R::patch_connectivity, "\"auto\"", 0, 0, "auto|index|position", "",
+   "triangles are one patch when they share vertices (index) or places (position); auto: by index unless that shatters"},
+  {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
+   "vertices closer than this are at one place"},
+
+  {"dynamics", "resistance", &R::resistance, "[[0, 0.35], [1, 0.06]]", 0, 1, nullptr, "per step",
+   "pull to the modelled pose, points [place along the chain from root 0 to tip 1, value 0..1]"},
+  {"dynamics", "friction", &R::friction, "2", 0, 1.0e4, nullptr, "1/s",
+   "how fast hair takes on the velocity of the air"},
+  {"dynamics", "gravity_scale", &R::gravity_scale, "1", -100, 100, nullptr, "",
+   "share of the scene's gravity that hair feels; 0 keeps the modelled pose at rest"},
+  {"dynamics", "authoring_rate", &R::authoring_rate, "60", 1, 1000, nullptr, "1/s",
+   "frame rate at which the resistance was tuned"},
+
+  {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|none", "",
+   "what hair stays out of; auto: an ellipsoid as declared, from the head's mesh, or from the hair's inside"},
+  {"head", "center", &R::head_center, "null", -1000, 1000, nullptr, "m",
+   "centre of the head in the model, metres, Y up; null: fitted"},
+  {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",
+   "half sizes of the head along X, Y, Z; null: fitted"},
+
+  {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
+   "image with colour and alpha, path from the recipe; empty: the source's own"},
+  {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",
+   "image whose red moves both highlights along the strand; empty: generated"},
+  {"textures", "mask", &R::mask_texture, "\"\"", 0, 0, nullptr, "",
+   "image whose red scales the secondary highlight; empty: generated"},
+  {"textures", "max_size", &R::texture_max_size, "1024", 1, 16384, nullptr, "texels",
+   "larger images are reduced to this"},
+  {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
+   "start of the generated shift and mask"},
+
+  {"material", "base_color", &R::base_color, "[1, 1, 1, 1]", 0, 100, nullptr, "linear",
+   "multiplies the base texture (red, green, blue, alpha)"},
+  {"material", "ambient", &R::ambient, "[0.09, 0.09, 0.1]", 0, 100, nullptr, "linear",
+   "light from everywhere, times the base colour"},
+  {"material", "opaque_threshold", &R::opaque_threshold, "0.9", 0.004, 1, nullptr, "alpha",
+   "texels from this alpha on are drawn opaque, before the others are blended"},
+  {"material", "discard_threshold", &R::discard_threshold, "0.02", 0, 1, nullptr, "alpha",
+   "texels below this alpha are never drawn"},
+  {"material", "primary_color", &R::primary_color, "[0.35, 0.35, 0.35]", 0, 100, nullptr, "linear",
+   "colour of the primary highlight, towards the tip"},
+  {"material", "primary_exponent", &R::primary_exponent, "150", 0.1, 1.0e5, nullptr, "",
+   "sharpness of the primary highlight"},
+  {"material", "primary_shift", &R::primary_shift, "0.7", -10, 10, nullptr, "",
+   "how far the normal moves the primary highlight"},
+  {"material", "secondary_color", &R::secondary_color, "[0.5, 0.4, 0.3]", 0, 100, nullptr, "linear",
+   "colour of the secondary highlight, towards the root"},
+  {"material", "secondary_exponent", &R::secondary_exponent, "30", 0.1, 1.0e5, nullptr, "",
+   "sharpness of the secondary highlight"},
+  {"material", "secondary_shift", &R::secondary_shift, "0.5", -10, 10, nullptr, "",
+   "how far the normal moves the secondary highlight"},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const RecipeKey> recipe_keys() { return kKeys; }
+
+}  // namespace coif
