@@ -9,12 +9,16 @@ namespace coif {
 namespace {
 
 /// Rotates about the bone's rest joint, then carries that joint to `start`.
-Mat34 skinning_matrix(const Quat& frame, const Vec3& joint, const Vec3& start) {
-  const Vec3 x = rotate(frame, Vec3{1, 0, 0});
-  const Vec3 y = rotate(frame, Vec3{0, 1, 0});
-  const Vec3 z = rotate(frame, Vec3{0, 0, 1});
-  const Vec3 shift = start - rotate(frame, joint);
-  return {{{x.x, y.x, z.x, shift.x}, {x.y, y.y, z.y, shift.y}, {x.z, y.z, z.z, shift.z}}};
+Mat34 skinning_matrix(const Quat& q, const Vec3& joint, const Vec3& start) {
+  const float xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const float xy = q.x * q.y, yz = q.y * q.z, zx = q.z * q.x;
+  const float wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  const Vec3 row_x{1 - 2 * (yy + zz), 2 * (xy - wz), 2 * (zx + wy)};
+  const Vec3 row_y{2 * (xy + wz), 1 - 2 * (zz + xx), 2 * (yz - wx)};
+  const Vec3 row_z{2 * (zx - wy), 2 * (yz + wx), 1 - 2 * (xx + yy)};
+  return {{{row_x.x, row_x.y, row_x.z, start.x - dot(row_x, joint)},
+           {row_y.x, row_y.y, row_y.z, start.y - dot(row_y, joint)},
+           {row_z.x, row_z.y, row_z.z, start.z - dot(row_z, joint)}}};
 }
 
 void write_rigid_bones(const PaletteJob& job) {

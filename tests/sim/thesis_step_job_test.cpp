@@ -252,6 +252,35 @@ TEST(ThesisStep, BoneFoldedBackOntoItselfStaysFinite) {
   EXPECT_LT(distance(step.particles[1].position, {0, 2, 0}), kNear);
 }
 
+TEST(ThesisStep, BoneFoldedBackTurnsWithTheHead) {
+  TestRig rig = two_bones();
+  rig.bones[2].rest_direction[0] = 0.6f;
+  rig.bones[2].rest_direction[1] = -0.8f;
+  rig.dynamics[2].resistance = 1;
+  TestStep upright(rig), turned(rig);
+  upright.particles[0].position = {0, 1, 0};
+  turned.particles[0].position = {1, 0, 0};  // the same, under a head that lies on its side
+  auto job = turned.job();
+  job.head_rotation = turned_about({0, 0, 1}, -kQuarterTurn);
+  ASSERT_EQ(upright.job().run(), Status::kOk);
+  ASSERT_EQ(job.run(), Status::kOk);
+  const Vec3 end = upright.particles[1].position;
+  EXPECT_LT(distance(turned.particles[1].position, {end.y, -end.x, end.z}), kNear);
+}
+
+TEST(ThesisStep, AllFiniteFindsEveryBadComponent) {
+  TestStep step(two_bones());
+  EXPECT_TRUE(all_finite(step.particles));
+  for (float* const component : {&step.particles[1].position.y, &step.particles[0].velocity.z}) {
+    for (const float bad : {NAN, INFINITY, -INFINITY}) {
+      const float good = *component;
+      *component = bad;
+      EXPECT_FALSE(all_finite(step.particles));
+      *component = good;
+    }
+  }
+}
+
 class ThesisStepRejects : public testing::Test {
  protected:
   void expect_refused(const ThesisStepJob& job, Status expected) {
