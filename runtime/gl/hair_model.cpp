@@ -44,18 +44,6 @@ void describe_vertices(const GlFunctions& gl, std::size_t skin_begin) {
   }
 }
 
-/// Weights for an asset without: all to bone 0. Sent in blocks, since nothing here allocates.
-void send_rigid_skin(const GlFunctions& gl, std::size_t begin, std::size_t count) {
-  constexpr std::size_t kBlock = 64;
-  SkinRecord block[kBlock];
-  for (SkinRecord& record : block) record = {{0, 0, 0, 0}, {255, 0, 0, 0}};
-  for (std::size_t sent = 0; sent < count; sent += kBlock) {
-    const std::size_t part = count - sent < kBlock ? count - sent : kBlock;
-    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(begin + sent * sizeof(SkinRecord)),
-                     static_cast<GLsizeiptr>(part * sizeof(SkinRecord)), block);
-  }
-}
-
 void clear_errors(const GlFunctions& gl) {
   // A lost context may report an error for ever; there are fewer kinds than this.
   for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
@@ -98,21 +86,17 @@ Status HairModel::upload(HairRenderer& renderer, const Asset& asset) {
 
 void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
   const auto vertices = asset.vertices();
-  const std::size_t skin_bytes = vertices.size() * sizeof(SkinRecord);
 
   gl.GenVertexArrays(1, &vertex_array_);
   gl.GenBuffers(1, &vertex_buffer_);
   gl.GenBuffers(1, &index_buffer_);
   gl.BindVertexArray(vertex_array_);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes() + skin_bytes), nullptr, GL_STATIC_DRAW);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes() + asset.skin().size_bytes()), nullptr,
+                GL_STATIC_DRAW);
   gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
-  if (asset.skin().empty()) {
-    send_rigid_skin(gl, vertices.size_bytes(), vertices.size());
-  } else {
-    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices.size_bytes()),
-                     static_cast<GLsizeiptr>(skin_bytes), asset.skin().data());
-  }
+  gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices.size_bytes()),
+                   static_cast<GLsizeiptr>(asset.skin().size_bytes()), asset.skin().data());
   describe_vertices(gl, vertices.size_bytes());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(asset.indices().size_bytes()), asset.indices().data(),

@@ -20,15 +20,26 @@ GLsizei mip_size(std::uint32_t size, std::uint32_t mip) {
   return static_cast<GLsizei>((size >> mip) > 0 ? size >> mip : 1);
 }
 
-GLuint bind_new_texture(const GlFunctions& gl) {
+/// Artists tile strand textures along long strips. Where nothing tiles, repeating would only blend the roots' row of
+/// texels into the tips.
+GLint wrap_of(const Asset& asset) {
+  constexpr float kSlack = 1e-3f;  // rounding in exporters
+  for (const VertexRecord& vertex : asset.vertices()) {
+    for (const float place : vertex.uv) {
+      if (place < -kSlack || place > 1.0f + kSlack) return GL_REPEAT;
+    }
+  }
+  return GL_CLAMP_TO_EDGE;
+}
+
+GLuint bind_new_texture(const GlFunctions& gl, GLint wrap) {
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Artists tile strand textures along a strip.
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
   return texture;
 }
 
@@ -55,7 +66,7 @@ void reset_unpack_state(const GlFunctions& gl) {
 }
 
 GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole role) {
-  const GLuint texture = bind_new_texture(gl);
+  const GLuint texture = bind_new_texture(gl, wrap_of(asset));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (const TextureRecord* record = asset.texture(role)) {
     const PixelLayout layout = layout_of(record->format);

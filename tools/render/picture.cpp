@@ -69,14 +69,15 @@ std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
 
 Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
-/// Photographer's lights that move with the camera. The key stands high and to the side: both highlights then lie as
-/// bands across the strands, apart from each other. The rim parts the hair from the backdrop.
+/// Photographer's lights that move with the camera. Shifted tangents want the half vector some 30 degrees above the
+/// normal, so only a light from the top puts both highlights where they are seen, around the head's widest part. Fill
+/// and rim come from low, where their own highlights miss the hair: more than two bands would read as noise.
 std::array<Light, 3> studio_lights(const Camera& camera) {
   const auto light = [&](double right, double up, double back, Vec3 color) {
     return Light{Light::Kind::kDirectional, to_vec3(camera.right * right + camera.up * up + camera.back * back), color};
   };
-  return {light(-0.45, 0.75, 0.8, {0.95f, 0.92f, 0.86f}), light(0.7, 0.7, -0.75, {0.55f, 0.6f, 0.7f}),
-          light(0.9, 0.05, 0.6, {0.22f, 0.23f, 0.26f})};
+  return {light(-0.3, 1.0, 0.2, {0.95f, 0.92f, 0.88f}), light(0.4, -0.3, 1.0, {0.3f, 0.31f, 0.34f}),
+          light(0.9, 0.1, -0.6, {0.22f, 0.24f, 0.3f})};
 }
 
 struct Scene {

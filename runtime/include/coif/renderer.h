@@ -115,9 +115,9 @@ class HairModel {
   HairModel& operator=(const HairModel&) = delete;
 
   /// Copies mesh and textures to the GPU; afterwards the asset may go. Absent textures become neutral ones (white;
-  /// shift 0.5, mask 1), an absent material the thesis's Gallery 1, absent skin weights rigid hair. `renderer` must
-  /// outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory, texture too large); a failure
-  /// leaves what was uploaded before.
+  /// shift 0.5, mask 1), an absent material that of the thesis's Gallery 1. Textures repeat only where a vertex's UV
+  /// leaves 0..1. `renderer` must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory,
+  /// texture too large); a failure leaves what was uploaded before.
   ///
   /// Clears OpenGL's error flags. Leaves at their initial values: vertex array, array buffer, pixel unpack buffer and
   /// the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.

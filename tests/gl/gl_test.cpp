@@ -1,0 +1,82 @@
+#include "gl/gl_test.h"
+
+#include <GLES3/gl3.h>
+
+#include <cstdlib>
+
+namespace coif {
+namespace {
+
+void bind_target(GLsizei size) {
+  GLuint framebuffer = 0;
+  GLuint buffers[2] = {};
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(2, buffers);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const GLenum formats[2] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+  const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    glRenderbufferStorage(GL_RENDERBUFFER, formats[i], size, size);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  glViewport(0, 0, size, size);
+}
+
+}  // namespace
+
+void GlTest::SetUp() {
+  auto context = EglContext::create();
+  if (!context) GTEST_SKIP() << context.error().message;
+  context_.emplace(std::move(*context));
+  ASSERT_EQ(renderer_.create(context_->loader()), Status::kOk) << renderer_.failure();
+  bind_target(kSize);
+  clear();
+}
+
+void GlTest::TearDown() {
+  if (!context_) return;
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  renderer_.destroy();
+}
+
+void GlTest::clear(const Pixel& color) {
+  glClearColor(float(color[0]) / 255, float(color[1]) / 255, float(color[2]) / 255, float(color[3]) / 255);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+Pixel GlTest::pixel(int x, int y) {
+  std::uint8_t rgba[4] = {};
+  glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
+DrawDesc GlTest::at_rest(std::uint32_t bones) {
+  static const std::array<Mat34, kMaxBones> kRest{};
+  DrawDesc desc;
+  desc.clip_from_world[0] = desc.clip_from_world[5] = desc.clip_from_world[15] = 1;
+  desc.clip_from_world[10] = -0.1f;
+  desc.eye = {0, 0, 3};
+  desc.palette = std::span(kRest).first(bones);
+  return desc;
+}
+
+void GlTest::draw(const AssetContents& contents, const DrawDesc& desc) {
+  const OpenedAsset asset(contents);
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *asset), Status::kOk);
+  ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+  model.destroy();
+}
+
+testing::AssertionResult near(const Pixel& found, const Pixel& expected, int tolerance) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (std::abs(found[i] - expected[i]) > tolerance) {
+      return testing::AssertionFailure() << testing::PrintToString(found) << " instead of "
+                                         << testing::PrintToString(expected);
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+}  // namespace coif

@@ -1,0 +1,170 @@
+#include "gl/card_asset.h"
+#include "gl/made_up_wig.h"
+#include "render/egl_context.h"
+#include "render/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace coif {
+namespace {
+
+/// Small pictures of a wig with few strips.
+class PictureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const auto context = EglContext::create(); !context) GTEST_SKIP() << context.error().message;
+    settings_.width = 96;
+    settings_.height = 72;
+  }
+
+  [[nodiscard]] Picture take(const PictureSettings& settings) const {
+    auto picture = render_picture(*wig_, settings);
+    EXPECT_TRUE(picture) << picture.error().message;
+    return picture ? *picture : Picture{};
+  }
+
+  OpenedAsset wig_{made_up_wig({.strips = 24, .texture_size = 64})};
+  PictureSettings settings_;
+};
+
+/// Share of pixels that differ by more than a fifth of full scale in some channel.
+double difference(const Picture& a, const Picture& b) {
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
+    int most = 0;
+    for (std::size_t k = i; k < i + 3; ++k) most = std::max(most, std::abs(a.rgba[k] - b.rgba[k]));
+    differing += most > 51 ? 1 : 0;
+  }
+  return double(differing) / double(a.rgba.size() / 4);
+}
+
+std::uint32_t big_endian(const std::vector<std::uint8_t>& bytes, std::size_t at) {
+  return std::uint32_t{bytes[at]} << 24 | std::uint32_t{bytes[at + 1]} << 16 | std::uint32_t{bytes[at + 2]} << 8 |
+         bytes[at + 3];
+}
+
+/// Hair is warm (red above blue by far), backdrop and mannequin are not.
+bool is_hair(const Picture& picture, std::size_t x, std::size_t y) {
+  const std::uint8_t* p = &picture.rgba[4 * (y * picture.width + x)];
+  return p[0] > p[2] + 45;
+}
+
+/// Runs of columns that hold hair.
+int clumps_across(const Picture& picture) {
+  int clumps = 0;
+  bool inside = false;
+  for (std::size_t x = 0; x < picture.width; ++x) {
+    bool column = false;
+    for (std::size_t y = 0; y < picture.height && !column; ++y) column = is_hair(picture, x, y);
+    if (column && !inside) ++clumps;
+    inside = column;
+  }
+  return clumps;
+}
+
+TEST_F(PictureTest, SamePictureTwice) { EXPECT_EQ(take(settings_).rgba, take(settings_).rgba); }
+
+TEST_F(PictureTest, FramesTheHairWithABorder) {
+  for (const double yaw : {0.0, 90.0, 215.0}) {
+    settings_.yaw_degrees = yaw;
+    const Picture picture = take(settings_);
+    ASSERT_EQ(picture.rgba.size(), std::size_t{4} * picture.width * picture.height);
+    std::size_t hair = 0;
+    for (std::size_t y = 0; y < picture.height; ++y) {
+      for (std::size_t x = 0; x < picture.width; ++x) {
+        const bool border = x == 0 || y == 0 || x + 1 == picture.width || y + 1 == picture.height;
+        hair += is_hair(picture, x, y) ? 1 : 0;
+        EXPECT_FALSE(border && is_hair(picture, x, y)) << "hair is cut off at " << x << ", " << y;
+      }
+    }
+    EXPECT_GT(hair, picture.rgba.size() / 4 / 20) << "yaw " << yaw;
+  }
+}
+
+TEST_F(PictureTest, HeadDoesNotShowThroughTheBackOfTheHair) {
+  settings_.yaw_degrees = 180;
+  const Picture with_head = take(settings_);
+  settings_.mannequin = false;
+  EXPECT_LT(difference(with_head, take(settings_)), 0.005);
+}
+
+TEST_F(PictureTest, ViewComponentMotionAndTransparencyChangeThePicture) {
+  const Picture plain = take(settings_);
+  PictureSettings other = settings_;
+  other.yaw_degrees = 200;
+  EXPECT_GT(difference(plain, take(other)), 0.02);
+  other = settings_;
+  other.component = Component::kAmbient;
+  EXPECT_GT(difference(plain, take(other)), 0.1);
+  other = settings_;
+  other.transparency = false;
+  EXPECT_GT(difference(plain, take(other)), 0.01);
+  other = settings_;
+  other.motion = Motion::kTumble;
+  other.time = 0.5;
+  EXPECT_GT(difference(plain, take(other)), 0.02);
+}
+
+TEST_F(PictureTest, HeadsStandBesideEachOther) {
+  settings_.mannequin = false;
+  settings_.yaw_degrees = 180;
+  settings_.width = 240;
+  settings_.height = 64;
+  for (const int heads : {1, 2, 3}) {
+    settings_.heads = static_cast<std::uint32_t>(heads);
+    EXPECT_EQ(clumps_across(take(settings_)), heads);
+  }
+}
+
+TEST_F(PictureTest, BodyReplacesTheMannequin) {
+  SourceModel body;
+  body.meshes.emplace_back();
+  SourceMesh& wall = body.meshes.back();  // in front of everything
+  wall.positions = {{-1, -1, 0.2f}, {1, -1, 0.2f}, {0, 2, 0.2f}};
+  wall.triangles = {0, 1, 2};
+  settings_.body = &body;
+  const Picture picture = take(settings_);
+  EXPECT_EQ(clumps_across(picture), 0);
+}
+
+TEST_F(PictureTest, PngDeclaresThePicture) {
+  const Picture picture = take(settings_);
+  const auto png = encode_png(picture);
+  ASSERT_GT(png.size(), 33u);
+  EXPECT_EQ(big_endian(png, 0), 0x89504E47u);
+  EXPECT_EQ(big_endian(png, 16), picture.width);
+  EXPECT_EQ(big_endian(png, 20), picture.height);
+  EXPECT_EQ(png[25], 6);  // RGBA
+}
+
+TEST_F(PictureTest, RefusesWhatItCannotDraw) {
+  const auto kind_of = [&](auto spoil) {
+    PictureSettings bad = settings_;
+    spoil(bad);
+    const auto picture = render_picture(*wig_, bad);
+    EXPECT_FALSE(picture);
+    EXPECT_FALSE(!picture && picture.error().message.empty());
+    return picture ? ToolError::Kind::kInternal : picture.error().kind;
+  };
+  EXPECT_EQ(kind_of([](auto& s) { s.width = 15; }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.height = 8193; }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.heads = 0; }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.time = -1; }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.time = std::numeric_limits<double>::quiet_NaN(); }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.pitch_degrees = std::numeric_limits<double>::infinity(); }), ToolError::Kind::kUsage);
+
+  const auto no_asset = render_picture(Asset{}, settings_);
+  ASSERT_FALSE(no_asset);
+  EXPECT_EQ(no_asset.error().kind, ToolError::Kind::kBadInput);
+}
+
+}  // namespace
+}  // namespace coif

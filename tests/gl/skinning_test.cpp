@@ -1,0 +1,107 @@
+#include "gl/gl_test.h"
+#include "gl/reference_shading.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace coif {
+namespace {
+
+constexpr Pixel kNothing{0, 0, 0, 0};
+constexpr Pixel kWhite{255, 255, 255, 255};
+
+Mat34 moved(float x, float y) {
+  Mat34 m;
+  m.m[0][3] = x;
+  m.m[1][3] = y;
+  return m;
+}
+
+Card small_card(SkinRecord skin) {
+  Card card;
+  card.half_size = 0.1f;
+  card.skin = skin;
+  return card;
+}
+
+class Skinning : public GlTest {
+ protected:
+  void draw_with(const Card& card, const std::vector<Mat34>& palette) {
+    DrawDesc desc = at_rest();
+    desc.palette = palette;
+    draw(card_contents(std::span(&card, 1), static_cast<std::uint32_t>(palette.size())), desc);
+  }
+};
+
+TEST_F(Skinning, BoneMovesItsVertices) {
+  draw_with(small_card({{1, 0, 0, 0}, {255, 0, 0, 0}}), {Mat34{}, moved(0.5f, -0.5f)});
+  EXPECT_EQ(middle_pixel(), kNothing);
+  EXPECT_TRUE(near(pixel(24, 8), kWhite));
+}
+
+TEST_F(Skinning, FourWeightsBlendTheirBones) {
+  const Card card = small_card({{0, 1, 2, 3}, {51, 51, 51, 102}});  // 0.2, 0.2, 0.2, 0.4
+  draw_with(card, {Mat34{}, moved(1, 0), moved(0, 1), moved(-1, 1)});
+  // 0.2 * (1, 0) + 0.2 * (0, 1) + 0.4 * (-1, 1) = (-0.2, 0.6)
+  EXPECT_EQ(middle_pixel(), kNothing);
+  EXPECT_TRUE(near(pixel(12, 25), kWhite));
+}
+
+TEST_F(Skinning, LastOfAllBonesIsReached) {
+  std::vector<Mat34> palette(kMaxBones);
+  palette.back() = moved(-0.5f, 0.5f);
+  draw_with(small_card({{255, 0, 0, 0}, {255, 0, 0, 0}}), palette);
+  EXPECT_TRUE(near(pixel(8, 24), kWhite));
+}
+
+TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {
+  const double angle = 0.6;
+  const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+  Mat34 tilt;  // about X
+  tilt.m[1][1] = tilt.m[2][2] = c;
+  tilt.m[1][2] = -s;
+  tilt.m[2][1] = s;
+  AssetContents contents = card_contents(std::array{Card{}});
+  MaterialRecord& m = contents.material.front();
+  std::fill_n(m.ambient, 3, 0.0f);
+  std::fill_n(m.primary_color, 3, 0.5f);
+  m.primary_exponent = 20;
+  const std::array lights{Light{Light::Kind::kDirectional, {0, 1, 0.5f}, {0.5f, 0.5f, 0.5f}}};
+  DrawDesc desc = at_rest();
+  desc.palette = std::span(&tilt, 1);
+  desc.lights = lights;
+  draw(contents, desc);
+
+  const double y = 0.5 / 16;
+  const ShadedPoint seen{{0.5 / 16, y, y * s / c}, {0, -s, c}, {0, -c, -s}, {255, 255, 255, 255}, {128, 255}};
+  const auto color = reference_color(seen, {0, 0, 3}, lights, m);
+  EXPECT_TRUE(near(middle_pixel(), {color[0], color[1], color[2], 255}));
+}
+
+TEST_F(Skinning, HeadPoseMovesAndTurnsTheHair) {
+  Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
+  card.center = {0.5f, 0, 0};
+  DrawDesc desc = at_rest();
+  desc.head.position[1] = -0.25;
+  desc.head.rotation = {0, 0, std::sqrt(0.5f), std::sqrt(0.5f)};  // +X becomes +Y
+  draw_cards(std::span(&card, 1), desc);
+  EXPECT_TRUE(near(pixel(16, 20), kWhite));
+  EXPECT_EQ(pixel(24, 16), kNothing);
+}
+
+TEST_F(Skinning, HeadFarFromTheOriginLooksTheSame) {
+  const double far_away = 16'777'216;  // metres; the next float is two metres on
+  Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
+  DrawDesc desc = at_rest();
+  desc.clip_from_world[12] = -static_cast<float>(far_away);
+  desc.eye = {static_cast<float>(far_away), 0, 3};
+  desc.head.position[0] = far_away + 0.5;
+  draw_cards(std::span(&card, 1), desc);
+  EXPECT_TRUE(near(pixel(24, 16), kWhite));
+  EXPECT_EQ(pixel(21, 16), kNothing);
+  EXPECT_EQ(pixel(27, 16), kNothing);
+}
+
+}  // namespace
+}  // namespace coif
