@@ -1,0 +1,204 @@
+// Units, axes, winding, UVs, skinning: every convention on a model small enough to know the answer.
+
+#include "import/import.h"
+#include "import/model_files.h"
+#include "import/source_model_check.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+using test::fbx_int;
+using test::measure;
+using test::small_dae;
+using test::small_fbx;
+using test::SmallGltf;
+using test::TemporaryFolder;
+using test::with_unit;
+using test::with_up_axis;
+
+SourceModel import_or_fail(const std::filesystem::path& path, const ImportSettings& settings = {}) {
+  auto model = import_model(path, settings);
+  if (model) {
+    EXPECT_EQ(find_model_fault(*model), "");
+    return *std::move(model);
+  }
+  ADD_FAILURE() << model.error().message;
+  SourceModel empty;
+  empty.meshes.resize(1);
+  empty.meshes[0].positions.resize(3);
+  return empty;
+}
+
+std::string fbx_axes(int right, int right_sign, int up, int up_sign, int front, int front_sign) {
+  return fbx_int("CoordAxis", right) + fbx_int("CoordAxisSign", right_sign) + fbx_int("UpAxis", up) +
+         fbx_int("UpAxisSign", up_sign) + fbx_int("FrontAxis", front) + fbx_int("FrontAxisSign", front_sign);
+}
+
+std::string fbx_unit(const std::string& centimetres) {
+  return "P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," + centimetres + "\n";
+}
+
+class Conventions : public testing::Test {
+ protected:
+  // Of the vertex that the file places at (0, 2, 3).
+  Vector3f tip_of_fbx(const std::string& settings, const ImportSettings& import_settings = {}) {
+    return import_or_fail(folder_.write("m.fbx", small_fbx(settings)), import_settings).meshes[0].positions[2];
+  }
+  Vector3f tip_of_dae(const std::string& unit, const std::string& up, const ImportSettings& settings = {}) {
+    return import_or_fail(folder_.write("m.dae", small_dae(unit, up)), settings).meshes[0].positions[2];
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Conventions, FbxUnitIsCentimetresTimesItsFactor) {
+  EXPECT_TRUE(tip_of_fbx(fbx_unit("1")).isApprox(Vector3f(0, 0.02f, 0.03f)));
+  EXPECT_TRUE(tip_of_fbx(fbx_unit("100")).isApprox(Vector3f(0, 2, 3)));
+  EXPECT_TRUE(tip_of_fbx(fbx_unit("2.54")).isApprox(Vector3f(0, 0.0508f, 0.0762f)));
+  EXPECT_TRUE(tip_of_fbx("").isApprox(Vector3f(0, 0.02f, 0.03f)));
+}
+
+TEST_F(Conventions, FbxUnitThatIsNoLengthIsReported) {
+  const SourceModel model = import_or_fail(folder_.write("m.fbx", small_fbx(fbx_unit("-1"))));
+  EXPECT_TRUE(model.meshes[0].positions[2].isApprox(Vector3f(0, 0.02f, 0.03f)));
+  ASSERT_FALSE(model.warnings.empty());
+  EXPECT_NE(model.warnings[0].find("UnitScaleFactor"), std::string::npos);
+}
+
+TEST_F(Conventions, FbxAxesBecomeYUpFacingZ) {
+  const std::string metres = fbx_unit("100");
+  EXPECT_TRUE(tip_of_fbx(metres + fbx_axes(0, 1, 1, 1, 2, 1)).isApprox(Vector3f(0, 2, 3)));
+  EXPECT_TRUE(tip_of_fbx(metres + fbx_axes(0, 1, 2, 1, 1, -1)).isApprox(Vector3f(0, 3, -2)));  // 3ds Max, Blender
+  EXPECT_TRUE(tip_of_fbx(metres + fbx_axes(0, -1, 1, -1, 2, 1)).isApprox(Vector3f(0, -2, 3)));
+}
+
+TEST_F(Conventions, SettingsOverrideUnitAndAxisOfTheFile) {
+  const std::string z_up_metres = fbx_unit("100") + fbx_axes(0, 1, 2, 1, 1, -1);
+  EXPECT_TRUE(tip_of_fbx(z_up_metres, with_unit(0.5)).isApprox(Vector3f(0, 1.5f, -1)));
+  EXPECT_TRUE(tip_of_fbx(z_up_metres, with_up_axis(UpAxis::kY)).isApprox(Vector3f(0, 2, 3)));
+  EXPECT_TRUE(tip_of_dae("0.01", "Z_UP", with_unit(0.5)).isApprox(Vector3f(0, 1.5f, -1)));
+  EXPECT_TRUE(tip_of_dae("1", "Z_UP", with_up_axis(UpAxis::kY)).isApprox(Vector3f(0, 2, 3)));
+  EXPECT_TRUE(tip_of_dae("1", "Y_UP", with_up_axis(UpAxis::kZ)).isApprox(Vector3f(0, 3, -2)));
+}
+
+TEST_F(Conventions, ColladaUnitAndAxisAreAppliedOnce) {
+  EXPECT_TRUE(tip_of_dae("1", "Y_UP").isApprox(Vector3f(0, 2, 3)));
+  EXPECT_TRUE(tip_of_dae("0.01", "Y_UP").isApprox(Vector3f(0, 0.02f, 0.03f)));
+  EXPECT_TRUE(tip_of_dae("1", "Z_UP").isApprox(Vector3f(0, 3, -2)));
+  EXPECT_TRUE(tip_of_dae("1", "X_UP").isApprox(Vector3f(-2, 0, 3)));
+}
+
+TEST_F(Conventions, SettingsTurnEveryAxisUp) {
+  const auto path = SmallGltf().write(folder_, "m.gltf");
+  EXPECT_TRUE(import_or_fail(path, with_up_axis(UpAxis::kX)).meshes[0].positions[1].isApprox(Vector3f(0, 1, 0)));
+  EXPECT_TRUE(import_or_fail(path, with_up_axis(UpAxis::kY)).meshes[0].positions[2].isApprox(Vector3f(0, 1, 0)));
+  EXPECT_TRUE(import_or_fail(path, with_up_axis(UpAxis::kZ)).meshes[0].normals[0].isApprox(Vector3f(0, 1, 0)));
+}
+
+TEST_F(Conventions, ObjTakesUnitsAsMetresAndAsksWhenTheyCannotBe) {
+  const auto strip = [](const char* top) { return std::string("v 0 0 0\nv 1 0 0\nv 0 ") + top + " 0\nf 1 2 3\n"; };
+  EXPECT_TRUE(import_or_fail(folder_.write("a.obj", strip("1.5"))).warnings.empty());
+  for (const char* top : {"7", "0.01"}) {
+    const SourceModel model = import_or_fail(folder_.write("b.obj", strip(top)));
+    ASSERT_EQ(model.warnings.size(), 1u) << top;
+    EXPECT_NE(model.warnings[0].find("source.metres_per_unit"), std::string::npos) << model.warnings[0];
+  }
+}
+
+TEST_F(Conventions, VGrowsDownwardsFromEveryFormat) {
+  const SourceModel gltf = import_or_fail(SmallGltf().write(folder_, "m.gltf"));
+  EXPECT_TRUE(gltf.meshes[0].uvs[2].isApprox(Vector2f(0, 0.25f)));  // glTF's V grows downwards: unchanged
+  const SourceModel obj = import_or_fail(folder_.write(
+      "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvt 0 0.75\nf 1/1 2/2 3/3\n"));
+  EXPECT_TRUE(obj.meshes[0].uvs[2].isApprox(Vector2f(0, 0.25f)));   // OBJ's V grows upwards: turned
+}
+
+TEST_F(Conventions, MirroredNodeKeepsTheSurfaceRightSideOut) {
+  SmallGltf file;
+  file.nodes = R"([{"name": "strip", "mesh": 0, "scale": [-2, 1, 1]}])";
+  const SourceMesh mesh = import_or_fail(file.write(folder_, "m.gltf")).meshes.at(0);
+  ASSERT_EQ(mesh.triangles.size(), 3u);
+  const auto corner = [&](std::size_t k) { return mesh.positions[mesh.triangles[k]]; };
+  const Vector3f wound = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  EXPECT_TRUE(mesh.normals[0].isApprox(Vector3f(0, 0, 1)));
+  EXPECT_GT(wound.dot(mesh.normals[0]), 0.0f);
+  EXPECT_FLOAT_EQ(wound.norm(), 2.0f);
+}
+
+TEST_F(Conventions, NormalsStayPerpendicularUnderUnevenScale) {
+  SmallGltf file;
+  const float s = 0.70710678f;
+  file.positions = {0, 0, 0, 1, -1, 0, 0, 0, 1};
+  file.normals = {s, s, 0, s, s, 0, s, s, 0};
+  file.nodes = R"([{"name": "strip", "mesh": 0, "scale": [1, 3, 1]}])";
+  const SourceMesh mesh = import_or_fail(file.write(folder_, "m.gltf")).meshes.at(0);
+  EXPECT_NEAR(mesh.normals[0].dot(mesh.positions[1] - mesh.positions[0]), 0.0f, 1e-6f);
+}
+
+TEST_F(Conventions, InstancesAreCopiedToTheirPlaces) {
+  SmallGltf file;
+  file.nodes = R"([{"name": "left", "mesh": 0}, {"name": "right", "mesh": 0, "translation": [5, 0, 0]}])";
+  file.roots = "[0, 1]";
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"));
+  ASSERT_EQ(model.meshes.size(), 2u);
+  EXPECT_EQ(model.nodes[model.meshes[0].node].name, "left");
+  EXPECT_EQ(model.nodes[model.meshes[1].node].name, "right");
+  EXPECT_FLOAT_EQ(model.meshes[1].positions[0].x() - model.meshes[0].positions[0].x(), 5.0f);
+}
+
+TEST_F(Conventions, SkinnedVerticesFollowTheirJointsWithWeightsOfSumOne) {
+  SmallGltf file;
+  file.nodes = R"([{"name": "strip", "mesh": 0, "skin": 0}, {"name": "a", "translation": [1, 0, 0]},
+                   {"name": "b", "translation": [0, 4, 0]}])";
+  file.roots = "[0, 1, 2]";
+  file.skin_joints = "[1, 2]";
+  file.joints = {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
+  file.weights = {1, 0, 0, 0, 1, 0, 0, 0, 3, 1, 0, 0};  // the last one is not normalised
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"));
+  const SourceMesh& mesh = model.meshes.at(0);
+  EXPECT_TRUE(mesh.positions[0].isApprox(Vector3f(1, 0, 0)));
+  EXPECT_TRUE(mesh.positions[1].isApprox(Vector3f(1, 4, 0)));
+  EXPECT_TRUE(mesh.positions[2].isApprox(Vector3f(0.75f, 2, 0)));
+  ASSERT_EQ(mesh.influence_begin.size(), 4u);
+  const SourceInfluence heaviest = mesh.influences[mesh.influence_begin[2]];
+  EXPECT_EQ(model.nodes[heaviest.node].name, "a");
+  EXPECT_FLOAT_EQ(heaviest.weight, 0.75f);
+}
+
+TEST_F(Conventions, NodesComeParentsFirstInModelSpace) {
+  SmallGltf file;
+  file.nodes = R"([{"name": "tip", "mesh": 0, "translation": [0, 1, 0]},
+                   {"name": "root", "children": [0], "translation": [0, 2, 0]}])";
+  file.roots = "[1]";
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"), with_unit(0.5));
+  ASSERT_EQ(model.nodes.size(), 2u);
+  EXPECT_EQ(model.nodes[0].name, "root");
+  EXPECT_EQ(model.nodes[1].parent, 0u);
+  EXPECT_NEAR(model.nodes[1].model_from_node.translation().y(), 1.5, 1e-6);
+}
+
+TEST_F(Conventions, MaterialsCarryColourTextureAndSides) {
+  SmallGltf file;
+  file.material = R"({"name": "hair", "doubleSided": true, "pbrMetallicRoughness":
+      {"baseColorFactor": [0.5, 0.25, 0.125, 0.75], "baseColorTexture": {"index": 0}}})";
+  file.images = R"("textures": [{"source": 0}], "images": [{"uri": "bob.png"}],)";
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"));
+  const SourceMaterial& material = model.materials.at(model.meshes.at(0).material);
+  EXPECT_EQ(material.name, "hair");
+  EXPECT_TRUE(material.double_sided);
+  EXPECT_TRUE(material.base_color.isApprox(Eigen::Vector4f(0.5f, 0.25f, 0.125f, 0.75f)));
+  EXPECT_EQ(material.base_texture.path, "bob.png");
+  EXPECT_EQ(material.base_texture.image, kNoIndex);
+}
+
+TEST_F(Conventions, ImporterIsNamedWithItsVersion) {
+  const SourceModel model = import_or_fail(SmallGltf().write(folder_, "m.gltf"));
+  EXPECT_EQ(model.importer.rfind("assimp ", 0), 0u);
+  EXPECT_GE(model.importer_version[0], 5);
+}
+
+}  // namespace
+}  // namespace coif

@@ -1,0 +1,178 @@
+#include "import/model_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace coif::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Collects arrays into one buffer and writes the JSON that refers to them.
+class GltfBuffer {
+ public:
+  template <class T>
+  int add(const std::vector<T>& values, const char* type, int components, int component_type) {
+    const std::size_t start = bytes_.size();
+    const std::size_t size = values.size() * sizeof(T);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), size);
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    views_.push_back(fmt::format(R"({{"buffer": 0, "byteOffset": {}, "byteLength": {}}})", start, size));
+    accessors_.push_back(fmt::format(R"({{"bufferView": {}, "componentType": {}, "count": {}, "type": "{}"}})",
+                                     views_.size() - 1, component_type, values.size() / std::size_t(components), type));
+    return static_cast<int>(views_.size()) - 1;
+  }
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+  [[nodiscard]] std::string json(const std::string& uri) const {
+    return fmt::format(R"("buffers": [{{"byteLength": {}, "uri": "{}"}}], "bufferViews": [{}], "accessors": [{}])",
+                       bytes_.size(), uri, fmt::join(views_, ", "), fmt::join(accessors_, ", "));
+  }
+
+ private:
+  std::string bytes_;
+  std::vector<std::string> views_, accessors_;
+};
+
+constexpr int kFloat = 5126;
+constexpr int kUnsignedShort = 5123;
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (fs::temp_directory_path() / "coif-import-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot create " + pattern);
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return path_ / name;
+}
+
+fs::path SmallGltf::write(const TemporaryFolder& folder, const std::string& name) const {
+  GltfBuffer buffer;
+  std::string attributes = fmt::format(R"("POSITION": {})", buffer.add(positions, "VEC3", 3, kFloat));
+  if (!normals.empty()) attributes += fmt::format(R"(, "NORMAL": {})", buffer.add(normals, "VEC3", 3, kFloat));
+  if (!uvs.empty()) attributes += fmt::format(R"(, "TEXCOORD_0": {})", buffer.add(uvs, "VEC2", 2, kFloat));
+  if (!joints.empty()) {
+    attributes += fmt::format(R"(, "JOINTS_0": {})", buffer.add(joints, "VEC4", 4, kUnsignedShort));
+    attributes += fmt::format(R"(, "WEIGHTS_0": {})", buffer.add(weights, "VEC4", 4, kFloat));
+  }
+  const int index = buffer.add(indices, "SCALAR", 1, kUnsignedShort);
+  // Written although identity is the default: assimp 5.2 crashes on a skin without bind matrices.
+  const std::vector<float> binds = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const std::string skins =
+      joints.empty() ? "" : fmt::format(R"("skins": [{{"joints": {}, "inverseBindMatrices": {}}}],)", skin_joints,
+                                        buffer.add(binds, "MAT4", 16, kFloat));
+  const std::string uri = name + ".bin";
+  folder.write(uri, buffer.bytes());
+  return folder.write(name, fmt::format(R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": {}}}],
+"nodes": {}, {} {} "materials": [{}], {},
+"meshes": [{{"name": "card", "primitives": [{{"attributes": {{{}}}, "indices": {}, "material": 0}}]}}]}})",
+                                        roots, nodes, skins, images, material, buffer.json(uri), attributes, index));
+}
+
+std::string fbx_int(const std::string& name, int value) {
+  return fmt::format("P: \"{}\", \"int\", \"Integer\", \"\",{}\n", name, value);
+}
+
+std::string small_fbx(const std::string& settings) {
+  return fmt::format(R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {{
+  FBXHeaderVersion: 1003
+  FBXVersion: 7400
+}}
+GlobalSettings:  {{
+  Version: 1000
+  Properties70:  {{
+{}  }}
+}}
+Objects:  {{
+  Geometry: 1000, "Geometry::strip", "Mesh" {{
+    Vertices: *9 {{
+      a: 0,0,0,1,0,0,0,2,3
+    }}
+    PolygonVertexIndex: *3 {{
+      a: 0,1,-3
+    }}
+    GeometryVersion: 124
+  }}
+  Model: 2000, "Model::strip", "Mesh" {{
+    Version: 232
+    Properties70:  {{
+    }}
+  }}
+}}
+Connections:  {{
+  C: "OO",2000,0
+  C: "OO",1000,2000
+}}
+)",
+                     settings);
+}
+
+std::string small_dae(const std::string& unit_metres, const std::string& up_axis) {
+  return fmt::format(R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="u" meter="{}"/><up_axis>{}</up_axis></asset>
+<library_geometries><geometry id="g" name="strip"><mesh>
+<source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 2 3</float_array><technique_common>
+<accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s" name="s"><node id="n" name="strip"><instance_geometry url="#g"/></node>
+</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+)",
+                     unit_metres, up_axis);
+}
+
+ImportSettings with_unit(double metres_per_unit) {
+  ImportSettings settings;
+  settings.metres_per_unit = metres_per_unit;
+  return settings;
+}
+
+ImportSettings with_up_axis(UpAxis axis) {
+  ImportSettings settings;
+  settings.up_axis = axis;
+  return settings;
+}
+
+Shape measure(const SourceModel& model) {
+  Shape shape;
+  shape.low.setConstant(std::numeric_limits<float>::max());
+  shape.high.setConstant(std::numeric_limits<float>::lowest());
+  for (const SourceMesh& mesh : model.meshes) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+      Eigen::Vector3d corner[3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = mesh.triangles[i + k];
+        shape.low = shape.low.cwiseMin(mesh.positions[v]);
+        shape.high = shape.high.cwiseMax(mesh.positions[v]);
+        corner[k] = mesh.positions[v].cast<double>();
+        if (!mesh.uvs.empty()) shape.mean_uv += mesh.uvs[v].cast<double>();
+      }
+      shape.area += 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+      shape.signed_volume += corner[0].dot(corner[1].cross(corner[2])) / 6.0;
+      ++shape.triangles;
+    }
+  }
+  if (shape.triangles != 0) shape.mean_uv /= 3.0 * double(shape.triangles);
+  return shape;
+}
+
+}  // namespace coif::test

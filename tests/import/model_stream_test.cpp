@@ -1,0 +1,150 @@
+#include "import/model_stream.h"
+
+#include "import/source_model_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace coif {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+SourceModel small_model() {
+  SourceModel model;
+  model.path = "braid.glb";
+  model.importer = "test 1.2.3";
+  model.importer_version[0] = 1;
+  SourceNode root{"root", kNoIndex, Eigen::Affine3d::Identity()};
+  SourceNode tip{"tip", 0, Eigen::Affine3d(Eigen::Translation3d(0, 1, 0))};
+  model.nodes = {root, tip};
+  SourceMesh mesh;
+  mesh.name = "strip";
+  mesh.node = 1;
+  mesh.material = 0;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals.assign(3, {0, 0, 1});
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.influence_begin = {0, 1, 2, 4};
+  mesh.influences = {{0, 1.0f}, {1, 1.0f}, {0, 0.75f}, {1, 0.25f}};
+  mesh.triangles = {0, 1, 2};
+  model.meshes = {mesh};
+  SourceMaterial material;
+  material.name = "hair";
+  material.base_texture = {"hair.png", 0};
+  material.double_sided = true;
+  model.materials = {material};
+  model.images = {{"hair.png", {1, 2, 3}}};
+  model.warnings = {"one", "two"};
+  return model;
+}
+
+TEST(ModelStream, ModelComesBackAsItWas) {
+  ImportOutcome back;
+  const Bytes bytes = encode_outcome(small_model());
+  ASSERT_TRUE(decode_outcome(bytes, back));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(encode_outcome(back), bytes);
+  EXPECT_EQ(back->meshes[0].influences[2].weight, 0.75f);
+  EXPECT_EQ(back->nodes[1].model_from_node.translation().y(), 1.0);
+  EXPECT_EQ(back->warnings, (std::vector<std::string>{"one", "two"}));
+}
+
+TEST(ModelStream, ErrorComesBackAsItWas) {
+  ImportOutcome back;
+  const ImportOutcome error = tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.obj: broken"});
+  ASSERT_TRUE(decode_outcome(encode_outcome(error), back));
+  ASSERT_FALSE(back);
+  EXPECT_EQ(back.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_EQ(back.error().message, "x.obj: broken");
+}
+
+TEST(ModelStream, DecodeRefusesEveryTruncation) {
+  for (const ImportOutcome& outcome : {ImportOutcome(small_model()),
+                                       ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"}))}) {
+    const Bytes whole = encode_outcome(outcome);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+      ImportOutcome back;
+      EXPECT_FALSE(decode_outcome(cut, back)) << size << " of " << whole.size();
+    }
+  }
+}
+
+TEST(ModelStream, DecodeRefusesBytesAfterTheEnd) {
+  Bytes bytes = encode_outcome(small_model());
+  bytes.push_back(0);
+  ImportOutcome back;
+  EXPECT_FALSE(decode_outcome(bytes, back));
+}
+
+TEST(ModelStream, EveryFlippedBitGivesNothingOrAFaultlessModel) {
+  const Bytes good = encode_outcome(small_model());
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (int bit = 0; bit < 8; ++bit) {
+      Bytes bytes = good;
+      bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1 << bit));
+      ImportOutcome back;
+      if (!decode_outcome(bytes, back)) {
+        ++refused;
+      } else if (back) {
+        EXPECT_EQ(find_model_fault(*back), "") << "byte " << at << " bit " << bit;
+      }
+    }
+  }
+  EXPECT_GT(refused, good.size());  // far more than the lengths and indices alone
+}
+
+TEST(ModelStream, DecodeRefusesCountsThatTheBytesCannotHold) {
+  const Bytes good = encode_outcome(ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"})));
+  constexpr std::size_t kCountAt = 6;  // after magic, kind of outcome and kind of error
+  for (const std::uint64_t count : {std::uint64_t{3}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    Bytes bytes = good;
+    std::memcpy(bytes.data() + kCountAt, &count, sizeof count);
+    ImportOutcome back;
+    EXPECT_FALSE(decode_outcome(bytes, back)) << count;
+  }
+}
+
+using Break = void (*)(SourceModel&);
+class BrokenPromise : public testing::TestWithParam<Break> {};
+
+TEST_P(BrokenPromise, IsFoundAndRefused) {
+  SourceModel model = small_model();
+  ASSERT_EQ(find_model_fault(model), "");
+  GetParam()(model);
+  EXPECT_NE(find_model_fault(model), "");
+  ImportOutcome back;
+  EXPECT_FALSE(decode_outcome(encode_outcome(model), back));
+}
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+INSTANTIATE_TEST_SUITE_P(
+    Model, BrokenPromise,
+    testing::Values<Break>(
+        [](SourceModel& m) { m.nodes[1].parent = 1; },
+        [](SourceModel& m) { m.nodes[0].model_from_node(0, 0) = std::numeric_limits<double>::infinity(); },
+        [](SourceModel& m) { m.meshes.clear(); },
+        [](SourceModel& m) { m.meshes[0].node = 2; },
+        [](SourceModel& m) { m.meshes[0].material = 1; },
+        [](SourceModel& m) { m.meshes[0].triangles[2] = 3; },
+        [](SourceModel& m) { m.meshes[0].triangles.pop_back(); },
+        [](SourceModel& m) { m.meshes[0].positions[1].x() = kNan; },
+        [](SourceModel& m) { m.meshes[0].normals[1] = {0, 0, 2}; },
+        [](SourceModel& m) { m.meshes[0].normals.pop_back(); },
+        [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
+        [](SourceModel& m) { m.meshes[0].uvs.pop_back(); },
+        [](SourceModel& m) { m.meshes[0].influence_begin = {0, 2, 1, 4}; },
+        [](SourceModel& m) { m.meshes[0].influence_begin.back() = 5; },
+        [](SourceModel& m) { m.meshes[0].influences[0].node = 2; },
+        [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
+        [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
+        [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
+        [](SourceModel& m) { m.materials[0].base_color.x() = kNan; }));
+
+}  // namespace
+}  // namespace coif
