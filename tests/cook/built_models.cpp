@@ -1,0 +1,71 @@
+#include "cook/built_models.h"
+
+namespace coif {
+
+SourceMesh make_strip(const StripDesc& desc) {
+  SourceMesh mesh;
+  mesh.name = "hair";
+  for (std::uint32_t row = 0; row <= desc.rows; ++row) {
+    const float t = float(row) / float(desc.rows);
+    for (int side = 0; side < 2; ++side) {
+      mesh.positions.push_back(desc.root + desc.along * t + desc.across * (float(side) - 0.5f));
+      const float v = desc.v_upwards ? 1 - t : t;
+      mesh.uvs.push_back(desc.uv_sideways ? Eigen::Vector2f(v, float(side)) : Eigen::Vector2f(float(side), v));
+    }
+  }
+  for (std::uint32_t row = 0; row < desc.rows; ++row) {
+    const std::uint32_t a = 2 * row;
+    mesh.triangles.insert(mesh.triangles.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
+  }
+  return mesh;
+}
+
+void split_vertices(SourceMesh& mesh) {
+  SourceMesh split = mesh;
+  split.positions.clear();
+  split.uvs.clear();
+  split.normals.clear();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::size_t t = i / 3 * 3;
+    const Eigen::Vector3f& a = mesh.positions[mesh.triangles[t]];
+    const Eigen::Vector3f face = (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a);
+    split.positions.push_back(mesh.positions[mesh.triangles[i]]);
+    split.uvs.push_back(mesh.uvs[mesh.triangles[i]]);
+    split.normals.push_back(face.normalized());
+    split.triangles[i] = std::uint32_t(i);
+  }
+  mesh = split;
+}
+
+std::uint32_t add_node(SourceModel& model, const std::string& name, std::uint32_t parent, const Eigen::Vector3d& at) {
+  SourceNode node;
+  node.name = name;
+  node.parent = parent;
+  node.model_from_node.translation() = at;
+  model.nodes.push_back(node);
+  return std::uint32_t(model.nodes.size() - 1);
+}
+
+SourceModel make_wig() {
+  SourceModel model;
+  model.path = "wig.glb";
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  const std::uint32_t head = add_node(model, "Head", 0, {0, 1.6, 0});
+  const std::uint32_t scalp = add_node(model, "scalp", head, {0, 1.65, -0.1});
+  const std::uint32_t hair1 = add_node(model, "hair_1", scalp, {0, 1.6, -0.1});
+  const std::uint32_t hair2 = add_node(model, "hair_2", hair1, {0, 1.5, -0.1});
+  add_node(model, "hair_2_end", hair2, {0, 1.4, -0.1});
+
+  SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .rows = 5});
+  mesh.node = head;
+  mesh.influence_begin.push_back(0);
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    const std::uint32_t node = p.y() > 1.599f ? scalp : p.y() > 1.499f ? hair1 : hair2;
+    mesh.influences.push_back({node, 1.0f});
+    mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
+  }
+  model.meshes.push_back(mesh);
+  return model;
+}
+
+}  // namespace coif

@@ -1,0 +1,136 @@
+#include "cook/extract_patches.h"
+#include "cook/sort_patches.h"
+#include "cook/weld.h"
+
+#include "cook/built_models.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace coif {
+namespace {
+
+HairMesh hair_from(const SourceMesh& source) {
+  HairMesh mesh;
+  mesh.positions = source.positions;
+  mesh.uvs = source.uvs;
+  mesh.normals = source.normals;
+  mesh.triangles = source.triangles;
+  mesh.influences.assign(source.positions.size(), {0, 1.0f});
+  for (std::uint32_t v = 0; v <= source.positions.size(); ++v) mesh.influence_begin.push_back(v);
+  return mesh;
+}
+
+/// Algorithm 2 as the thesis prints it: each triangle against each group.
+std::size_t published_group_count(const HairMesh& mesh) {
+  std::vector<std::set<std::uint32_t>> groups;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    std::set<std::uint32_t> merged(mesh.triangles.begin() + std::ptrdiff_t(t), mesh.triangles.begin() + std::ptrdiff_t(t + 3));
+    std::vector<std::set<std::uint32_t>> others;
+    for (const auto& group : groups) {
+      const bool touches = std::ranges::any_of(mesh.triangles.begin() + std::ptrdiff_t(t), mesh.triangles.begin() + std::ptrdiff_t(t + 3),
+                                               [&](std::uint32_t v) { return group.contains(v); });
+      if (touches) {
+        merged.insert(group.begin(), group.end());
+      } else {
+        others.push_back(group);
+      }
+    }
+    others.push_back(merged);
+    groups = others;
+  }
+  return groups.size();
+}
+
+TEST(ExtractPatches, AgreesWithThePublishedAlgorithmOnRandomMeshes) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 50; ++round) {
+    HairMesh mesh;
+    const std::uint32_t vertices = 20 + random() % 80;
+    for (std::uint32_t v = 0; v < vertices; ++v) mesh.positions.emplace_back(float(v), 0.0f, 0.0f);
+    for (std::uint32_t i = 0; i < 3 * (5 + random() % 40); ++i) mesh.triangles.push_back(random() % vertices);
+    const ExtractedPatches patches = extract_patches(mesh, {"index", 1.0e-5});
+    EXPECT_EQ(patches.patches.count, published_group_count(mesh)) << "round " << round;
+    EXPECT_EQ(patches.by_index, patches.patches.count);
+    for (std::uint32_t patch : patches.patches.patch_of) EXPECT_LT(patch, patches.patches.count);
+  }
+}
+
+TEST(ExtractPatches, TrianglesThatShareAVertexAreInOnePatch) {
+  HairMesh mesh = hair_from(make_strip({}));
+  const ExtractedPatches patches = extract_patches(mesh, {"index", 1.0e-5});
+  EXPECT_EQ(patches.patches.count, 1u);
+  EXPECT_EQ(patches.patches.patch_of.size(), 8u);
+}
+
+TEST(ExtractPatches, AutoSeesThroughFlatShading) {
+  SourceMesh strip = make_strip({.along = {0, -0.3f, 0.1f}, .rows = 10});
+  strip.positions[5].z() += 0.05f;  // bent, so that flat normals differ and vertices stay split
+  split_vertices(strip);
+  HairMesh mesh = hair_from(strip);
+  weld_vertices(mesh);
+  const ExtractedPatches patches = extract_patches(mesh, {"auto", 1.0e-5});
+  EXPECT_GT(patches.by_index, 1u);
+  EXPECT_EQ(patches.by_position, 1u);
+  EXPECT_TRUE(patches.chose_position);
+  EXPECT_EQ(patches.patches.count, 1u);
+  EXPECT_EQ(extract_patches(mesh, {"index", 1.0e-5}).patches.count, patches.by_index) << "the recipe decides";
+}
+
+TEST(Weld, JoinsEqualVerticesAndDropsUnusedOnes) {
+  SourceMesh strip = make_strip({});
+  const std::size_t joined = strip.positions.size();
+  split_vertices(strip);
+  strip.normals.clear();
+  strip.positions.emplace_back(9, 9, 9);
+  strip.uvs.emplace_back(0, 0);
+  HairMesh mesh = hair_from(strip);
+  weld_vertices(mesh);
+  EXPECT_EQ(mesh.positions.size(), joined);
+  EXPECT_EQ(mesh.influence_begin.size(), joined + 1);
+  EXPECT_EQ(mesh.triangle_count(), 8u);
+}
+
+TEST(Weld, PlacesAreFoundAcrossCellBordersAndOnlyWithinTheDistance) {
+  const std::vector<Eigen::Vector3f> positions{{0.0009999f, 0, 0}, {0.0010001f, 0, 0}, {0.0050f, 0, 0}, {-0.0000001f, 0, 0}};
+  const auto place = weld_places(positions, 1.0e-5);
+  EXPECT_EQ(place[1], place[0]);
+  EXPECT_EQ(place[2], 2u);
+  EXPECT_EQ(place[3], 3u);
+}
+
+TEST(SortPatches, InnerPatchesComeFirstAndEqualOnesKeepTheirOrder) {
+  HairMesh mesh;
+  PatchSet patches;
+  for (const float distance : {0.3f, 0.1f, 0.2f, 0.1f}) {
+    const auto base = std::uint32_t(mesh.positions.size());
+    const Eigen::Vector3f middle(0, 1.6f, distance);
+    mesh.positions.insert(mesh.positions.end(), {middle + Eigen::Vector3f(0.01f, 0, 0), middle + Eigen::Vector3f(-0.01f, 0.01f, 0),
+                                                 middle + Eigen::Vector3f(0, -0.01f, 0)});
+    mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2});
+    patches.patch_of.push_back(patches.count++);
+  }
+  const PatchOrder order = sort_patches(mesh, patches, {0, 1.6, 0});
+  EXPECT_EQ(order.patch, (std::vector<std::uint32_t>{1, 3, 2, 0}));
+  EXPECT_NEAR(order.distance[0], 0.1, 1.0e-6);
+}
+
+TEST(SortPatches, DistanceIsThatOfTheAreaNotOfTheVertices) {
+  // A large triangle near the head and a cluster of tiny ones far away: area decides.
+  HairMesh mesh;
+  mesh.positions = {{-1, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  mesh.triangles = {0, 1, 2};
+  PatchSet patches{{0}, 1};
+  for (int i = 0; i < 20; ++i) {
+    const auto base = std::uint32_t(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, 9}, {0.001f, 0, 9}, {0, 0.001f, 9}});
+    mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2});
+    patches.patch_of.push_back(0);
+  }
+  EXPECT_NEAR(sort_patches(mesh, patches, {0, 1.0 / 3, 0}).distance[0], 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace coif

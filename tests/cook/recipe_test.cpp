@@ -1,0 +1,95 @@
+#include "cook/recipe.h"
+
+#include "cook/name_pattern.h"
+#include "cook/recipe_values.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+std::string message_of(const std::string& text) {
+  const auto recipe = parse_recipe(text, "r.json");
+  return recipe ? "" : recipe.error().message;
+}
+
+TEST(Recipe, EveryDefaultIsWithinItsOwnRange) {
+  for (const RecipeKey& key : recipe_keys()) {
+    Recipe recipe;
+    const auto outcome = read_value(key, nlohmann::json::parse(key.default_json), recipe);
+    EXPECT_TRUE(outcome) << key.path() << ": " << (outcome ? "" : outcome.error());
+    EXPECT_EQ(write_value(key, recipe), nlohmann::json::parse(key.default_json)) << key.path();
+  }
+  EXPECT_GE(recipe_keys().size(), 30u);
+}
+
+TEST(Recipe, EmptyObjectGivesTheDefaults) {
+  const auto recipe = parse_recipe("{}", "r.json");
+  ASSERT_TRUE(recipe);
+  EXPECT_EQ(print_recipe(*recipe), print_recipe(default_recipe()));
+}
+
+TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
+  Recipe recipe = default_recipe();
+  recipe.friction = 1.0 / 3;
+  recipe.hair_meshes = {"hair*", "Zöpfe \"links\""};
+  recipe.resistance = {{0, 0.5}, {0.25, 0.125}, {1, 0}};
+  recipe.head_center = {0, 1.7, 0.01};
+  recipe.head_radii = {0.08, 0.12, 0.1};
+  recipe.texture_seed = 4294967295u;
+  const auto again = parse_recipe(print_recipe(recipe), "r.json");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(print_recipe(*again), print_recipe(recipe));
+  EXPECT_EQ(again->friction, recipe.friction);
+}
+
+TEST(Recipe, CommentsAreAllowed) { EXPECT_TRUE(parse_recipe("{ // mine\n \"dynamics\": {\"friction\": 3} }", "r.json")); }
+
+TEST(Recipe, UnknownKeyIsAnErrorWithASuggestion) {
+  EXPECT_EQ(message_of(R"({"dynamics": {"resistence": []}})"),
+            "r.json: \"dynamics.resistence\" is not a key; did you mean \"dynamics.resistance\"?");
+  EXPECT_NE(message_of(R"({"nonsense": 3})").find("--print-recipe"), std::string::npos);
+}
+
+TEST(Recipe, ValuesOutOfRangeNameTheRange) {
+  EXPECT_EQ(message_of(R"({"dynamics": {"friction": -1}})"),
+            "r.json: \"dynamics.friction\" wants a number from 0 to 10000 1/s, found -1");
+  EXPECT_NE(message_of(R"({"head": {"shape": "cube"}})").find("auto|ellipsoid|sphere|none"), std::string::npos);
+  EXPECT_NE(message_of(R"({"textures": {"max_size": 1.5}})").find("whole number"), std::string::npos);
+  EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0.5, 0.1], [0.5, 0.2]]}})").find("ascending"), std::string::npos);
+  EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0, 1.5]]}})").find("from 0 to 1"), std::string::npos);
+  EXPECT_NE(message_of(R"({"material": {"ambient": [1, 2]}})").find("3 numbers"), std::string::npos);
+}
+
+TEST(Recipe, HalfAHeadIsRefused) {
+  EXPECT_NE(message_of(R"({"head": {"center": [0, 1.6, 0]}})").find("come together"), std::string::npos);
+}
+
+TEST(Recipe, WhatIsNotJsonIsRefusedWithItsPlace) {
+  EXPECT_NE(message_of("{\"hair\": ").find("r.json: not JSON: parse error at line 1"), std::string::npos);
+  EXPECT_NE(message_of("[]").find("JSON object"), std::string::npos);
+}
+
+TEST(Recipe, AbsentFileIsAFileAccessError) {
+  const auto recipe = read_recipe("/nowhere/r.json");
+  ASSERT_FALSE(recipe);
+  EXPECT_EQ(recipe.error().kind, ToolError::Kind::kFileAccess);
+  EXPECT_EQ(recipe.error().message, "/nowhere/r.json: cannot open: No such file or directory");
+}
+
+TEST(NamePattern, KnowsStarsQuestionMarksAndEitherCase) {
+  EXPECT_TRUE(matches("J_L_HairTail_03", "j_?_hair*_03"));
+  EXPECT_TRUE(matches("", "*"));
+  EXPECT_TRUE(matches("aXbXc", "a*b*c"));
+  EXPECT_FALSE(matches("hair", "hai"));
+  EXPECT_FALSE(matches("hair", "?hair"));
+  EXPECT_FALSE(matches("abc", "a*d"));
+}
+
+TEST(NamePattern, ManyStarsStayFast) {
+  // Exponential without a single point of return: the test would not end.
+  EXPECT_FALSE(matches(std::string(5000, 'a'), std::string("*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*b")));
+}
+
+}  // namespace
+}  // namespace coif

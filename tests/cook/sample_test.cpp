@@ -1,0 +1,210 @@
+#include "sample/bob.h"
+#include "sample/bob_skeleton.h"
+#include "sample/bob_style.h"
+#include "sample/head_shape.h"
+#include "sample/strand_texture.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace coif::sample {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<std::uint8_t> read_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+Vector3d corner(const SurfaceMesh& mesh, std::size_t triangle, std::size_t k) {
+  return mesh.positions[mesh.triangles[3 * triangle + k]];
+}
+
+/// Vertices and triangle centres.
+std::vector<Vector3d> points_of(const SurfaceMesh& mesh) {
+  std::vector<Vector3d> points = mesh.positions;
+  for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t)
+    points.push_back((corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3.0);
+  return points;
+}
+
+/// One number per vertex: the smallest vertex that triangles connect it to.
+std::vector<std::uint32_t> connected_groups(const SurfaceMesh& mesh) {
+  std::vector<std::uint32_t> group(mesh.positions.size());
+  std::iota(group.begin(), group.end(), 0u);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+      const std::uint32_t* t = &mesh.triangles[i];
+      const std::uint32_t low = std::min({group[t[0]], group[t[1]], group[t[2]]});
+      for (int k = 0; k < 3; ++k) {
+        changed |= group[t[k]] != low;
+        group[t[k]] = low;
+      }
+    }
+  }
+  return group;
+}
+
+TEST(Sample, IsTheCommittedFile) {
+  const std::vector<std::uint8_t> committed = read_bytes(COIF_SAMPLE_ASSETS "/bob/bob.glb");
+  ASSERT_FALSE(committed.empty()) << COIF_SAMPLE_ASSETS "/bob/bob.glb is absent";
+  EXPECT_TRUE(committed == make_bob()) << "renew it: coif_make_sample sample_assets/bob/bob.glb";
+}
+
+TEST(Sample, StaysBelowOneMegabyte) { EXPECT_LT(make_bob().size(), 1000000u); }
+
+TEST(Sample, HairHas2870TrianglesIn25ConnectedGroups) {
+  const SurfaceMesh hair = make_bob_hair();
+  EXPECT_EQ(hair.triangles.size(), 3u * 2870u);
+  const std::vector<std::uint32_t> group = connected_groups(hair);
+  EXPECT_EQ(std::set<std::uint32_t>(group.begin(), group.end()).size(), 25u);
+}
+
+TEST(Sample, NoTwoGroupsShareAPosition) {
+  const SurfaceMesh hair = make_bob_hair();
+  const std::vector<std::uint32_t> group = connected_groups(hair);
+  std::map<std::tuple<double, double, double>, std::uint32_t> owner;
+  for (std::size_t i = 0; i < hair.positions.size(); ++i) {
+    const Vector3d& p = hair.positions[i];
+    const auto [found, added] = owner.try_emplace({p.x(), p.y(), p.z()}, group[i]);
+    EXPECT_EQ(found->second, group[i]) << "vertex " << i;
+  }
+}
+
+TEST(Sample, HairStaysOutsideTheHead) {
+  for (const Vector3d& p : points_of(make_bob_hair())) EXPECT_GT(head_distance(p), 0.001) << p.transpose();
+}
+
+TEST(Sample, DeclaredHeadLiesInsideTheHair) {
+  std::ifstream in(COIF_SAMPLE_ASSETS "/bob/bob.recipe.json");
+  const nlohmann::json head = nlohmann::json::parse(in).at("head");
+  const auto vector = [&head](const char* key) {
+    const nlohmann::json& v = head.at(key);
+    return Vector3d(v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());
+  };
+  for (const Vector3d& p : points_of(make_bob_hair()))
+    EXPECT_GT((p - vector("center")).cwiseQuotient(vector("radii")).norm(), 1.0) << p.transpose();
+}
+
+TEST(Sample, TrianglesTurnTheSameWayAsTheirNormals) {
+  for (const SurfaceMesh& mesh : {make_bob_hair(), make_bust(), make_scalp_cap()}) {
+    for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+      const Vector3d turn = (corner(mesh, t, 1) - corner(mesh, t, 0)).cross(corner(mesh, t, 2) - corner(mesh, t, 0));
+      Vector3d normal = Vector3d::Zero();
+      for (std::size_t k = 0; k < 3; ++k) normal += mesh.normals[mesh.triangles[3 * t + k]];
+      EXPECT_GT(turn.dot(normal), 0.0) << "triangle " << t;
+    }
+  }
+}
+
+TEST(Sample, HairFacesAwayFromTheHead) {
+  const SurfaceMesh hair = make_bob_hair();
+  for (std::size_t i = 0; i < hair.positions.size(); ++i) {
+    const Vector3d& p = hair.positions[i];
+    const Vector3d inside{kCraniumCenter.x(), std::min(p.y(), kCraniumCenter.y()), kCraniumCenter.z()};
+    EXPECT_NEAR(hair.normals[i].norm(), 1.0, 1e-9);
+    EXPECT_GT(hair.normals[i].dot(p - inside), 0.0) << "vertex " << i << " " << p.transpose() << " n " << hair.normals[i].transpose();
+  }
+}
+
+TEST(Sample, BustIsClosed) {
+  const SurfaceMesh bust = make_bust();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+  for (std::size_t i = 0; i < bust.triangles.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) ++uses[{bust.triangles[i + k], bust.triangles[i + (k + 1) % 3]}];
+  ASSERT_FALSE(uses.empty());
+  for (const auto& [edge, count] : uses) {
+    const auto opposite = uses.find({edge.second, edge.first});
+    EXPECT_TRUE(opposite != uses.end() && opposite->second == count) << edge.first << " to " << edge.second;
+  }
+}
+
+TEST(Sample, SkeletonHasThreeChainsOfThreeBonesUnderScalpBones) {
+  const std::vector<Joint> joints = make_bob_skeleton();
+  const auto parent_name = [&joints](const std::string& name) {
+    const auto at = std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == name; });
+    if (at == joints.end() || at->parent < 0) return std::string();
+    return joints[static_cast<std::size_t>(at->parent)].name;
+  };
+  EXPECT_EQ(joints.size(), 3u + 3u * 5u);
+  for (const std::string side : {"left", "back", "right"}) {
+    EXPECT_EQ(parent_name("hair_" + side + "_3_end"), "hair_" + side + "_3");
+    EXPECT_EQ(parent_name("hair_" + side + "_3"), "hair_" + side + "_2");
+    EXPECT_EQ(parent_name("hair_" + side + "_2"), "hair_" + side + "_1");
+    EXPECT_EQ(parent_name("hair_" + side + "_1"), "scalp_" + side);
+    EXPECT_EQ(parent_name("scalp_" + side), "Head");
+  }
+}
+
+TEST(Sample, WeightsAddUpToOneAndEveryBoneButTheEndsCarriesHair) {
+  const std::vector<Joint> joints = make_bob_skeleton();
+  std::vector<double> carried(joints.size());
+  for (const Vector3d& p : make_bob_hair().positions) {
+    const SkinInfluences skin = hair_influences(p);
+    EXPECT_EQ(std::accumulate(skin.weights.begin(), skin.weights.end(), 0.0), 1.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      ASSERT_LT(skin.joints[k], joints.size());
+      EXPECT_GE(skin.weights[k], 0.0);
+      carried[skin.joints[k]] += skin.weights[k];
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string& name = joints[i].name;
+    const bool is_end = name.ends_with("_end");
+    const bool is_hair = name.starts_with("hair_") || name.starts_with("scalp_");
+    EXPECT_EQ(carried[i] > 0.0, is_hair && !is_end) << name;
+  }
+}
+
+TEST(Sample, WeightsChangeGraduallyAlongTheHair) {
+  for (const double x : {-0.09, 0.0, 0.09}) {
+    std::map<int, double> before;
+    for (double y = 1.70; y > 1.43; y -= 0.001) {
+      const SkinInfluences skin = hair_influences({x, y, -0.08});
+      std::map<int, double> now;
+      for (std::size_t k = 0; k < 4; ++k) now[skin.joints[k]] += skin.weights[k];
+      if (before.empty()) before = now;
+      for (const auto& [joint, weight] : now) EXPECT_NEAR(weight, before[joint], 0.05) << "joint " << joint << " at y " << y;
+      before = now;
+    }
+  }
+}
+
+/// Share of texels in rows [from, to) of the texture, as parts of its height, whose alpha is at least `alpha`.
+double share_of_texels(const StrandTexture& texture, double from, double to, int alpha) {
+  const auto begin = static_cast<std::size_t>(from * StrandTexture::kHeight) * StrandTexture::kWidth;
+  const auto end = static_cast<std::size_t>(to * StrandTexture::kHeight) * StrandTexture::kWidth;
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) count += texture.rgba[4 * i + 3] >= alpha;
+  return static_cast<double>(count) / static_cast<double>(end - begin);
+}
+
+TEST(Sample, TextureIsOpaqueAboveAndEndsInSeparateStrands) {
+  const StrandTexture texture = make_strand_texture();
+  EXPECT_GT(share_of_texels(texture, 0.05, 0.60, 255), 0.85);
+  EXPECT_GT(share_of_texels(texture, 0.85, 0.90, 128), 0.05);
+  EXPECT_LT(share_of_texels(texture, 0.85, 0.90, 128), 0.60);
+  EXPECT_EQ(share_of_texels(texture, 0.999, 1.0, 1), 0.0) << "the last row must be clear, or clamping draws it on";
+}
+
+TEST(Sample, TextureKeepsItsColorUnderTransparentTexels) {
+  const StrandTexture texture = make_strand_texture();
+  for (std::size_t i = 0; i < texture.rgba.size(); i += 4) ASSERT_GT(texture.rgba[i], 20) << "texel " << i / 4;
+}
+
+}  // namespace
+}  // namespace coif::sample

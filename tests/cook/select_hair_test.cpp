@@ -1,0 +1,86 @@
+#include "cook/select_hair.h"
+
+#include "cook/built_models.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+/// The wig with a body: a second mesh that no hair bone moves.
+SourceModel wig_with_body() {
+  SourceModel model = make_wig();
+  SourceMesh body = make_strip({.root = {0, 1.4f, 0}, .along = {0, -1, 0}, .rows = 6});
+  body.name = "body";
+  body.node = 0;
+  model.meshes.push_back(body);
+  return model;
+}
+
+TEST(SelectHair, TakesWhatIsCalledHairAndSaysWhatItLeft) {
+  const auto hair = select_hair(wig_with_body(), default_recipe());
+  ASSERT_TRUE(hair);
+  EXPECT_EQ(hair->mesh.triangle_count(), 10u);
+  ASSERT_EQ(hair->left_out.size(), 1u);
+  EXPECT_EQ(hair->left_out[0], "mesh 'body' (12 triangles): not hair");
+}
+
+TEST(SelectHair, TakesEverythingWhereNothingIsCalledHair) {
+  SourceModel model = wig_with_body();
+  model.meshes[0].name = "tresses";
+  EXPECT_EQ(select_hair(model, default_recipe())->mesh.triangle_count(), 22u);
+}
+
+TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
+  SourceModel model = make_wig();
+  // One mesh: the strip, and a body that follows the head, not connected to it.
+  SourceMesh& mesh = model.meshes[0];
+  const auto base = std::uint32_t(mesh.positions.size());
+  const SourceMesh body = make_strip({.root = {1, 1, 1}});
+  mesh.positions.insert(mesh.positions.end(), body.positions.begin(), body.positions.end());
+  mesh.uvs.insert(mesh.uvs.end(), body.uvs.begin(), body.uvs.end());
+  for (std::uint32_t index : body.triangles) mesh.triangles.push_back(base + index);
+  for (std::size_t v = 0; v < body.positions.size(); ++v) {
+    mesh.influences.push_back({1, 1.0f});
+    mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
+  }
+  Recipe recipe = default_recipe();
+  recipe.hair_bones = {"hair_*"};
+  const auto hair = select_hair(model, recipe);
+  ASSERT_TRUE(hair);
+  EXPECT_EQ(hair->mesh.triangle_count(), 10u) << "the piece keeps its root, which follows the scalp";
+  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 8 triangles that no hair bone moves");
+}
+
+TEST(SelectHair, APatternThatMatchesNothingNamesWhatThereIs) {
+  Recipe recipe = default_recipe();
+  recipe.hair_meshes = {"wig*"};
+  const auto hair = select_hair(wig_with_body(), recipe);
+  ASSERT_FALSE(hair);
+  EXPECT_EQ(hair.error().message,
+            "wig.glb: recipe key \"hair.meshes\": nothing is called 'wig*'; there are: body, hair");
+  EXPECT_EQ(hair.error().kind, ToolError::Kind::kBadInput);
+}
+
+TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
+  SourceModel model = make_wig();
+  model.meshes[0].triangles.insert(model.meshes[0].triangles.end(), {0, 0, 1, 2, 2, 2});
+  const auto hair = select_hair(model, default_recipe());
+  EXPECT_EQ(hair->mesh.triangle_count(), 10u);
+  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 2 triangles without area");
+}
+
+TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
+  SourceModel model = make_wig();
+  SourceMesh bare = make_strip({.root = {0.2f, 1.6f, 0}});
+  bare.uvs.clear();
+  bare.node = 1;
+  model.meshes.push_back(bare);
+  const auto hair = select_hair(model, default_recipe());
+  ASSERT_TRUE(hair);
+  EXPECT_EQ(hair->mesh.triangle_count(), 18u);
+  EXPECT_EQ(hair->mesh.uvs.size(), hair->mesh.positions.size());
+}
+
+}  // namespace
+}  // namespace coif

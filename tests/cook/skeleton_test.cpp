@@ -1,0 +1,196 @@
+#include "cook/build_skeleton.h"
+#include "cook/fit_head.h"
+#include "cook/select_hair.h"
+#include "cook/skin_weights.h"
+
+#include "cook/built_models.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace coif {
+namespace {
+
+tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+  const auto hair = select_hair(model, recipe);
+  EXPECT_TRUE(hair) << hair.error().message;
+  return build_skeleton(model, hair->mesh, recipe);
+}
+
+TEST(BuildSkeleton, SplitsHeadScalpAndSimulatedBonesAsTheThesisDoes) {
+  const auto skeleton = skeleton_of(make_wig());
+  ASSERT_TRUE(skeleton);
+  ASSERT_EQ(skeleton->bones.size(), 4u);
+  EXPECT_EQ(skeleton->bones[0].name, "Head");
+  EXPECT_EQ(skeleton->bones[0].kind, BoneKind::kHead);
+  EXPECT_EQ(skeleton->bones[1].name, "scalp");
+  EXPECT_EQ(skeleton->bones[1].kind, BoneKind::kScalp);
+  EXPECT_EQ(skeleton->bones[2].kind, BoneKind::kSimulated);
+  ASSERT_EQ(skeleton->chains.size(), 1u);
+  EXPECT_EQ(skeleton->chains[0].first_bone, 2u);
+  EXPECT_EQ(skeleton->chains[0].bone_count, 2u);
+  EXPECT_EQ(skeleton->chains[0].root, 1u);
+}
+
+TEST(BuildSkeleton, BonesEndAtTheNextJointAndTheLastAtItsEndMarker) {
+  const auto skeleton = skeleton_of(make_wig());
+  ASSERT_TRUE(skeleton);
+  EXPECT_NEAR((skeleton->bones[2].tail - Eigen::Vector3d(0, 1.5, -0.1)).norm(), 0, 1.0e-9);
+  EXPECT_NEAR((skeleton->bones[3].tail - Eigen::Vector3d(0, 1.4, -0.1)).norm(), 0, 1.0e-9);
+  EXPECT_NEAR(skeleton->bones[2].place, 0.5, 1.0e-9);
+  EXPECT_NEAR(skeleton->bones[3].place, 1.0, 1.0e-9);
+}
+
+TEST(BuildSkeleton, WithoutAnEndMarkerTheLastBoneEndsWithItsVertices) {
+  SourceModel model = make_wig();
+  model.nodes.pop_back();
+  const auto skeleton = skeleton_of(model);
+  ASSERT_TRUE(skeleton);
+  EXPECT_NEAR(skeleton->bones[3].tail.y(), 1.4, 0.005) << "the strip ends at 1.4 m";
+}
+
+TEST(BuildSkeleton, ABoneAloneBelowTheHeadIsSimulated) {
+  SourceModel model = make_wig();
+  for (SourceInfluence& influence : model.meshes[0].influences) influence.node = 2;
+  const auto skeleton = skeleton_of(model);
+  ASSERT_TRUE(skeleton);
+  ASSERT_EQ(skeleton->bones.size(), 2u);
+  EXPECT_EQ(skeleton->bones[1].kind, BoneKind::kSimulated);
+  EXPECT_EQ(skeleton->chains[0].root, 0u);
+}
+
+TEST(BuildSkeleton, TheRecipeMovesTheBorderBetweenScalpAndChain) {
+  Recipe recipe = default_recipe();
+  recipe.scalp = "none";
+  EXPECT_EQ(skeleton_of(make_wig(), recipe)->chains[0].bone_count, 3u);
+  recipe.scalp = "pattern";
+  recipe.scalp_bones = {"scalp", "HAIR_1"};
+  EXPECT_EQ(skeleton_of(make_wig(), recipe)->chains[0].bone_count, 1u);
+}
+
+TEST(BuildSkeleton, BranchesHangFromTheirParentsParticle) {
+  SourceModel model = make_wig();
+  const std::uint32_t branch = add_node(model, "branch", 3, {0.05, 1.52, -0.1});
+  add_node(model, "branch_end", branch, {0.1, 1.45, -0.1});
+  model.meshes[0].influences.back().node = branch;
+  const auto skeleton = skeleton_of(model);
+  ASSERT_TRUE(skeleton);
+  ASSERT_EQ(skeleton->bones.size(), 5u);
+  EXPECT_EQ(skeleton->chains.size(), 1u) << "a tree is one chain";
+  const SkeletonBone& bone = skeleton->bones[4];
+  EXPECT_EQ(bone.name, "branch");
+  EXPECT_EQ(bone.parent, 2u);
+  EXPECT_EQ(bone.start, skeleton->bones[2].tail);
+}
+
+TEST(BuildSkeleton, FindsTheHeadAmongItsNamesakes) {
+  SourceModel model = make_wig();
+  model.nodes[1].name = "mixamorig:Head";
+  add_node(model, "mixamorig:HeadTop_End", 1, {0, 1.8, 0});
+  add_node(model, "Headphones", 0, {0, 1.7, 0});
+  EXPECT_EQ(skeleton_of(model)->bones[0].name, "mixamorig:Head");
+}
+
+TEST(BuildSkeleton, AHeadThatIsNotThereIsAnErrorWithACure) {
+  Recipe recipe = default_recipe();
+  recipe.head_bone = "Kopf";
+  const auto skeleton = skeleton_of(make_wig(), recipe);
+  ASSERT_FALSE(skeleton);
+  EXPECT_EQ(skeleton.error().message,
+            "wig.glb: recipe key \"skeleton.head\": no node is called 'Kopf'; 'coif cook wig.glb --list' names them");
+}
+
+TEST(BuildSkeleton, HairWithoutBonesFollowsTheHeadWithAWarning) {
+  SourceModel model = make_wig();
+  model.meshes[0].influences.clear();
+  model.meshes[0].influence_begin.clear();
+  const auto skeleton = skeleton_of(model);
+  ASSERT_TRUE(skeleton);
+  EXPECT_EQ(skeleton->bones.size(), 1u);
+  EXPECT_EQ(skeleton->bones[0].name, "Head");
+  ASSERT_EQ(skeleton->warnings.size(), 1u);
+  EXPECT_NE(skeleton->warnings[0].find("rigidly"), std::string::npos);
+}
+
+TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
+  SourceModel model = make_wig();
+  for (std::size_t n = 3; n < model.nodes.size(); ++n) model.nodes[n].model_from_node = model.nodes[3].model_from_node;
+  const auto skeleton = skeleton_of(model);
+  ASSERT_TRUE(skeleton);
+  for (const SkeletonBone& bone : skeleton->bones) {
+    if (bone.kind == BoneKind::kSimulated) EXPECT_GE(bone.length(), 0.99e-3);
+  }
+}
+
+TEST(BuildSkeleton, MoreBonesThanAnAssetHoldsIsUnsupported) {
+  SourceModel model = make_wig();
+  std::uint32_t node = 4;
+  for (int i = 0; i < 5000; ++i) node = add_node(model, "long", node, {0, 1.4 - 0.001 * i, -0.1});
+  model.meshes[0].influences.back().node = node;
+  const auto skeleton = skeleton_of(model);
+  ASSERT_FALSE(skeleton);
+  EXPECT_EQ(skeleton.error().kind, ToolError::Kind::kUnsupported);
+}
+
+TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
+  const SourceModel wig = make_wig();
+  Recipe recipe = default_recipe();
+  const auto hair = select_hair(wig, recipe);
+  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
+  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).origin, "the inside of the hair's upper part");
+  recipe.head_center = {0, 1.6, 0};
+  recipe.head_radii = {0.05, 0.06, 0.07};
+  const FittedHead declared = fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe);
+  EXPECT_EQ(declared.origin, "the recipe");
+  EXPECT_TRUE(declared.warnings.empty());
+  recipe.head_radii = {0.15, 0.15, 0.15};
+  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).warnings.size(), 1u) << "it swallows the hair";
+  recipe.head_shape = "none";
+  EXPECT_FALSE(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).collides());
+}
+
+TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
+  SourceModel wig = make_wig();
+  SourceMesh skull;
+  skull.name = "skull";
+  skull.node = 1;
+  for (int i = 0; i < 100; ++i) {
+    const float a = float(i) * 0.7f, b = float(i) * 0.3f;
+    skull.positions.emplace_back(0.2f * std::sin(a) * std::cos(b), 1.6f + 0.2f * std::cos(a), 0.2f * std::sin(a) * std::sin(b));
+  }
+  skull.triangles = {0, 1, 2};
+  wig.meshes.push_back(skull);
+  const Recipe recipe = default_recipe();
+  const auto hair = select_hair(wig, recipe);
+  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
+  const FittedHead head = fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe);
+  EXPECT_NE(head.origin.find("100 vertices"), std::string::npos);
+  EXPECT_FALSE(head.warnings.empty()) << "it had to shrink";
+  for (const SkeletonBone& bone : skeleton->bones) {
+    if (bone.kind != BoneKind::kSimulated) continue;
+    EXPECT_GE((bone.tail - head.center).cwiseQuotient(head.radii).norm(), 1.0);
+  }
+}
+
+TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
+  std::mt19937 random(3);
+  HairMesh mesh;
+  Skeleton skeleton;
+  skeleton.bones.resize(8);
+  for (std::uint32_t n = 0; n < 8; ++n) skeleton.bone_of_node.push_back(n);
+  mesh.influence_begin.push_back(0);
+  for (int v = 0; v < 500; ++v) {
+    mesh.positions.emplace_back(0, 0, 0);
+    const std::uint32_t count = random() % 7;
+    for (std::uint32_t k = 0; k < count; ++k) mesh.influences.push_back({random() % 8, float(1 + random() % 1000) / 1000});
+    mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
+  }
+  for (const SkinRecord& skin : quantize_skin(mesh, skeleton)) {
+    EXPECT_EQ(skin.weight[0] + skin.weight[1] + skin.weight[2] + skin.weight[3], 255);
+    EXPECT_GE(skin.weight[0], skin.weight[3]);
+  }
+}
+
+}  // namespace
+}  // namespace coif

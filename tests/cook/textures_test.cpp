@@ -1,0 +1,116 @@
+#include "cook/alpha_mips.h"
+#include "cook/image.h"
+#include "cook/shift_mask.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+/// Thin opaque strands, one texel in four, on a transparent black ground.
+Image strands(std::uint32_t size) {
+  Image image{size, size, 4, std::vector<std::uint8_t>(std::size_t(size) * size * 4, 0)};
+  for (std::size_t i = 0; i < image.texel_count(); ++i) {
+    if (i % 4 != 0) continue;
+    const std::uint8_t texel[4] = {200, 100, 50, 255};
+    std::copy_n(texel, 4, &image.texels[4 * i]);
+  }
+  return image;
+}
+
+TEST(Mips, GoDownToOneTexelAndFitTheLimit) {
+  Image image = strands(64);
+  image.height = 32;
+  image.texels.resize(64 * 32 * 4);
+  const auto mips = make_mips(image, 16, TexelMeaning::kSrgbColorAlpha);
+  ASSERT_EQ(mips.size(), 5u);
+  EXPECT_EQ(mips[0].width, 16u);
+  EXPECT_EQ(mips[0].height, 8u);
+  EXPECT_EQ(mips[4].width, 1u);
+  EXPECT_EQ(mips[4].height, 1u);
+}
+
+TEST(Mips, ColorIsWeightedByAlpha) {
+  const auto mips = make_mips(strands(32), 32, TexelMeaning::kSrgbColorAlpha);
+  // Averaging without weights would give a quarter of the light; the strands' own colour must stay.
+  EXPECT_NEAR(mips[1].texels[0], 200, 2);
+  EXPECT_NEAR(mips[1].texels[3], 64, 2);
+}
+
+TEST(Mips, AlphaCoverageStaysAtEveryLevel) {
+  auto mips = make_mips(strands(128), 128, TexelMeaning::kSrgbColorAlpha);
+  // A pattern that box filtering turns into an even grey has no partial answer; roughen it.
+  Image rough = strands(128);
+  for (std::size_t i = 0; i < rough.texel_count(); ++i) {
+    rough.texels[4 * i + 3] = std::uint8_t(127.5 + 127.5 * std::sin(double(i % 128) * 0.9) * std::cos(double(i / 128) * 0.05));
+  }
+  mips = make_mips(rough, 128, TexelMeaning::kSrgbColorAlpha);
+  const double wanted = alpha_coverage(mips[0], 0.75);
+  ASSERT_GT(wanted, 0.1);
+  const double before = alpha_coverage(mips[2], 0.75);
+  keep_alpha_coverage(mips, 0.75);
+  EXPECT_LT(before, 0.8 * wanted) << "filtering loses coverage";
+  for (std::size_t level = 1; level < 5; ++level) EXPECT_GE(alpha_coverage(mips[level], 0.75), wanted) << level;
+}
+
+TEST(Mips, EmptyTexelsTakeTheColorAroundThem) {
+  auto mips = make_mips(strands(16), 16, TexelMeaning::kSrgbColorAlpha);
+  fill_color_under_alpha(mips);
+  for (std::size_t i = 0; i < mips[0].texels.size(); i += 4) {
+    EXPECT_NEAR(mips[0].texels[i], 200, 4);
+    EXPECT_NEAR(mips[0].texels[i + 2], 50, 4);
+  }
+}
+
+TEST(ShiftMask, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  EXPECT_EQ(generate_shift_mask(1, false).texels, generate_shift_mask(1, false).texels);
+  EXPECT_NE(generate_shift_mask(1, false).texels, generate_shift_mask(2, false).texels);
+}
+
+/// Mean absolute difference of the shift between neighbours: {to the right, downwards}.
+std::pair<double, double> roughness(const Image& image) {
+  double right = 0, down = 0;
+  for (std::uint32_t y = 0; y + 1 < image.height; ++y) {
+    for (std::uint32_t x = 0; x + 1 < image.width; ++x) {
+      const auto at = [&](std::uint32_t i, std::uint32_t j) { return double(image.texels[2 * (std::size_t(j) * image.width + i)]); };
+      right += std::abs(at(x + 1, y) - at(x, y));
+      down += std::abs(at(x, y + 1) - at(x, y));
+    }
+  }
+  return {right, down};
+}
+
+TEST(ShiftMask, VariesAcrossStrandsMoreThanAlongThem) {
+  const auto [right, down] = roughness(generate_shift_mask(5, false));
+  EXPECT_GT(right, 5 * down);
+  const auto [right_u, down_u] = roughness(generate_shift_mask(5, true));
+  EXPECT_GT(down_u, 5 * right_u);
+}
+
+TEST(ShiftMask, ShiftIsAroundOneHalf) {
+  const Image image = generate_shift_mask(9, false);
+  double sum = 0;
+  for (std::size_t i = 0; i < image.texels.size(); i += 2) sum += image.texels[i];
+  EXPECT_NEAR(sum / double(image.texel_count()), 127.5, 6);
+}
+
+TEST(ShiftMask, TakesTheArtistsChannels) {
+  const Image shift{2, 1, 4, {10, 0, 0, 255, 20, 0, 0, 255}};
+  const Image combined = combine_shift_mask(&shift, nullptr, 1, false);
+  EXPECT_EQ(combined.width, 256u);
+  EXPECT_EQ(combined.texels[0], 10);
+  EXPECT_EQ(combined.texels[2 * 255], 20);
+  EXPECT_EQ(combined.texels[1], generate_shift_mask(1, false).texels[1]);
+}
+
+TEST(Image, WhatIsNotAnImageIsRefusedWithACure) {
+  const std::vector<std::uint8_t> text{'h', 'e', 'l', 'l', 'o'};
+  const auto image = decode_image(text);
+  ASSERT_FALSE(image);
+  EXPECT_NE(image.error().find("save it as PNG"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coif
