@@ -111,9 +111,9 @@ TEST_F(Conventions, ObjTakesUnitsAsMetresAndAsksWhenTheyCannotBe) {
 TEST_F(Conventions, VGrowsDownwardsFromEveryFormat) {
   const SourceModel gltf = import_or_fail(SmallGltf().write(folder_, "m.gltf"));
   EXPECT_TRUE(gltf.meshes[0].uvs[2].isApprox(Vector2f(0, 0.25f)));  // glTF's V grows downwards: unchanged
-  const SourceModel obj = import_or_fail(folder_.write(
-      "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvt 0 0.75\nf 1/1 2/2 3/3\n"));
-  EXPECT_TRUE(obj.meshes[0].uvs[2].isApprox(Vector2f(0, 0.25f)));   // OBJ's V grows upwards: turned
+  const SourceModel obj =
+      import_or_fail(folder_.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvt 0 0.75\nf 1/1 2/2 3/3\n"));
+  EXPECT_TRUE(obj.meshes[0].uvs[2].isApprox(Vector2f(0, 0.25f)));  // OBJ's V grows upwards: turned
 }
 
 TEST_F(Conventions, MirroredNodeKeepsTheSurfaceRightSideOut) {

@@ -59,9 +59,9 @@ TEST_F(Corpus, TriangleCountsMatchTheManifest) {
 }
 
 TEST_F(Corpus, WholePeopleStandUprightInMetres) {
-  for (const char* file : {"unitychan/UnityChan.fbx", "seedsan/new_seedsan_betterfbx.fbx",
-                           "godette/Godette_vrm_v4.vrm", "churro/ChurroChurro.vrm",
-                           "rocketbox_Female_Adult_03/Female_Adult_03.fbx", "quaternius_witch/Witch.glb"}) {
+  for (const char* file :
+       {"unitychan/UnityChan.fbx", "seedsan/new_seedsan_betterfbx.fbx", "godette/Godette_vrm_v4.vrm",
+        "churro/ChurroChurro.vrm", "rocketbox_Female_Adult_03/Female_Adult_03.fbx", "quaternius_witch/Witch.glb"}) {
     const SourceModel model = import_or_fail(kAssets / "hair" / file);
     const Shape shape = measure(model);
     EXPECT_NEAR(shape.low.y(), 0.0f, 0.01f) << file;  // on their feet
@@ -90,8 +90,8 @@ TEST_F(Corpus, OnePonytailInSixFilesComesOutAlike) {
   expect_alike(measure(import_or_fail(kAssets / "same_hair/ponytail01_zup.glb", with_up_axis(UpAxis::kZ))), reference,
                1e-4f, "Z up");
   // OBJ in decimetres, likewise.
-  expect_alike(measure(import_or_fail(kAssets / "hair/mh_ponytail01/ponytail01.obj", with_unit(0.1))),
-               reference, 1e-4f, "OBJ in decimetres");
+  expect_alike(measure(import_or_fail(kAssets / "hair/mh_ponytail01/ponytail01.obj", with_unit(0.1))), reference, 1e-4f,
+               "OBJ in decimetres");
 }
 
 TEST_F(Corpus, OneLongHairInFourFilesComesOutAlike) {
@@ -99,8 +99,7 @@ TEST_F(Corpus, OneLongHairInFourFilesComesOutAlike) {
   expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_dae.dae")), reference, 1e-3f, "COLLADA");
   expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_glb2.glb")), reference, 1e-3f, "glTF");
   // The exporter kept the numbers and declared centimetres.
-  expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_fbxa.fbx", with_unit(1.0))), reference,
-               1e-3f, "FBX");
+  expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_fbxa.fbx", with_unit(1.0))), reference, 1e-3f, "FBX");
 }
 
 TEST_F(Corpus, MirroredInstanceComesOutAlikeAndRightSideOut) {

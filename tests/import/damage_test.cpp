@@ -131,8 +131,10 @@ TEST_F(Damage, JointOutOfRangeNeverReachesTheModel) {
   SmallGltf file = skinned_strip();
   file.joints[0] = 7;
   const auto model = import_model(file.write(folder_, "m.gltf"));
-  if (model) EXPECT_EQ(find_model_fault(*model), "");
-  else EXPECT_EQ(model.error().kind, ToolError::Kind::kBadInput);
+  if (model)
+    EXPECT_EQ(find_model_fault(*model), "");
+  else
+    EXPECT_EQ(model.error().kind, ToolError::Kind::kBadInput);
 }
 
 TEST_F(Damage, FirstOfTwoNodesOfABonesNameIsTheJoint) {

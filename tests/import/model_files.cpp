@@ -72,10 +72,11 @@ fs::path SmallGltf::write(const TemporaryFolder& folder, const std::string& name
   }
   const int index = buffer.add(indices, "SCALAR", 1, kUnsignedShort);
   // Written although identity is the default: assimp 5.2 crashes on a skin without bind matrices.
-  const std::vector<float> binds = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  const std::string skins =
-      joints.empty() ? "" : fmt::format(R"("skins": [{{"joints": {}, "inverseBindMatrices": {}}}],)", skin_joints,
-                                        buffer.add(binds, "MAT4", 16, kFloat));
+  std::vector<float> binds(2 * 16, 0.0f);
+  for (std::size_t i = 0; i < binds.size(); ++i) binds[i] = i % 16 % 5 == 0 ? 1.0f : 0.0f;
+  const std::string skins = joints.empty() ? ""
+                                           : fmt::format(R"("skins": [{{"joints": {}, "inverseBindMatrices": {}}}],)",
+                                                         skin_joints, buffer.add(binds, "MAT4", 16, kFloat));
   const std::string uri = name + ".bin";
   folder.write(uri, buffer.bytes());
   return folder.write(name, fmt::format(R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": {}}}],

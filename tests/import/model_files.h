@@ -36,7 +36,7 @@ struct SmallGltf {
   std::vector<std::uint16_t> indices{0, 1, 2};
   std::vector<std::uint16_t> joints;  ///< Four per vertex, or empty: no skin.
   std::vector<float> weights;         ///< Four per vertex.
-  /// JSON of the node array; mesh 0, and skin 0 (joints: `skin_joints`, two at most; bind matrices identity) may be used.
+  /// JSON of the node array. Mesh 0 may be used, and skin 0: `skin_joints`, two at most, bind matrices identity.
   std::string nodes = R"([{"name": "strip", "mesh": 0}])";
   std::string roots = "[0]";
   std::string skin_joints = "[1]";
@@ -59,9 +59,9 @@ struct SmallGltf {
 
 /// What should not depend on the file format that carried a shape.
 struct Shape {
-  Eigen::Vector3f low, high;   ///< Bounding box, metres.
-  double area = 0;             ///< Square metres.
-  double signed_volume = 0;    ///< Changes sign when the winding turns.
+  Eigen::Vector3f low, high;      ///< Bounding box, metres.
+  double area = 0;                ///< Square metres.
+  double signed_volume = 0;       ///< Changes sign when the winding turns.
   Eigen::Vector2d mean_uv{0, 0};  ///< Over triangle corners.
   std::size_t triangles = 0;
 };

@@ -62,8 +62,8 @@ TEST(ModelStream, ErrorComesBackAsItWas) {
 }
 
 TEST(ModelStream, DecodeRefusesEveryTruncation) {
-  for (const ImportOutcome& outcome : {ImportOutcome(small_model()),
-                                       ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"}))}) {
+  for (const ImportOutcome& outcome :
+       {ImportOutcome(small_model()), ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"}))}) {
     const Bytes whole = encode_outcome(outcome);
     for (std::size_t size = 0; size < whole.size(); ++size) {
       const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -123,28 +123,33 @@ TEST_P(BrokenPromise, IsFoundAndRefused) {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-INSTANTIATE_TEST_SUITE_P(
-    Model, BrokenPromise,
-    testing::Values<Break>(
-        [](SourceModel& m) { m.nodes[1].parent = 1; },
-        [](SourceModel& m) { m.nodes[0].model_from_node(0, 0) = std::numeric_limits<double>::infinity(); },
-        [](SourceModel& m) { m.meshes.clear(); },
-        [](SourceModel& m) { m.meshes[0].node = 2; },
-        [](SourceModel& m) { m.meshes[0].material = 1; },
-        [](SourceModel& m) { m.meshes[0].triangles[2] = 3; },
-        [](SourceModel& m) { m.meshes[0].triangles.pop_back(); },
-        [](SourceModel& m) { m.meshes[0].positions[1].x() = kNan; },
-        [](SourceModel& m) { m.meshes[0].normals[1] = {0, 0, 2}; },
-        [](SourceModel& m) { m.meshes[0].normals.pop_back(); },
-        [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
-        [](SourceModel& m) { m.meshes[0].uvs.pop_back(); },
-        [](SourceModel& m) { m.meshes[0].influence_begin = {0, 2, 1, 4}; },
-        [](SourceModel& m) { m.meshes[0].influence_begin.back() = 5; },
-        [](SourceModel& m) { m.meshes[0].influences[0].node = 2; },
-        [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
-        [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
-        [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
-        [](SourceModel& m) { m.materials[0].base_color.x() = kNan; }));
+INSTANTIATE_TEST_SUITE_P(Model, BrokenPromise,
+                         testing::Values<Break>([](SourceModel& m) { m.nodes[1].parent = 1; },
+                                                [](SourceModel& m) {
+                                                  m.nodes[0].model_from_node(0, 0) =
+                                                      std::numeric_limits<double>::infinity();
+                                                },
+                                                [](SourceModel& m) { m.meshes.clear(); },
+                                                [](SourceModel& m) { m.meshes[0].node = 2; },
+                                                [](SourceModel& m) { m.meshes[0].material = 1; },
+                                                [](SourceModel& m) { m.meshes[0].triangles[2] = 3; },
+                                                [](SourceModel& m) { m.meshes[0].triangles.pop_back(); },
+                                                [](SourceModel& m) { m.meshes[0].positions[1].x() = kNan; },
+                                                [](SourceModel& m) {
+                                                  m.meshes[0].normals[1] = {0, 0, 2};
+                                                },
+                                                [](SourceModel& m) { m.meshes[0].normals.pop_back(); },
+                                                [](SourceModel& m) { m.meshes[0].uvs[1].y() = kNan; },
+                                                [](SourceModel& m) { m.meshes[0].uvs.pop_back(); },
+                                                [](SourceModel& m) {
+                                                  m.meshes[0].influence_begin = {0, 2, 1, 4};
+                                                },
+                                                [](SourceModel& m) { m.meshes[0].influence_begin.back() = 5; },
+                                                [](SourceModel& m) { m.meshes[0].influences[0].node = 2; },
+                                                [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
+                                                [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
+                                                [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
+                                                [](SourceModel& m) { m.materials[0].base_color.x() = kNan; }));
 
 }  // namespace
 }  // namespace coif

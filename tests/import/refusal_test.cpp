@@ -61,8 +61,9 @@ TEST_F(Refusal, UnknownSuffixListsTheKnownOnes) {
 }
 
 TEST_F(Refusal, ContentOfAnotherFormatThanTheSuffix) {
-  const std::string stl = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-                          "endloop\nendfacet\nendsolid s\n";
+  const std::string stl =
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nendsolid s\n";
   expect(folder_.write("hair.glb", stl), Kind::kBadInput, "glTF 2.0");
   expect(folder_.write("hair.fbx", stl), Kind::kBadInput, "FBX");
 }
@@ -102,7 +103,8 @@ TEST_F(Refusal, EndlessSideFileIsStoppedByALimit) {
   settings.max_memory_bytes = 64 << 20;
   settings.max_seconds = 5;
   const auto model = import_model(folder_.write("m.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
-      "scenes": [{"nodes": []}], "buffers": [{"byteLength": 4000000000, "uri": "/dev/zero"}]})"), settings);
+      "scenes": [{"nodes": []}], "buffers": [{"byteLength": 4000000000, "uri": "/dev/zero"}]})"),
+                                  settings);
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().kind, Kind::kBadInput) << model.error().message;
 }

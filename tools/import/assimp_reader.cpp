@@ -7,12 +7,12 @@
 #include "import/scene_units.h"
 
 #include <assimp/BaseImporter.h>
-#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/version.h>
 #include <fmt/format.h>
+#include <assimp/Importer.hpp>
 
 #include <fstream>
 #include <new>
@@ -61,8 +61,8 @@ ToolError refusal(const std::filesystem::path& path, const SourceSuffix& suffix,
   if (reason.find("No suitable reader") != std::string::npos) reason = "the content is not of that format, or damaged";
   while (reason.ends_with('.') || reason.ends_with(' ')) reason.pop_back();
   const std::string cure = cure_for(reason);
-  return {ToolError::Kind::kBadInput, fmt::format("{}: cannot be read as {}: {}; {}", path.string(),
-                                                  format_name(suffix.format), reason, cure)};
+  return {ToolError::Kind::kBadInput,
+          fmt::format("{}: cannot be read as {}: {}; {}", path.string(), format_name(suffix.format), reason, cure)};
 }
 
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,

@@ -3,9 +3,9 @@
 
 #include "import/printable_text.h"
 
-#include <Eigen/Geometry>
 #include <assimp/matrix4x4.h>
 #include <assimp/types.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <string>

@@ -20,12 +20,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kPipeDescriptor = 3;         // in the child, after its other descriptors are closed
-constexpr rlim_t kMaxDescriptors = 32;     // model, side files, dynamic loader
-constexpr int kExitOutOfMemory = 112;      // outside the range of ordinary programs and of sanitizers
+constexpr int kPipeDescriptor = 3;      // in the child, after its other descriptors are closed
+constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
+constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
 constexpr int kExitFailed = 113;
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kMemoryIsLimited = false;
+#else
+constexpr bool kMemoryIsLimited = true;
+#endif
 
-// Only numbers inside: it runs in the child after fork, where other threads are gone.
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};
   setrlimit(resource, &value);
@@ -41,11 +45,12 @@ std::uint64_t address_space_in_use() {
 }
 
 void apply_limits(const ChildLimits& limits) {
-#if !defined(__SANITIZE_ADDRESS__)
-  const rlim_t memory = static_cast<rlim_t>(address_space_in_use() + limits.memory_bytes);
-  limit(RLIMIT_AS, memory, memory);
-#endif
-  limit(RLIMIT_CPU, limits.seconds, limits.seconds + 1);
+  if (kMemoryIsLimited) {
+    const rlim_t inherited = address_space_in_use();
+    const rlim_t memory = inherited + std::min<rlim_t>(limits.memory_bytes, RLIM_INFINITY - inherited);
+    limit(RLIMIT_AS, memory, memory);
+  }
+  limit(RLIMIT_CPU, limits.seconds, rlim_t{limits.seconds} + 1);
   limit(RLIMIT_FSIZE, 0, 0);
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_NOFILE, kMaxDescriptors, kMaxDescriptors);
@@ -190,8 +195,10 @@ ChildResult run_in_child(const ChildLimits& limits, const std::function<std::vec
     bool timed_out = false;
     const bool known = reap(child, deadline, status, timed_out);
     guard.release();
-    if (timed_out) result.end = ChildResult::End::kTooSlow;
-    else if (known) judge_status(status, result);
+    if (timed_out)
+      result.end = ChildResult::End::kTooSlow;
+    else if (known)
+      judge_status(status, result);
   }
   if (result.end != ChildResult::End::kFinished) result.output.clear();
   return result;

@@ -19,7 +19,7 @@ struct ChildResult {
     kTooSlow,      ///< Ran past `seconds`.
     kOutOfMemory,  ///< An allocation failed in the child.
     kTooMuchOutput,
-    kNotStarted,   ///< `code`: errno of pipe or fork.
+    kNotStarted,  ///< `code`: errno of pipe or fork.
   };
   End end = End::kNotStarted;
   int code = 0;

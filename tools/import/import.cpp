@@ -31,16 +31,16 @@ tl::expected<void, ToolError> check_file(const fs::path& path, std::uint64_t max
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (!fs::exists(status)) {
-    return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}; check the path",
-                                code ? code.message() : "no such file"));
+    return tl::unexpected(
+        error(Kind::kFileAccess, path, "cannot open: {}; check the path", code ? code.message() : "no such file"));
   }
   if (fs::is_directory(status)) {
     return tl::unexpected(error(Kind::kFileAccess, path, "is a folder; name the model file in it"));
   }
   if (!fs::is_regular_file(status)) return tl::unexpected(error(Kind::kFileAccess, path, "is not a regular file"));
   if (!std::ifstream(path, std::ios::binary)) {
-    return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}; check its permissions",
-                                std::strerror(errno)));
+    return tl::unexpected(
+        error(Kind::kFileAccess, path, "cannot open: {}; check its permissions", std::strerror(errno)));
   }
   const std::uintmax_t size = fs::file_size(path, code);
   if (code) return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}", code.message()));
@@ -58,8 +58,8 @@ ToolError explain(const ChildResult& result, const fs::path& path, const ImportS
       return error(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
     case ChildResult::End::kOutOfMemory:
     case ChildResult::End::kTooMuchOutput:
-      return error(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}",
-                   settings.max_memory_bytes >> 20, kReduce);
+      return error(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}", settings.max_memory_bytes >> 20,
+                   kReduce);
     case ChildResult::End::kNotStarted:
       return error(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
     case ChildResult::End::kCrashed:

@@ -16,15 +16,17 @@ enum class UpAxis { kX, kY, kZ };
 struct ImportSettings {
   std::optional<double> metres_per_unit;  ///< Overrides the file's unit.
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
-  // Limits of the child process that parses the file. A file that exceeds one is refused, nothing else happens.
-  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;
-  std::uint32_t max_seconds = 120;        ///< Processor and wall-clock time.
+  // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
+  std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
+  std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
 };
 
 /// Reads FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
 /// on hostile files. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
-/// no triangles), kUnsupported (suffix or variant not known).
-tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path, const ImportSettings& settings = {});
+/// no triangles), kUnsupported (suffix or variant not known). Blocks; costs a fork, so call it before starting threads
+/// where you can.
+tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& path,
+                                                  const ImportSettings& settings = {});
 
 }  // namespace coif

@@ -28,7 +28,9 @@ class Encoder {
     return true;
   }
   template <class T>
-  bool plain(const T& value) { return raw(&value, sizeof value); }
+  bool plain(const T& value) {
+    return raw(&value, sizeof value);
+  }
   template <class Container>
   bool sequence(const Container& items) {
     return plain(std::uint64_t{items.size()}) && raw(items.data(), items.size() * sizeof *items.data());
@@ -54,7 +56,9 @@ class Decoder {
     return true;
   }
   template <class T>
-  bool plain(T& value) { return raw(&value, sizeof value); }
+  bool plain(T& value) {
+    return raw(&value, sizeof value);
+  }
   template <class Container>
   bool sequence(Container& items) {
     std::uint64_t count = 0;
@@ -122,8 +126,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.nodes, kCount + 132, transfer_node) &&
          archive.list(model.meshes, 7 * kCount + 8, transfer_mesh) &&
          archive.list(model.materials, 2 * kCount + 21, transfer_material) &&
-         archive.list(model.images, 2 * kCount, transfer_image) &&
-         archive.list(model.warnings, kCount, transfer_text);
+         archive.list(model.images, 2 * kCount, transfer_image) && archive.list(model.warnings, kCount, transfer_text);
 };
 
 bool decode_error(Decoder& decoder, ImportOutcome& outcome) {

@@ -1,6 +1,7 @@
 #pragma once
-// What the import process sends back: a model or an error, as bytes. Private to the two ends of one pipe of one program,
-// so it has no version; but the sender may have been taken over by the file that it parsed, so the receiver trusts nothing.
+// What the import process sends back: a model or an error, as bytes. Private to the two ends of one pipe of one
+// program, so it has no version; but the sender may have been taken over by the file that it parsed, so the receiver
+// trusts nothing.
 
 #include "import/source_model.h"
 #include "tool_error.h"

@@ -133,8 +133,7 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std:
   for (std::size_t i = 0; i < mesh.triangles.size() && !surface.empty(); i += 3) {
     const std::uint32_t* corner = &mesh.triangles[i];
     const Eigen::Vector3f& origin = mesh.positions[corner[0]];
-    const Eigen::Vector3f area =
-        (mesh.positions[corner[1]] - origin).cross(mesh.positions[corner[2]] - origin);
+    const Eigen::Vector3f area = (mesh.positions[corner[1]] - origin).cross(mesh.positions[corner[2]] - origin);
     for (int k = 0; k < 3; ++k) surface[corner[k]] += area;
   }
   std::size_t repaired = 0;
@@ -154,8 +153,10 @@ SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t 
   if (out.name.empty()) out.name = nodes.nodes[node].name;
   out.node = node;
   const std::string label = fmt::format("mesh '{}'", out.name);
-  if (mesh.mMaterialIndex < scene.mNumMaterials) out.material = mesh.mMaterialIndex;
-  else warnings.push_back(fmt::format("{}: refers to an absent material; a plain one is used", label));
+  if (mesh.mMaterialIndex < scene.mNumMaterials)
+    out.material = mesh.mMaterialIndex;
+  else
+    warnings.push_back(fmt::format("{}: refers to an absent material; a plain one is used", label));
 
   const SkinBinding binding(mesh, node, nodes, label, warnings);
   const PlacedVertices placed = place_vertices(mesh, binding);
@@ -184,8 +185,10 @@ std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& n
         continue;
       }
       SourceMesh mesh = convert_mesh(scene, *scene.mMeshes[index], n, nodes, warnings);
-      if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
-      else warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
+      if (!mesh.triangles.empty())
+        meshes.push_back(std::move(mesh));
+      else
+        warnings.push_back(fmt::format("mesh '{}' left out: it has no triangles", mesh.name));
     }
   }
   return meshes;

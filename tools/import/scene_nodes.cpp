@@ -44,8 +44,8 @@ std::unordered_set<std::string> bone_names(const aiScene& scene) {
 // How much a node of a bone's name looks like the joint rather than something else of that name.
 int joint_likeness(const aiNode& node, const std::unordered_set<std::string>& bones) {
   const auto is_bone = [&](const aiNode* other) { return other != nullptr && bones.contains(other->mName.C_Str()); };
-  const bool within_skeleton = is_bone(node.mParent) || std::ranges::any_of(
-      std::span(node.mChildren, node.mNumChildren), is_bone);
+  const bool within_skeleton =
+      is_bone(node.mParent) || std::ranges::any_of(std::span(node.mChildren, node.mNumChildren), is_bone);
   return (node.mNumMeshes == 0 ? 2 : 0) + (within_skeleton ? 1 : 0);
 }
 

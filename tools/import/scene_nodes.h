@@ -17,8 +17,8 @@ namespace coif {
 /// The node tree as a list, parents first, in the order of the file.
 struct SceneNodes {
   std::vector<SourceNode> nodes;
-  std::vector<const aiNode*> origin;  ///< Beside each node; owned by the scene.
-  std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name, as its bones refer to it.
+  std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
+  std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
 };
 
 /// `model_from_scene` is applied above the root. A node whose transform is not finite takes its parent's place, with a

@@ -100,7 +100,8 @@ void warn_of_implausible_height(SourceModel& model, SourceFormat format) {
   const double tallest = format == SourceFormat::kObj ? kTallestWithoutUnit : kTallest;
   if (height >= kShortest && height <= tallest) return;
   model.warnings.push_back(fmt::format(
-      "the model is {:.4g} m tall{}; if that is wrong, set \"source.metres_per_unit\" (and \"source.up_axis\") in the recipe",
+      "the model is {:.4g} m tall{}; if that is wrong, set \"source.metres_per_unit\" (and \"source.up_axis\") "
+      "in the recipe",
       height, format == SourceFormat::kObj ? ", taking OBJ units as metres" : ""));
 }
 

@@ -41,9 +41,9 @@ std::vector<SkinBinding::Weight> SkinBinding::collect_weights(const aiMesh& mesh
     const auto found = nodes.joint_named.find(bone.mName.C_Str());
     const Eigen::Affine3d joint_from_mesh = affine_of(bone.mOffsetMatrix);
     if (found == nodes.joint_named.end() || !joint_from_mesh.matrix().allFinite()) {
-      warnings.push_back(fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone.mName),
-                                     found == nodes.joint_named.end() ? "no node has its name"
-                                                                      : "its bind matrix is not finite"));
+      warnings.push_back(
+          fmt::format("{}: bone '{}' dropped: {}", label, text_of(bone.mName),
+                      found == nodes.joint_named.end() ? "no node has its name" : "its bind matrix is not finite"));
       continue;
     }
     palette_[found->second] = nodes.nodes[found->second].model_from_node * joint_from_mesh;

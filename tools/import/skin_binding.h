@@ -43,7 +43,7 @@ class SkinBinding {
 
   Eigen::Affine3d model_from_node_;
   std::vector<Eigen::Affine3d> palette_;  // per node of the scene; identity where no bone of this mesh
-  std::vector<bool> unweighted_;          // per vertex of a skinned mesh: follows the mesh's node, not its palette entry
+  std::vector<bool> unweighted_;          // per vertex of a skinned mesh: follows the mesh's node
   std::vector<std::uint32_t> begin_;
   std::vector<SourceInfluence> influences_;
 };

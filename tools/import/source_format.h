@@ -10,7 +10,7 @@ namespace coif {
 enum class SourceFormat { kFbx, kGltf, kObj, kDae };
 
 struct SourceSuffix {
-  const char* suffix;         ///< Lower case, with the dot.
+  const char* suffix;  ///< Lower case, with the dot.
   SourceFormat format;
   const char* assimp_suffix;  ///< Under which name assimp knows it, without the dot.
 };

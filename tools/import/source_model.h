@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
 
 struct SourceNode {
   std::string name;
-  std::uint32_t parent = kNoIndex;  ///< An earlier node; kNoIndex for the root.
+  std::uint32_t parent = kNoIndex;                                ///< An earlier node; kNoIndex for the root.
   Eigen::Affine3d model_from_node = Eigen::Affine3d::Identity();  ///< Rest pose, metres, Y up.
 };
 
@@ -26,18 +26,19 @@ struct SourceInfluence {
 /// One triangle mesh with one material. Arrays are per vertex and either empty or of one size.
 struct SourceMesh {
   std::string name;
-  std::uint32_t node = 0;      ///< The node that carries it.
+  std::uint32_t node = 0;  ///< The node that carries it.
   std::uint32_t material = kNoIndex;
   std::vector<Eigen::Vector3f> positions;  ///< Model space, rest pose (skinning applied), metres.
   std::vector<Eigen::Vector3f> normals;    ///< Model space, unit; empty when the file has none.
   std::vector<Eigen::Vector2f> uvs;        ///< V grows downwards in the image, as in glTF; empty when none.
-  std::vector<std::uint32_t> influence_begin;  ///< positions.size() + 1 entries into `influences`, or empty: rigid to `node`.
+  /// positions.size() + 1 entries into `influences`, or empty: rigid to `node`.
+  std::vector<std::uint32_t> influence_begin;
   std::vector<SourceInfluence> influences;
-  std::vector<std::uint32_t> triangles;    ///< Three indices each, counter-clockwise seen from outside.
+  std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
 };
 
 struct SourceTexture {
-  std::string path;            ///< As written in the file; for messages, and for finding it beside the source.
+  std::string path;                ///< As written in the file; for messages, and for finding it beside the source.
   std::uint32_t image = kNoIndex;  ///< Into SourceModel::images when embedded.
 };
 
