@@ -135,7 +135,8 @@ const TextureRecord* Asset::texture(TextureRole role) const {
 std::span<const std::byte> Asset::texels(const TextureRecord& texture, std::uint32_t mip) const {
   std::uint64_t offset = texture.offset;
   for (std::uint32_t i = 0; i < mip; ++i) offset += mip_bytes(texture.format, texture.width, texture.height, i);
-  return texels_.subspan(std::size_t(offset), std::size_t(mip_bytes(texture.format, texture.width, texture.height, mip)));
+  return texels_.subspan(std::size_t(offset),
+                         std::size_t(mip_bytes(texture.format, texture.width, texture.height, mip)));
 }
 
 }  // namespace coif

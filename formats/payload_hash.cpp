@@ -21,13 +21,9 @@ std::uint64_t read(const std::byte* at) {
   return word;
 }
 
-std::uint64_t round(std::uint64_t lane, std::uint64_t word) {
-  return std::rotl(lane + word * kPrime2, 31) * kPrime1;
-}
+std::uint64_t round(std::uint64_t lane, std::uint64_t word) { return std::rotl(lane + word * kPrime2, 31) * kPrime1; }
 
-std::uint64_t merge(std::uint64_t hash, std::uint64_t lane) {
-  return (hash ^ round(0, lane)) * kPrime1 + kPrime4;
-}
+std::uint64_t merge(std::uint64_t hash, std::uint64_t lane) { return (hash ^ round(0, lane)) * kPrime1 + kPrime4; }
 
 /// The four lanes over all whole 32-byte stripes; moves `at` behind them.
 std::uint64_t hash_stripes(const std::byte*& at, const std::byte* end, std::uint64_t seed) {
@@ -35,8 +31,7 @@ std::uint64_t hash_stripes(const std::byte*& at, const std::byte* end, std::uint
   for (; end - at >= 32; at += 32) {
     for (int i = 0; i < 4; ++i) lane[i] = round(lane[i], read<std::uint64_t>(at + 8 * i));
   }
-  std::uint64_t hash =
-      std::rotl(lane[0], 1) + std::rotl(lane[1], 7) + std::rotl(lane[2], 12) + std::rotl(lane[3], 18);
+  std::uint64_t hash = std::rotl(lane[0], 1) + std::rotl(lane[1], 7) + std::rotl(lane[2], 12) + std::rotl(lane[3], 18);
   for (std::uint64_t value : lane) hash = merge(hash, value);
   return hash;
 }

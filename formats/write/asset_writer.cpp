@@ -15,7 +15,9 @@ struct PendingChunk {
   std::span<const std::byte> bytes;
 };
 
-std::size_t round_up(std::size_t value, std::size_t alignment) { return (value + alignment - 1) / alignment * alignment; }
+std::size_t round_up(std::size_t value, std::size_t alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
 
 template <typename Record>
 void add_chunk(std::vector<PendingChunk>& chunks, std::uint32_t id, const std::vector<Record>& records,

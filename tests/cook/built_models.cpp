@@ -28,7 +28,8 @@ void split_vertices(SourceMesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::size_t t = i / 3 * 3;
     const Eigen::Vector3f& a = mesh.positions[mesh.triangles[t]];
-    const Eigen::Vector3f face = (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a);
+    const Eigen::Vector3f face =
+        (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a);
     split.positions.push_back(mesh.positions[mesh.triangles[i]]);
     split.uvs.push_back(mesh.uvs[mesh.triangles[i]]);
     split.normals.push_back(face.normalized());

@@ -10,8 +10,8 @@ struct StripDesc {
   Eigen::Vector3f along{0, -0.3f, 0};    ///< Root to tip.
   Eigen::Vector3f across{0.05f, 0, 0};   ///< Width.
   std::uint32_t rows = 4;
-  bool v_upwards = false;                ///< V is 0 at the tip instead of the root.
-  bool uv_sideways = false;              ///< U runs along the strip.
+  bool v_upwards = false;    ///< V is 0 at the tip instead of the root.
+  bool uv_sideways = false;  ///< U runs along the strip.
 };
 
 /// A strip of 2 * rows triangles with smooth indices and texture coordinates, without normals.

@@ -27,10 +27,12 @@ HairMesh hair_from(const SourceMesh& source) {
 std::size_t published_group_count(const HairMesh& mesh) {
   std::vector<std::set<std::uint32_t>> groups;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    std::set<std::uint32_t> merged(mesh.triangles.begin() + std::ptrdiff_t(t), mesh.triangles.begin() + std::ptrdiff_t(t + 3));
+    std::set<std::uint32_t> merged(mesh.triangles.begin() + std::ptrdiff_t(t),
+                                   mesh.triangles.begin() + std::ptrdiff_t(t + 3));
     std::vector<std::set<std::uint32_t>> others;
     for (const auto& group : groups) {
-      const bool touches = std::ranges::any_of(mesh.triangles.begin() + std::ptrdiff_t(t), mesh.triangles.begin() + std::ptrdiff_t(t + 3),
+      const bool touches = std::ranges::any_of(mesh.triangles.begin() + std::ptrdiff_t(t),
+                                               mesh.triangles.begin() + std::ptrdiff_t(t + 3),
                                                [&](std::uint32_t v) { return group.contains(v); });
       if (touches) {
         merged.insert(group.begin(), group.end());
@@ -94,7 +96,8 @@ TEST(Weld, JoinsEqualVerticesAndDropsUnusedOnes) {
 }
 
 TEST(Weld, PlacesAreFoundAcrossCellBordersAndOnlyWithinTheDistance) {
-  const std::vector<Eigen::Vector3f> positions{{0.0009999f, 0, 0}, {0.0010001f, 0, 0}, {0.0050f, 0, 0}, {-0.0000001f, 0, 0}};
+  const std::vector<Eigen::Vector3f> positions{
+      {0.0009999f, 0, 0}, {0.0010001f, 0, 0}, {0.0050f, 0, 0}, {-0.0000001f, 0, 0}};
   const auto place = weld_places(positions, 1.0e-5);
   EXPECT_EQ(place[1], place[0]);
   EXPECT_EQ(place[2], 2u);
@@ -107,8 +110,9 @@ TEST(SortPatches, InnerPatchesComeFirstAndEqualOnesKeepTheirOrder) {
   for (const float distance : {0.3f, 0.1f, 0.2f, 0.1f}) {
     const auto base = std::uint32_t(mesh.positions.size());
     const Eigen::Vector3f middle(0, 1.6f, distance);
-    mesh.positions.insert(mesh.positions.end(), {middle + Eigen::Vector3f(0.01f, 0, 0), middle + Eigen::Vector3f(-0.01f, 0.01f, 0),
-                                                 middle + Eigen::Vector3f(0, -0.01f, 0)});
+    mesh.positions.insert(mesh.positions.end(),
+                          {middle + Eigen::Vector3f(0.01f, 0, 0), middle + Eigen::Vector3f(-0.01f, 0.01f, 0),
+                           middle + Eigen::Vector3f(0, -0.01f, 0)});
     mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2});
     patches.patch_of.push_back(patches.count++);
   }

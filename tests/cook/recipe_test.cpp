@@ -43,7 +43,9 @@ TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
   EXPECT_EQ(again->friction, recipe.friction);
 }
 
-TEST(Recipe, CommentsAreAllowed) { EXPECT_TRUE(parse_recipe("{ // mine\n \"dynamics\": {\"friction\": 3} }", "r.json")); }
+TEST(Recipe, CommentsAreAllowed) {
+  EXPECT_TRUE(parse_recipe("{ // mine\n \"dynamics\": {\"friction\": 3} }", "r.json"));
+}
 
 TEST(Recipe, UnknownKeyIsAnErrorWithASuggestion) {
   EXPECT_EQ(message_of(R"({"dynamics": {"resistence": []}})"),
@@ -56,7 +58,8 @@ TEST(Recipe, ValuesOutOfRangeNameTheRange) {
             "r.json: \"dynamics.friction\" wants a number from 0 to 10000 1/s, found -1");
   EXPECT_NE(message_of(R"({"head": {"shape": "cube"}})").find("auto|ellipsoid|sphere|none"), std::string::npos);
   EXPECT_NE(message_of(R"({"textures": {"max_size": 1.5}})").find("whole number"), std::string::npos);
-  EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0.5, 0.1], [0.5, 0.2]]}})").find("ascending"), std::string::npos);
+  EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0.5, 0.1], [0.5, 0.2]]}})").find("ascending"),
+            std::string::npos);
   EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0, 1.5]]}})").find("from 0 to 1"), std::string::npos);
   EXPECT_NE(message_of(R"({"material": {"ambient": [1, 2]}})").find("3 numbers"), std::string::npos);
 }

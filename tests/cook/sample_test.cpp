@@ -4,8 +4,8 @@
 #include "sample/head_shape.h"
 #include "sample/strand_texture.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -117,7 +117,8 @@ TEST(Sample, HairFacesAwayFromTheHead) {
     const Vector3d& p = hair.positions[i];
     const Vector3d inside{kCraniumCenter.x(), std::min(p.y(), kCraniumCenter.y()), kCraniumCenter.z()};
     EXPECT_NEAR(hair.normals[i].norm(), 1.0, 1e-9);
-    EXPECT_GT(hair.normals[i].dot(p - inside), 0.0) << "vertex " << i << " " << p.transpose() << " n " << hair.normals[i].transpose();
+    EXPECT_GT(hair.normals[i].dot(p - inside), 0.0)
+        << "vertex " << i << " " << p.transpose() << " n " << hair.normals[i].transpose();
   }
 }
 
@@ -178,7 +179,8 @@ TEST(Sample, WeightsChangeGraduallyAlongTheHair) {
       std::map<int, double> now;
       for (std::size_t k = 0; k < 4; ++k) now[skin.joints[k]] += skin.weights[k];
       if (before.empty()) before = now;
-      for (const auto& [joint, weight] : now) EXPECT_NEAR(weight, before[joint], 0.05) << "joint " << joint << " at y " << y;
+      for (const auto& [joint, weight] : now)
+        EXPECT_NEAR(weight, before[joint], 0.05) << "joint " << joint << " at y " << y;
       before = now;
     }
   }

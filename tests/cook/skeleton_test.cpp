@@ -157,7 +157,8 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   skull.node = 1;
   for (int i = 0; i < 100; ++i) {
     const float a = float(i) * 0.7f, b = float(i) * 0.3f;
-    skull.positions.emplace_back(0.2f * std::sin(a) * std::cos(b), 1.6f + 0.2f * std::cos(a), 0.2f * std::sin(a) * std::sin(b));
+    skull.positions.emplace_back(0.2f * std::sin(a) * std::cos(b), 1.6f + 0.2f * std::cos(a),
+                                 0.2f * std::sin(a) * std::sin(b));
   }
   skull.triangles = {0, 1, 2};
   wig.meshes.push_back(skull);
@@ -183,7 +184,8 @@ TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
   for (int v = 0; v < 500; ++v) {
     mesh.positions.emplace_back(0, 0, 0);
     const std::uint32_t count = random() % 7;
-    for (std::uint32_t k = 0; k < count; ++k) mesh.influences.push_back({random() % 8, float(1 + random() % 1000) / 1000});
+    for (std::uint32_t k = 0; k < count; ++k)
+      mesh.influences.push_back({random() % 8, float(1 + random() % 1000) / 1000});
     mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
   }
   for (const SkinRecord& skin : quantize_skin(mesh, skeleton)) {

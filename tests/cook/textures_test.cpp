@@ -44,7 +44,8 @@ TEST(Mips, AlphaCoverageStaysAtEveryLevel) {
   // A pattern that box filtering turns into an even grey has no partial answer; roughen it.
   Image rough = strands(128);
   for (std::size_t i = 0; i < rough.texel_count(); ++i) {
-    rough.texels[4 * i + 3] = std::uint8_t(127.5 + 127.5 * std::sin(double(i % 128) * 0.9) * std::cos(double(i / 128) * 0.05));
+    rough.texels[4 * i + 3] =
+        std::uint8_t(127.5 + 127.5 * std::sin(double(i % 128) * 0.9) * std::cos(double(i / 128) * 0.05));
   }
   mips = make_mips(rough, 128, TexelMeaning::kSrgbColorAlpha);
   const double wanted = alpha_coverage(mips[0], 0.75);
@@ -74,7 +75,9 @@ std::pair<double, double> roughness(const Image& image) {
   double right = 0, down = 0;
   for (std::uint32_t y = 0; y + 1 < image.height; ++y) {
     for (std::uint32_t x = 0; x + 1 < image.width; ++x) {
-      const auto at = [&](std::uint32_t i, std::uint32_t j) { return double(image.texels[2 * (std::size_t(j) * image.width + i)]); };
+      const auto at = [&](std::uint32_t i, std::uint32_t j) {
+        return double(image.texels[2 * (std::size_t(j) * image.width + i)]);
+      };
       right += std::abs(at(x + 1, y) - at(x, y));
       down += std::abs(at(x, y + 1) - at(x, y));
     }

@@ -67,8 +67,8 @@ TEST(Open, AcceptsASkeletonAlone) {
 
 TEST(Open, AcceptsAnyMinorVersionAndSkipsUnknownOptionalChunks) {
   std::vector<std::byte> bytes = write_asset(small_asset());
-  bytes[10] = std::byte{7};                       // minor version
-  bytes[32 + 2 * 32] = std::byte{'Z'};            // the NAME chunk becomes unknown
+  bytes[10] = std::byte{7};             // minor version
+  bytes[32 + 2 * 32] = std::byte{'Z'};  // the NAME chunk becomes unknown
   AlignedBytes file(bytes);
   Asset asset;
   const LoadStatus status = asset.open(file.bytes(), {.verify_hash = false});
@@ -85,8 +85,8 @@ TEST(Open, AcceptsAnyMinorVersionAndSkipsUnknownOptionalChunks) {
 
 TEST(Open, RefusesUnknownRequiredChunks) {
   AlignedBytes file(write_asset(small_asset()));
-  file.bytes()[32 + 3 * 32] = std::byte{'Z'};      // CHAN
-  file.bytes()[32 + 3 * 32 + 4] = std::byte{1};    // required
+  file.bytes()[32 + 3 * 32] = std::byte{'Z'};    // CHAN
+  file.bytes()[32 + 3 * 32 + 4] = std::byte{1};  // required
   Asset asset;
   EXPECT_EQ(asset.open(file.bytes(), {.verify_hash = false}).code, LoadCode::kChunkUnknown);
 }

@@ -19,13 +19,14 @@ constexpr double kFewOpaqueTexels = 0.1;
 
 using MaybeImage = std::optional<Image>;
 
-tl::expected<MaybeImage, ToolError> read_recipe_image(const std::string& name, const char* key, const CookSettings& settings) {
+tl::expected<MaybeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
+                                                      const CookSettings& settings) {
   if (name.empty()) return MaybeImage{};
   const fs::path path = settings.recipe_directory / name;
   auto image = read_image(path);
   if (image) return MaybeImage{std::move(*image)};
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.{}\": {}", path.string(),
-                                                                          key, image.error())});
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.{}\": {}",
+                                                                          path.string(), key, image.error())});
 }
 
 /// An image that the source names by a path: only ever looked for in the source's own folder, under its last name, since
@@ -55,8 +56,8 @@ MaybeImage read_source_image(const SourceModel& source, const HairMesh& hair, st
     return {};
   }
   if (image) return std::move(*image);
-  warnings.push_back(fmt::format("material '{}': {}: {}; the hair is cooked without a base texture", material.name, name,
-                                 image.error()));
+  warnings.push_back(fmt::format("material '{}': {}: {}; the hair is cooked without a base texture", material.name,
+                                 name, image.error()));
   return {};
 }
 
@@ -80,9 +81,10 @@ void append(TextureRole role, TexelFormat format, std::span<const Image> mips, B
 void warn_of_alpha(const Image& base, const Recipe& recipe, std::vector<std::string>& warnings) {
   const double opaque = alpha_coverage(base, recipe.opaque_threshold);
   if (opaque >= kFewOpaqueTexels) return;
-  warnings.push_back(fmt::format("only {:.1f} % of the base texture has alpha {} or more: without an opaque core hair "
-                                 "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
-                                 100 * opaque, recipe.opaque_threshold));
+  warnings.push_back(
+      fmt::format("only {:.1f} % of the base texture has alpha {} or more: without an opaque core hair "
+                  "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
+                  100 * opaque, recipe.opaque_threshold));
 }
 
 std::vector<Image> base_mips(Image image, const Recipe& recipe) {
@@ -94,8 +96,9 @@ std::vector<Image> base_mips(Image image, const Recipe& recipe) {
 
 }  // namespace
 
-tl::expected<BakedTextures, ToolError> bake_textures(const SourceModel& source, const HairMesh& hair, bool strands_along_u,
-                                                     const Recipe& recipe, const CookSettings& settings) {
+tl::expected<BakedTextures, ToolError> bake_textures(const SourceModel& source, const HairMesh& hair,
+                                                     bool strands_along_u, const Recipe& recipe,
+                                                     const CookSettings& settings) {
   BakedTextures baked;
   auto base = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);
@@ -113,8 +116,8 @@ tl::expected<BakedTextures, ToolError> bake_textures(const SourceModel& source, 
   parallel_for(2, settings.threads, [&](std::size_t i) {
     if (i == 0 && *base) mips[0] = base_mips(std::move(**base), recipe);
     if (i == 1) {
-      mips[1] = make_mips(combine_shift_mask(*shift ? &**shift : nullptr, *mask ? &**mask : nullptr, recipe.texture_seed,
-                                             strands_along_u),
+      mips[1] = make_mips(combine_shift_mask(*shift ? &**shift : nullptr, *mask ? &**mask : nullptr,
+                                             recipe.texture_seed, strands_along_u),
                           recipe.texture_max_size, TexelMeaning::kNumbers);
     }
   });

@@ -75,8 +75,9 @@ Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, 
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
   const double length = parent.length() >= kShortestBone ? parent.length() : kShortestBone;
-  const Eigen::Vector3d direction =
-      parent.length() >= kShortestBone ? Eigen::Vector3d((parent.tail - parent.start).normalized()) : -Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d direction = parent.length() >= kShortestBone
+                                        ? Eigen::Vector3d((parent.tail - parent.start).normalized())
+                                        : -Eigen::Vector3d::UnitY();
   // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.
   return start + direction * (tail ? kShortestBone : length);
 }

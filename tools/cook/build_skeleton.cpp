@@ -147,7 +147,8 @@ class SkeletonBuilder {
   Skeleton skeleton_;
 };
 
-void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head, Skeleton& skeleton) {
+void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head,
+                            Skeleton& skeleton) {
   if (head == kNoIndex) {
     skeleton.warnings.push_back("no bone carries the hair; it follows the head rigidly");
     return;
@@ -167,20 +168,21 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
     }
   }
   if (foreign > 0.001 * total) {
-    skeleton.warnings.push_back(
-        fmt::format("{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
-                    "the head rigidly",
-                    100 * foreign / total, source.nodes[head].name, heaviest));
+    skeleton.warnings.push_back(fmt::format(
+        "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
+        "the head rigidly",
+        100 * foreign / total, source.nodes[head].name, heaviest));
   }
   if (skeleton.chains.empty()) {
-    skeleton.warnings.push_back(fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly",
-                                            source.nodes[head].name));
+    skeleton.warnings.push_back(
+        fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
   }
 }
 
 }  // namespace
 
-tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const Recipe& recipe) {
+tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair,
+                                                 const Recipe& recipe) {
   const NodeWeights weights = hair_weights(source, hair);
   auto head = find_head_bone(source, weights, recipe.head_bone);
   if (!head) return tl::unexpected(head.error());

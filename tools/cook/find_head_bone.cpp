@@ -11,7 +11,8 @@ namespace {
 
 /// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
 bool is_called_head(const std::string& name) {
-  const std::vector<std::string> not_heads{"*end*", "*nub*", "*top*", "*hair*", "*band*", "*phone*", "*light*", "*mesh*"};
+  const std::vector<std::string> not_heads{"*end*",  "*nub*",   "*top*",   "*hair*",
+                                           "*band*", "*phone*", "*light*", "*mesh*"};
   return matches(name, "*head*") && !matches_any(name, not_heads);
 }
 

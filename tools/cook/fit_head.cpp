@@ -1,7 +1,7 @@
 #include "cook/fit_head.h"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 
@@ -10,9 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kFewestVertices = 50;   ///< A head's mesh has more; fewer are teeth or a pin.
-constexpr double kInsideBox = 0.97;           ///< A skull is a little smaller than the box that nose and ears widen.
-constexpr double kSmallestShare = 0.5;        ///< A head that has to shrink further was not the head.
+constexpr std::size_t kFewestVertices = 50;  ///< A head's mesh has more; fewer are teeth or a pin.
+constexpr double kInsideBox = 0.97;          ///< A skull is a little smaller than the box that nose and ears widen.
+constexpr double kSmallestShare = 0.5;       ///< A head that has to shrink further was not the head.
 
 /// Vertices of the other meshes that follow the head bone and nothing else.
 std::vector<Vector3d> head_vertices(const SourceModel& source, std::span<const std::uint32_t> hair_meshes,
@@ -105,15 +105,17 @@ void resolve_rest_penetration(const Skeleton& skeleton, bool declared, FittedHea
   const double share = share_at_first_particle(head, skeleton);
   if (share >= 1) return;
   if (declared) {
-    head.warnings.push_back(fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
-                                        "inside it; make head.radii smaller",
-                                        100 * (1 - share)));
+    head.warnings.push_back(
+        fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
+                    "inside it; make head.radii smaller",
+                    100 * (1 - share)));
     return;
   }
   const double kept = std::max(share * 0.999, kSmallestShare);
   head.radii *= kept;
-  head.warnings.push_back(fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}",
-                                      100 * kept, share < kSmallestShare ? "; some bones still end inside it" : ""));
+  head.warnings.push_back(
+      fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}", 100 * kept,
+                  share < kSmallestShare ? "; some bones still end inside it" : ""));
 }
 
 }  // namespace

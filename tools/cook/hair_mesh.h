@@ -23,7 +23,8 @@ struct HairMesh {
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
   [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {
-    return std::span(influences).subspan(influence_begin[vertex], influence_begin[vertex + 1] - influence_begin[vertex]);
+    return std::span(influences)
+        .subspan(influence_begin[vertex], influence_begin[vertex + 1] - influence_begin[vertex]);
   }
 };
 

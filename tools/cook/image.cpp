@@ -43,8 +43,8 @@ constexpr int kRgba = 4;
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes) {
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-      stbi_load_from_memory(bytes.data(), int(std::min<std::size_t>(bytes.size(), INT32_MAX)), &width, &height, &channels,
-                            kRgba),
+      stbi_load_from_memory(bytes.data(), int(std::min<std::size_t>(bytes.size(), INT32_MAX)), &width, &height,
+                            &channels, kRgba),
       stbi_image_free);
   if (!data) return tl::unexpected(fmt::format("cannot read the image ({}); save it as PNG", stbi_failure_reason()));
   Image image{std::uint32_t(width), std::uint32_t(height), kRgba, {}};
@@ -68,9 +68,10 @@ Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, Texe
   Image result{width, height, image.channels, {}};
   result.texels.resize(result.texel_count() * image.channels);
   const bool color = meaning == TexelMeaning::kSrgbColorAlpha;
-  stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(), int(width),
-                             int(height), 0, int(image.channels), color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_WRAP,
-                             STBIR_FILTER_BOX, color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR, nullptr);
+  stbir_resize_uint8_generic(image.texels.data(), int(image.width), int(image.height), 0, result.texels.data(),
+                             int(width), int(height), 0, int(image.channels), color ? 3 : STBIR_ALPHA_CHANNEL_NONE, 0,
+                             STBIR_EDGE_WRAP, STBIR_FILTER_BOX, color ? STBIR_COLORSPACE_SRGB : STBIR_COLORSPACE_LINEAR,
+                             nullptr);
   return result;
 }
 

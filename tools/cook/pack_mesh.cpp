@@ -13,7 +13,8 @@ namespace {
 
 std::int16_t to_snorm16(float value) { return std::int16_t(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767.0f)); }
 
-VertexRecord pack_vertex(const HairMesh& mesh, const StrandField& strands, const Eigen::Vector3f& origin, std::uint32_t v) {
+VertexRecord pack_vertex(const HairMesh& mesh, const StrandField& strands, const Eigen::Vector3f& origin,
+                         std::uint32_t v) {
   VertexRecord record{};
   const Eigen::Vector3f position = mesh.positions[v] - origin;
   for (int k = 0; k < 3; ++k) {
@@ -34,7 +35,8 @@ std::vector<std::uint32_t> lay_out_indices(const HairMesh& mesh, const PatchSet&
   std::vector<std::vector<std::uint32_t>> triangles(patches.count);
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     auto& patch = triangles[patches.patch_of[t]];
-    patch.insert(patch.end(), mesh.triangles.begin() + std::ptrdiff_t(3 * t), mesh.triangles.begin() + std::ptrdiff_t(3 * t + 3));
+    patch.insert(patch.end(), mesh.triangles.begin() + std::ptrdiff_t(3 * t),
+                 mesh.triangles.begin() + std::ptrdiff_t(3 * t + 3));
   }
   std::vector<std::uint32_t> indices;
   indices.reserve(mesh.triangles.size());

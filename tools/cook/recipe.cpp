@@ -33,8 +33,8 @@ std::string unknown_key(const std::string& path) {
   std::vector<std::string> paths;
   for (const RecipeKey& key : recipe_keys()) paths.push_back(key.path());
   const std::string nearest = nearest_word(path, paths);
-  const std::string cure = nearest.empty() ? "'coif cook --print-recipe' lists all keys"
-                                           : fmt::format("did you mean \"{}\"?", nearest);
+  const std::string cure =
+      nearest.empty() ? "'coif cook --print-recipe' lists all keys" : fmt::format("did you mean \"{}\"?", nearest);
   return fmt::format("\"{}\" is not a key; {}", path, cure);
 }
 
@@ -91,7 +91,8 @@ tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) return unreadable("cannot open: is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) return unreadable(fmt::format("cannot open: {}", std::strerror(errno)));
-  if (std::filesystem::file_size(path, error) > kMaxRecipeBytes) return unreadable("too large for a recipe (over 1 MiB)");
+  if (std::filesystem::file_size(path, error) > kMaxRecipeBytes)
+    return unreadable("too large for a recipe (over 1 MiB)");
   std::ostringstream text;
   text << file.rdbuf();
   return parse_recipe(text.str(), path.string());
@@ -106,7 +107,8 @@ std::string print_recipe(const Recipe& recipe) {
     section = key.section;
     std::string facts = fmt::format("default {}", key.default_json);
     if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
-    if (key.low < key.high) facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
+    if (key.low < key.high)
+      facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
     text += fmt::format("{}\n    // {} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, facts, key.name,
                         write_value(key, recipe).dump());
   }

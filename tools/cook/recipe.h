@@ -31,11 +31,11 @@ struct Recipe {
   std::vector<std::string> hair_materials;
   std::vector<std::string> hair_bones;
   // skeleton
-  std::string head_bone;             ///< Pattern; "": found by name and hierarchy.
-  std::string scalp;                 ///< "thesis", "none" or "pattern".
+  std::string head_bone;  ///< Pattern; "": found by name and hierarchy.
+  std::string scalp;      ///< "thesis", "none" or "pattern".
   std::vector<std::string> scalp_bones;
   // patches
-  std::string patch_connectivity;    ///< "auto", "index" or "position".
+  std::string patch_connectivity;  ///< "auto", "index" or "position".
   double patch_weld_distance = 0;
   // dynamics
   std::vector<CurvePoint> resistance;
@@ -47,7 +47,7 @@ struct Recipe {
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
   // textures
-  std::string base_color_texture;    ///< Path beside the recipe; "": the source's.
+  std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
   std::string shift_texture;
   std::string mask_texture;
   std::uint32_t texture_max_size = 0;

@@ -18,7 +18,7 @@ struct RecipeKey {
   const char* name;
   RecipeField field;
   const char* default_json;
-  double low;           ///< Smallest and largest number allowed, where the value has numbers.
+  double low;  ///< Smallest and largest number allowed, where the value has numbers.
   double high;
   const char* choices;  ///< Words allowed, separated by '|'; null: any text.
   const char* unit;     ///< "" where there is none.

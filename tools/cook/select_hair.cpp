@@ -188,7 +188,8 @@ tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, con
     if (counts.taken > 0) result.meshes.push_back(m);
     if (counts.taken > 0) note_left_out(mesh, counts, result);
   }
-  if (result.mesh.triangles.empty()) return bad_input(source, "no hair triangles; choose them by the recipe's \"hair\"");
+  if (result.mesh.triangles.empty())
+    return bad_input(source, "no hair triangles; choose them by the recipe's \"hair\"");
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (taken[m] == 0) {
       result.left_out.push_back(fmt::format("mesh '{}' ({} triangles): not hair", source.meshes[m].name,
@@ -198,7 +199,7 @@ tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, con
   result.mesh.material = main_material(source, taken);
   std::set<std::uint32_t> materials;
   for (std::uint32_t m : result.meshes) materials.insert(source.meshes[m].material);
-  if (materials.size() > 1) {
+  if (materials.size() > 1 && result.mesh.material != kNoIndex) {
     result.warnings.push_back(fmt::format("the hair has {} materials; the asset keeps that with most triangles ('{}')",
                                           materials.size(), source.materials[result.mesh.material].name));
   }

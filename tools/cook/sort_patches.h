@@ -13,6 +13,7 @@ struct PatchOrder {
 
 /// The thesis's order (5.3.1): by the distance of the patch's middle, weighted by area, from the head's centre. Equal
 /// distances keep the order of the file.
-[[nodiscard]] PatchOrder sort_patches(const HairMesh& mesh, const PatchSet& patches, const Eigen::Vector3d& head_center);
+[[nodiscard]] PatchOrder sort_patches(const HairMesh& mesh, const PatchSet& patches,
+                                      const Eigen::Vector3d& head_center);
 
 }  // namespace coif

@@ -14,8 +14,8 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 struct PatchView {
-  std::vector<std::size_t> triangles;  ///< First index of each.
-  std::vector<std::uint32_t> vertices; ///< Ascending, each once.
+  std::vector<std::size_t> triangles;   ///< First index of each.
+  std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
 };
 
 std::vector<PatchView> split(const HairMesh& mesh, const PatchSet& patches) {
@@ -83,10 +83,13 @@ float distance_from_head(const FittedHead& head, const Vector3f& p) {
 }
 
 /// +1 where the root is at the low end of `coordinate`, -1 where it is at the high end.
-float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate, const FittedHead& head) {
+float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate,
+                const FittedHead& head) {
   const auto [low, high] = std::ranges::minmax(coordinate);
   const float quarter = 0.25f * (high - low);
-  struct End { float distance = 0, height = 0, count = 0; } ends[2];
+  struct End {
+    float distance = 0, height = 0, count = 0;
+  } ends[2];
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
     if (coordinate[i] > low + quarter && coordinate[i] < high - quarter) continue;
     End& end = ends[coordinate[i] <= low + quarter ? 0 : 1];
@@ -105,8 +108,8 @@ float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const fl
   return ends[0].height >= ends[1].height ? 1.0f : -1.0f;
 }
 
-void write_tangents(const HairMesh& mesh, const PatchView& patch, int texture_axis, const Vector3f& fallback, float sign,
-                    StrandField& field) {
+void write_tangents(const HairMesh& mesh, const PatchView& patch, int texture_axis, const Vector3f& fallback,
+                    float sign, StrandField& field) {
   for (std::size_t t : patch.triangles) {
     const Vector3f along = texture_axis < 0 ? Vector3f(fallback * sign)
                                             : Vector3f(texture_axes(mesh, t)[std::size_t(texture_axis)] * sign);
@@ -153,7 +156,8 @@ int find_in_patch(const HairMesh& mesh, const PatchView& patch, const FittedHead
 
 }  // namespace
 
-StrandField find_strand_direction(const HairMesh& mesh, const PatchSet& patches, const FittedHead& head, unsigned threads) {
+StrandField find_strand_direction(const HairMesh& mesh, const PatchSet& patches, const FittedHead& head,
+                                  unsigned threads) {
   StrandField field;
   field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
   field.place.assign(mesh.positions.size(), 0.0f);

@@ -17,9 +17,7 @@ struct Cell {
 };
 
 struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    return std::size_t(xxh64(std::as_bytes(std::span(&cell, 1))));
-  }
+  std::size_t operator()(const Cell& cell) const { return std::size_t(xxh64(std::as_bytes(std::span(&cell, 1)))); }
 };
 
 Cell cell_of(const Eigen::Vector3f& position, double size) {
