@@ -79,7 +79,8 @@ SkinInfluences rounded(std::array<std::pair<int, double>, 4> shares) {
 }  // namespace
 
 std::vector<Joint> make_bob_skeleton() {
-  std::vector<Joint> joints{{"root", -1, {0, 0, 0}}, {"neck", kRoot, {0, 1.450, -0.030}}, {"Head", kNeck, {0, 1.600, 0}}};
+  std::vector<Joint> joints{
+      {"root", -1, {0, 0, 0}}, {"neck", kRoot, {0, 1.450, -0.030}}, {"Head", kNeck, {0, 1.600, 0}}};
   for (std::size_t chain = 0; chain < kChainNames.size(); ++chain) {
     const std::string name = kChainNames[chain];
     Vector3d scalp = chain_point(kChainAzimuths[chain], kJointHeights[0]);
@@ -105,8 +106,10 @@ SkinInfluences hair_influences(const Vector3d& point) {
   const int a = kFirstScalp + share.chain_a * kJointsPerChain + upper;
   const int b = kFirstScalp + share.chain_b * kJointsPerChain + upper;
   const double weight_b = share.weight_b, weight_a = 1.0 - weight_b;
-  return rounded({{{a, weight_a * (1.0 - lower_weight)}, {a + 1, weight_a * lower_weight},
-                   {b, weight_b * (1.0 - lower_weight)}, {b + 1, weight_b * lower_weight}}});
+  return rounded({{{a, weight_a * (1.0 - lower_weight)},
+                   {a + 1, weight_a * lower_weight},
+                   {b, weight_b * (1.0 - lower_weight)},
+                   {b + 1, weight_b * lower_weight}}});
 }
 
 SkinInfluences bust_influences(const Vector3d& point) {

@@ -15,7 +15,7 @@ StripStyle panel(double azimuth, double half_width, double parting_from, double 
   style.half_width = half_width;
   style.parting_from = parting_from;
   style.parting_to = parting_to;
-  style.start = 0.06;
+  style.start = 0.03;
   style.lift = 0.007;
   style.bulge = 0.001;
   style.tip_height = 1.428;
@@ -47,13 +47,20 @@ StripStyle lock(double azimuth, double half_width, double parting_from, double p
 /// A lock of the outer layer: shorter, so that the layers show.
 StripStyle top_lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
   StripStyle style = lock(azimuth, half_width, parting_from, parting_to, window);
-  style.start = -0.03;
+  style.start = -0.015;  // Over the parting, which then shows no gap.
   style.lift = 0.020;
   style.bulge = 0.006;
   style.tip_height = 1.462;
   style.flare = 0.018;
   style.curl = 0.028;
   style.taper = 0.55;
+  return style;
+}
+
+/// An outer lock at the back, whose hairs all start near the crown.
+StripStyle crown_lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
+  StripStyle style = top_lock(azimuth, half_width, parting_from, parting_to, window);
+  style.start = 0.01;
   return style;
 }
 
@@ -71,8 +78,8 @@ StripStyle fringe(double azimuth, double half_width, double parting_from, double
 
 /// The short side of the parting: combed back over the temple.
 StripStyle side_fringe(double azimuth, double half_width, double parting_from, double parting_to, int window) {
-  StripStyle style = fringe(azimuth, half_width, parting_from, parting_to, 0.017, window);
-  style.start = -0.02;
+  StripStyle style = fringe(azimuth, half_width, parting_from, parting_to, 0.014, window);
+  style.start = 0.0;
   style.sweep = 16;
   style.tip_height = 1.545;
   style.flare = 0.014;
@@ -85,20 +92,18 @@ StripStyle side_fringe(double azimuth, double half_width, double parting_from, d
 
 SurfaceMesh make_bob_hair() {
   const StripStyle styles[] = {
-      panel(72, 30, 0.10, 0.80), panel(124, 32, 0.75, 1.00), panel(180, 36, 1.00, 1.00),
-      panel(-124, 32, 1.00, 0.75), panel(-72, 30, 0.80, 0.10),
+      panel(72, 30, 0.10, 0.80),          panel(124, 32, 0.75, 1.00),           panel(180, 36, 0.80, 0.80),
+      panel(-124, 32, 1.00, 0.75),        panel(-72, 30, 0.80, 0.10),
 
-      lock(62, 15, 0.05, 0.40, 0), lock(90, 20, 0.35, 0.75, 1), lock(122, 20, 0.70, 0.95, 2), lock(152, 19, 0.92, 1.00, 3),
-      lock(180, 18, 0.98, 0.98, 0),
-      lock(-152, 19, 1.00, 0.92, 1), lock(-122, 20, 0.95, 0.70, 2), lock(-90, 20, 0.75, 0.35, 3), lock(-62, 15, 0.40, 0.05, 0),
+      lock(62, 15, 0.05, 0.40, 0),        lock(90, 20, 0.35, 0.75, 1),          lock(122, 20, 0.70, 0.95, 2),
+      lock(152, 19, 0.92, 1.00, 3),       lock(180, 18, 0.86, 0.86, 0),         lock(-152, 19, 1.00, 0.92, 1),
+      lock(-122, 20, 0.95, 0.70, 2),      lock(-90, 20, 0.75, 0.35, 3),         lock(-62, 15, 0.40, 0.05, 0),
 
-      top_lock(76, 17, 0.15, 0.60, 2), top_lock(106, 17, 0.55, 0.85, 3), top_lock(137, 17, 0.82, 0.98, 0),
-      top_lock(167, 16, 0.97, 1.00, 1),
-      top_lock(-167, 16, 1.00, 0.97, 2), top_lock(-137, 17, 0.98, 0.82, 3), top_lock(-106, 17, 0.85, 0.55, 1),
-      top_lock(-76, 17, 0.60, 0.15, 0),
+      top_lock(76, 17, 0.15, 0.60, 2),    top_lock(106, 17, 0.55, 0.85, 3),     crown_lock(137, 17, 0.82, 0.98, 0),
+      crown_lock(167, 16, 0.91, 0.93, 1), crown_lock(-167, 16, 0.93, 0.91, 2),  crown_lock(-137, 17, 0.98, 0.82, 3),
+      top_lock(-106, 17, 0.85, 0.55, 1),  top_lock(-76, 17, 0.60, 0.15, 0),
 
-      side_fringe(34, 13, 0.02, 0.20, 3),
-      fringe(10, 17, 0.26, 0.00, 0.013, 2), fringe(-18, 19, 0.36, 0.08, 0.019, 1),
+      side_fringe(38, 15, 0.01, 0.24, 3), fringe(12, 20, 0.06, 0.06, 0.012, 2), fringe(-21, 22, 0.36, 0.06, 0.017, 1),
   };
   SurfaceMesh mesh;
   unsigned seed = 1;

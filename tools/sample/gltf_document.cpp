@@ -48,13 +48,17 @@ void GltfDocument::set_skeleton(const std::vector<Joint>& joints) {
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint& joint = joints[i];
     const bool is_root = joint.parent < 0;
-    const Eigen::Vector3d parent = is_root ? Eigen::Vector3d::Zero() : joints[static_cast<std::size_t>(joint.parent)].position;
+    const Eigen::Vector3d parent =
+        is_root ? Eigen::Vector3d::Zero() : joints[static_cast<std::size_t>(joint.parent)].position;
     json_["nodes"].push_back({{"name", joint.name}, {"translation", as_json(joint.position - parent)}});
-    if (is_root) json_["scenes"][0]["nodes"].push_back(i);
-    else json_["nodes"][static_cast<std::size_t>(joint.parent)]["children"].push_back(i);
+    if (is_root)
+      json_["scenes"][0]["nodes"].push_back(i);
+    else
+      json_["nodes"][static_cast<std::size_t>(joint.parent)]["children"].push_back(i);
     indices.push_back(i);
     const Eigen::Vector3d& p = joint.position;
-    inverse_binds.insert(inverse_binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, rounded(-p.x()), rounded(-p.y()), rounded(-p.z()), 1});
+    inverse_binds.insert(inverse_binds.end(),
+                         {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, rounded(-p.x()), rounded(-p.y()), rounded(-p.z()), 1});
   }
   const std::size_t view = add_view(inverse_binds.data(), inverse_binds.size() * sizeof(float), kNoTarget);
   const std::size_t matrices = add_accessor(view, kFloat, "MAT4", joints.size());
@@ -80,8 +84,8 @@ void GltfDocument::add_mesh(const std::string& name, const SurfaceMesh& mesh, co
     attributes["TEXCOORD_0"] = add_accessor(view, kFloat, "VEC2", mesh.uvs.size());
   }
   add_skin_attributes(mesh.skin, attributes);
-  const Json primitive = {{"attributes", attributes}, {"indices", add_triangles(mesh.triangles)},
-                          {"material", add_material(material)}};
+  const Json primitive = {
+      {"attributes", attributes}, {"indices", add_triangles(mesh.triangles)}, {"material", add_material(material)}};
   json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
   json_["scenes"][0]["nodes"].push_back(json_["nodes"].size());
   json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}, {"skin", 0}});
@@ -156,7 +160,8 @@ std::size_t GltfDocument::add_triangles(const std::vector<std::uint32_t>& triang
 
 std::size_t GltfDocument::add_material(const GltfMaterial& material) {
   Json surface = {{"baseColorFactor", {material.red, material.green, material.blue, 1.0}},
-                  {"metallicFactor", 0.0}, {"roughnessFactor", material.roughness}};
+                  {"metallicFactor", 0.0},
+                  {"roughnessFactor", material.roughness}};
   if (material.is_hair) surface["baseColorTexture"] = {{"index", 0}};
   Json json = {{"name", material.name}, {"pbrMetallicRoughness", surface}};
   if (material.is_hair) {

@@ -15,7 +15,7 @@ struct GltfMaterial {
   std::string name;
   double red = 1, green = 1, blue = 1;  ///< Linear base colour.
   double roughness = 0.6;
-  bool is_hair = false;                 ///< Textured with the document's image, blended, two-sided.
+  bool is_hair = false;  ///< Textured with the document's image, blended, two-sided.
 };
 
 /// Builds one binary glTF 2.0 with one skeleton, one image and any number of skinned meshes.

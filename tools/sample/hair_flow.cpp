@@ -15,17 +15,17 @@ using Eigen::Vector3d;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kRootLift = 0.0035;  // Metres; roots lie close to the scalp, outer layers above inner ones.
 
-/// Great circle through two unit vectors; `t` outside 0..1 goes on along the circle.
-Vector3d along_great_circle(const Vector3d& a, const Vector3d& b, double t) {
-  const double angle = std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-  return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+/// Unit direction on a quadratic Bezier curve, seen from the middle of the skull. `t` outside 0..1 goes on along it.
+Vector3d along_curve(const Vector3d& from, const Vector3d& control, const Vector3d& to, double t) {
+  return ((1 - t) * (1 - t) * from + 2 * t * (1 - t) * control + t * t * to).normalized();
 }
 
 /// A side parting on the model's left, from the forehead to the crown.
 Vector3d parting_direction(double t) {
   static const Vector3d kForehead = Vector3d(0.30, 0.66, 0.70).normalized();
   static const Vector3d kCrown = Vector3d(0.06, 0.88, -0.46).normalized();
-  return along_great_circle(kForehead, kCrown, t);
+  static const Vector3d kTop = kForehead + kCrown;
+  return along_curve(kForehead, 0.6 * kTop, kCrown, t);
 }
 
 /// Keeps hair that hangs over cheeks, neck and shoulders outside of them.
@@ -49,7 +49,9 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
   const double travelled = along * (arc + drop);
 
   const double on_skull = std::min(travelled / arc, 1.0);
-  const Vector3d direction = along_great_circle(parting, widest, course.start + (1.0 - course.start) * on_skull);
+  // Straight above its end, so that hair arrives there hanging.
+  const Vector3d control = widest + 0.75 * Vector3d::UnitY();
+  const Vector3d direction = along_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
   const double root_lift = kRootLift + 0.45 * course.lift;
   const double lift = root_lift + (course.lift - root_lift) * smooth_step(0.0, 0.06, travelled);
   Vector3d point = kCraniumCenter + (kCraniumRadii.array() + lift).matrix().cwiseProduct(direction);

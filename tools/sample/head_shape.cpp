@@ -37,8 +37,8 @@ double carve(double a, double b, double blend) { return -join(-a, b, blend); }
 
 double neck_and_shoulders(const Vector3d& p) {
   const double neck = rod(p, {0, 1.520, -0.028}, {0, 1.380, -0.040}, 0.047, 0.052);
-  const double trapezius = rod(p, {0.020, 1.415, -0.048}, {0.150, 1.350, -0.040}, 0.040, 0.050);
-  const double chest = ellipsoid(p, {0, 1.270, -0.025}, {0.195, 0.135, 0.098});
+  const double trapezius = rod(p, {0.020, 1.413, -0.040}, {0.150, 1.350, -0.036}, 0.040, 0.050);
+  const double chest = ellipsoid(p, {0, 1.270, -0.022}, {0.195, 0.132, 0.094});
   const double collar_bone = rod(p, {0.018, 1.368, 0.028}, {0.125, 1.380, -0.006}, 0.008, 0.009);
   const double throat = rod(p, {0, 1.480, 0.012}, {0, 1.395, 0.004}, 0.022, 0.020);
   double body = join(neck, join(trapezius, chest, 0.060), 0.050);

@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
   }
   const std::vector<std::uint8_t> bytes = coif::sample::make_bob();
   if (!write_file(argv[1], bytes)) {
-    std::fprintf(stderr, "coif_make_sample: error: %s: cannot write; check that the folder exists and is writable\n", argv[1]);
+    std::fprintf(stderr, "coif_make_sample: error: %s: cannot write; check that the folder exists and is writable\n",
+                 argv[1]);
     return 2;
   }
   std::printf("%s: %zu bytes\n", argv[1], bytes.size());

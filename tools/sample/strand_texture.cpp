@@ -36,10 +36,10 @@ Vector3d hair_color(double v) {
 }
 
 struct Strand {
-  double x;             ///< Texels from the left edge, at the root.
+  double x;  ///< Texels from the left edge, at the root.
   double sway, turns, phase;
-  double half_width;    ///< Texels.
-  double begin, end;    ///< V where it starts and ends.
+  double half_width;  ///< Texels.
+  double begin, end;  ///< V where it starts and ends.
   double brightness;
   double warmth;
 };
@@ -134,7 +134,8 @@ class StrandPainter {
       if (v < strand.begin || v > strand.end) continue;
       const double wave = std::sin(2.0 * std::numbers::pi * (strand.turns * v + strand.phase));
       const double center = strand.x + strand.sway * wave;
-      const double thin = smooth_step(strand.end, strand.end - 0.16, v) * smooth_step(strand.begin, strand.begin + 0.02, v);
+      const double thin =
+          smooth_step(strand.end, strand.end - 0.16, v) * smooth_step(strand.begin, strand.begin + 0.02, v);
       const double half = strand.half_width * (0.35 + 0.65 * thin);
       paint_span(strand, v, y, center, half, std::sqrt(thin), from, to);
     }
@@ -142,7 +143,8 @@ class StrandPainter {
 
   void paint_span(const Strand& strand, double v, int y, double center, double half, double strength, double from,
                   double to) {
-    const int first = std::max(static_cast<int>(std::floor(center - half - 0.5)), static_cast<int>(std::ceil(from)) + 1);
+    const int first =
+        std::max(static_cast<int>(std::floor(center - half - 0.5)), static_cast<int>(std::ceil(from)) + 1);
     const int last = std::min(static_cast<int>(std::ceil(center + half)), static_cast<int>(to) - 2);
     const Vector3d color = hair_color(v).cwiseProduct(
         Vector3d{strand.brightness + strand.warmth, strand.brightness, strand.brightness - strand.warmth});
@@ -173,8 +175,7 @@ StrandTexture make_strand_texture() {
 
 std::vector<std::uint8_t> encode_png(const StrandTexture& texture) {
   int size = 0;
-  unsigned char* bytes =
-      stbi_write_png_to_mem(texture.rgba.data(), kWidth * 4, kWidth, kHeight, 4, &size);
+  unsigned char* bytes = stbi_write_png_to_mem(texture.rgba.data(), kWidth * 4, kWidth, kHeight, 4, &size);
   if (bytes == nullptr) return {};
   std::vector<std::uint8_t> png(bytes, bytes + size);
   STBIW_FREE(bytes);

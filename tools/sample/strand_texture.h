@@ -9,8 +9,8 @@
 namespace coif::sample {
 
 /// The texture's windows, side by side: four clumps for strips, one broad one for panels.
-inline constexpr std::array<TextureWindow, 4> kClumpWindows{{
-    {0.000, 0.156}, {0.156, 0.312}, {0.312, 0.469}, {0.469, 0.625}}};
+inline constexpr std::array<TextureWindow, 4> kClumpWindows{
+    {{0.000, 0.156}, {0.156, 0.312}, {0.312, 0.469}, {0.469, 0.625}}};
 inline constexpr TextureWindow kBroadWindow{0.625, 1.000};
 
 /// 512 x 1024 RGBA, sRGB, straight alpha: roots at the top, tips at the bottom. Opaque in the middle, single strands at tips

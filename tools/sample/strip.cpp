@@ -47,7 +47,8 @@ Vector3d point_on_strip(const StripStyle& style, const Irregularity& odd, double
 
 Vector3d normal_on_strip(const StripStyle& style, const Irregularity& odd, double across, double along) {
   constexpr double kStep = 0.02;
-  const Vector3d u = point_on_strip(style, odd, across + kStep, along) - point_on_strip(style, odd, across - kStep, along);
+  const Vector3d u =
+      point_on_strip(style, odd, across + kStep, along) - point_on_strip(style, odd, across - kStep, along);
   const double from = std::max(along - kStep, 0.0), to = std::min(along + kStep, 1.0);
   const Vector3d v = point_on_strip(style, odd, across, to) - point_on_strip(style, odd, across, from);
   return v.cross(u).normalized();

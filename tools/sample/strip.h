@@ -19,13 +19,13 @@ struct StripStyle {
   double parting_from = 0;  ///< Parting position of the edge with the smaller azimuth.
   double parting_to = 1;    ///< ... and of the other edge.
   double start = 0.02;
-  double sweep = 0;         ///< Degrees that the tip is carried aside.
-  double lift = 0.01;       ///< Metres above the skull.
-  double bulge = 0.003;     ///< Metres that the middle stands above the edges.
-  double tip_height = 1.43; ///< Model Y, metres.
+  double sweep = 0;          ///< Degrees that the tip is carried aside.
+  double lift = 0.01;        ///< Metres above the skull.
+  double bulge = 0.003;      ///< Metres that the middle stands above the edges.
+  double tip_height = 1.43;  ///< Model Y, metres.
   double flare = 0.010;
   double curl = 0.020;
-  double taper = 0.5;       ///< Share of the width lost at the tip.
+  double taper = 0.5;  ///< Share of the width lost at the tip.
   TextureWindow window;
 };
 

@@ -21,7 +21,7 @@ struct SurfaceMesh {
   std::vector<Eigen::Vector3d> normals;    ///< Unit, outwards.
   std::vector<Eigen::Vector2d> uvs;        ///< V grows downwards in the image.
   std::vector<SkinInfluences> skin;
-  std::vector<std::uint32_t> triangles;    ///< Three indices each, counter-clockwise seen from outside.
+  std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
 };
 
 }  // namespace coif::sample

@@ -76,8 +76,10 @@ class SurfaceNets {
       const std::uint32_t b = vertex_of_box_[index(box - side_b)];
       const std::uint32_t c = vertex_of_box_[index(box)];
       const std::uint32_t d = vertex_of_box_[index(box - side_a)];
-      if (inside) mesh_.triangles.insert(mesh_.triangles.end(), {a, b, c, a, c, d});
-      else mesh_.triangles.insert(mesh_.triangles.end(), {a, c, b, a, d, c});
+      if (inside)
+        mesh_.triangles.insert(mesh_.triangles.end(), {a, b, c, a, c, d});
+      else
+        mesh_.triangles.insert(mesh_.triangles.end(), {a, c, b, a, d, c});
     }
   }
 
