@@ -37,9 +37,9 @@ StripStyle lock(double azimuth, double half_width, double parting_from, double p
   style.lift = 0.012;
   style.bulge = 0.005;
   style.tip_height = 1.425;
-  style.flare = 0.012;
-  style.curl = 0.034;
-  style.taper = 0.45;
+  style.flare = 0.009;
+  style.curl = 0.032;
+  style.taper = 0.30;
   style.window = kClumpWindows[static_cast<std::size_t>(window)];
   return style;
 }
@@ -51,9 +51,9 @@ StripStyle top_lock(double azimuth, double half_width, double parting_from, doub
   style.lift = 0.020;
   style.bulge = 0.006;
   style.tip_height = 1.462;
-  style.flare = 0.018;
-  style.curl = 0.028;
-  style.taper = 0.55;
+  style.flare = 0.012;
+  style.curl = 0.030;
+  style.taper = 0.38;
   return style;
 }
 

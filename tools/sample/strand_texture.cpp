@@ -102,7 +102,7 @@ class StrandPainter {
     for (int x = static_cast<int>(std::ceil(from)); x < static_cast<int>(to); ++x) {
       ragged = 0.75 * ragged + noise.between(-0.035, 0.035);
       const double side = std::min(x + 0.5 - from, to - x - 0.5) / (to - from);
-      const double end = 0.66 + ragged - 0.25 * smooth_step(0.22, 0.0, side);
+      const double end = 0.70 + ragged - 0.25 * smooth_step(0.22, 0.0, side);
       const double begin = 0.012 + 0.3 * std::abs(ragged);
       for (int y = 0; y < kHeight; ++y) {
         const double v = (y + 0.5) / kHeight;
@@ -122,7 +122,7 @@ class StrandPainter {
     // Strands in the middle of a clump reach further than those at its sides.
     const double middle = 1.0 - std::abs(2.0 * across - 1.0);
     strand.begin = noise.between(-0.01, 0.035);
-    strand.end = 0.68 + 0.14 * std::sqrt(middle) + noise.between(0.0, 0.17);
+    strand.end = 0.74 + 0.11 * std::sqrt(middle) + noise.between(0.0, 0.14);
     strand.brightness = noise.between(0.78, 1.06) + 0.14 * depth;
     strand.warmth = noise.between(-0.035, 0.035);
     return strand;
