@@ -16,8 +16,6 @@ namespace {
 Status check_create(const Asset& asset, const HairDesc& desc) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (desc.instances < 1 || desc.instances > kMaxInstances) return Status::kBadArgument;
-  const bool needs_dynamics = asset.skeleton().simulated_count > 0;
-  if (needs_dynamics && asset.dynamics().size() != asset.bones().size()) return Status::kAssetLacksData;
   return Status::kOk;
 }
 

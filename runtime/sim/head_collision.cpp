@@ -19,8 +19,7 @@ void push_out_of_sphere(const Vec3& center, float radius, const Vec3& up, std::s
   }
 }
 
-void push_out_of_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation,
-                           std::span<Particle> particles) {
+void push_out_of_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation, std::span<Particle> particles) {
   const Quat to_axes = conjugate(rotation);
   for (Particle& particle : particles) {
     const Vec3 offset = rotate(to_axes, particle.position - center);

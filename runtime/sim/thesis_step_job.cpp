@@ -83,8 +83,8 @@ void renew_velocities(const ThesisStepJob& job) {
 
 bool sizes_match(const ThesisStepJob& job) {
   const std::size_t count = job.particles.size();
-  return count <= job.bones.size() && job.dynamics.size() == job.bones.size() &&
-         job.friction_factors.size() == count && job.scratch.size() == count;
+  return count <= job.bones.size() && job.dynamics.size() == job.bones.size() && job.friction_factors.size() == count &&
+         job.scratch.size() == count;
 }
 
 }  // namespace

@@ -42,12 +42,15 @@ float worst_stretch(const TestRig& rig, const std::vector<Vec3>& ends) {
 /// Up to half a metre and half a turn away from the origin in any direction, anew each frame.
 std::vector<HeadPose> violent_poses(int count) {
   std::mt19937 random(7);
-  const auto between = [&random](double low, double high) { return low + (high - low) * (double(random()) / 4294967296.0); };
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * (double(random()) / 4294967296.0);
+  };
   std::vector<HeadPose> poses;
   for (int i = 0; i < count; ++i) {
     const double heading = between(0, 2 * kPi);
     const Vec3 axis{float(std::cos(heading)), 0, float(std::sin(heading))};
-    poses.push_back({{between(-0.5, 0.5), between(-0.5, 0.5), between(-0.5, 0.5)}, turned_about(axis, between(0, kPi))});
+    poses.push_back(
+        {{between(-0.5, 0.5), between(-0.5, 0.5), between(-0.5, 0.5)}, turned_about(axis, between(0, kPi))});
   }
   return poses;
 }

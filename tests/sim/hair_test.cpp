@@ -211,9 +211,9 @@ TEST_F(HairRejects, TimeSteps) {
 TEST_F(HairRejects, Poses) {
   const double huge = std::numeric_limits<double>::infinity();
   const HeadPose bad[] = {
-      {{NAN, 0, 0}, {}},       {{0, huge, 0}, {}},           {{0, 0, -huge}, {}},
-      {{}, {0, 0, 0, 0}},      {{}, {0, 0, 0, 1.002f}},      {{}, {0, 0, 0, 0.998f}},
-      {{}, {NAN, 0, 0, 1}},    {{}, {0, INFINITY, 0, 1}},    {{}, {1, 1, 1, 1}},
+      {{NAN, 0, 0}, {}},    {{0, huge, 0}, {}},        {{0, 0, -huge}, {}},
+      {{}, {0, 0, 0, 0}},   {{}, {0, 0, 0, 1.002f}},   {{}, {0, 0, 0, 0.998f}},
+      {{}, {NAN, 0, 0, 1}}, {{}, {0, INFINITY, 0, 1}}, {{}, {1, 1, 1, 1}},
   };
   for (const HeadPose& pose : bad) {
     EXPECT_EQ(test_.hair.set_head(1, pose), Status::kBadPose);

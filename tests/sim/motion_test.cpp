@@ -62,7 +62,8 @@ TEST(Motion, VelocityIsContinuousExceptWhereTeleportJumps) {
   for (const MotionInfo& info : all_motions()) {
     if (info.motion == Motion::kTeleport) continue;
     for (double t = h; t < 6; t += h) {
-      const HeadPose a = head_pose(info.motion, t - h), b = head_pose(info.motion, t), c = head_pose(info.motion, t + h);
+      const HeadPose a = head_pose(info.motion, t - h), b = head_pose(info.motion, t),
+                     c = head_pose(info.motion, t + h);
       for (int axis = 0; axis < 3; ++axis) {
         const double kick = (c.position[axis] - 2 * b.position[axis] + a.position[axis]) / h;
         ASSERT_LT(std::fabs(kick), 0.2) << info.name << " at " << t;  // 200 m/s^2 for a millisecond

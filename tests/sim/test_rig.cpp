@@ -79,7 +79,8 @@ TestRig nine_bone_rig() {
     std::uint32_t parent = 0;
     const float resistance[] = {0.35f, 0.2f, 0.06f};
     for (const float r : resistance) {
-      parent = rig.add({.parent = parent, .joint = {side, 0.02f, -0.12f}, .length = 0.1f, .resistance = r, .friction = 1});
+      parent =
+          rig.add({.parent = parent, .joint = {side, 0.02f, -0.12f}, .length = 0.1f, .resistance = r, .friction = 1});
     }
   }
   return rig;

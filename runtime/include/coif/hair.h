@@ -61,7 +61,7 @@ class Hair {
 
   /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
   /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
-  /// open, or simulated bones without dynamics), kBadArgument (instances), kMemoryTooSmall.
+  /// open), kBadArgument (instances), kMemoryTooSmall (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
   [[nodiscard]] std::uint32_t instance_count() const { return instances_; }

@@ -13,9 +13,9 @@ namespace coif {
 /// with different outputs may run in parallel. A bone's rotation is its parent's, turned by the shortest arc that
 /// brings the rest direction onto the bone's present direction; a bone of no length keeps the rest direction.
 struct PaletteJob {
-  Quat head_rotation;                    ///< World from head space, unit.
-  std::span<const BoneRecord> bones;     ///< All bones of the asset, the simulated ones last.
-  std::span<const Particle> particles;   ///< Per simulated bone.
+  Quat head_rotation;                   ///< World from head space, unit.
+  std::span<const BoneRecord> bones;    ///< All bones of the asset, the simulated ones last.
+  std::span<const Particle> particles;  ///< Per simulated bone.
 
   std::span<Quat> frames;     ///< Out, per simulated bone: rotation from rest, head space.
   std::span<Mat34> palette;   ///< Out, per bone: rest pose in head space -> present pose in head space.

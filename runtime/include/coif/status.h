@@ -5,17 +5,17 @@
 namespace coif {
 
 /// Result of a runtime call. Anything but kOk leaves the state and every output as they were.
-enum class [[nodiscard]] Status : std::uint8_t {
-  kOk = 0,
-  kBadTimeStep,     ///< dt is not a number, not above zero, or above kMaxTimeStep.
-  kBadPose,         ///< A pose has a NaN, an infinity or a rotation that is not a unit quaternion.
-  kBadArgument,     ///< Another argument is not finite or outside its documented range.
-  kBadIndex,        ///< No such instance or bone.
-  kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.
-  kNotCreated,      ///< The object has not been created, or its creation failed.
-  kAssetLacksData,  ///< The asset has no chunk that this call needs (for example no mesh to draw).
-  kSizeMismatch,    ///< Spans of a job do not belong together.
-  kDriver,          ///< OpenGL ES refused: function missing, shader not compiled, out of memory.
+enum class [[nodiscard]] Status : std::uint8_t{
+    kOk = 0,
+    kBadTimeStep,     ///< dt is not a number, not above zero, or above kMaxTimeStep.
+    kBadPose,         ///< A pose has a NaN, an infinity or a rotation that is not a unit quaternion.
+    kBadArgument,     ///< Another argument is not finite or outside its documented range.
+    kBadIndex,        ///< No such instance or bone.
+    kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.
+    kNotCreated,      ///< The object has not been created, or its creation failed.
+    kAssetLacksData,  ///< The asset has no chunk that this call needs (for example no mesh to draw).
+    kSizeMismatch,    ///< Spans of a job do not belong together.
+    kDriver,          ///< OpenGL ES refused: function missing, shader not compiled, out of memory.
 };
 
 /// One sentence, static storage, never null.

@@ -35,11 +35,11 @@ struct ThesisStepJob {
   /// All bones of the asset, sorted as the format demands. The last particles.size() of them are the simulated ones,
   /// and the spans that are "per simulated bone" are in the same order.
   std::span<const BoneRecord> bones;
-  std::span<const DynamicsRecord> dynamics;    ///< One per bone.
-  std::span<const ColliderRecord> colliders;   ///< May be empty.
-  std::span<const float> friction_factors;     ///< Per simulated bone; from compute_friction_factors().
-  std::span<BoneScratch> scratch;              ///< Per simulated bone.
-  std::span<Particle> particles;               ///< Per simulated bone; in and out.
+  std::span<const DynamicsRecord> dynamics;   ///< One per bone.
+  std::span<const ColliderRecord> colliders;  ///< May be empty.
+  std::span<const float> friction_factors;    ///< Per simulated bone; from compute_friction_factors().
+  std::span<BoneScratch> scratch;             ///< Per simulated bone.
+  std::span<Particle> particles;              ///< Per simulated bone; in and out.
 
   /// Ok when run() will not read or write out of range and its input is finite. Linear in the bones.
   [[nodiscard]] Status validate() const;
