@@ -1,4 +1,4 @@
-#include "gl/draw_block.h"
+#include "gl/binding_points.h"
 #include "gl/gl_functions.h"
 #include "gl/shader_program.h"
 
@@ -12,27 +12,6 @@
 namespace coif {
 namespace {
 
-constexpr GLuint kDrawIndex = 0;  // uniform buffer indices
-constexpr GLuint kPaletteIndex = 1;
-constexpr GLint kBaseUnit = 0;  // texture units
-constexpr GLint kShiftMaskUnit = 1;
-constexpr GLsizeiptr kPaletteBytes = kMaxBones * sizeof(Mat34);  // 12 KiB of the 16 that OpenGL ES 3.0 promises
-
-// Of everything that is hidden by hair and drawn later, a texel of alpha a should show 1 - a. Writing depth shows 0 of
-// it, not writing shows 1, so half is where one error becomes smaller than the other. Lower, the faint borders of cards
-// would punch holes into smoke or glass behind them; higher, it would shine through hair that is nearly solid.
-constexpr float kDepthAlpha = 0.5f;
-constexpr float kNoLimit = 2.0f;  // above every alpha
-
-struct Pass {
-  bool shaded;      // colour is written; otherwise depth only
-  bool blended;
-  bool writes_depth;
-  GLenum culled;    // GL_NONE: both faces are drawn
-  float alpha_min;  // drawn: alpha_min <= alpha < alpha_max
-  float alpha_max;
-};
-
 void bind_samplers_and_blocks(const GlFunctions& gl, GLuint program) {
   gl.UseProgram(program);  // The depth program lacks the second sampler; location -1 is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
@@ -40,19 +19,6 @@ void bind_samplers_and_blocks(const GlFunctions& gl, GLuint program) {
   gl.UseProgram(0);
   gl.UniformBlockBinding(program, gl.GetUniformBlockIndex(program, "DrawBlock"), kDrawIndex);
   gl.UniformBlockBinding(program, gl.GetUniformBlockIndex(program, "PaletteBlock"), kPaletteIndex);
-}
-
-void set_enabled(const GlFunctions& gl, GLenum capability, bool enabled) {
-  enabled ? gl.Enable(capability) : gl.Disable(capability);
-}
-
-void set_pass_state(const GlFunctions& gl, const Pass& pass) {
-  set_enabled(gl, GL_BLEND, pass.blended);
-  set_enabled(gl, GL_CULL_FACE, pass.culled != GL_NONE);
-  if (pass.culled != GL_NONE) gl.CullFace(pass.culled);
-  gl.DepthMask(pass.writes_depth ? GL_TRUE : GL_FALSE);
-  const GLboolean color = pass.shaded ? GL_TRUE : GL_FALSE;
-  gl.ColorMask(color, color, color, color);
 }
 
 }  // namespace
@@ -78,7 +44,8 @@ Status HairRenderer::create(const GlLoader& loader) {
     return Status::kDriver;
   }
   if (const Status status = create_programs(); status != Status::kOk) return status;
-  create_uniform_buffers();
+  gl->GenBuffers(1, &draw_buffer_);
+  gl->GenBuffers(1, &palette_buffer_);
   created_ = true;
   return Status::kOk;
 }
@@ -102,12 +69,6 @@ Status HairRenderer::create_programs() {
   return Status::kOk;
 }
 
-void HairRenderer::create_uniform_buffers() {
-  const GlFunctions& gl = functions();
-  gl.GenBuffers(1, &draw_buffer_);
-  gl.GenBuffers(1, &palette_buffer_);
-}
-
 void HairRenderer::destroy() {
   failure_[0] = '\0';
   if (!created_) return;
@@ -118,88 +79,6 @@ void HairRenderer::destroy() {
   gl.DeleteBuffers(1, &palette_buffer_);
   shaded_program_ = depth_program_ = draw_buffer_ = palette_buffer_ = 0;
   created_ = false;
-}
-
-Status HairRenderer::draw(const HairModel& model, const DrawDesc& desc) {
-  if (!created_ || model.renderer_ != this) return Status::kNotCreated;
-  if (desc.palette.size() != model.bone_count_) return Status::kSizeMismatch;
-  const MaterialRecord& material = desc.material != nullptr ? *desc.material : model.material_;
-  DrawBlock block;
-  if (const Status status = fill_draw_block(desc, material, block); status != Status::kOk) return status;
-
-  send_uniforms(block, desc.palette);
-  bind(model);
-  draw_passes(model, material, desc.transparency);
-  leave_initial_state();
-  return Status::kOk;
-}
-
-void HairRenderer::send_uniforms(const DrawBlock& block, std::span<const Mat34> palette) const {
-  const GlFunctions& gl = functions();
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kDrawIndex, draw_buffer_);
-  gl.BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
-  // Data afresh for each head: the driver gives new storage while the GPU still reads the head before.
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kPaletteIndex, palette_buffer_);
-  gl.BufferData(GL_UNIFORM_BUFFER, kPaletteBytes, nullptr, GL_STREAM_DRAW);
-  gl.BufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(palette.size_bytes()), palette.data());
-}
-
-void HairRenderer::bind(const HairModel& model) const {
-  const GlFunctions& gl = functions();
-  gl.BindVertexArray(model.vertex_array_);
-  // A sampler object of the host's would override the texture's own filters.
-  gl.BindSampler(kBaseUnit, 0);
-  gl.BindSampler(kShiftMaskUnit, 0);
-  gl.ActiveTexture(GL_TEXTURE0 + kShiftMaskUnit);
-  gl.BindTexture(GL_TEXTURE_2D, model.shift_mask_texture_);
-  gl.ActiveTexture(GL_TEXTURE0 + kBaseUnit);
-  gl.BindTexture(GL_TEXTURE_2D, model.base_texture_);
-  gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied
-  gl.FrontFace(GL_CCW);
-  gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LEQUAL);  // of cards in one place the later, outer one wins
-}
-
-void HairRenderer::draw_passes(const HairModel& model, const MaterialRecord& material, bool transparency) const {
-  const float opaque = material.opaque_threshold;
-  const float faintest = material.discard_threshold;
-  const Pass passes[] = {
-      {true, false, true, GL_NONE, opaque, kNoLimit},
-      {true, true, false, GL_FRONT, faintest, opaque},
-      {true, true, false, GL_BACK, faintest, opaque},
-      {false, false, true, GL_NONE, faintest > kDepthAlpha ? faintest : kDepthAlpha, opaque},
-  };
-  const GlFunctions& gl = functions();
-  for (const Pass& pass : passes) {
-    if (pass.alpha_min >= pass.alpha_max) continue;
-    set_pass_state(gl, pass);
-    gl.UseProgram(pass.shaded ? shaded_program_ : depth_program_);
-    gl.Uniform3f(pass.shaded ? shaded_alpha_range_ : depth_alpha_range_, pass.alpha_min, pass.alpha_max,
-                 pass.blended ? 0.0f : 1.0f);
-    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(model.index_count_), GL_UNSIGNED_INT, nullptr);
-    if (!transparency) return;
-  }
-}
-
-void HairRenderer::leave_initial_state() const {
-  const GlFunctions& gl = functions();
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.Disable(GL_BLEND);
-  gl.BlendFunc(GL_ONE, GL_ZERO);
-  gl.Disable(GL_CULL_FACE);
-  gl.CullFace(GL_BACK);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LESS);
-  gl.DepthMask(GL_TRUE);
-  gl.ActiveTexture(GL_TEXTURE0 + kShiftMaskUnit);
-  gl.BindTexture(GL_TEXTURE_2D, 0);
-  gl.ActiveTexture(GL_TEXTURE0 + kBaseUnit);
-  gl.BindTexture(GL_TEXTURE_2D, 0);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kDrawIndex, 0);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kPaletteIndex, 0);
-  gl.BindVertexArray(0);
-  gl.UseProgram(0);
 }
 
 }  // namespace coif

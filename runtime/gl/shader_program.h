@@ -6,8 +6,8 @@
 
 namespace coif {
 
-/// Compiles and links a program from pieces of GLSL ES 3.00, without their #version line. Returns 0 on failure, with the
-/// driver's log in `log`, always ended by a zero byte.
+/// Compiles and links a program from pieces of GLSL ES 3.00, without their #version line. Returns 0 on failure, with
+/// the driver's log in `log`, always ended by a zero byte.
 GLuint build_program(const GlFunctions& gl, std::span<const char* const> vertex, std::span<const char* const> fragment,
                      std::span<char> log);
 

@@ -38,7 +38,9 @@ Vector3f center_line(const Strip& strip, float along) {
   return place;
 }
 
-std::int16_t snorm(float value) { return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767)); }
+std::int16_t snorm(float value) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767));
+}
 
 void add_vertex(AssetContents& out, const Strip& strip, float along, float across) {
   const Vector3f tangent = (center_line(strip, along + 0.01f) - center_line(strip, along)).normalized();
@@ -129,7 +131,8 @@ class Strands {
     const float border = std::min({u, 1 - u, 0.08f}) / 0.08f;
     const float ends = 0.62f + 0.38f * s.length;  // strands end at different places
     const float tip = std::clamp((ends - v) / 0.12f, 0.0f, 1.0f);
-    return std::clamp((0.45f + 0.9f * s.body) * 1.6f - 0.3f, 0.0f, 1.0f) * std::clamp(border * (0.6f + s.body), 0.0f, 1.0f) * tip;
+    const float body = std::clamp(0.42f + 1.44f * s.body, 0.0f, 1.0f);
+    return body * std::clamp(border * (0.6f + s.body), 0.0f, 1.0f) * tip;
   }
   [[nodiscard]] float shade(float u) const { return 0.55f + 0.45f * at(u).tone; }
   [[nodiscard]] float tone(float u) const { return at(u).tone; }
@@ -163,12 +166,13 @@ void add_textures(AssetContents& out, std::uint32_t size) {
           out.texels.insert(out.texels.end(), {unorm(0.58f * shade), unorm(0.38f * shade), unorm(0.24f * shade),
                                                unorm(strands.alpha(u, v))});
         } else {
-          out.texels.insert(out.texels.end(), {unorm(0.4f + 0.2f * strands.tone(u)), unorm(1.3f * strands.tone(u) - 0.1f)});
+          const float tone = strands.tone(u);
+          out.texels.insert(out.texels.end(), {unorm(0.4f + 0.2f * tone), unorm(1.3f * tone - 0.1f)});
         }
       }
     }
-    out.textures.push_back({color ? TextureRole::kBaseColor : TextureRole::kShiftMask, format, size, size, mips, 0, begin,
-                            out.texels.size() - begin});
+    const TextureRole role = color ? TextureRole::kBaseColor : TextureRole::kShiftMask;
+    out.textures.push_back({role, format, size, size, mips, 0, begin, out.texels.size() - begin});
   }
 }
 

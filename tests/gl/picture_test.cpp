@@ -159,7 +159,7 @@ TEST_F(PictureTest, RefusesWhatItCannotDraw) {
   EXPECT_EQ(kind_of([](auto& s) { s.heads = 0; }), ToolError::Kind::kUsage);
   EXPECT_EQ(kind_of([](auto& s) { s.time = -1; }), ToolError::Kind::kUsage);
   EXPECT_EQ(kind_of([](auto& s) { s.time = std::numeric_limits<double>::quiet_NaN(); }), ToolError::Kind::kUsage);
-  EXPECT_EQ(kind_of([](auto& s) { s.pitch_degrees = std::numeric_limits<double>::infinity(); }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.pitch_degrees = INFINITY; }), ToolError::Kind::kUsage);
 
   const auto no_asset = render_picture(Asset{}, settings_);
   ASSERT_FALSE(no_asset);

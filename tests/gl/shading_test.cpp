@@ -79,8 +79,8 @@ class Shading : public GlTest {
   static Pixel expected_at(int x, int y, const Case& c, Component component = Component::kAll) {
     const auto place = [](int i) { return (i + 0.5) / (kSize / 2) - 1; };
     const double side = c.card.turned ? -1 : 1;
-    const ShadedPoint seen{{place(x), place(y), c.card.center[2]}, side * to_eigen(c.card.normal), to_eigen(c.card.tangent),
-                           c.card.rgba, c.card.shift_mask};
+    const ShadedPoint seen{{place(x), place(y), c.card.center[2]}, side * to_eigen(c.card.normal),
+                           to_eigen(c.card.tangent), c.card.rgba, c.card.shift_mask};
     const auto color = reference_color(seen, {0, 0, 3}, c.lights, shiny_material(), component);
     return {color[0], color[1], color[2], 255};
   }

@@ -27,8 +27,8 @@ struct CrowdView {
   std::vector<Eigen::Vector3d> places;  ///< World, one per head: a grid that faces the camera.
 };
 
-/// Places copies of what `points` (world, metres, not empty) outline side by side and moves the camera as near as it can
-/// be while it sees all of them.
+/// Places copies of what `points` (world, metres, not empty) outline side by side and moves the camera as near as it
+/// can be while it sees all of them.
 [[nodiscard]] CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings);
 
 }  // namespace coif

@@ -28,7 +28,8 @@ class AlignedBlock {
 };
 
 tl::unexpected<ToolError> failed(Status status) {
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, std::string("the hair cannot be simulated: ") + describe(status)});
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kBadInput, std::string("the hair cannot be simulated: ") + describe(status)});
 }
 
 }  // namespace

@@ -33,13 +33,15 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
     return fail(ToolError::Kind::kUsage, "a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
   }
   if (!(settings.time >= 0 && settings.time <= kMaxSeconds)) {
-    return fail(ToolError::Kind::kUsage, "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
+    return fail(ToolError::Kind::kUsage,
+                "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
   }
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
     return fail(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
   }
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
+    return fail(ToolError::Kind::kBadInput,
+                "the asset has no mesh to draw; cook it again without leaving the mesh out");
   }
   return {};
 }
@@ -62,7 +64,7 @@ std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
     points.push_back(Eigen::Map<const Eigen::Vector3f>(vertex.position).cast<double>());
   }
   for (const ColliderRecord& collider : asset.colliders()) {
-    for (const SolidVertex& vertex : mannequin_mesh(collider).vertices) points.push_back(vertex.position.cast<double>());
+    for (const SolidVertex& v : mannequin_mesh(collider).vertices) points.push_back(v.position.cast<double>());
   }
   return points;
 }
@@ -76,8 +78,8 @@ std::array<Light, 3> studio_lights(const Camera& camera) {
   const auto light = [&](double right, double up, double back, Vec3 color) {
     return Light{Light::Kind::kDirectional, to_vec3(camera.right * right + camera.up * up + camera.back * back), color};
   };
-  return {light(-0.3, 1.0, 0.2, {0.95f, 0.92f, 0.88f}), light(0.4, -0.3, 1.0, {0.3f, 0.31f, 0.34f}),
-          light(0.9, 0.1, -0.6, {0.22f, 0.24f, 0.3f})};
+  return {light(-0.3, 1.0, 0.2, {1.2f, 1.17f, 1.12f}), light(0.4, -0.3, 1.0, {0.22f, 0.23f, 0.25f}),
+          light(0.9, 0.1, -0.6, {0.15f, 0.17f, 0.22f})};
 }
 
 struct Scene {
@@ -154,8 +156,10 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   if (!stage) return tl::unexpected(stage.error());
 
   const double aspect = double(settings.width) / settings.height;
-  const CrowdView view = frame_crowd(
-      framed_points(asset), {settings.yaw_degrees, settings.pitch_degrees, CameraSettings{}.fov_degrees, aspect, settings.heads});
+  const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = settings.yaw_degrees,
+                                                            .pitch_degrees = settings.pitch_degrees,
+                                                            .aspect = aspect,
+                                                            .heads = settings.heads});
   return take_picture(*context, renderer, {model, *stage, *pose, view}, settings);
 }
 

@@ -39,7 +39,8 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
     const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
     for (std::uint32_t sector = 0; sector <= kSectors; ++sector) {
       const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
-      const Eigen::Array3f unit(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+      const Eigen::Array3f unit(std::sin(polar) * std::sin(around), std::cos(polar),
+                                std::sin(polar) * std::cos(around));
       mesh.vertices.push_back({center + rotation * (unit * radii).matrix(),
                                (rotation * (unit / radii).matrix()).normalized()});
     }
@@ -56,8 +57,7 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
 }
 
 SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint) {
-  const std::vector<Eigen::Vector3f> made = mesh.normals.empty() ? smooth_normals(mesh) : std::vector<Eigen::Vector3f>{};
-  const std::vector<Eigen::Vector3f>& normals = mesh.normals.empty() ? made : mesh.normals;
+  const std::vector<Eigen::Vector3f> normals = mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals;
   SolidMesh solid;
   solid.vertices.reserve(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

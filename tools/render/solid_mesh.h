@@ -26,7 +26,7 @@ struct SolidMesh {
 /// A head collider as a smooth ellipsoid, a little smaller than it collides.
 [[nodiscard]] SolidMesh mannequin_mesh(const ColliderRecord& collider);
 
-/// A mesh of the source model; `head_joint` as in the asset's skeleton. Smooth normals are made where the mesh has none.
+/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones.
 [[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint);
 
 }  // namespace coif

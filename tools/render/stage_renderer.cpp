@@ -152,8 +152,11 @@ void StageRenderer::draw_backdrop() const {
 void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const {
   glEnable(GL_DEPTH_TEST);
   glUseProgram(body_program_);
-  glUniformMatrix4fv(glGetUniformLocation(body_program_, "clip_from_world"), 1, GL_FALSE, camera.clip_from_world.data());
-  glUniformMatrix4fv(glGetUniformLocation(body_program_, "world_from_head"), 1, GL_FALSE, matrix_of(head).data());
+  const auto set_matrix = [&](const char* name, const Eigen::Matrix4f& matrix) {
+    glUniformMatrix4fv(glGetUniformLocation(body_program_, name), 1, GL_FALSE, matrix.data());
+  };
+  set_matrix("clip_from_world", camera.clip_from_world);
+  set_matrix("world_from_head", matrix_of(head));
   set_lights(body_program_, lights);
   for (const Body& body : bodies_) {
     glUniform3fv(glGetUniformLocation(body_program_, "color"), 1, body.color.data());

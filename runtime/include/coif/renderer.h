@@ -10,6 +10,7 @@
 
 namespace coif {
 
+struct DrawBlock;
 struct GlFunctions;
 
 /// The host's way to find an OpenGL ES 3.0 function: eglGetProcAddress or the like. Must return null for unknown names.
@@ -89,13 +90,13 @@ class HairRenderer {
 
   [[nodiscard]] const GlFunctions& functions() const;
   Status create_programs();
-  void create_uniform_buffers();
-  void send_uniforms(const struct DrawBlock& block, std::span<const Mat34> palette) const;
+  void send_uniforms(const DrawBlock& block, std::span<const Mat34> palette) const;
   void bind(const HairModel& model) const;
   void draw_passes(const HairModel& model, const MaterialRecord& material, bool transparency) const;
   void leave_initial_state() const;
 
-  alignas(void*) std::byte functions_[kFunctionBytes] = {};  ///< A GlFunctions; its type would bring OpenGL's header here.
+  /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
+  alignas(void*) std::byte functions_[kFunctionBytes] = {};
   char failure_[kFailureBytes] = {};
   std::uint32_t shaded_program_ = 0;
   std::uint32_t depth_program_ = 0;

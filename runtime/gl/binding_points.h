@@ -1,0 +1,13 @@
+#pragma once
+
+#include <GLES3/gl3.h>
+
+namespace coif {
+
+// Where programs and draw calls meet. HairRenderer::draw() promises the host to leave these points empty.
+inline constexpr GLuint kDrawIndex = 0;  // uniform buffer indices
+inline constexpr GLuint kPaletteIndex = 1;
+inline constexpr GLint kBaseUnit = 0;  // texture units
+inline constexpr GLint kShiftMaskUnit = 1;
+
+}  // namespace coif
