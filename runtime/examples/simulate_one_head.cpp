@@ -93,8 +93,10 @@ int main(int argument_count, char** arguments) {
 
   // The file's bytes are used in place: keep them for as long as the hair lives. open() checks everything once.
   Memory file;
+  const std::span<std::byte> bytes = read_file(arguments[1], file);
+  if (bytes.empty()) return fail(arguments[1], "cannot read, or empty");
   coif::Asset asset;
-  if (const coif::LoadStatus status = asset.open(read_file(arguments[1], file)); !status) {
+  if (const coif::LoadStatus status = asset.open(bytes); !status) {
     char text[160];
     coif::describe(status, text, sizeof text);
     return fail(arguments[1], text);
