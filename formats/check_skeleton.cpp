@@ -37,6 +37,17 @@ LoadStatus check_bone_shape(const BoneRecord& bone, std::size_t i) {
   return segment ? LoadStatus{} : bone_error(LoadCode::kNotFinite, i);
 }
 
+/// The runtime hangs a bone on its simulated parent's particle; skinning is right only if it starts there at rest.
+bool starts_at_parent(const BoneRecord& bone, const BoneRecord& parent) {
+  constexpr float kTolerance = 1.0e-4f;  // of the coordinates' size; joints are rounded to float one by one
+  for (int k = 0; k < 3; ++k) {
+    const float end = parent.joint[k] + parent.rest_direction[k] * parent.length;
+    const float size = 1.0f + parent.length + (end < 0 ? -end : end);
+    if (!in_range(bone.joint[k] - end, -kTolerance * size, kTolerance * size)) return false;
+  }
+  return true;
+}
+
 LoadStatus check_chain(const Asset& asset, std::size_t c, std::uint32_t expected_first) {
   const ChainRecord& chain = asset.chains()[c];
   const auto bones = asset.bones();
@@ -89,6 +100,8 @@ LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes) {
     if (const LoadStatus status = check_bone_place(bones, i); !status) return status;
     if (const LoadStatus status = check_bone_shape(bones[i], i); !status) return status;
     const bool named = bones[i].name == kNone || bones[i].name < name_bytes;
+    const bool hangs = bones[i].kind == BoneKind::kSimulated && !is_rigid(bones[bones[i].parent]);
+    if (hangs && !starts_at_parent(bones[i], bones[bones[i].parent])) return bone_error(LoadCode::kBoneJoint, i);
     if (!named) return bone_error(LoadCode::kReference, i, name_bytes, bones[i].name);
     rigid_count += is_rigid(bones[i]) ? 1 : 0;
   }

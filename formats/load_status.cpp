@@ -63,6 +63,7 @@ const char* describe(LoadCode code) {
     case LoadCode::kEnumerator: return "value is not known to this version";
     case LoadCode::kReference: return "index points outside the array it refers to";
     case LoadCode::kBoneOrder: return "bones are not sorted head, scalp, simulated with parents first";
+    case LoadCode::kBoneJoint: return "bone does not start where its simulated parent ends";
     case LoadCode::kChainCover: return "chains do not cover the simulated bones exactly once";
     case LoadCode::kPatchCover: return "patches do not cover the index list exactly once in order";
     case LoadCode::kWeightSum: return "skin weights do not add up to one";

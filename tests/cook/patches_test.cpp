@@ -47,7 +47,8 @@ std::size_t published_group_count(const HairMesh& mesh) {
 }
 
 TEST(ExtractPatches, AgreesWithThePublishedAlgorithmOnRandomMeshes) {
-  std::mt19937 random(7);
+  std::mt19937 engine(7);
+  const auto random = [&] { return std::uint32_t(engine()); };
   for (int round = 0; round < 50; ++round) {
     HairMesh mesh;
     const std::uint32_t vertices = 20 + random() % 80;

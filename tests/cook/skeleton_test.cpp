@@ -119,7 +119,9 @@ TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
   const auto skeleton = skeleton_of(model);
   ASSERT_TRUE(skeleton);
   for (const SkeletonBone& bone : skeleton->bones) {
-    if (bone.kind == BoneKind::kSimulated) EXPECT_GE(bone.length(), 0.99e-3);
+    if (bone.kind == BoneKind::kSimulated) {
+      EXPECT_GE(bone.length(), 0.99e-3);
+    }
   }
 }
 
@@ -175,7 +177,8 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
 }
 
 TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
-  std::mt19937 random(3);
+  std::mt19937 engine(3);
+  const auto random = [&] { return std::uint32_t(engine()); };
   HairMesh mesh;
   Skeleton skeleton;
   skeleton.bones.resize(8);

@@ -116,6 +116,7 @@ TEST(Open, RefusesBrokenSkeletons) {
   EXPECT_EQ(refusal([](auto& a) { a.bones[2].length = std::nanf(""); }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.bones[3].rest_direction[0] = 0.5f; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.bones[3].kind = BoneKind(9); }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[3].joint[0] = 0.01f; }), LoadCode::kBoneJoint);
   EXPECT_EQ(refusal([](auto& a) { a.bones.clear(); }), LoadCode::kChunkMissing);
   EXPECT_EQ(refusal([](auto& a) { a.chains[0].bone_count = 1; }), LoadCode::kChainCover);
   EXPECT_EQ(refusal([](auto& a) { a.chains[1].bone_count = 0xFFFFFFFFu; }), LoadCode::kChainCover);

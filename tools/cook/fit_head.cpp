@@ -12,6 +12,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kFewestVertices = 50;  ///< A head's mesh has more; fewer are teeth or a pin.
 constexpr double kInsideBox = 0.97;          ///< A skull is a little smaller than the box that nose and ears widen.
+constexpr double kDeepInside = 0.85;          ///< Hair deeper than this in a head says that it is not the head's shape,
+constexpr double kMuchHair = 0.25;            ///< where it is more than this share of all hair; roots may be inside.
 constexpr double kSmallestShare = 0.5;       ///< A head that has to shrink further was not the head.
 
 /// Vertices of the other meshes that follow the head bone and nothing else.
@@ -45,6 +47,15 @@ FittedHead from_box(const std::vector<Vector3d>& vertices) {
   head.radii = box.sizes() * (0.5 * kInsideBox);
   head.origin = fmt::format("the box of {} vertices that follow the head bone", vertices.size());
   return head;
+}
+
+/// A hat or a hood follows the head bone too; then the box is larger than the hair and hair is inside it.
+bool holds_hair(const FittedHead& head, const HairMesh& hair) {
+  std::size_t inside = 0;
+  for (const Eigen::Vector3f& p : hair.positions) {
+    inside += (p.cast<double>() - head.center).cwiseQuotient(head.radii).norm() < kDeepInside ? 1 : 0;
+  }
+  return double(inside) > kMuchHair * double(hair.positions.size());
 }
 
 /// Sphere through points by linear least squares: |p|^2 = 2 c.p + (r^2 - |c|^2). Points relative to their mean.
@@ -130,7 +141,8 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<c
     head.origin = "the recipe";
   } else {
     const std::vector<Vector3d> vertices = head_vertices(source, hair_meshes, skeleton);
-    head = vertices.size() >= kFewestVertices ? from_box(vertices) : from_hair(hair);
+    if (vertices.size() >= kFewestVertices) head = from_box(vertices);
+    if (!head.collides() || holds_hair(head, hair)) head = from_hair(hair);
   }
   if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());
   if (recipe.head_shape == "none") head.radii.setZero();

@@ -25,6 +25,7 @@ enum class LoadCode : std::uint8_t {
   kEnumerator,        ///< An enumerator has a value that this version does not know.
   kReference,         ///< An index points outside the array it refers to.
   kBoneOrder,         ///< Head first, then scalp, then simulated, parents before children: broken.
+  kBoneJoint,         ///< A bone does not start where its simulated parent ends.
   kChainCover,        ///< Chains do not cover the simulated bones exactly once.
   kPatchCover,        ///< Patches do not cover the index list exactly once, in order.
   kWeightSum,         ///< Skin weights of a vertex do not add up to one.
