@@ -51,7 +51,7 @@ ChainShare nearest_chains(const Vector3d& point) {
   return {side, kBack, smooth_step(100.0, 165.0, std::abs(azimuth))};
 }
 
-/// The share of the lower of two neighbouring joints, counted from the scalp joint: 1.25 is a quarter of joint 2, the rest joint 1.
+/// Counted in joints from the scalp joint: 1.25 is a quarter joint 2, the rest joint 1.
 double position_along_chain(double height) {
   double level = 0.0;
   for (std::size_t i = 0; i + 1 < kBoneMiddles.size(); ++i)

@@ -29,8 +29,8 @@ struct StripStyle {
   TextureWindow window;
 };
 
-/// Appends the strip to `mesh`: a grid with its own vertices, U across, V 0 at the root and 1 at the tip. `seed` picks the
-/// slight irregularity of width, length, wave and twist.
+/// Appends the strip to `mesh`: a grid with its own vertices, U across, V 0 at the root and 1 at the tip. `seed` picks
+/// the slight irregularity of length, wave and twist.
 void append_strip(const StripStyle& style, unsigned seed, SurfaceMesh& mesh);
 
 }  // namespace coif::sample

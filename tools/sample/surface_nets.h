@@ -10,8 +10,8 @@
 
 namespace coif::sample {
 
-/// Corners of the boxes in which a field is sampled: ascending coordinates per axis, metres. Closer where the surface has
-/// more detail. The surface must stay inside.
+/// Corners of the boxes in which a field is sampled: ascending coordinates per axis, metres. Closer where the surface
+/// has more detail. The surface must stay inside.
 using SamplingGrid = std::array<std::vector<double>, 3>;
 
 /// Coordinates from `from` to at least `to`, `coarse` apart, but `fine` apart between `fine_from` and `fine_to`.
