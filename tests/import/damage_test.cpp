@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <random>
 
 namespace coif {
 namespace {
@@ -154,6 +157,26 @@ TEST_F(Damage, DeepNodeTreesDoNotExhaustTheStackOfTheTool) {
   file.roots = "[1999]";
   const SourceModel model = import_or_fail(file);
   EXPECT_EQ(model.nodes.size(), 2000u);
+}
+
+TEST_F(Damage, RandomDamageGivesAModelOrAnErrorOfTheFile) {
+  const std::filesystem::path path = skinned_strip().write(folder_, "m.gltf");
+  std::ifstream file(path, std::ios::binary);
+  const std::string good((std::istreambuf_iterator<char>(file)), {});
+  std::mt19937 random(1);
+  std::size_t refused = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::string text = good;
+    for (int i = 0; i < 2; ++i) text[random() % text.size()] = static_cast<char>(random() % 256);
+    const auto model = import_model(folder_.write("m.gltf", text));
+    if (model) {
+      EXPECT_EQ(find_model_fault(*model), "");
+    } else {
+      EXPECT_EQ(model.error().kind, ToolError::Kind::kBadInput) << model.error().message;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10u);
 }
 
 TEST_F(Damage, NamesAreCleanedForMessages) {
