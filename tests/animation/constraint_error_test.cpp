@@ -32,6 +32,14 @@ TEST(WorstStretch, IsZeroInTheRestPose) {
   EXPECT_NEAR(worst_stretch(file.asset(), resting_ends(file.asset())), 0.0f, 1e-6f);
 }
 
+TEST(WorstStretch, MeasuresFromTheBonesOwnJointUnderARigidBone) {
+  AssetContents contents = small_asset();
+  contents.bones[2].joint[0] = contents.bones[3].joint[0] = 0.3f;  // the scalp's joint stays where it is
+  const OpenAsset file(contents);
+  ASSERT_TRUE(file.asset().is_open());
+  EXPECT_NEAR(worst_stretch(file.asset(), resting_ends(file.asset())), 0.0f, 1e-6f);
+}
+
 TEST(WorstStretch, CountsLongerAndShorterBonesAlike) {
   const OpenAsset file(small_asset());
   ASSERT_TRUE(file.asset().is_open());

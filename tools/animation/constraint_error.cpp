@@ -11,6 +11,12 @@ namespace {
 
 Eigen::Vector3f vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// A bone under a rigid one starts at its own joint, which need not be its parent's.
+Eigen::Vector3f start_of(const Asset& asset, const BoneRecord& bone, std::span<const Vec3> bone_ends) {
+  if (asset.bones()[bone.parent].kind == BoneKind::kSimulated) return vector(bone_ends[bone.parent]);
+  return Eigen::Map<const Eigen::Vector3f>(bone.joint);
+}
+
 float depth_inside(const ColliderRecord& collider, const Vec3& point) {
   const auto& q = collider.rotation;
   const Eigen::Quaternionf head_from_axes(q[3], q[0], q[1], q[2]);
@@ -27,7 +33,7 @@ float worst_stretch(const Asset& asset, std::span<const Vec3> bone_ends) {
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
     const BoneRecord& bone = asset.bones()[i];
     if (bone.kind != BoneKind::kSimulated) continue;
-    const float length = (vector(bone_ends[i]) - vector(bone_ends[bone.parent])).norm();
+    const float length = (vector(bone_ends[i]) - start_of(asset, bone, bone_ends)).norm();
     worst = std::max(worst, std::abs(length / bone.length - 1.0f));
   }
   return worst;

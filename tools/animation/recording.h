@@ -22,8 +22,8 @@ struct RecordingSettings {
   double fps = 60;     ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
   double seconds = 4;  ///< Length of the recording, 0..3600.
   double settle_seconds =
-      2;              ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
-  StepSettings step{};///< dt comes from fps.
+      2;                ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
+  StepSettings step{};  ///< dt comes from fps.
 };
 
 struct RecordedFrame {

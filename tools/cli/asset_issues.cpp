@@ -48,7 +48,8 @@ void find_loose_bones(const Asset& asset, const std::vector<Vec3>& particles, Is
   constexpr float kTolerance = 0.01f;  // of the bone's length; the solver would pull the gap shut at the first step
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
     const BoneRecord& bone = asset.bones()[i];
-    if (bone.kind != BoneKind::kSimulated) continue;
+    // Only a child of a simulated bone starts at its parent's end; under a rigid bone it starts at its own joint.
+    if (bone.parent == kNone || asset.bones()[bone.parent].kind != BoneKind::kSimulated) continue;
     const Vec3& start = particles[bone.parent];
     const float gap = std::hypot(bone.joint[0] - start.x, bone.joint[1] - start.y, bone.joint[2] - start.z);
     if (gap > kTolerance * bone.length) {
@@ -100,15 +101,6 @@ void find_unused_bones(const Asset& asset, Issues& issues) {
 }
 
 }  // namespace
-
-const char* name(Severity severity) {
-  switch (severity) {
-    case Severity::kInfo: return "info";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: return "error";
-  }
-  return "error";
-}
 
 std::vector<Issue> find_asset_issues(const Asset& asset) {
   Issues issues;

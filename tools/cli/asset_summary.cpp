@@ -1,5 +1,7 @@
 #include "cli/asset_summary.h"
 
+#include "cli/json_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,8 +74,6 @@ ordered_json provenance(const ProvenanceRecord& record) {
           {"recipe_hash", fmt::format("{:016x}", record.recipe_hash)}};
 }
 
-}  // namespace
-
 ordered_json summarize(const Asset& asset) {
   ordered_json chunks = ordered_json::array();
   for (const ChunkEntry& entry : asset.chunks()) {
@@ -95,7 +95,12 @@ ordered_json summarize(const Asset& asset) {
   return summary;
 }
 
-std::string summary_text(const std::string& name, const ordered_json& summary) {
+}  // namespace
+
+std::string asset_json(const Asset& asset) { return json_text(summarize(asset)); }
+
+std::string asset_text(const std::string& name, const Asset& asset) {
+  const ordered_json summary = summarize(asset);
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
   for (const char* key : {"triangles", "vertices", "patches", "chains", "bones", "simulated_bones", "colliders"}) {

@@ -2,16 +2,14 @@
 
 #include <coif/asset.h>
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace coif {
 
-/// Counts, chunk sizes and settings of an open asset; the keys are the stable ones of `coif info`.
-[[nodiscard]] nlohmann::ordered_json summarize(const Asset& asset);
+/// Counts, chunk sizes and settings of an open asset as JSON; the keys are stable.
+[[nodiscard]] std::string asset_json(const Asset& asset);
 
 /// The same as a table for people. `name`: the file's.
-[[nodiscard]] std::string summary_text(const std::string& name, const nlohmann::ordered_json& summary);
+[[nodiscard]] std::string asset_text(const std::string& name, const Asset& asset);
 
 }  // namespace coif

@@ -55,7 +55,7 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   const auto source = import_source(options, choice.recipe);
   if (!source) return tl::unexpected(source.error());
   const bool as_json = options.format == OutputFormat::kJson;
-  print_result(as_json ? json_text(list_json(source->model)) : list_text(source->model));
+  print_result(as_json ? list_json(source->model) : list_text(source->model));
   return Exit::kOk;
 }
 
@@ -98,12 +98,12 @@ tl::expected<Exit, ToolError> cook_to_file(const CookOptions& options, const Rec
   for (const std::string& warning : result->report.warnings) messages.warning(options.source + ": " + warning);
   if (auto written = write_output(options.output, result->asset); !written) return tl::unexpected(written.error());
   const CookSummary summary{options.output, result->asset.size(), result->report};
-  const std::string json = json_text(to_json(summary));
+  const std::string json = cook_json(summary);
   if (!options.report.empty()) {
     const auto written = write_output(options.report, std::as_bytes(std::span(json)));
     if (!written) return tl::unexpected(written.error());
   }
-  print_result(options.format == OutputFormat::kJson ? json : to_text(summary));
+  print_result(options.format == OutputFormat::kJson ? json : cook_text(summary));
   return Exit::kOk;
 }
 

@@ -17,8 +17,8 @@ struct InfoOptions {
 tl::expected<Exit, ToolError> run_info(const InfoOptions& options) {
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  const nlohmann::ordered_json summary = summarize(file->asset());
-  print_result(options.format == OutputFormat::kJson ? json_text(summary) : summary_text(options.file, summary));
+  print_result(options.format == OutputFormat::kJson ? asset_json(file->asset())
+                                                     : asset_text(options.file, file->asset()));
   return Exit::kOk;
 }
 

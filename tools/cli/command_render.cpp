@@ -1,6 +1,7 @@
 #include "cli/asset_file.h"
 #include "cli/body_model.h"
 #include "cli/command.h"
+#include "cli/json_text.h"
 #include "cli/motion_choice.h"
 #include "cli/options.h"
 #include "cli/output_file.h"

@@ -4,6 +4,7 @@
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
+#include "cli/verdict.h"
 #include "import/import.h"
 #include "import/source_format.h"
 
@@ -19,16 +20,6 @@ namespace fs = std::filesystem;
 struct ValidateOptions {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
-};
-
-struct Verdict {
-  std::string path;
-  bool readable = true;
-  std::vector<Issue> issues;
-
-  [[nodiscard]] bool valid() const {
-    return std::none_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::kError; });
-  }
 };
 
 bool has_asset_magic(std::span<const std::byte> bytes) {
@@ -75,15 +66,6 @@ Verdict validate_file(const std::string& path, const Messages& messages) {
   return {path, true, validate_asset(bytes->span())};
 }
 
-nlohmann::ordered_json to_json(const Verdict& verdict) {
-  auto issues = nlohmann::ordered_json::array();
-  for (const Issue& issue : verdict.issues) {
-    issues.push_back(
-        {{"code", issue.code}, {"severity", name(issue.severity)}, {"message", issue.message}, {"where", issue.where}});
-  }
-  return {{"path", verdict.path}, {"valid", verdict.valid()}, {"issues", std::move(issues)}};
-}
-
 /// Messages of other passes begin with the path already.
 std::string issue_text(const Verdict& verdict, const Issue& issue) {
   const bool has_path = issue.message.starts_with(verdict.path + ":");
@@ -102,27 +84,13 @@ void tell(const Verdict& verdict, const Messages& messages) {
   }
 }
 
-std::string result_text(const std::vector<Verdict>& verdicts, OutputFormat format) {
-  if (format == OutputFormat::kText) {
-    std::string text;
-    for (const Verdict& verdict : verdicts) {
-      const char* word = !verdict.readable ? "unreadable" : verdict.valid() ? "valid" : "invalid";
-      text += fmt::format("{}: {}\n", verdict.path, word);
-    }
-    return text;
-  }
-  auto files = nlohmann::ordered_json::array();
-  for (const Verdict& verdict : verdicts) files.push_back(to_json(verdict));
-  return json_text({{"files", std::move(files)}});
-}
-
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
   std::vector<Verdict> verdicts;
   for (const std::string& path : options.files) {
     verdicts.push_back(validate_file(path, messages));
     tell(verdicts.back(), messages);
   }
-  print_result(result_text(verdicts, options.format));
+  print_result(options.format == OutputFormat::kJson ? verdicts_json(verdicts) : verdicts_text(verdicts));
   const auto unreadable = [](const Verdict& v) { return !v.readable; };
   const auto invalid = [](const Verdict& v) { return !v.valid(); };
   if (std::any_of(verdicts.begin(), verdicts.end(), unreadable)) return Exit::kFileAccess;

@@ -1,5 +1,6 @@
 #include "cli/cook_summary.h"
 
+#include "cli/json_text.h"
 #include "cli/results.h"
 
 #include <fmt/format.h>
@@ -25,26 +26,26 @@ std::string next_step(const CookSummary& summary) {
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const CookSummary& summary) {
+std::string cook_json(const CookSummary& summary) {
   const CookReport& report = summary.report;
   auto passes = nlohmann::ordered_json::array();
   for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
-  return {{"output", summary.output},
-          {"bytes", summary.bytes},
-          {"passes", std::move(passes)},
-          {"warnings", report.warnings},
-          {"triangles", report.triangles},
-          {"vertices", report.vertices},
-          {"patches", report.patches},
-          {"patches_by_index", report.patches_by_index},
-          {"patches_by_position", report.patches_by_position},
-          {"chains", report.chains},
-          {"bones", report.bones},
-          {"simulated_bones", report.simulated_bones},
-          {"left_out", report.left_out}};
+  return json_text({{"output", summary.output},
+                    {"bytes", summary.bytes},
+                    {"passes", std::move(passes)},
+                    {"warnings", report.warnings},
+                    {"triangles", report.triangles},
+                    {"vertices", report.vertices},
+                    {"patches", report.patches},
+                    {"patches_by_index", report.patches_by_index},
+                    {"patches_by_position", report.patches_by_position},
+                    {"chains", report.chains},
+                    {"bones", report.bones},
+                    {"simulated_bones", report.simulated_bones},
+                    {"left_out", report.left_out}});
 }
 
-std::string to_text(const CookSummary& summary) {
+std::string cook_text(const CookSummary& summary) {
   const CookReport& report = summary.report;
   std::string text =
       fmt::format("{}: {} in {} ({} by index, {} by position)\n", summary.output,

@@ -2,8 +2,6 @@
 
 #include "cook/cook.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cstddef>
 #include <string>
 
@@ -16,9 +14,10 @@ struct CookSummary {
   CookReport report;      ///< Passes include the import; warnings include the importer's.
 };
 
-[[nodiscard]] nlohmann::ordered_json to_json(const CookSummary& summary);
+/// The result as JSON; the keys are stable.
+[[nodiscard]] std::string cook_json(const CookSummary& summary);
 
 /// A few lines: what was made, what was left out, what to do next.
-[[nodiscard]] std::string to_text(const CookSummary& summary);
+[[nodiscard]] std::string cook_text(const CookSummary& summary);
 
 }  // namespace coif

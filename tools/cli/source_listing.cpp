@@ -1,5 +1,6 @@
 #include "cli/source_listing.h"
 
+#include "cli/json_text.h"
 #include "cli/results.h"
 
 #include <fmt/format.h>
@@ -72,7 +73,7 @@ std::string list_text(const SourceModel& model) {
   return text + "nodes\n" + TreeWriter{model}.run();
 }
 
-ordered_json list_json(const SourceModel& model) {
+std::string list_json(const SourceModel& model) {
   ordered_json meshes = ordered_json::array();
   for (const SourceMesh& mesh : model.meshes) {
     meshes.push_back({{"name", mesh.name},
@@ -92,10 +93,10 @@ ordered_json list_json(const SourceModel& model) {
     const std::string parent = node.parent == kNoIndex ? "" : model.nodes[node.parent].name;
     nodes.push_back({{"name", node.name}, {"parent", parent}, {"bone", bool(is_bone[i])}});
   }
-  return {{"path", model.path},
-          {"meshes", std::move(meshes)},
-          {"materials", std::move(materials)},
-          {"nodes", std::move(nodes)}};
+  return json_text({{"path", model.path},
+                    {"meshes", std::move(meshes)},
+                    {"materials", std::move(materials)},
+                    {"nodes", std::move(nodes)}});
 }
 
 }  // namespace coif

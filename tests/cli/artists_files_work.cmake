@@ -1,0 +1,31 @@
+# Artists' models from cook to picture, with no recipe. HAIR: the folder that holds them.
+cmake_minimum_required(VERSION 3.24)
+if(NOT IS_DIRECTORY "${HAIR}")
+  message("skipped: ${HAIR} does not exist")
+  return()
+endif()
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+set(faults "")
+
+function(run source)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${FOLDER}"
+                  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  string(REPLACE ";" " " command "${ARGN}")
+  message("${command}\n${out}${err}")
+  if(NOT code EQUAL 0)
+    set(faults "${faults}${source}: coif ${command}: exit code ${code}: ${err}\n" PARENT_SCOPE)
+  endif()
+endfunction()
+
+foreach(source mh_ponytail01/ponytail01_skinned.glb quaternius_witch/Witch.glb
+               rocketbox_Female_Adult_03/Female_Adult_03.fbx mh_braid01/braid01.obj)
+  get_filename_component(stem "${source}" NAME_WE)
+  run(${source} cook "${HAIR}/${source}" -o ${stem}.coif)
+  run(${source} validate ${stem}.coif)
+  run(${source} simulate ${stem}.coif --motion turn --seconds 1 -o ${stem}.glb)
+  run(${source} render ${stem}.coif --size 256x256 -o ${stem}.png)
+endforeach()
+if(faults)
+  message(FATAL_ERROR "${faults}")
+endif()

@@ -1,0 +1,33 @@
+# What `coif cook` takes, refuses and says.
+coif_cli_case(cook_absent EXIT 2 STDERR "coif cook: error: nope.glb: cannot open: No such file or directory"
+  ARGS cook nope.glb -o out.coif)
+coif_cli_case(cook_folder EXIT 2 STDERR "coif cook: error: [.]: cannot open: Is a directory" ARGS cook . -o out.coif)
+coif_cli_case(cook_unknown_format EXIT 5 STDERR "coif cook: error: notes.txt: "
+  TEXT notes.txt "hair notes" ARGS cook notes.txt -o out.coif)
+coif_cli_case(cook_malformed EXIT 3 STDERR "coif cook: error: braid.glb: "
+  TEXT braid.glb "not a glTF at all" ARGS cook braid.glb -o out.coif)
+coif_cli_case(cook_absent_folder EXIT 2 STDERR "none/out.coif: cannot write: no folder 'none'; create it first"
+  ARGS cook ${sample} -o none/out.coif)
+coif_cli_case(cook_over_its_source EXIT 1 STDERR "braid.obj: is also an input; choose another output"
+  TEXT braid.obj "v 0 0 0\n" ARGS cook braid.obj -o braid.obj)
+coif_cli_case(cook_report_over_asset EXIT 1 STDERR "--report and --output name the same file"
+  ARGS cook ${sample} -o out.coif --report out.coif)
+
+coif_cli_case(cook_absent_recipe EXIT 2 STDERR "coif cook: error: r.json: "
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_misspelt_recipe_key EXIT 3 STDERR "r.json: .*did you mean"
+  TEXT r.json "{\"dynamics\": {\"fricton\": 1}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_finds_recipe_beside EXIT 3
+  STDERR "note: braid.recipe.json: used, as it lies beside the source.*error: braid.recipe.json: "
+  TEXT braid.obj "v 0 0 0\n" braid.recipe.json "{" ARGS cook braid.obj -o out.coif)
+coif_cli_case(print_recipe EXIT 0 STDOUT "\"dynamics\".*friction.*//|//.*\"dynamics\".*friction" ARGS cook --print-recipe)
+
+coif_cli_case(cook_text EXIT 0 STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*next: coif render out.coif"
+  WRITES out.coif ARGS cook ${sample} -o out.coif)
+coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
+  JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
+       simulated_bones left_out
+  ARGS cook ${sample} -o out.coif --report report.json --format json)
+coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)
+coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
+  ARGS cook ${sample} --list --format json)

@@ -1,0 +1,21 @@
+# A cook that fails leaves the last good file as it was, and nothing beside it.
+cmake_minimum_required(VERSION 3.24)
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+file(WRITE "${FOLDER}/braid.obj" "v 0 0 0\nf 1 2 3\n")
+file(WRITE "${FOLDER}/braid.coif" "the last good file")
+
+execute_process(COMMAND "${PROGRAM}" cook braid.obj -o braid.coif WORKING_DIRECTORY "${FOLDER}"
+                RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+if(code EQUAL 0)
+  message(FATAL_ERROR "the cook was to fail\n${out}\n${err}")
+endif()
+file(READ "${FOLDER}/braid.coif" kept)
+if(NOT kept STREQUAL "the last good file")
+  message(FATAL_ERROR "the output changed")
+endif()
+file(GLOB files RELATIVE "${FOLDER}" "${FOLDER}/*" "${FOLDER}/.*")
+list(REMOVE_ITEM files . .. braid.obj braid.coif)
+if(files)
+  message(FATAL_ERROR "left behind: ${files}")
+endif()

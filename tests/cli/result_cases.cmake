@@ -1,0 +1,40 @@
+# What the other verbs print and write.
+coif_cli_case(validate_absent EXIT 2 STDERR "coif validate: error: nope.coif: cannot open: No such file or directory"
+  STDOUT "nope.coif: unreadable" ARGS validate nope.coif)
+coif_cli_case(validate_text EXIT 3 STDERR "notes.coif: not a cooked hair asset" STDOUT "notes.coif: invalid"
+  TEXT notes.coif "this text is long enough for a header" ARGS validate notes.coif)
+coif_cli_case(validate_source EXIT 0 STDOUT "bob.glb: valid" ARGS validate ${sample})
+coif_cli_case(validate_bad_source EXIT 3 STDERR "coif validate: error: braid.glb: .*S101" STDOUT "braid.glb: invalid"
+  TEXT braid.glb "not a glTF at all" ARGS validate braid.glb)
+coif_cli_case(validate_asset EXIT 0 SAMPLE STDOUT "bob.coif: valid" ARGS validate ${COIF_COOKED_SAMPLE})
+coif_cli_case(validate_json EXIT 2 SAMPLE JSON files,0,path files,0,valid files,0,issues files,1,issues,0,code
+       files,1,issues,0,severity files,1,issues,0,message files,1,issues,0,where
+  ARGS validate --format json ${COIF_COOKED_SAMPLE} nope.coif)
+
+coif_cli_case(info_text EXIT 0 SAMPLE STDOUT "bob.coif: format 1.0, .*triangles .*settings.*friction.*chunks.*SKEL"
+  ARGS info ${COIF_COOKED_SAMPLE})
+coif_cli_case(info_json EXIT 0 SAMPLE
+  JSON format,major format,minor bytes chunks,0,id chunks,0,bytes triangles vertices patches chains bones
+       simulated_bones settings
+  ARGS info ${COIF_COOKED_SAMPLE} --format json)
+coif_cli_case(info_text_file EXIT 3 STDERR "coif info: error: notes.coif: not a cooked hair asset; give a file written by"
+  TEXT notes.coif "this text is long enough for a header" ARGS info notes.coif)
+
+coif_cli_case(simulate_csv EXIT 0 SAMPLE WRITES turn.csv
+  STDOUT "turn.csv: motion turn, 31 frames of [0-9]+ bones at 30 per second.*worst stretch"
+  ARGS simulate ${COIF_COOKED_SAMPLE} --motion turn --fps 30 --seconds 1 -o turn.csv)
+coif_cli_case(simulate_glb EXIT 0 SAMPLE WRITES nod.GLB
+  JSON output motion fps frames bones stretch_max_pct penetration_max_pct
+  ARGS simulate ${COIF_COOKED_SAMPLE} --motion nod --seconds 1 -o nod.GLB --format json)
+coif_cli_case(simulate_text_file EXIT 3 STDERR "coif simulate: error: notes.coif: not a cooked hair asset"
+  TEXT notes.coif "this text is long enough for a header" ARGS simulate notes.coif --motion nod -o nod.csv)
+
+coif_cli_case(render_text EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240, 1 head .*device: "
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 -o bob.png)
+coif_cli_case(render_json EXIT 0 SAMPLE WRITES bob.png JSON output width height heads triangles draw_ms device
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --view=-30,5 --motion nod --time 0.5 --transparency opaque
+       --component specular --heads 4 -o bob.png --format json)
+coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} -o bob.png)
+coif_cli_case(render_no_such_body_mesh EXIT 3 SAMPLE STDERR "no mesh is left for the body; give --body-mesh one of '"
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} --body-mesh nothing -o bob.png)

@@ -1,0 +1,28 @@
+# The command line itself.
+coif_cli_case(no_verb EXIT 1 STDERR "coif: error: A subcommand is required; see 'coif --help'" ARGS)
+coif_cli_case(unknown_verb EXIT 1 STDERR "coif: error: .*braid" ARGS braid)
+coif_cli_case(version EXIT 0 STDOUT "^coif ${PROJECT_VERSION}\n$" ARGS --version)
+coif_cli_case(help EXIT 0 STDOUT "cook.*validate.*info.*simulate.*render.*Exit codes: 0 ok" ARGS --help)
+coif_cli_case(cook_help EXIT 0 STDOUT "--recipe.*Exit codes: 0 ok" ARGS cook --help)
+coif_cli_case(unknown_option EXIT 1 STDERR "coif info: error: .*--colour.*see 'coif info --help'"
+  ARGS info a.coif --colour)
+coif_cli_case(unknown_format EXIT 1 STDERR "coif info: error: --format: 'xml' is not one of text, json"
+  ARGS info a.coif --format xml)
+
+coif_cli_case(cook_without_source EXIT 1 STDERR "coif cook: error: needs a SOURCE" ARGS cook)
+coif_cli_case(cook_without_output EXIT 1 STDERR "coif cook: error: needs -o OUT.coif" ARGS cook braid.glb)
+coif_cli_case(cook_no_threads EXIT 1 STDERR "coif cook: error: --threads" ARGS cook braid.glb -o out.coif --threads 0)
+
+coif_cli_case(simulate_unknown_motion EXIT 1 STDERR "coif simulate: error: --motion: 'walk' is not one of still, nod"
+  ARGS simulate a.coif --motion walk -o out.csv)
+coif_cli_case(simulate_unknown_solver EXIT 1 STDERR "--solver: 'magic' is not one of thesis"
+  ARGS simulate a.coif --motion nod --solver magic -o out.csv)
+coif_cli_case(simulate_unknown_suffix EXIT 1 STDERR "coif simulate: error: out.fbx: the suffix must be .csv or .glb"
+  ARGS simulate a.coif --motion nod -o out.fbx)
+coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
+  ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
+coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"
+  ARGS render a.coif --size 4x4 -o out.png)
+coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)
+coif_cli_case(render_time_without_motion EXIT 1 STDERR "coif render: error: .*--motion"
+  ARGS render a.coif --time 1 -o out.png)
