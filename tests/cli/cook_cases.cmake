@@ -28,6 +28,8 @@ coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
        simulated_bones left_out
   ARGS cook ${sample} -o out.coif --report report.json --format json)
+coif_cli_case(cook_one_flat_card EXIT 0 STDOUT "^card.coif: 1 triangle in 1 patch " WRITES card.coif
+  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
 coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)
 coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
   ARGS cook ${sample} --list --format json)

@@ -19,6 +19,7 @@ const char* cure(LoadCode code) {
 }  // namespace
 
 std::string describe_text(const LoadStatus& status) {
+  if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
   char text[256];
   return std::string(text, describe(status, text, sizeof text));
 }

@@ -4,17 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace coif {
 namespace {
 
 using Issues = std::vector<Issue>;
-
-std::string bone_label(const Asset& asset, std::size_t bone) {
-  return fmt::format("bone {} '{}'", bone, asset.bone_name(static_cast<std::uint32_t>(bone)));
-}
 
 Vec3 resting_particle(const BoneRecord& bone) {
   return {bone.joint[0] + bone.length * bone.rest_direction[0], bone.joint[1] + bone.length * bone.rest_direction[1],
@@ -44,27 +39,11 @@ void find_absent_parts(const Asset& asset, Issues& issues) {
   }
 }
 
-void find_loose_bones(const Asset& asset, const std::vector<Vec3>& particles, Issues& issues) {
-  constexpr float kTolerance = 0.01f;  // of the bone's length; the solver would pull the gap shut at the first step
-  for (std::size_t i = 0; i < asset.bones().size(); ++i) {
-    const BoneRecord& bone = asset.bones()[i];
-    // Only a child of a simulated bone starts at its parent's end; under a rigid bone it starts at its own joint.
-    if (bone.parent == kNone || asset.bones()[bone.parent].kind != BoneKind::kSimulated) continue;
-    const Vec3& start = particles[bone.parent];
-    const float gap = std::hypot(bone.joint[0] - start.x, bone.joint[1] - start.y, bone.joint[2] - start.z);
-    if (gap > kTolerance * bone.length) {
-      issues.push_back({"A205", Severity::kWarning,
-                        fmt::format("starts {:.4f} m from its parent's end: it will jump there", gap),
-                        bone_label(asset, i)});
-    }
-  }
-}
-
 void find_resting_penetration(const Asset& asset, const std::vector<Vec3>& particles, Issues& issues) {
   constexpr float kTolerance = 0.01f;  // of the head's radius
   const float depth = worst_penetration(asset, particles);
   if (depth > kTolerance) {
-    issues.push_back({"A206", Severity::kInfo,
+    issues.push_back({"A205", Severity::kInfo,
                       fmt::format("the rest pose is up to {:.0f} % of the head's radius inside the head: "
                                   "the simulation will push it out",
                                   100 * depth),
@@ -79,7 +58,7 @@ void find_dark_vertices(const Asset& asset, Issues& issues) {
   }
   if (count > 0) {
     issues.push_back(
-        {"A207", Severity::kWarning, fmt::format("{} vertices without a normal are lit wrongly", count), "chunk VERT"});
+        {"A206", Severity::kWarning, fmt::format("{} vertices without a normal are lit wrongly", count), "chunk VERT"});
   }
 }
 
@@ -96,7 +75,7 @@ void find_unused_bones(const Asset& asset, Issues& issues) {
     count += !used[i] && asset.bones()[i].kind == BoneKind::kSimulated ? 1 : 0;
   }
   if (count > 0) {
-    issues.push_back({"A208", Severity::kInfo, fmt::format("no vertex follows {} of the simulated bones", count), ""});
+    issues.push_back({"A207", Severity::kInfo, fmt::format("no vertex follows {} of the simulated bones", count), ""});
   }
 }
 
@@ -106,7 +85,6 @@ std::vector<Issue> find_asset_issues(const Asset& asset) {
   Issues issues;
   const std::vector<Vec3> particles = resting_particles(asset);
   find_absent_parts(asset, issues);
-  find_loose_bones(asset, particles, issues);
   find_resting_penetration(asset, particles, issues);
   find_dark_vertices(asset, issues);
   find_unused_bones(asset, issues);

@@ -40,7 +40,7 @@ Exit run(const Command& command) {
 Exit run_program(int argc, char** argv) {
   CLI::App program("Hair for games: cooks polygon hair into an asset, checks, simulates and draws it.", "coif");
   program.set_version_flag("--version", "coif " COIF_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   program.footer(kExitCodeHelp);
   std::vector<Command> commands;
   for (const auto add : {add_cook, add_validate, add_info, add_simulate, add_render}) {
@@ -55,7 +55,8 @@ Exit run_program(int argc, char** argv) {
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command);
   }
-  return Exit::kInternal;
+  Messages("").error("needs a verb: cook, validate, info, simulate or render; see 'coif --help'");
+  return Exit::kUsage;
 }
 
 }  // namespace
