@@ -82,7 +82,8 @@ FittedHead from_hair(const HairMesh& hair) {
   const double width = std::min(box.sizes().x(), box.sizes().z());
   std::vector<Vector3d> cap;
   for (const Eigen::Vector3f& p : hair.positions) {
-    if (double(p.y()) > box.max().y() - 0.5 * width) cap.push_back(p.cast<double>());
+    // At least the topmost vertex, even where flat hair has no width.
+    if (double(p.y()) >= box.max().y() - 0.5 * width) cap.push_back(p.cast<double>());
   }
   auto [center, radius] = fit_sphere(cap);
   // A flat or ragged cap can put the sphere anywhere: keep it within the hair's own size.
