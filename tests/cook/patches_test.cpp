@@ -53,7 +53,8 @@ TEST(ExtractPatches, AgreesWithThePublishedAlgorithmOnRandomMeshes) {
     HairMesh mesh;
     const std::uint32_t vertices = 20 + random() % 80;
     for (std::uint32_t v = 0; v < vertices; ++v) mesh.positions.emplace_back(float(v), 0.0f, 0.0f);
-    for (std::uint32_t i = 0; i < 3 * (5 + random() % 40); ++i) mesh.triangles.push_back(random() % vertices);
+    const std::uint32_t corners = 3 * (5 + random() % 40);
+    for (std::uint32_t i = 0; i < corners; ++i) mesh.triangles.push_back(random() % vertices);
     const ExtractedPatches patches = extract_patches(mesh, {"index", 1.0e-5});
     EXPECT_EQ(patches.patches.count, published_group_count(mesh)) << "round " << round;
     EXPECT_EQ(patches.by_index, patches.patches.count);

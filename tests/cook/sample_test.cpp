@@ -91,7 +91,7 @@ TEST(Sample, HairStaysOutsideTheHead) {
 
 TEST(Sample, DeclaredHeadLiesInsideTheHair) {
   std::ifstream in(COIF_SAMPLE_ASSETS "/bob/bob.recipe.json");
-  const nlohmann::json head = nlohmann::json::parse(in).at("head");
+  const nlohmann::json head = nlohmann::json::parse(in, nullptr, true, true).at("head");
   const auto vector = [&head](const char* key) {
     const nlohmann::json& v = head.at(key);
     return Vector3d(v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace coif {
@@ -154,13 +155,16 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
 
 TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   SourceModel wig = make_wig();
+  wig.meshes.push_back(
+      make_strip({.root = {0, 1.8f, -0.16f}, .along = {0, -0.9f, 0}, .across = {0.4f, 0, 0}, .rows = 30}));
+  wig.meshes.back().node = 1;
   SourceMesh skull;
   skull.name = "skull";
   skull.node = 1;
   for (int i = 0; i < 100; ++i) {
     const float a = float(i) * 0.7f, b = float(i) * 0.3f;
-    skull.positions.emplace_back(0.2f * std::sin(a) * std::cos(b), 1.6f + 0.2f * std::cos(a),
-                                 0.2f * std::sin(a) * std::sin(b));
+    skull.positions.emplace_back(0.15f * std::sin(a) * std::cos(b), 1.6f + 0.15f * std::cos(a),
+                                 0.15f * std::sin(a) * std::sin(b));
   }
   skull.triangles = {0, 1, 2};
   wig.meshes.push_back(skull);
@@ -174,6 +178,23 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
     if (bone.kind != BoneKind::kSimulated) continue;
     EXPECT_GE((bone.tail - head.center).cwiseQuotient(head.radii).norm(), 1.0);
   }
+}
+
+TEST(FitHead, AHatIsNoHead) {
+  SourceModel wig = make_wig();
+  SourceMesh hat;
+  hat.name = "hat";
+  hat.node = 1;
+  for (int i = 0; i < 100; ++i) {
+    const float a = float(i) * 0.7f;
+    hat.positions.emplace_back(0.5f * std::sin(a), 1.7f + 0.005f * float(i), 0.5f * std::cos(a));
+  }
+  hat.triangles = {0, 1, 2};
+  wig.meshes.push_back(hat);
+  const Recipe recipe = default_recipe();
+  const auto hair = select_hair(wig, recipe);
+  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
+  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).origin, "the inside of the hair's upper part");
 }
 
 TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {

@@ -34,9 +34,9 @@ TEST(Mips, GoDownToOneTexelAndFitTheLimit) {
 
 TEST(Mips, ColorIsWeightedByAlpha) {
   const auto mips = make_mips(strands(32), 32, TexelMeaning::kSrgbColorAlpha);
-  // Averaging without weights would give a quarter of the light; the strands' own colour must stay.
+  // Averaging without weights would give half of the light; the strands' own colour must stay.
   EXPECT_NEAR(mips[1].texels[0], 200, 2);
-  EXPECT_NEAR(mips[1].texels[3], 64, 2);
+  EXPECT_NEAR(mips[1].texels[3], 128, 2);
 }
 
 TEST(Mips, AlphaCoverageStaysAtEveryLevel) {

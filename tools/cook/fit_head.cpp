@@ -12,29 +12,50 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kFewestVertices = 50;  ///< A head's mesh has more; fewer are teeth or a pin.
 constexpr double kInsideBox = 0.97;          ///< A skull is a little smaller than the box that nose and ears widen.
-constexpr double kDeepInside = 0.85;          ///< Hair deeper than this in a head says that it is not the head's shape,
-constexpr double kMuchHair = 0.25;            ///< where it is more than this share of all hair; roots may be inside.
+constexpr double kDeepInside = 0.85;         ///< Hair deeper than this in a head says that it is not the head's shape,
+constexpr double kMuchHair = 0.25;           ///< where it is more than this share of all hair; roots may be inside.
+constexpr double kReachOut = 0.05;           ///< Ears may reach this share of the hair's width out of it.
+constexpr double kThinnest = 0.75;           ///< Of a sphere through the hair: roots may reach into the skull.
 constexpr double kSmallestShare = 0.5;       ///< A head that has to shrink further was not the head.
 
+Eigen::AlignedBox3d box_of(const HairMesh& hair) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
+  return box;
+}
+
+/// Share of a vertex's weight on the head bone; one for a mesh that hangs from it.
+float weight_on_head(const SourceModel& source, const SourceMesh& mesh, std::uint32_t v, const std::string& head) {
+  if (mesh.influence_begin.empty()) return source.nodes[mesh.node].name == head ? 1.0f : 0.0f;
+  float sum = 0;
+  for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
+    if (source.nodes[mesh.influences[k].node].name == head) sum += mesh.influences[k].weight;
+  }
+  return sum;
+}
+
+/// A head is under its hair; what reaches out sideways or above (a hat, a halo) only follows the same bone.
+bool is_under(const std::vector<Vector3d>& vertices, const Eigen::AlignedBox3d& hair) {
+  const double slack = kReachOut * hair.sizes().x();
+  return std::ranges::all_of(vertices, [&](const Vector3d& v) {
+    return v.x() > hair.min().x() - slack && v.x() < hair.max().x() + slack && v.y() < hair.max().y() + slack;
+  });
+}
+
 /// Vertices of the other meshes that follow the head bone and nothing else.
-std::vector<Vector3d> head_vertices(const SourceModel& source, std::span<const std::uint32_t> hair_meshes,
-                                    const Skeleton& skeleton) {
+std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair,
+                                    std::span<const std::uint32_t> hair_meshes, const Skeleton& skeleton) {
+  const Eigen::AlignedBox3d hair_box = box_of(hair);
   std::vector<Vector3d> vertices;
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (std::ranges::find(hair_meshes, m) != hair_meshes.end()) continue;
     const SourceMesh& mesh = source.meshes[m];
+    std::vector<Vector3d> of_mesh;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-      float on_head = 0;
-      if (mesh.influence_begin.empty()) {
-        on_head = source.nodes[mesh.node].name == skeleton.bones[0].name ? 1.0f : 0.0f;
-      } else {
-        for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
-          const SourceInfluence& influence = mesh.influences[k];
-          if (source.nodes[influence.node].name == skeleton.bones[0].name) on_head += influence.weight;
-        }
-      }
-      if (on_head > 0.9f) vertices.push_back(mesh.positions[v].cast<double>());
+      const bool follows = weight_on_head(source, mesh, v, skeleton.bones[0].name) > 0.9f;
+      if (follows) of_mesh.push_back(mesh.positions[v].cast<double>());
     }
+    if (is_under(of_mesh, hair_box)) vertices.insert(vertices.end(), of_mesh.begin(), of_mesh.end());
   }
   return vertices;
 }
@@ -97,7 +118,7 @@ FittedHead from_hair(const HairMesh& hair) {
   std::ranges::nth_element(distances, low);
   FittedHead head;
   head.center = center;
-  head.radii = Vector3d::Constant(std::min(radius, *low));
+  head.radii = Vector3d::Constant(std::clamp(*low, kThinnest * radius, radius));
   head.origin = "the inside of the hair's upper part";
   return head;
 }
@@ -141,7 +162,7 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<c
     head.radii = Vector3d(recipe.head_radii->data());
     head.origin = "the recipe";
   } else {
-    const std::vector<Vector3d> vertices = head_vertices(source, hair_meshes, skeleton);
+    const std::vector<Vector3d> vertices = head_vertices(source, hair, hair_meshes, skeleton);
     if (vertices.size() >= kFewestVertices) head = from_box(vertices);
     if (!head.collides() || holds_hair(head, hair)) head = from_hair(hair);
   }
