@@ -162,9 +162,10 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   skull.name = "skull";
   skull.node = 1;
   for (int i = 0; i < 100; ++i) {
-    const float a = float(i) * 0.7f, b = float(i) * 0.3f;
-    skull.positions.emplace_back(0.15f * std::sin(a) * std::cos(b), 1.6f + 0.15f * std::cos(a),
-                                 0.15f * std::sin(a) * std::sin(b));
+    // The six ends of a sphere of 0.15 m, over and over: its box reaches past the first bone's end, 0.141 m away.
+    Eigen::Vector3f end = Eigen::Vector3f::Zero();
+    end[i % 3] = i % 2 == 0 ? 0.15f : -0.15f;
+    skull.positions.push_back(Eigen::Vector3f(0, 1.6f, 0) + end);
   }
   skull.triangles = {0, 1, 2};
   wig.meshes.push_back(skull);

@@ -6,7 +6,9 @@
 namespace coif {
 namespace {
 
-constexpr std::uint32_t kSize = 256;
+// Fine across the strands, where each hair differs from the next; coarse along them.
+constexpr std::uint32_t kAcross = 512;
+constexpr std::uint32_t kAlong = 128;
 
 /// A well-mixed 32-bit value for each lattice point; integer arithmetic, so equal on every machine. Shifts and odd
 /// multipliers are those published for the lowbias32 mixer (Wellons, "hash-prospector").
@@ -37,17 +39,18 @@ std::uint8_t to_byte(double value) { return std::uint8_t(std::lround(std::clamp(
 }  // namespace
 
 Image generate_shift_mask(std::uint32_t seed, bool along_u) {
-  Image image{kSize, kSize, 2, {}};
+  Image image{along_u ? kAlong : kAcross, along_u ? kAcross : kAlong, 2, {}};
   image.texels.resize(image.texel_count() * 2);
-  for (std::uint32_t row = 0; row < kSize; ++row) {
-    for (std::uint32_t column = 0; column < kSize; ++column) {
-      const double across = (double(along_u ? row : column) + 0.5) / kSize;
-      const double along = (double(along_u ? column : row) + 0.5) / kSize;
-      // Strands differ quickly across and slowly along; a few wide locks lie under the single strands.
-      const double shift = 0.6 * noise(seed, across, along, 128, 3) + 0.4 * noise(seed + 1, across, along, 24, 2);
-      const double sparkle = noise(seed + 2, across, along, 128, 24) * noise(seed + 3, across, along, 64, 8);
-      std::uint8_t* texel = &image.texels[2 * (std::size_t(row) * kSize + column)];
-      texel[0] = to_byte(0.5 + 0.5 * (shift - 0.5));
+  for (std::uint32_t row = 0; row < image.height; ++row) {
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      const double u = (column + 0.5) / image.width, v = (row + 0.5) / image.height;
+      const double across = along_u ? v : u, along = along_u ? u : v;
+      // Single strands over thin locks over wide ones.
+      const double shift = 0.5 * noise(seed, across, along, 320, 4) + 0.35 * noise(seed + 1, across, along, 96, 3) +
+                           0.15 * noise(seed + 4, across, along, 24, 2);
+      const double sparkle = noise(seed + 2, across, along, 320, 24) * noise(seed + 3, across, along, 64, 8);
+      std::uint8_t* texel = &image.texels[2 * (std::size_t(row) * image.width + column)];
+      texel[0] = to_byte(0.5 + 0.7 * (shift - 0.5));
       texel[1] = to_byte(0.15 + 1.4 * sparkle);
     }
   }
