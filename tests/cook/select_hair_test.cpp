@@ -70,6 +70,14 @@ TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
   EXPECT_EQ(hair->left_out[0], "mesh 'hair': 2 triangles without area");
 }
 
+TEST(SelectHair, AModelWithoutAreaSaysSo) {
+  SourceModel model = make_wig();
+  for (Eigen::Vector3f& p : model.meshes[0].positions) p = {0, 1, 0};
+  const auto hair = select_hair(model, default_recipe());
+  ASSERT_FALSE(hair);
+  EXPECT_EQ(hair.error().message, "wig.glb: all 10 triangles are without area; scale the model up or export it again");
+}
+
 TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
   SourceModel model = make_wig();
   SourceMesh bare = make_strip({.root = {0.2f, 1.6f, 0}});

@@ -165,44 +165,69 @@ std::uint32_t main_material(const SourceModel& source, std::span<const std::size
   return most == triangles.end() || *most == 0 ? kNoIndex : std::uint32_t(most - triangles.begin());
 }
 
-}  // namespace
+struct Gathered {
+  std::vector<std::size_t> taken;  ///< Triangles per source mesh.
+  std::size_t degenerate = 0;
+};
 
-tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, const Recipe& recipe) {
-  if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
+/// Joins the candidates' hair into result.mesh.
+Gathered gather(const SourceModel& source, const Recipe& recipe, SelectedHair& result) {
   const std::vector<std::uint32_t> candidates = candidate_meshes(source, recipe);
   const auto any = [&](auto has) {
     return std::ranges::any_of(candidates, [&](std::uint32_t m) { return has(source.meshes[m]); });
   };
   const bool with_normals = any([](const SourceMesh& m) { return !m.normals.empty(); });
   const bool with_uvs = any([](const SourceMesh& m) { return !m.uvs.empty(); });
-
-  SelectedHair result;
-  result.mesh.influence_begin.push_back(0);
-  std::vector<std::size_t> taken(source.meshes.size(), 0);
+  Gathered gathered;
+  gathered.taken.assign(source.meshes.size(), 0);
   for (std::uint32_t m : candidates) {
     const SourceMesh& mesh = source.meshes[m];
     const auto base = std::uint32_t(result.mesh.positions.size());
     append_vertices(mesh, with_normals, with_uvs, result.mesh);
     const TakenTriangles counts = append_triangles(source, mesh, recipe, base, result.mesh);
-    taken[m] = counts.taken;
-    if (counts.taken > 0) result.meshes.push_back(m);
-    if (counts.taken > 0) note_left_out(mesh, counts, result);
+    gathered.taken[m] = counts.taken;
+    gathered.degenerate += counts.degenerate;
+    if (counts.taken == 0) continue;
+    result.meshes.push_back(m);
+    note_left_out(mesh, counts, result);
   }
-  if (result.mesh.triangles.empty())
-    return bad_input(source, "no hair triangles; choose them by the recipe's \"hair\"");
+  return gathered;
+}
+
+void note_other_meshes(const SourceModel& source, const Gathered& gathered, SelectedHair& result) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    if (taken[m] == 0) {
-      result.left_out.push_back(fmt::format("mesh '{}' ({} triangles): not hair", source.meshes[m].name,
-                                            source.meshes[m].triangles.size() / 3));
-    }
+    if (gathered.taken[m] > 0) continue;
+    const SourceMesh& mesh = source.meshes[m];
+    result.left_out.push_back(fmt::format("mesh '{}' ({} triangles): not hair", mesh.name, mesh.triangles.size() / 3));
   }
-  result.mesh.material = main_material(source, taken);
+}
+
+void warn_of_materials(const SourceModel& source, SelectedHair& result) {
   std::set<std::uint32_t> materials;
   for (std::uint32_t m : result.meshes) materials.insert(source.meshes[m].material);
-  if (materials.size() > 1 && result.mesh.material != kNoIndex) {
-    result.warnings.push_back(fmt::format("the hair has {} materials; the asset keeps that with most triangles ('{}')",
-                                          materials.size(), source.materials[result.mesh.material].name));
+  if (materials.size() <= 1 || result.mesh.material == kNoIndex) return;
+  result.warnings.push_back(fmt::format("the hair has {} materials; the asset keeps that with most triangles ('{}')",
+                                        materials.size(), source.materials[result.mesh.material].name));
+}
+
+}  // namespace
+
+tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, const Recipe& recipe) {
+  if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
+  SelectedHair result;
+  result.mesh.influence_begin.push_back(0);
+  const Gathered gathered = gather(source, recipe, result);
+  if (result.mesh.triangles.empty()) {
+    const std::string why =
+        gathered.degenerate > 0
+            ? fmt::format("all {} triangles are without area; scale the model up or export it again",
+                          gathered.degenerate)
+            : "no hair triangles; choose them by the recipe's \"hair\"";
+    return bad_input(source, why);
   }
+  note_other_meshes(source, gathered, result);
+  result.mesh.material = main_material(source, gathered.taken);
+  warn_of_materials(source, result);
   weld_vertices(result.mesh);
   return result;
 }
