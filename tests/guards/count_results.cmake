@@ -12,7 +12,8 @@ set_tests_properties(skips PROPERTIES SKIP_REGULAR_EXPRESSION SKIPPED)
 add_test(NAME disabled COMMAND ${CMAKE_COMMAND} -E true)
 set_tests_properties(disabled PROPERTIES DISABLED ON)
 ]])
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --output-junit ${WORK}/results.xml
                 OUTPUT_QUIET ERROR_QUIET)
 
