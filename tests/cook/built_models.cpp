@@ -20,6 +20,17 @@ SourceMesh make_strip(const StripDesc& desc) {
   return mesh;
 }
 
+HairMesh hair_from(const SourceMesh& source) {
+  HairMesh mesh;
+  mesh.positions = source.positions;
+  mesh.uvs = source.uvs;
+  mesh.normals = source.normals;
+  mesh.triangles = source.triangles;
+  mesh.influences.assign(source.positions.size(), {0, 1.0f});
+  for (std::uint32_t v = 0; v <= source.positions.size(); ++v) mesh.influence_begin.push_back(v);
+  return mesh;
+}
+
 void split_vertices(SourceMesh& mesh) {
   SourceMesh split = mesh;
   split.positions.clear();

@@ -1,7 +1,7 @@
 #pragma once
 // Source models that tests make themselves, small enough to know every number of.
 
-#include "import/source_model.h"
+#include "cook/hair_mesh.h"
 
 namespace coif {
 
@@ -16,6 +16,9 @@ struct StripDesc {
 
 /// A strip of 2 * rows triangles with smooth indices and texture coordinates, without normals.
 [[nodiscard]] SourceMesh make_strip(const StripDesc& desc);
+
+/// The mesh as the cooker sees it, every vertex on node 0.
+[[nodiscard]] HairMesh hair_from(const SourceMesh& source);
 
 /// One vertex per corner: what exporters make of flat shading.
 void split_vertices(SourceMesh& mesh);

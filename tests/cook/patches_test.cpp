@@ -12,17 +12,6 @@
 namespace coif {
 namespace {
 
-HairMesh hair_from(const SourceMesh& source) {
-  HairMesh mesh;
-  mesh.positions = source.positions;
-  mesh.uvs = source.uvs;
-  mesh.normals = source.normals;
-  mesh.triangles = source.triangles;
-  mesh.influences.assign(source.positions.size(), {0, 1.0f});
-  for (std::uint32_t v = 0; v <= source.positions.size(); ++v) mesh.influence_begin.push_back(v);
-  return mesh;
-}
-
 /// Algorithm 2 as the thesis prints it: each triangle against each group.
 std::size_t published_group_count(const HairMesh& mesh) {
   std::vector<std::set<std::uint32_t>> groups;

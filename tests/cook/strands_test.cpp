@@ -9,16 +9,6 @@
 namespace coif {
 namespace {
 
-HairMesh hair_from(const SourceMesh& source) {
-  HairMesh mesh;
-  mesh.positions = source.positions;
-  mesh.uvs = source.uvs;
-  mesh.triangles = source.triangles;
-  mesh.influences.assign(source.positions.size(), {0, 1.0f});
-  for (std::uint32_t v = 0; v <= source.positions.size(); ++v) mesh.influence_begin.push_back(v);
-  return mesh;
-}
-
 StrandField strands_of(HairMesh mesh) {
   complete_normals(mesh, 1.0e-5);
   FittedHead head;
