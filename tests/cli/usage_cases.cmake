@@ -19,6 +19,8 @@ coif_cli_case(simulate_unknown_solver EXIT 1 STDERR "--solver: 'magic' is not on
   ARGS simulate a.coif --motion nod --solver magic -o out.csv)
 coif_cli_case(simulate_unknown_suffix EXIT 1 STDERR "coif simulate: error: out.fbx: the suffix must be .csv or .glb"
   ARGS simulate a.coif --motion nod -o out.fbx)
+coif_cli_case(render_unknown_suffix EXIT 1 STDERR "coif render: error: out.jpg: the suffix must be .png"
+  ARGS render a.coif -o out.jpg)
 coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
 coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"

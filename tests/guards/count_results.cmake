@@ -1,5 +1,6 @@
 # Drives tests/count_results.sh with a real ctest run: one test passes, one fails, one cannot be started, one skips
 # itself, one is disabled. Called with -D SCRIPT=... -D WORK=...
+file(REMOVE_RECURSE ${WORK})  # whatever generator an earlier run used
 file(WRITE ${WORK}/CMakeLists.txt [[
 cmake_minimum_required(VERSION 3.24)
 project(five_tests NONE)

@@ -69,6 +69,7 @@ std::string result_text(const RenderOptions& options, const Asset& asset, const 
 }
 
 tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
+  if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());

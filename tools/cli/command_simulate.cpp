@@ -8,8 +8,6 @@
 #include "cli/results.h"
 #include "render/picture.h"
 
-#include <algorithm>
-#include <cctype>
 #include <memory>
 
 namespace coif {
@@ -24,12 +22,6 @@ struct SimulateOptions {
   OutputFormat format = OutputFormat::kText;
 };
 
-std::string lower_suffix(const std::string& path) {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return suffix;
-}
-
 std::vector<std::uint8_t> base_color_png(const Asset& asset) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   if (!texture || texture->format != TexelFormat::kSrgb8Alpha8) return {};
@@ -42,9 +34,9 @@ std::vector<std::uint8_t> base_color_png(const Asset& asset) {
   return encode_png(picture);
 }
 
-tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& options, const Asset& asset,
-                                                       const Recording& recording) {
-  if (lower_suffix(options.output) == ".csv") {
+tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& options, const std::string& suffix,
+                                                       const Asset& asset, const Recording& recording) {
+  if (suffix == ".csv") {
     const std::string csv = to_csv(asset, recording);
     const auto bytes = std::as_bytes(std::span(csv));
     return std::vector<std::byte>(bytes.begin(), bytes.end());
@@ -81,11 +73,8 @@ std::string result_text(const SimulateOptions& options, const Asset& asset, cons
 }
 
 tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options) {
-  const std::string suffix = lower_suffix(options.output);
-  if (suffix != ".csv" && suffix != ".glb") {
-    return tl::unexpected(
-        ToolError{ToolError::Kind::kUsage, fmt::format("{}: the suffix must be .csv or .glb", options.output)});
-  }
+  const auto suffix = choose_suffix(options.output, {".csv", ".glb"});
+  if (!suffix) return tl::unexpected(suffix.error());
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   const Asset& asset = file->asset();
@@ -95,7 +84,7 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options) {
   if (!recording) {
     return tl::unexpected(ToolError{recording.error().kind, options.file + ": " + recording.error().message});
   }
-  const auto bytes = encode(options, asset, *recording);
+  const auto bytes = encode(options, *suffix, asset, *recording);
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());
   print_result(result_text(options, asset, *recording));

@@ -2,8 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -55,6 +58,15 @@ tl::expected<void, ToolError> check_output(const fs::path& output, std::initiali
     }
   }
   return {};
+}
+
+tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
+                                                   std::initializer_list<std::string_view> allowed) {
+  std::string suffix = output.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (std::find(allowed.begin(), allowed.end(), suffix) != allowed.end()) return suffix;
+  return tl::unexpected(ToolError{
+      ToolError::Kind::kUsage, fmt::format("{}: the suffix must be {}", output.string(), fmt::join(allowed, " or "))});
 }
 
 tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {
