@@ -66,13 +66,6 @@ tl::expected<void, ToolError> check_outputs(const CookOptions& options, const Re
   return check_output(options.report, {options.source, choice.file});
 }
 
-/// The cook may pass on what the importer said.
-void add_new(const std::vector<std::string>& from, std::vector<std::string>& warnings) {
-  for (const std::string& warning : from) {
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
-  }
-}
-
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -84,7 +77,6 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.source_hash = xxh64(bytes->span());
   auto result = cook(source->model, choice.recipe, settings);
   if (!result) return result;
-  add_new(source->model.warnings, result->report.warnings);
   result->report.passes.insert(result->report.passes.begin(), {"import", source->ms});
   return result;
 }
