@@ -42,11 +42,46 @@ struct SourceTexture {
   std::uint32_t image = kNoIndex;  ///< Into SourceModel::images when embedded.
 };
 
+/// How a material uses the alpha of its base colour, where the file says so.
+enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
+
 struct SourceMaterial {
   std::string name;
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
+  AlphaUse alpha_use = AlphaUse::kUnknown;
+  float alpha_cutoff = 0.5f;  ///< For kMask.
   bool double_sided = false;
+};
+
+/// A body that hair keeps out of, or inside of, as VRM describes it. Model space at rest, metres.
+struct SourceCollider {
+  enum class Shape { kSphere, kCapsule, kPlane } shape = Shape::kSphere;
+  bool keeps_inside = false;
+  std::uint32_t node = 0;  ///< The node that carries it.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tail = Eigen::Vector3d::Zero();      ///< kCapsule: the segment's other end.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitY();  ///< kPlane: unit.
+  double radius = 0;                                   ///< Not for kPlane.
+};
+
+/// One joint of a spring bone. The numbers are VRM's own (units of VRMC_springBone 1.0), lengths in metres.
+struct SourceSpringJoint {
+  std::uint32_t node = 0;
+  double stiffness = 1;
+  double gravity_power = 0;
+  Eigen::Vector3d gravity_direction{0, -1, 0};  ///< Unit, model space.
+  double drag = 0.5;                            ///< 0..1.
+  double hit_radius = 0;
+};
+
+/// A chain of joints, root first, each the child or a descendant of the one before. A last joint without a child is only
+/// the end of the one before it.
+struct SourceSpring {
+  std::string name;
+  std::vector<SourceSpringJoint> joints;
+  std::uint32_t center = kNoIndex;       ///< The node whose motion the spring does not feel; kNoIndex: the world.
+  std::vector<std::uint32_t> colliders;  ///< Into SourceModel::colliders.
 };
 
 /// An image as stored in the file: encoded bytes (PNG, JPEG, TGA), not decoded here.
@@ -63,6 +98,9 @@ struct SourceModel {
   std::vector<SourceMesh> meshes;
   std::vector<SourceMaterial> materials;
   std::vector<SourceImage> images;
+  std::vector<SourceSpring> springs;
+  std::vector<SourceCollider> colliders;
+  std::uint32_t head_node = kNoIndex;  ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
 };
 

@@ -20,6 +20,8 @@ inline constexpr std::uint16_t kAssetMinor = 0;
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
 inline constexpr std::uint32_t kMaxBones = 256;      ///< Skin indices are one byte.
 inline constexpr std::uint32_t kMaxChunks = 64;
+inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
+inline constexpr std::uint32_t kMaxLods = 8;
 
 constexpr std::uint32_t chunk_id(const char (&text)[5]) {
   return std::uint32_t(std::uint8_t(text[0])) | std::uint32_t(std::uint8_t(text[1])) << 8 |
@@ -37,6 +39,7 @@ inline constexpr std::uint32_t kVertices = chunk_id("VERT");     ///< VertexReco
 inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord[], one per vertex.
 inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
 inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order, inner first.
+inline constexpr std::uint32_t kLods = chunk_id("LODS");         ///< LodRecord[], finest first; absent: one level.
 inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One MaterialRecord.
 inline constexpr std::uint32_t kTextures = chunk_id("TEXR");     ///< TextureRecord[].
 inline constexpr std::uint32_t kTexels = chunk_id("TEXD");       ///< Bytes that TextureRecord points into.
@@ -98,7 +101,8 @@ struct BoneRecord {
   float joint[3];       ///< Rest position of the bone's start, head space, metres.
   float length;         ///< Start to particle, metres, > 0; 0 for rigid bones.
   float rest_direction[3];  ///< Unit, start to particle at rest, in the parent's frame; 0 for rigid bones.
-  float reserved;
+  /// Bit i: the bone's particle may touch collider i. 0: it never does, and the runtime never tests it.
+  std::uint32_t colliders;
 };
 static_assert(sizeof(BoneRecord) == 48);
 
@@ -116,22 +120,35 @@ struct DynamicsRecord {
   float friction;       ///< Velocity loss relative to the air, 1/s, >= 0.
   float gravity_scale;  ///< Share of the scene's gravity that this bone feels.
   float authoring_rate; ///< Steps per second at which the artist's resistance holds, > 0.
+  float hit_radius;     ///< Distance that the particle keeps from every collider's surface, metres, >= 0.
+  float reserved[3];    ///< Zero.
 };
-static_assert(sizeof(DynamicsRecord) == 16);
+static_assert(sizeof(DynamicsRecord) == 32);
 
-enum class ColliderShape : std::uint32_t { kSphere = 0, kEllipsoid = 1 };
+enum class ColliderShape : std::uint32_t {
+  kSphere = 0,
+  kEllipsoid = 1,
+  kCapsule = 2,  ///< All points nearer than the radius to the segment from `center` to `center + axis`.
+  kPlane = 3,    ///< All points behind the plane through `center` with the normal `axis`.
+};
+
+/// Hair stays inside the shape instead of outside of it. Spheres and capsules only.
+inline constexpr std::uint32_t kColliderKeepsInside = 1u << 0;
 
 struct ColliderRecord {
   ColliderShape shape;
   std::uint32_t bone;  ///< A rigid bone.
-  std::uint32_t reserved[2];
-  float center[3];  ///< Head space, metres.
+  std::uint32_t flags;
+  std::uint32_t reserved;
+  float center[3];  ///< Head space, metres. Capsule: one end of its segment. Plane: a point on it.
   float reserved_center;
-  float radii[3];  ///< Semi-axes, metres, > 0; all equal for a sphere.
+  float radii[3];  ///< Semi-axes, metres, > 0; all equal for spheres and capsules; 0 for a plane.
   float reserved_radii;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the ellipsoid's axes to head space.
+  float axis[3];      ///< Capsule: to the segment's other end, metres, not zero. Plane: unit normal. Others: 0.
+  float reserved_axis;
 };
-static_assert(sizeof(ColliderRecord) == 64);
+static_assert(sizeof(ColliderRecord) == 80);
 
 struct VertexRecord {
   float position[3];        ///< Rest pose, head space, metres.
@@ -150,11 +167,24 @@ static_assert(sizeof(SkinRecord) == 8);
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
   std::uint32_t index_count;  ///< A multiple of 3, > 0.
-  float head_distance;        ///< Of the patch's area centre from the head's centre, metres; ascending.
+  float head_distance;        ///< Of the patch's area centre from the head's centre, metres; ascending in a level.
   std::uint32_t bone;         ///< The bone with most weight on the patch.
 };
 static_assert(sizeof(PatchRecord) == 16);
 
+/// A level of detail: consecutive patches, drawn in their order, and the bones that still move on their own.
+struct LodRecord {
+  std::uint32_t first_patch;  ///< Into PTCH; levels follow each other without gap.
+  std::uint32_t patch_count;  ///< > 0.
+  /// Fitting where the head collider's height covers at least this share of the viewport's; falls from level to level,
+  /// 0 for the last.
+  float screen_size;
+  float error;                ///< Largest distance of the surface from level 0's, metres; grows from level to level.
+  std::uint32_t simulated[8]; ///< Bit b of the 256: bone b is simulated; a bone whose bit is 0 is rigid to its parent.
+};
+static_assert(sizeof(LodRecord) == 48);
+
+/// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
 inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
 
 /// Parameters of the thesis's Algorithm 3 and the four passes of 5.3.1. Colours are linear.
@@ -177,6 +207,7 @@ enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };
 enum class TexelFormat : std::uint32_t {
   kSrgb8Alpha8 = 0,  ///< Four bytes, colour sRGB-encoded, alpha linear and not premultiplied.
   kRg8 = 1,          ///< Two bytes, linear; red: shift, green: mask.
+  kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
 };
 
 /// Mips follow each other, largest first, rows top to bottom without padding.
@@ -208,6 +239,7 @@ constexpr std::uint64_t mip_bytes(TexelFormat format, std::uint32_t width, std::
   switch (format) {
     case TexelFormat::kSrgb8Alpha8: return w * h * 4;
     case TexelFormat::kRg8: return w * h * 2;
+    case TexelFormat::kRg11Eac: return (w + 3) / 4 * ((h + 3) / 4) * 16;
   }
   return 0;
 }
