@@ -13,12 +13,6 @@ namespace {
 
 using Children = std::vector<std::vector<std::uint32_t>>;
 
-NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair) {
-  NodeWeights weights(source.nodes.size(), 0.0);
-  for (const SourceInfluence& influence : hair.influences) weights[influence.node] += influence.weight;
-  return weights;
-}
-
 /// Children of each node that carry hair, themselves or below.
 Children hair_children(const SourceModel& source, const NodeWeights& below) {
   Children children(source.nodes.size());
@@ -28,24 +22,30 @@ Children hair_children(const SourceModel& source, const NodeWeights& below) {
   return children;
 }
 
-/// Without a node of its own the head sits in the middle of the hair's upper part.
-Eigen::Vector3d middle_of(const HairMesh& hair) {
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& p : hair.positions) box.extend(p);
-  return box.center().cast<double>();
+/// The head bone; no other node has a bone yet.
+Skeleton only_head(const SourceModel& source, const HeadBone& head) {
+  Skeleton skeleton;
+  SkeletonBone bone;
+  bone.kind = BoneKind::kHead;
+  bone.name = head.name;
+  bone.start = bone.tail = head.joint;
+  skeleton.bones.push_back(bone);
+  skeleton.head_rotation = head.rotation;
+  skeleton.bone_of_node.assign(source.nodes.size(), kNone);
+  if (head.node != kNoIndex) skeleton.bone_of_node[head.node] = 0;
+  return skeleton;
 }
 
 class SkeletonBuilder {
  public:
-  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, std::uint32_t head_node)
+  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, const HeadBone& head)
       : source_(source),
         hair_(hair),
         recipe_(recipe),
         children_(hair_children(source, weights_below(source, hair_weights(source, hair)))) {
-    skeleton_.bone_of_node.assign(source.nodes.size(), kNone);
-    add_head(head_node);
-    if (head_node != kNoIndex) {
-      collect_rigid(head_node, 0);
+    skeleton_ = only_head(source, head);
+    if (head.node != kNoIndex) {
+      collect_rigid(head.node, 0);
       for (const auto& [node, root] : chain_roots_) add_chain(node, root);
     }
     map_remaining_nodes();
@@ -54,19 +54,6 @@ class SkeletonBuilder {
   Skeleton finish() && { return std::move(skeleton_); }
 
  private:
-  void add_head(std::uint32_t node) {
-    SkeletonBone head;
-    head.kind = BoneKind::kHead;
-    head.name = node == kNoIndex ? "head" : source_.nodes[node].name;
-    head.start = node == kNoIndex ? middle_of(hair_) : source_.nodes[node].model_from_node.translation();
-    head.tail = head.start;
-    if (node != kNoIndex) {
-      skeleton_.head_rotation = Eigen::Quaterniond(source_.nodes[node].model_from_node.rotation()).normalized();
-      skeleton_.bone_of_node[node] = 0;
-    }
-    skeleton_.bones.push_back(head);
-  }
-
   [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
     if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
     return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty();
@@ -181,19 +168,22 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
 
 }  // namespace
 
-tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair,
+tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
                                                  const Recipe& recipe) {
-  const NodeWeights weights = hair_weights(source, hair);
-  auto head = find_head_bone(source, weights, recipe.head_bone);
-  if (!head) return tl::unexpected(head.error());
-  Skeleton skeleton = SkeletonBuilder(source, hair, recipe, *head).finish();
+  Skeleton skeleton = SkeletonBuilder(source, hair, recipe, head).finish();
   if (skeleton.bones.size() > kMaxBones) {
     return tl::unexpected(ToolError{
         ToolError::Kind::kUnsupported,
         fmt::format("{}: the hair has {} bones, an asset holds {}; cook it in parts by the recipe's \"hair.bones\"",
                     source.path, skeleton.bones.size(), kMaxBones)});
   }
-  warn_of_foreign_weight(source, weights, *head, skeleton);
+  warn_of_foreign_weight(source, hair_weights(source, hair), head.node, skeleton);
+  return skeleton;
+}
+
+Skeleton head_alone(const SourceModel& source, const HeadBone& head) {
+  Skeleton skeleton = only_head(source, head);
+  skeleton.bone_of_node.assign(source.nodes.size(), 0);
   return skeleton;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/find_head_bone.h"
 #include "cook/hair_mesh.h"
 #include "cook/recipe.h"
 #include "cook/skeleton.h"
@@ -10,6 +11,10 @@ namespace coif {
 /// are scalp bones, rigid; bones below are simulated. A bone alone below the head is simulated too: as a scalp bone it
 /// would only make the hair stiff. Nodes that carry no hair are left out, but a last joint below a hair bone says where
 /// that bone ends. Errors: kBadInput for patterns without a match, kUnsupported above 256 bones.
-tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const Recipe& recipe);
+tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
+                                                 const Recipe& recipe);
+
+/// The head bone, everything rigid to it: what chains are fitted to.
+[[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
 
 }  // namespace coif

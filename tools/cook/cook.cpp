@@ -4,10 +4,13 @@
 #include "cook/bake_textures.h"
 #include "cook/build_skeleton.h"
 #include "cook/extract_patches.h"
+#include "cook/fit_chains.h"
 #include "cook/fit_head.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
 #include "cook/select_hair.h"
+#include "cook/settle_colliders.h"
+#include "cook/skin_weights.h"
 #include "cook/smooth_normals.h"
 #include "cook/sort_patches.h"
 #include "cook/strand_direction.h"
@@ -26,23 +29,36 @@
 namespace coif {
 namespace {
 
-/// Runs one pass and notes its time.
-template <typename Pass>
-auto timed(CookReport& report, const char* name, const Pass& pass) {
-  const auto start = std::chrono::steady_clock::now();
-  auto result = pass();
-  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-  report.passes.push_back({name, elapsed.count()});
-  return result;
-}
+/// Runs passes one after the other, announces each and notes its time.
+class PassTimer {
+ public:
+  PassTimer(const CookSettings& settings, CookReport& report) : settings_(settings), report_(report) {}
+
+  template <typename Pass>
+  auto operator()(const char* name, const Pass& pass) const {
+    if (settings_.progress) settings_.progress(name);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = pass();
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    report_.passes.push_back({name, elapsed.count()});
+    return result;
+  }
+
+ private:
+  const CookSettings& settings_;
+  CookReport& report_;
+};
 
 /// What each pass made; the input of packing.
 struct CookedParts {
   SelectedHair selected;
-  ExtractedPatches extracted;
-  Skeleton skeleton;
+  HeadBone head_bone;
   FittedHead head;
+  ExtractedPatches extracted;
   StrandField strands;
+  Skeleton skeleton;
+  SkinWeights weights;
+  Colliders colliders;
   PatchOrder order;
   BakedTextures textures;
 };
@@ -79,28 +95,58 @@ tl::expected<void, ToolError> check_written(const SourceModel& source, const std
       ToolError{ToolError::Kind::kBadInput, fmt::format("{}: the cooked asset is not valid: {}", source.path, text)});
 }
 
+bool wants_fitted_chains(const Skeleton& skeleton, const Recipe& recipe) {
+  return recipe.chain_source == "fit" || (recipe.chain_source == "auto" && skeleton.chains.empty());
+}
+
+/// The file's skeleton, or the head alone for chains to be fitted to.
+tl::expected<void, ToolError> rig(const SourceModel& source, const Recipe& recipe, const PassTimer& timed,
+                                  CookReport& report, CookedParts& parts) {
+  const HairMesh& mesh = parts.selected.mesh;
+  auto skeleton = timed("skeleton", [&] { return build_skeleton(source, mesh, parts.head_bone, recipe); });
+  if (!skeleton) return tl::unexpected(skeleton.error());
+  parts.skeleton = std::move(*skeleton);
+  if (!wants_fitted_chains(parts.skeleton, recipe)) {
+    parts.weights = weights_of_source(mesh, parts.skeleton);
+    return {};
+  }
+  FittedRig fitted = timed("chains", [&] {
+    return fit_chains(source, mesh, parts.extracted.patches, parts.strands, parts.head,
+                      head_alone(source, parts.head_bone), recipe);
+  });
+  parts.skeleton = std::move(fitted.skeleton);
+  parts.weights = std::move(fitted.weights);
+  append(report.notes, fitted.notes);
+  return {};
+}
+
 tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const Recipe& recipe,
-                                                const CookSettings& settings, CookReport& report) {
+                                                const CookSettings& settings, const PassTimer& timed,
+                                                CookReport& report) {
   CookedParts parts;
-  auto selected = timed(report, "select", [&] { return select_hair(source, recipe); });
+  auto selected = timed("select", [&] { return select_hair(source, recipe); });
   if (!selected) return tl::unexpected(selected.error());
   parts.selected = std::move(*selected);
   HairMesh& mesh = parts.selected.mesh;
-  parts.extracted = timed(report, "patches", [&] {
+  auto head_bone = timed("head bone", [&] { return find_head_bone(source, mesh, recipe.head_bone); });
+  if (!head_bone) return tl::unexpected(head_bone.error());
+  parts.head_bone = std::move(*head_bone);
+  parts.head = timed("head", [&] { return fit_head(source, mesh, parts.selected.meshes, parts.head_bone, recipe); });
+  parts.extracted = timed("patches", [&] {
     return extract_patches(mesh, {recipe.patch_connectivity, recipe.patch_weld_distance});
   });
-  auto skeleton = timed(report, "skeleton", [&] { return build_skeleton(source, mesh, recipe); });
-  if (!skeleton) return tl::unexpected(skeleton.error());
-  parts.skeleton = std::move(*skeleton);
-  parts.head =
-      timed(report, "head", [&] { return fit_head(source, mesh, parts.selected.meshes, parts.skeleton, recipe); });
-  timed(report, "normals", [&] { return complete_normals(mesh, recipe.patch_weld_distance); });
-  parts.strands = timed(report, "strands", [&] {
-    return find_strand_direction(mesh, parts.extracted.patches, parts.head, settings.threads);
+  timed("normals", [&] { return complete_normals(mesh, recipe.patch_weld_distance); });
+  parts.strands = timed(
+      "strands", [&] { return find_strand_direction(mesh, parts.extracted.patches, parts.head, settings.threads); });
+  if (auto ok = rig(source, recipe, timed, report, parts); !ok) return tl::unexpected(ok.error());
+  parts.colliders = timed("colliders", [&] {
+    Colliders colliders = head_colliders(parts.head, parts.skeleton, recipe);
+    drop_colliders_out_of_reach(parts.skeleton, colliders);
+    return colliders;
   });
-  parts.order = timed(report, "order", [&] { return sort_patches(mesh, parts.extracted.patches, parts.head.center); });
+  parts.order = timed("order", [&] { return sort_patches(mesh, parts.extracted.patches, parts.head.center); });
   auto textures =
-      timed(report, "textures", [&] { return bake_textures(source, mesh, parts.strands.along_u, recipe, settings); });
+      timed("textures", [&] { return bake_textures(source, mesh, parts.strands.along_u, recipe, settings); });
   if (!textures) return tl::unexpected(textures.error());
   parts.textures = std::move(*textures);
   return parts;
@@ -110,10 +156,10 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   const HairMesh& mesh = parts.selected.mesh;
   const SourceMaterial* material = mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
   AssetContents contents;
-  pack_skeleton(parts.skeleton, parts.head, contents);
-  pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.skeleton, contents);
+  pack_skeleton(parts.skeleton, parts.colliders, contents);
+  pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = bake_dynamics(parts.skeleton, recipe);
-  contents.material = {pack_material(material, recipe)};
+  contents.material = {pack_material(material, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);
   contents.provenance = {make_provenance(source, recipe, settings)};
@@ -123,7 +169,8 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
 void fill_report(const CookedParts& parts, const AssetContents& contents, CookReport& report) {
   append(report.warnings, parts.selected.warnings);
   append(report.warnings, parts.skeleton.warnings);
-  append(report.warnings, parts.head.warnings);
+  append(report.warnings, parts.colliders.warnings);
+  append(report.notes, parts.colliders.notes);
   append(report.warnings, parts.textures.warnings);
   append(report.left_out, parts.selected.left_out);
   append(report.left_out, parts.textures.left_out);
@@ -142,11 +189,12 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
 tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe& recipe,
                                          const CookSettings& settings) {
   CookResult result;
+  const PassTimer timed(settings, result.report);
   result.report.warnings = source.warnings;
-  auto parts = run_passes(source, recipe, settings, result.report);
+  auto parts = run_passes(source, recipe, settings, timed, result.report);
   if (!parts) return tl::unexpected(parts.error());
-  const AssetContents contents = timed(result.report, "pack", [&] { return pack(*parts, source, recipe, settings); });
-  result.asset = timed(result.report, "write", [&] { return write_asset(contents); });
+  const AssetContents contents = timed("pack", [&] { return pack(*parts, source, recipe, settings); });
+  result.asset = timed("write", [&] { return write_asset(contents); });
   fill_report(*parts, contents, result.report);
   if (auto ok = check_written(source, result.asset); !ok) return tl::unexpected(ok.error());
   return result;

@@ -9,15 +9,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace coif {
 
 struct CookSettings {
-  unsigned threads = 1;                    ///< The result's bytes do not depend on it.
-  std::filesystem::path recipe_directory;  ///< Where texture paths of the recipe start.
-  std::uint64_t source_hash = 0;           ///< XXH64 of the source file, for the provenance record.
+  unsigned threads = 1;                            ///< The result's bytes do not depend on it.
+  std::filesystem::path recipe_directory;          ///< Where texture paths of the recipe start.
+  std::uint64_t source_hash = 0;                   ///< XXH64 of the source file, for the provenance record.
+  std::function<void(const char* pass)> progress;  ///< Called before each pass, where set.
 };
 
 struct PassTime {
@@ -36,6 +38,7 @@ struct CookReport {
   std::uint32_t chains = 0;
   std::uint32_t bones = 0;
   std::uint32_t simulated_bones = 0;
+  std::vector<std::string> notes;     ///< What was chosen, and why.
   std::vector<std::string> left_out;  ///< What of the source is not in the asset, and why.
 };
 

@@ -36,7 +36,29 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
   return lowest;
 }
 
+/// Without a node of its own the head sits in the middle of the hair.
+HeadBone head_bone_at(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
+  HeadBone head;
+  if (node == kNoIndex) {
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& p : hair.positions) box.extend(p);
+    head.joint = box.center().cast<double>();
+    return head;
+  }
+  head.node = node;
+  head.name = source.nodes[node].name;
+  head.joint = source.nodes[node].model_from_node.translation();
+  head.rotation = Eigen::Quaterniond(source.nodes[node].model_from_node.rotation()).normalized();
+  return head;
+}
+
 }  // namespace
+
+NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair) {
+  NodeWeights weights(source.nodes.size(), 0.0);
+  for (const SourceInfluence& influence : hair.influences) weights[influence.node] += influence.weight;
+  return weights;
+}
 
 NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights) {
   NodeWeights below = weights;
@@ -47,23 +69,28 @@ NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights)
   return below;
 }
 
-tl::expected<std::uint32_t, ToolError> find_head_bone(const SourceModel& source, const NodeWeights& weights,
-                                                      const std::string& pattern) {
-  const NodeWeights below = weights_below(source, weights);
+tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
+                                                 const std::string& pattern) {
+  const NodeWeights below = weights_below(source, hair_weights(source, hair));
   if (!pattern.empty()) {
     const auto named = [&](std::uint32_t n) { return matches(source.nodes[n].name, pattern); };
-    if (const std::uint32_t head = heaviest(source, below, named); head != kNoIndex) return head;
+    if (const std::uint32_t head = heaviest(source, below, named); head != kNoIndex) {
+      return head_bone_at(source, hair, head);
+    }
     for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
-      if (named(n)) return n;
+      if (named(n)) return head_bone_at(source, hair, n);
     }
     return tl::unexpected(ToolError{
         ToolError::Kind::kBadInput,
         fmt::format("{}: recipe key \"skeleton.head\": no node is called '{}'; 'coif cook {} --list' names them",
                     source.path, pattern, source.path)});
   }
+  if (source.head_node != kNoIndex) return head_bone_at(source, hair, source.head_node);
   const auto by_name = [&](std::uint32_t n) { return is_called_head(source.nodes[n].name); };
-  if (const std::uint32_t head = heaviest(source, below, by_name); head != kNoIndex) return head;
-  return lowest_common_node(source, below);
+  if (const std::uint32_t head = heaviest(source, below, by_name); head != kNoIndex) {
+    return head_bone_at(source, hair, head);
+  }
+  return head_bone_at(source, hair, lowest_common_node(source, below));
 }
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "import/source_model.h"
+#include "cook/hair_mesh.h"
 #include "tool_error.h"
 
 #include <tl/expected.hpp>
@@ -10,14 +10,24 @@
 
 namespace coif {
 
+/// Where the head bone is in the rest pose, model space.
+struct HeadBone {
+  std::uint32_t node = kNoIndex;  ///< Of the source; kNoIndex where the hair follows no node.
+  std::string name = "head";
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();               ///< Metres.
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
+};
+
 /// Total skin weight of the hair on each node of the source.
 using NodeWeights = std::vector<double>;
 
-/// The head bone: the node called `pattern`, or without one the node called head that carries, with all nodes below it,
-/// most of the hair's weight; failing that the lowest node above all of the hair. kNoIndex where the hair follows no
-/// node. Error (kBadInput): nothing is called `pattern`.
-tl::expected<std::uint32_t, ToolError> find_head_bone(const SourceModel& source, const NodeWeights& weights,
-                                                      const std::string& pattern);
+[[nodiscard]] NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair);
+
+/// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
+/// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
+/// of the hair. Without any its joint is the middle of the hair. Error (kBadInput): nothing is called `pattern`.
+tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
+                                                 const std::string& pattern);
 
 /// Weight on a node and everything below it.
 [[nodiscard]] NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights);

@@ -16,7 +16,7 @@ constexpr double kDeepInside = 0.85;         ///< Hair deeper than this in a hea
 constexpr double kMuchHair = 0.25;           ///< where it is more than this share of all hair; roots may be inside.
 constexpr double kReachOut = 0.05;           ///< Ears may reach this share of the hair's width out of it.
 constexpr double kThinnest = 0.75;           ///< Of a sphere through the hair: roots may reach into the skull.
-constexpr double kSmallestShare = 0.5;       ///< A head that has to shrink further was not the head.
+constexpr double kSmallestRadius = 0.001;    ///< Metres: flat hair encloses nothing.
 
 Eigen::AlignedBox3d box_of(const HairMesh& hair) {
   Eigen::AlignedBox3d box;
@@ -44,7 +44,7 @@ bool is_under(const std::vector<Vector3d>& vertices, const Eigen::AlignedBox3d& 
 
 /// Vertices of the other meshes that follow the head bone and nothing else.
 std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair,
-                                    std::span<const std::uint32_t> hair_meshes, const Skeleton& skeleton) {
+                                    std::span<const std::uint32_t> hair_meshes, const HeadBone& head_bone) {
   const Eigen::AlignedBox3d hair_box = box_of(hair);
   std::vector<Vector3d> vertices;
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
@@ -52,7 +52,7 @@ std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& h
     const SourceMesh& mesh = source.meshes[m];
     std::vector<Vector3d> of_mesh;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-      const bool follows = weight_on_head(source, mesh, v, skeleton.bones[0].name) > 0.9f;
+      const bool follows = weight_on_head(source, mesh, v, head_bone.name) > 0.9f;
       if (follows) of_mesh.push_back(mesh.positions[v].cast<double>());
     }
     if (is_under(of_mesh, hair_box)) vertices.insert(vertices.end(), of_mesh.begin(), of_mesh.end());
@@ -123,52 +123,23 @@ FittedHead from_hair(const HairMesh& hair) {
   return head;
 }
 
-/// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
-double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton) {
-  double share = 1;
-  for (const SkeletonBone& bone : skeleton.bones) {
-    if (bone.kind != BoneKind::kSimulated) continue;
-    share = std::min(share, (bone.tail - head.center).cwiseQuotient(head.radii).norm());
-  }
-  return share;
-}
-
-void resolve_rest_penetration(const Skeleton& skeleton, bool declared, FittedHead& head) {
-  if (!head.collides()) return;
-  const double share = share_at_first_particle(head, skeleton);
-  if (share >= 1) return;
-  if (declared) {
-    head.warnings.push_back(
-        fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
-                    "inside it; make head.radii smaller",
-                    100 * (1 - share)));
-    return;
-  }
-  const double kept = std::max(share * 0.999, kSmallestShare);
-  head.radii *= kept;
-  head.warnings.push_back(
-      fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}", 100 * kept,
-                  share < kSmallestShare ? "; some bones still end inside it" : ""));
-}
-
 }  // namespace
 
 FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> hair_meshes,
-                    const Skeleton& skeleton, const Recipe& recipe) {
+                    const HeadBone& head_bone, const Recipe& recipe) {
   FittedHead head;
-  const bool declared = recipe.head_center && recipe.head_radii;
-  if (declared) {
+  if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
     head.radii = Vector3d(recipe.head_radii->data());
     head.origin = "the recipe";
+    head.declared = true;
   } else {
-    const std::vector<Vector3d> vertices = head_vertices(source, hair, hair_meshes, skeleton);
+    const std::vector<Vector3d> vertices = head_vertices(source, hair, hair_meshes, head_bone);
     if (vertices.size() >= kFewestVertices) head = from_box(vertices);
-    if (!head.collides() || holds_hair(head, hair)) head = from_hair(hair);
+    if (vertices.size() < kFewestVertices || holds_hair(head, hair)) head = from_hair(hair);
   }
+  head.radii = head.radii.cwiseMax(kSmallestRadius);
   if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());
-  if (recipe.head_shape == "none") head.radii.setZero();
-  resolve_rest_penetration(skeleton, declared, head);
   return head;
 }
 

@@ -16,10 +16,12 @@ struct HairMesh {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;
-  std::vector<std::uint32_t> influence_begin;  ///< positions.size() + 1 entries.
-  std::vector<SourceInfluence> influences;     ///< Nodes of the source; each vertex's weights add up to one.
-  std::vector<std::uint32_t> triangles;        ///< Three vertices each.
-  std::uint32_t material = kNoIndex;           ///< Of the source: the one with most triangles.
+  std::vector<std::uint32_t> influence_begin;   ///< positions.size() + 1 entries.
+  std::vector<SourceInfluence> influences;      ///< Nodes of the source; each vertex's weights add up to one.
+  std::vector<std::uint32_t> triangles;         ///< Three vertices each.
+  std::vector<std::uint32_t> mesh_of_triangle;  ///< Source mesh that each triangle comes from.
+  bool double_sided = false;                    ///< Both sides of every triangle are hair.
+  std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
   [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {

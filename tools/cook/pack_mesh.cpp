@@ -1,7 +1,5 @@
 #include "cook/pack_mesh.h"
 
-#include "cook/skin_weights.h"
-
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -62,10 +60,10 @@ std::uint32_t heaviest_bone(const AssetContents& contents, const PatchRecord& pa
 }  // namespace
 
 void pack_mesh(const HairMesh& mesh, const PatchSet& patches, const PatchOrder& order, const StrandField& strands,
-               const Skeleton& skeleton, AssetContents& contents) {
+               const Eigen::Vector3d& head_joint, const SkinWeights& weights, AssetContents& contents) {
   const std::vector<std::uint32_t> indices = lay_out_indices(mesh, patches, order, contents.patches);
-  const std::vector<SkinRecord> skin = quantize_skin(mesh, skeleton);
-  const Eigen::Vector3f origin = skeleton.bones[0].start.cast<float>();
+  const std::vector<SkinRecord> skin = quantize_skin(weights);
+  const Eigen::Vector3f origin = head_joint.cast<float>();
   std::vector<std::uint32_t> new_place(mesh.positions.size());
   const std::size_t used =
       meshopt_optimizeVertexFetchRemap(new_place.data(), indices.data(), indices.size(), mesh.positions.size());

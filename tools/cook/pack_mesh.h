@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/skin_weights.h"
 #include "cook/sort_patches.h"
 #include "cook/strand_direction.h"
 #include "write/asset_writer.h"
@@ -7,8 +8,9 @@
 namespace coif {
 
 /// Writes vertices, skin, indices and patches of `contents`: patches contiguous in draw order, triangles inside a patch
-/// ordered for the vertex cache, vertices in order of first use. Positions move to head space.
+/// ordered for the vertex cache, vertices in order of first use. Positions move to head space, whose
+/// origin is `origin` in the model.
 void pack_mesh(const HairMesh& mesh, const PatchSet& patches, const PatchOrder& order, const StrandField& strands,
-               const Skeleton& skeleton, AssetContents& contents);
+               const Eigen::Vector3d& origin, const SkinWeights& weights, AssetContents& contents);
 
 }  // namespace coif

@@ -22,13 +22,15 @@ BoneRecord pack_bone(const SkeletonBone& bone, const Eigen::Vector3d& origin) {
   return record;
 }
 
-ColliderRecord pack_collider(const FittedHead& head, const Eigen::Vector3d& origin) {
+ColliderRecord pack_collider(const HeadCollider& collider, const Eigen::Vector3d& origin) {
   ColliderRecord record{};
-  store(head.center - origin, record.center);
-  store(head.radii, record.radii);
+  record.shape = collider.shape;
+  record.bone = collider.bone;
+  record.flags = collider.keeps_inside ? kColliderKeepsInside : 0;
+  store(collider.center - origin, record.center);
+  store(collider.radii, record.radii);
+  store(collider.axis, record.axis);
   record.rotation[3] = 1.0f;
-  const bool sphere = record.radii[0] == record.radii[1] && record.radii[1] == record.radii[2];
-  record.shape = sphere ? ColliderShape::kSphere : ColliderShape::kEllipsoid;
   return record;
 }
 
@@ -39,20 +41,21 @@ void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
 
 }  // namespace
 
-void pack_skeleton(const Skeleton& skeleton, const FittedHead& head, AssetContents& contents) {
+void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents) {
   const Eigen::Vector3d origin = skeleton.bones[0].start;
   store(origin, contents.skeleton.head_joint);
   const Eigen::Quaternionf rotation = skeleton.head_rotation.cast<float>();
   std::copy_n(rotation.coeffs().data(), 4, contents.skeleton.head_rotation);  // Eigen keeps x, y, z, w
-  for (const SkeletonBone& bone : skeleton.bones) {
-    contents.bones.push_back(pack_bone(bone, origin));
-    contents.bone_names.push_back(bone.name);
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    contents.bones.push_back(pack_bone(skeleton.bones[b], origin));
+    contents.bones.back().colliders = colliders.of_bone[b];
+    contents.bone_names.push_back(skeleton.bones[b].name);
   }
   contents.chains = skeleton.chains;
-  if (head.collides()) contents.colliders.push_back(pack_collider(head, origin));
+  for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
 }
 
-MaterialRecord pack_material(const SourceMaterial* source, const Recipe& recipe) {
+MaterialRecord pack_material(const SourceMaterial* source, const HairMesh& hair, const Recipe& recipe) {
   MaterialRecord record{};
   store(recipe.base_color, record.base_color);
   store(recipe.ambient, record.ambient);
@@ -64,8 +67,9 @@ MaterialRecord pack_material(const SourceMaterial* source, const Recipe& recipe)
   record.secondary_shift = float(recipe.secondary_shift);
   record.opaque_threshold = float(recipe.opaque_threshold);
   record.discard_threshold = float(recipe.discard_threshold);
+  const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
+  if (both) record.flags |= kMaterialDoubleSided;
   if (source == nullptr) return record;
-  if (source->double_sided) record.flags |= kMaterialDoubleSided;
   for (int k = 0; k < 4; ++k) record.base_color[k] *= std::clamp(source->base_color[k], 0.0f, 1.0f);
   return record;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cook/fit_head.h"
 #include "cook/recipe.h"
+#include "cook/settle_colliders.h"
 #include "cook/skeleton.h"
 #include "write/asset_writer.h"
 
@@ -9,9 +9,9 @@ namespace coif {
 
 /// Writes skeleton, bones, names, chains and colliders of `contents`, in head space. Rest directions are in the parent's
 /// frame, which at rest has the axes of the model.
-void pack_skeleton(const Skeleton& skeleton, const FittedHead& head, AssetContents& contents);
+void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents);
 
 /// The recipe's material; its base colour times that of the source's (may be null).
-[[nodiscard]] MaterialRecord pack_material(const SourceMaterial* source, const Recipe& recipe);
+[[nodiscard]] MaterialRecord pack_material(const SourceMaterial* source, const HairMesh& hair, const Recipe& recipe);
 
 }  // namespace coif

@@ -34,6 +34,14 @@ struct Recipe {
   std::string head_bone;  ///< Pattern; "": found by name and hierarchy.
   std::string scalp;      ///< "thesis", "none" or "pattern".
   std::vector<std::string> scalp_bones;
+  // chains, where the file has no bones
+  std::string chain_source;  ///< "auto", "file", "fit" or "none".
+  std::uint32_t chain_max_count = 0;
+  std::uint32_t chain_max_bones = 0;
+  double chain_bone_length = 0;
+  double chain_shortest = 0;
+  std::vector<std::string> chain_only;
+  std::vector<std::string> chain_exclude;
   // patches
   std::string patch_connectivity;  ///< "auto", "index" or "position".
   double patch_weld_distance = 0;
@@ -55,6 +63,7 @@ struct Recipe {
   // material
   std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};
+  std::string sides;  ///< "auto", "both" or "front".
   double opaque_threshold = 0;
   double discard_threshold = 0;
   std::array<double, 3> primary_color{};

@@ -7,23 +7,8 @@
 namespace coif {
 namespace {
 
-struct BoneWeight {
-  std::uint32_t bone = 0;
-  double weight = 0;
-};
-
-/// Weights per bone, heaviest first, at most four, adding up to one.
-std::vector<BoneWeight> heaviest_bones(std::span<const SourceInfluence> influences, const Skeleton& skeleton) {
-  std::vector<BoneWeight> bones;
-  for (const SourceInfluence& influence : influences) {
-    const std::uint32_t bone = skeleton.bone_of_node[influence.node];
-    const auto same = std::ranges::find(bones, bone, &BoneWeight::bone);
-    if (same != bones.end()) {
-      same->weight += influence.weight;
-    } else {
-      bones.push_back({bone, influence.weight});
-    }
-  }
+/// Heaviest first, at most four, adding up to one.
+std::vector<BoneWeight> heaviest_bones(std::vector<BoneWeight> bones) {
   std::ranges::stable_sort(bones, std::greater<>{}, &BoneWeight::weight);
   if (bones.size() > 4) bones.resize(4);
   double sum = 0;
@@ -54,12 +39,26 @@ SkinRecord quantize(const std::vector<BoneWeight>& bones) {
 
 }  // namespace
 
-std::vector<SkinRecord> quantize_skin(const HairMesh& mesh, const Skeleton& skeleton) {
-  std::vector<SkinRecord> skin;
-  skin.reserve(mesh.positions.size());
+SkinWeights weights_of_source(const HairMesh& mesh, const Skeleton& skeleton) {
+  SkinWeights weights(mesh.positions.size());
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    skin.push_back(quantize(heaviest_bones(mesh.influences_of(v), skeleton)));
+    for (const SourceInfluence& influence : mesh.influences_of(v)) {
+      const std::uint32_t bone = skeleton.bone_of_node[influence.node];
+      const auto same = std::ranges::find(weights[v], bone, &BoneWeight::bone);
+      if (same != weights[v].end()) {
+        same->weight += influence.weight;
+      } else {
+        weights[v].push_back({bone, influence.weight});
+      }
+    }
   }
+  return weights;
+}
+
+std::vector<SkinRecord> quantize_skin(const SkinWeights& weights) {
+  std::vector<SkinRecord> skin;
+  skin.reserve(weights.size());
+  for (const std::vector<BoneWeight>& bones : weights) skin.push_back(quantize(heaviest_bones(bones)));
   return skin;
 }
 

@@ -74,14 +74,6 @@ int texture_axis_of_strands(const HairMesh& mesh, const PatchView& patch) {
   return length[1] >= length[0] ? 1 : 0;
 }
 
-/// Distance from the head's surface where there is a head, else from its centre.
-float distance_from_head(const FittedHead& head, const Vector3f& p) {
-  const Eigen::Vector3d from = p.cast<double>() - head.center;
-  if (!head.collides()) return float(from.norm());
-  const double scaled = from.cwiseQuotient(head.radii).norm();
-  return float((scaled - 1) * head.radii.mean());
-}
-
 /// +1 where the root is at the low end of `coordinate`, -1 where it is at the high end.
 float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate,
                 const FittedHead& head) {
@@ -93,7 +85,7 @@ float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const fl
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
     if (coordinate[i] > low + quarter && coordinate[i] < high - quarter) continue;
     End& end = ends[coordinate[i] <= low + quarter ? 0 : 1];
-    end.distance += distance_from_head(head, mesh.positions[patch.vertices[i]]);
+    end.distance += float(head.distance(mesh.positions[patch.vertices[i]].cast<double>()));
     end.height += mesh.positions[patch.vertices[i]].y();
     end.count += 1;
   }
@@ -103,7 +95,7 @@ float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const fl
   }
   const float difference = ends[1].distance - ends[0].distance;
   // Hair that follows the skull is everywhere as near to it; there the upper end is the root.
-  const float size = float(head.collides() ? head.radii.mean() : 0.1);
+  const float size = float(head.radii.mean());
   if (std::abs(difference) > 0.1f * size) return difference > 0 ? 1.0f : -1.0f;
   return ends[0].height >= ends[1].height ? 1.0f : -1.0f;
 }

@@ -92,6 +92,8 @@ std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> position
 void weld_vertices(HairMesh& mesh) {
   HairMesh welded;
   welded.material = mesh.material;
+  welded.double_sided = mesh.double_sided;
+  welded.mesh_of_triangle = std::move(mesh.mesh_of_triangle);
   welded.influence_begin.push_back(0);
   welded.triangles.reserve(mesh.triangles.size());
   std::unordered_map<std::string, std::uint32_t> seen;

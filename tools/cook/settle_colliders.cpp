@@ -1,0 +1,101 @@
+#include "cook/settle_colliders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSmallestShare = 0.5;  ///< A head that has to shrink further was not the head.
+constexpr double kStretch = 0.5;        ///< Algorithm 1 stretches up to this on hard motion (NUMERICS: 25 to 50 %).
+
+/// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
+double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton) {
+  double share = 1;
+  for (const SkeletonBone& bone : skeleton.bones) {
+    if (bone.kind != BoneKind::kSimulated) continue;
+    share = std::min(share, (bone.tail - head.center).cwiseQuotient(head.radii).norm());
+  }
+  return share;
+}
+
+/// The share of the head's size that the collider keeps.
+double share_kept(const FittedHead& head, const Skeleton& skeleton, Colliders& colliders) {
+  const double share = share_at_first_particle(head, skeleton);
+  if (share >= 1) return 1;
+  if (head.declared) {
+    colliders.warnings.push_back(
+        fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
+                    "inside it; make head.radii smaller",
+                    100 * (1 - share)));
+    return 1;
+  }
+  const double kept = std::max(share * 0.999, kSmallestShare);
+  colliders.warnings.push_back(
+      fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}", 100 * kept,
+                  share < kSmallestShare ? "; some bones still end inside it" : ""));
+  return kept;
+}
+
+/// Distance of `point` from the surface of a sphere around all of the shape; a plane has none.
+double distance_at_least(const HeadCollider& shape, const Vector3d& point) {
+  switch (shape.shape) {
+    case ColliderShape::kSphere:
+    case ColliderShape::kEllipsoid: return (point - shape.center).norm() - shape.radii.maxCoeff();
+    case ColliderShape::kCapsule: {
+      const double along = (point - shape.center).dot(shape.axis) / shape.axis.squaredNorm();
+      return (point - shape.center - shape.axis * std::clamp(along, 0.0, 1.0)).norm() - shape.radii.x();
+    }
+    case ColliderShape::kPlane: return (point - shape.center).dot(shape.axis);
+  }
+  return 0;
+}
+
+bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {
+  // Whoever is kept inside may touch the shell from anywhere.
+  return shape.keeps_inside || distance_at_least(shape, root) <= reach;
+}
+
+}  // namespace
+
+Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe) {
+  Colliders colliders;
+  colliders.of_bone.assign(skeleton.bones.size(), 0);
+  if (recipe.head_shape == "none") return colliders;
+  const Vector3d radii = head.radii * share_kept(head, skeleton, colliders);
+  const bool sphere = radii.minCoeff() == radii.maxCoeff();
+  HeadCollider shape;
+  shape.shape = sphere ? ColliderShape::kSphere : ColliderShape::kEllipsoid;
+  shape.center = head.center;
+  shape.radii = radii;
+  colliders.shapes.push_back(shape);
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    colliders.of_bone[b] = skeleton.bones[b].kind == BoneKind::kSimulated ? 1 : 0;
+  }
+  return colliders;
+}
+
+void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders) {
+  struct Reach {
+    Vector3d root;
+    double length;
+  };
+  std::vector<Reach> reach(skeleton.bones.size());
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    const SkeletonBone& bone = skeleton.bones[b];
+    if (bone.kind != BoneKind::kSimulated) continue;
+    const bool first = skeleton.bones[bone.parent].kind != BoneKind::kSimulated;
+    reach[b].root = first ? bone.start : reach[bone.parent].root;
+    reach[b].length = bone.length() + (first ? 0 : reach[bone.parent].length);
+    const double radius = colliders.hit_radius.empty() ? 0 : colliders.hit_radius[b];
+    for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
+      if (in_reach(colliders.shapes[c], reach[b].root, reach[b].length * (1 + kStretch) + radius)) continue;
+      colliders.of_bone[b] &= ~(1u << c);
+    }
+  }
+}
+
+}  // namespace coif
