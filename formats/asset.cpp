@@ -79,6 +79,7 @@ LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& 
     case chunk::kSkin: return read_chunk(file, entry, skin_);
     case chunk::kIndices: return read_chunk(file, entry, indices_);
     case chunk::kPatches: return read_chunk(file, entry, patches_);
+    case chunk::kLods: return read_chunk(file, entry, lods_);
     case chunk::kMaterial: return read_single(file, entry, material_);
     case chunk::kTextures: return read_chunk(file, entry, textures_);
     case chunk::kTexels: return read_chunk(file, entry, texels_);
@@ -96,6 +97,7 @@ LoadStatus Asset::check_content() const {
   if (const LoadStatus status = check_skeleton(*this, names_.size()); !status) return status;
   if (const LoadStatus status = check_dynamics(*this); !status) return status;
   if (const LoadStatus status = check_colliders(*this); !status) return status;
+  if (const LoadStatus status = check_lods(*this); !status) return status;
   if (const LoadStatus status = check_mesh(*this); !status) return status;
   if (const LoadStatus status = check_material(*this); !status) return status;
   if (const LoadStatus status = check_textures(*this, texels_.size()); !status) return status;

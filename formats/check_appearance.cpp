@@ -9,10 +9,12 @@ namespace {
 constexpr std::uint32_t kMaxTextureSize = 16384;
 constexpr float kMaxColor = 1.0e3f;
 
-/// Every role has one format in this version.
 bool format_fits(const TextureRecord& t) {
-  return (t.role == TextureRole::kBaseColor && t.format == TexelFormat::kSrgb8Alpha8) ||
-         (t.role == TextureRole::kShiftMask && t.format == TexelFormat::kRg8);
+  switch (t.role) {
+    case TextureRole::kBaseColor: return t.format == TexelFormat::kSrgb8Alpha8;
+    case TextureRole::kShiftMask: return t.format == TexelFormat::kRg8 || t.format == TexelFormat::kRg11Eac;
+  }
+  return false;
 }
 
 bool dimensions_fit(const TextureRecord& t) {

@@ -51,12 +51,31 @@ LoadStatus check_indices(const Asset& asset) {
   return {};
 }
 
+/// Each level of detail has an order of its own. check_lods() has proved that the levels are contiguous.
+class LevelStarts {
+ public:
+  explicit LevelStarts(std::span<const LodRecord> lods) : lods_(lods) {}
+
+  /// For patches asked for in ascending order.
+  bool is_start(std::size_t patch) {
+    if (next_ == lods_.size() || lods_[next_].first_patch != patch) return false;
+    ++next_;
+    return true;
+  }
+
+ private:
+  std::span<const LodRecord> lods_;
+  std::size_t next_ = 0;
+};
+
 LoadStatus check_patches(const Asset& asset) {
+  LevelStarts levels(asset.lods());
   const std::uint64_t total = asset.indices().size();
   std::uint64_t next = 0;
   float distance = 0;
   for (std::size_t i = 0; i < asset.patches().size(); ++i) {
     const PatchRecord& patch = asset.patches()[i];
+    if (levels.is_start(i)) distance = 0;
     const auto fail = [&](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
       return LoadStatus{code, chunk::kPatches, i, expected, found};
     };

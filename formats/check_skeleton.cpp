@@ -27,8 +27,6 @@ LoadStatus check_bone_place(std::span<const BoneRecord> bones, std::size_t i) {
 
 LoadStatus check_bone_shape(const BoneRecord& bone, std::size_t i) {
   if (!all_finite(bone.joint)) return bone_error(LoadCode::kNotFinite, i);
-  // The negated form also refuses NaN, and -0.0 passes as zero.
-  if (!(bone.reserved == 0.0f)) return bone_error(LoadCode::kReserved, i);
   if (is_rigid(bone)) {
     const bool rigid = bone.length == 0.0f && all_zero(bone.rest_direction) && bone.chain == kNone;
     return rigid ? LoadStatus{} : bone_error(LoadCode::kNotFinite, i);
@@ -119,26 +117,11 @@ LoadStatus check_dynamics(const Asset& asset) {
   }
   for (std::size_t i = 0; i < dynamics.size(); ++i) {
     const DynamicsRecord& d = dynamics[i];
+    if (!all_zero(d.reserved)) return {LoadCode::kReserved, chunk::kDynamics, i};
     const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
-                      in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f);
+                      in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
+                      in_range(d.hit_radius, 0.0f, kMaxCoordinate);
     if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
-  }
-  return {};
-}
-
-LoadStatus check_colliders(const Asset& asset) {
-  for (std::size_t i = 0; i < asset.colliders().size(); ++i) {
-    const ColliderRecord& c = asset.colliders()[i];
-    const auto fail = [&](LoadCode code) { return LoadStatus{code, chunk::kColliders, i}; };
-    if (c.shape > ColliderShape::kEllipsoid) return fail(LoadCode::kEnumerator);
-    if (c.reserved[0] != 0 || c.reserved[1] != 0 || !(c.reserved_center == 0.0f) || !(c.reserved_radii == 0.0f)) {
-      return fail(LoadCode::kReserved);
-    }
-    if (c.bone >= asset.bones().size() || !is_rigid(asset.bones()[c.bone])) return fail(LoadCode::kReference);
-    const bool sphere = c.radii[0] == c.radii[1] && c.radii[1] == c.radii[2];
-    const bool good = all_finite(c.center) && all_in_range(c.radii, 1.0e-6f, kMaxCoordinate) && is_unit(c.rotation) &&
-                      (c.shape != ColliderShape::kSphere || sphere);
-    if (!good) return fail(LoadCode::kNotFinite);
   }
   return {};
 }

@@ -10,6 +10,8 @@ LoadStatus check_names(std::span<const char> names);
 LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes);
 LoadStatus check_dynamics(const Asset& asset);
 LoadStatus check_colliders(const Asset& asset);
+/// Before check_mesh(), which relies on it.
+LoadStatus check_lods(const Asset& asset);
 LoadStatus check_mesh(const Asset& asset);
 LoadStatus check_material(const Asset& asset);
 LoadStatus check_textures(const Asset& asset, std::size_t texel_bytes);

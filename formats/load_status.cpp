@@ -64,8 +64,12 @@ const char* describe(LoadCode code) {
     case LoadCode::kReference: return "index points outside the array it refers to";
     case LoadCode::kBoneOrder: return "bones are not sorted head, scalp, simulated with parents first";
     case LoadCode::kBoneJoint: return "bone does not start where its simulated parent ends";
+    case LoadCode::kColliderSet: return "bone's set names colliders that do not exist, or the bone is rigid";
     case LoadCode::kChainCover: return "chains do not cover the simulated bones exactly once";
     case LoadCode::kPatchCover: return "patches do not cover the index list exactly once in order";
+    case LoadCode::kLodCover: return "levels of detail do not cover the patches exactly once in order";
+    case LoadCode::kLodOrder: return "screen sizes do not fall to 0 or errors do not grow from 0, level by level";
+    case LoadCode::kLodBones: return "level of detail simulates a bone that it cannot, or the finest leaves one out";
     case LoadCode::kWeightSum: return "skin weights do not add up to one";
     case LoadCode::kName: return "names do not end with a zero byte";
   }

@@ -21,6 +21,7 @@ struct AssetContents {
   std::vector<SkinRecord> skin;
   std::vector<std::uint32_t> indices;
   std::vector<PatchRecord> patches;
+  std::vector<LodRecord> lods;           ///< Empty: one level.
   std::vector<MaterialRecord> material;  ///< None or one.
   std::vector<TextureRecord> textures;   ///< Offsets and bytes refer to `texels`.
   std::vector<std::byte> texels;

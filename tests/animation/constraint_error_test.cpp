@@ -23,6 +23,7 @@ std::vector<Vec3> resting_ends(const Asset& asset) {
 AssetContents with_collider(const ColliderRecord& collider) {
   AssetContents contents = small_asset();
   contents.colliders = {collider};
+  for (BoneRecord& bone : contents.bones) bone.colliders = bone.kind == BoneKind::kSimulated ? 1 : 0;
   return contents;
 }
 
@@ -52,7 +53,7 @@ TEST(WorstStretch, CountsLongerAndShorterBonesAlike) {
 
 TEST(WorstPenetration, IsOneAtTheCentreAndZeroOnTheSurfaceOfASphere) {
   const OpenAsset file(
-      with_collider({ColliderShape::kSphere, 0, {}, {1, 2, 3}, 0, {0.5f, 0.5f, 0.5f}, 0, {0, 0, 0, 1}}));
+      with_collider({ColliderShape::kSphere, 0, {}, 0, {1, 2, 3}, 0, {0.5f, 0.5f, 0.5f}, 0, {0, 0, 0, 1}, {}, 0}));
   ASSERT_TRUE(file.asset().is_open());
   std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
   EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
@@ -66,8 +67,8 @@ TEST(WorstPenetration, IsOneAtTheCentreAndZeroOnTheSurfaceOfASphere) {
 
 TEST(WorstPenetration, FollowsTheEllipsoidsRotation) {
   const float half = std::sqrt(0.5f);  // a quarter turn about Z: the long X axis points along Y
-  const OpenAsset file(
-      with_collider({ColliderShape::kEllipsoid, 0, {}, {0, 0, 0}, 0, {0.4f, 0.1f, 0.1f}, 0, {0, 0, half, half}}));
+  const OpenAsset file(with_collider(
+      {ColliderShape::kEllipsoid, 0, {}, 0, {0, 0, 0}, 0, {0.4f, 0.1f, 0.1f}, 0, {0, 0, half, half}, {}, 0}));
   ASSERT_TRUE(file.asset().is_open());
   std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
   ends[2] = {0.3f, 0, 0};

@@ -21,13 +21,20 @@ double touch_everything(const Asset& asset) {
     const BoneRecord& bone = asset.bones()[i];
     if (bone.parent != kNone) sum += asset.bones()[bone.parent].joint[0];
     for (const char* c = asset.bone_name(i); *c != 0; ++c) sum += *c;
+    for (std::uint32_t k = 0; k < kMaxColliders; ++k) {
+      if ((bone.colliders >> k & 1) != 0) sum += asset.colliders()[k].center[0];
+    }
     sum += bone.length + bone.rest_direction[0] + bone.rest_direction[1] + bone.rest_direction[2];
   }
   for (const ChainRecord& chain : asset.chains()) {
     for (std::uint32_t i = 0; i < chain.bone_count; ++i) sum += asset.bones()[chain.first_bone + i].joint[1];
   }
-  for (const DynamicsRecord& d : asset.dynamics()) sum += d.resistance + d.friction + d.gravity_scale;
-  for (const ColliderRecord& c : asset.colliders()) sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3];
+  for (const DynamicsRecord& d : asset.dynamics()) sum += d.resistance + d.friction + d.gravity_scale + d.hit_radius;
+  for (const ColliderRecord& c : asset.colliders())
+    sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3] + c.axis[1];
+  for (const LodRecord& lod : asset.lods()) {
+    sum += asset.patches()[lod.first_patch + lod.patch_count - 1].head_distance + lod.screen_size + lod.error;
+  }
   for (const PatchRecord& patch : asset.patches()) {
     for (std::uint32_t k = 0; k < patch.index_count; ++k) {
       const std::uint32_t v = asset.indices()[patch.first_index + k];

@@ -1,6 +1,7 @@
 #include <coif/asset.h>
 
 #include "formats/aligned_bytes.h"
+#include "formats/refusal.h"
 #include "formats/small_asset.h"
 
 #include <gtest/gtest.h>
@@ -11,22 +12,6 @@
 
 namespace coif {
 namespace {
-
-LoadStatus open_written(const AssetContents& contents) {
-  AlignedBytes file(write_asset(contents));
-  Asset asset;
-  const LoadStatus status = asset.open(file.bytes());
-  EXPECT_EQ(asset.is_open(), bool(status)) << "a refused asset must leave the view empty";
-  return status;
-}
-
-/// Opens small_asset() after a change that should be refused.
-template <typename Change>
-LoadCode refusal(Change change) {
-  AssetContents contents = small_asset();
-  change(contents);
-  return open_written(contents).code;
-}
 
 TEST(Open, GivesBackWhatWasWritten) {
   const AssetContents contents = small_asset();
@@ -39,8 +24,14 @@ TEST(Open, GivesBackWhatWasWritten) {
   EXPECT_STREQ(asset.bone_name(3), "hair_2");
   EXPECT_STREQ(asset.bone_name(999), "");
   EXPECT_FLOAT_EQ(asset.bones()[4].length, 0.1f);
-  EXPECT_EQ(asset.indices().size(), 6u);
+  EXPECT_EQ(asset.indices().size(), 9u);
   EXPECT_EQ(asset.patches()[1].first_index, 3u);
+  ASSERT_EQ(asset.lods().size(), 2u);
+  EXPECT_EQ(asset.lods()[1].simulated[0], 0b100u);
+  EXPECT_EQ(asset.bones()[2].colliders, 0b111u);
+  EXPECT_EQ(asset.colliders()[1].flags, kColliderKeepsInside);
+  EXPECT_FLOAT_EQ(asset.colliders()[1].axis[1], -0.2f);
+  EXPECT_FLOAT_EQ(asset.dynamics()[4].hit_radius, 0.005f);
   ASSERT_NE(asset.texture(TextureRole::kShiftMask), nullptr);
   const TextureRecord& base = *asset.texture(TextureRole::kBaseColor);
   EXPECT_EQ(asset.texels(base, 2).size(), 4u);
@@ -56,10 +47,12 @@ TEST(Open, AcceptsASkeletonAlone) {
   contents.skin.clear();
   contents.indices.clear();
   contents.patches.clear();
+  contents.lods.clear();
   contents.material.clear();
   contents.textures.clear();
   contents.texels.clear();
   contents.colliders.clear();
+  for (BoneRecord& bone : contents.bones) bone.colliders = 0;
   contents.provenance.clear();
   contents.bone_names.clear();
   EXPECT_TRUE(open_written(contents));
@@ -125,18 +118,18 @@ TEST(Open, RefusesBrokenSkeletons) {
   EXPECT_EQ(refusal([](auto& a) { a.skeleton.head_rotation[3] = 0; }), LoadCode::kNotFinite);
 }
 
-TEST(Open, RefusesBrokenDynamicsAndColliders) {
+TEST(Open, RefusesBrokenDynamics) {
   EXPECT_EQ(refusal([](auto& a) { a.dynamics.clear(); }), LoadCode::kChunkMissing);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics.pop_back(); }), LoadCode::kChunkSize);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].resistance = 1.01f; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].friction = -1.0f; }), LoadCode::kNotFinite);
-  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].radii[1] = 0; }), LoadCode::kNotFinite);
-  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape::kSphere; }), LoadCode::kNotFinite);
-  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = 3; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].hit_radius = -0.001f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].hit_radius = std::nanf(""); }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[2] = 1.0f; }), LoadCode::kReserved);
 }
 
 TEST(Open, RefusesBrokenMeshes) {
-  EXPECT_EQ(refusal([](auto& a) { a.indices[4] = 6; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.indices[4] = 9; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.indices.pop_back(); }), LoadCode::kChunkSize);
   EXPECT_EQ(refusal([](auto& a) { a.skin.pop_back(); }), LoadCode::kChunkSize);
   EXPECT_EQ(refusal([](auto& a) { a.skin.clear(); }), LoadCode::kChunkMissing);
@@ -144,12 +137,25 @@ TEST(Open, RefusesBrokenMeshes) {
   EXPECT_EQ(refusal([](auto& a) { a.skin[0].bone[3] = 5; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.skin[5].weight[0] = 0; }), LoadCode::kWeightSum);
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].first_index = 0; }), LoadCode::kPatchCover);
-  EXPECT_EQ(refusal([](auto& a) { a.patches[1].index_count = 6; }), LoadCode::kPatchCover);
-  EXPECT_EQ(refusal([](auto& a) { a.patches.pop_back(); }), LoadCode::kPatchCover);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].index_count = 9; }), LoadCode::kPatchCover);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[2].index_count = 6; }), LoadCode::kPatchCover);
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0; }), LoadCode::kNotFinite) << "not ascending";
   EXPECT_EQ(refusal([](auto& a) { a.vertices[2].position[1] = std::numeric_limits<float>::infinity(); }),
             LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.vertices[2].normal[2] = 0; }), LoadCode::kNotFinite);
+}
+
+TEST(Open, AcceptsACompressedShiftMaskAndNoOtherCompressedTexture) {
+  const auto compress = [](std::size_t texture, std::uint32_t side, std::uint64_t bytes) {
+    return [=](AssetContents& a) {
+      a.texels.resize(128);
+      a.textures[texture] = {TextureRole(texture), TexelFormat::kRg11Eac, side, side, 1, 0, 48, bytes};
+    };
+  };
+  EXPECT_EQ(refusal(compress(1, 2, 16)), LoadCode::kOk) << "a part of a block is a whole one";
+  EXPECT_EQ(refusal(compress(1, 5, 64)), LoadCode::kOk);
+  EXPECT_EQ(refusal(compress(1, 5, 50)), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal(compress(0, 4, 16)), LoadCode::kEnumerator);
 }
 
 TEST(Open, RefusesBrokenAppearance) {
@@ -165,11 +171,11 @@ TEST(Open, RefusesBrokenAppearance) {
 
 TEST(LoadStatus, NamesChunkRecordAndNumbers) {
   AssetContents contents = small_asset();
-  contents.indices[4] = 6;
+  contents.indices[4] = 9;
   char text[200];
   const std::size_t length = describe(open_written(contents), text, sizeof text);
   EXPECT_EQ(std::string(text, length),
-            "chunk INDX, record 4: index points outside the array it refers to (size 6, index 6)");
+            "chunk INDX, record 4: index points outside the array it refers to (size 9, index 9)");
 }
 
 TEST(LoadStatus, DescriptionFitsTheBufferGiven) {

@@ -1,5 +1,8 @@
 #include "formats/small_asset.h"
 
+#include <algorithm>
+#include <array>
+
 namespace coif {
 namespace {
 
@@ -34,16 +37,37 @@ VertexRecord vertex(float x, float y) {
   return v;
 }
 
+/// Three patches of a triangle each: two of level 0, one of level 1.
 void add_mesh(AssetContents& asset) {
-  for (int patch = 0; patch < 2; ++patch) {
+  for (int patch = 0; patch < 3; ++patch) {
     const auto first = std::uint32_t(asset.vertices.size());
     for (int k = 0; k < 3; ++k) {
       asset.vertices.push_back(vertex(0.05f * float(k + patch), -0.1f * float(k % 2)));
       asset.skin.push_back({{std::uint8_t(2 + patch), 0, 0, 0}, {200, 55, 0, 0}});
       asset.indices.push_back(first + std::uint32_t(k));
     }
-    asset.patches.push_back({std::uint32_t(3 * patch), 3, 0.1f + 0.01f * float(patch), std::uint32_t(2 + patch)});
+    const float head_distance = 0.1f + 0.01f * float(patch % 2);  // ascends anew in each level
+    asset.patches.push_back({std::uint32_t(3 * patch), 3, head_distance, std::uint32_t(2 + patch)});
   }
+  asset.lods = {{0, 2, 0.3f, 0.0f, {0b11100}}, {2, 1, 0.0f, 0.004f, {0b00100}}};
+}
+
+ColliderRecord collider(ColliderShape shape, const std::array<float, 3>& radii, const std::array<float, 3>& axis) {
+  ColliderRecord record{};
+  record.shape = shape;
+  std::copy(radii.begin(), radii.end(), record.radii);
+  std::copy(axis.begin(), axis.end(), record.axis);
+  record.rotation[3] = 1.0f;
+  return record;
+}
+
+void add_colliders(AssetContents& asset) {
+  asset.colliders = {collider(ColliderShape::kEllipsoid, {0.08f, 0.12f, 0.1f}, {}),
+                     collider(ColliderShape::kCapsule, {0.05f, 0.05f, 0.05f}, {0.0f, -0.2f, 0.0f}),
+                     collider(ColliderShape::kPlane, {}, {0.0f, 0.0f, 1.0f})};
+  asset.colliders[1].flags = kColliderKeepsInside;
+  asset.bones[2].colliders = 0b111;
+  asset.bones[3].colliders = 0b010;
 }
 
 void add_textures(AssetContents& asset) {
@@ -63,14 +87,8 @@ AssetContents small_asset() {
                  simulated(2, 0, -0.05f), simulated(0, 1, 0.0f)};
   asset.bone_names = {"Head", "scalp", "hair_1", "hair_2", "fringe"};
   asset.chains = {{2, 2, 1, 0}, {4, 1, 0, 0}};
-  for (std::size_t i = 0; i < asset.bones.size(); ++i) asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f});
-  ColliderRecord head{};
-  head.shape = ColliderShape::kEllipsoid;
-  head.radii[0] = 0.08f;
-  head.radii[1] = 0.12f;
-  head.radii[2] = 0.1f;
-  head.rotation[3] = 1.0f;
-  asset.colliders = {head};
+  for (std::size_t i = 0; i < asset.bones.size(); ++i) asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f, 0.005f, {}});
+  add_colliders(asset);
   add_mesh(asset);
   MaterialRecord material{};
   for (float& c : material.base_color) c = 1.0f;

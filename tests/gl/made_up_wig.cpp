@@ -111,7 +111,7 @@ void add_chain(AssetContents& out, const WigSettings& settings, const Strip& str
       bone.rest_direction[k] = direction[k];
     }
     out.bones.push_back(bone);
-    out.dynamics.push_back({0.6f / static_cast<float>(i + 1), 2.0f, 1.0f, 60.0f});
+    out.dynamics.push_back({0.6f / static_cast<float>(i + 1), 2.0f, 1.0f, 60.0f, 0.0f, {}});
   }
   out.chains.push_back({first, settings.bones_per_chain, 0, 0});
 }
@@ -201,7 +201,7 @@ std::vector<std::byte> made_up_wig(const WigSettings& settings) {
   BoneRecord head{};
   head.parent = head.chain = head.name = kNone;
   out.bones.push_back(head);
-  out.dynamics.push_back({1, 0, 0, 60});
+  out.dynamics.push_back({1, 0, 0, 60, 0, {}});
 
   for (std::uint32_t i = 0; i < settings.strips; ++i) {
     const float turn = static_cast<float>(i) / static_cast<float>(settings.strips);

@@ -15,7 +15,7 @@ TestRig::TestRig() {
   BoneRecord head{};
   head.parent = head.chain = head.name = kNone;
   bones.push_back(head);
-  dynamics.push_back({0, 0, 1, 60});
+  dynamics.push_back({0, 0, 1, 60, 0, {}});
 }
 
 std::uint32_t TestRig::add(const TestBone& bone) {
@@ -29,7 +29,7 @@ std::uint32_t TestRig::add(const TestBone& bone) {
   store(bone.rest_direction, record.rest_direction);
   record.length = bone.length;
   bones.push_back(record);
-  dynamics.push_back({bone.resistance, bone.friction, 1, 60});
+  dynamics.push_back({bone.resistance, bone.friction, 1, 60, 0, {}});
   return std::uint32_t(bones.size() - 1);
 }
 
@@ -62,6 +62,9 @@ AssetContents TestRig::contents() const {
   AssetContents contents;
   contents.skeleton.head_rotation[3] = 1;
   contents.bones = bones;
+  for (BoneRecord& bone : contents.bones) {
+    if (bone.kind == BoneKind::kSimulated) bone.colliders = (1u << colliders.size()) - 1;
+  }
   contents.dynamics = dynamics;
   contents.colliders = colliders;
   for (std::uint32_t i = 1; i < bones.size(); ++i) {

@@ -43,6 +43,8 @@ class Asset {
   [[nodiscard]] std::span<const SkinRecord> skin() const { return skin_; }
   [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
   [[nodiscard]] std::span<const PatchRecord> patches() const { return patches_; }
+  /// Levels of detail, finest first; empty where the asset has one level: all patches, all bones simulated.
+  [[nodiscard]] std::span<const LodRecord> lods() const { return lods_; }
 
   [[nodiscard]] const MaterialRecord* material() const { return material_; }  ///< Null where absent.
   [[nodiscard]] std::span<const TextureRecord> textures() const { return textures_; }
@@ -69,6 +71,7 @@ class Asset {
   std::span<const SkinRecord> skin_;
   std::span<const std::uint32_t> indices_;
   std::span<const PatchRecord> patches_;
+  std::span<const LodRecord> lods_;
   const MaterialRecord* material_ = nullptr;
   std::span<const TextureRecord> textures_;
   std::span<const std::byte> texels_;

@@ -26,8 +26,12 @@ enum class LoadCode : std::uint8_t {
   kReference,         ///< An index points outside the array it refers to.
   kBoneOrder,         ///< Head first, then scalp, then simulated, parents before children: broken.
   kBoneJoint,         ///< A bone does not start where its simulated parent ends.
+  kColliderSet,       ///< A bone's set names a collider that does not exist, or belongs to a rigid bone.
   kChainCover,        ///< Chains do not cover the simulated bones exactly once.
   kPatchCover,        ///< Patches do not cover the index list exactly once, in order.
+  kLodCover,          ///< Levels of detail do not cover the patches exactly once, in order.
+  kLodOrder,          ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.
+  kLodBones,          ///< A level simulates a bone that it cannot, or level 0 leaves one out.
   kWeightSum,         ///< Skin weights of a vertex do not add up to one.
   kName,              ///< Names do not end with a zero byte.
 };

@@ -1,0 +1,67 @@
+#include "chunk_checks.h"
+#include "number_checks.h"
+
+namespace coif {
+namespace {
+
+constexpr float kShortest = 1.0e-6f;  ///< Metres: below it a radius or an axis has no direction to push along.
+
+bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
+
+bool reserved_is_zero(const ColliderRecord& c) {
+  // -0.0 passes as zero, NaN does not.
+  return c.reserved == 0 && c.reserved_center == 0.0f && c.reserved_radii == 0.0f && c.reserved_axis == 0.0f;
+}
+
+bool flags_fit(const ColliderRecord& c) {
+  const bool round = c.shape == ColliderShape::kSphere || c.shape == ColliderShape::kCapsule;
+  return (c.flags & ~(round ? kColliderKeepsInside : 0u)) == 0;
+}
+
+bool radii_fit(const ColliderRecord& c) {
+  if (c.shape == ColliderShape::kPlane) return all_zero(c.radii);
+  const bool equal = c.radii[0] == c.radii[1] && c.radii[1] == c.radii[2];
+  return all_in_range(c.radii, kShortest, kMaxCoordinate) && (equal || c.shape == ColliderShape::kEllipsoid);
+}
+
+bool axis_fits(const ColliderRecord& c) {
+  if (c.shape == ColliderShape::kPlane) return is_unit(c.axis);
+  if (c.shape != ColliderShape::kCapsule) return all_zero(c.axis);
+  const float square = c.axis[0] * c.axis[0] + c.axis[1] * c.axis[1] + c.axis[2] * c.axis[2];
+  return all_finite(c.axis) && square >= kShortest * kShortest;
+}
+
+/// A set names only colliders that exist, and only a bone that moves has one.
+LoadStatus check_collider_sets(const Asset& asset) {
+  const std::size_t count = asset.colliders().size();
+  const std::uint32_t all = count == kMaxColliders ? ~0u : (1u << count) - 1;
+  for (std::size_t i = 0; i < asset.bones().size(); ++i) {
+    const BoneRecord& bone = asset.bones()[i];
+    const std::uint32_t allowed = is_rigid(bone) ? 0 : all;
+    if ((bone.colliders & ~allowed) != 0) {
+      return {LoadCode::kColliderSet, chunk::kBones, i, allowed, bone.colliders};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+LoadStatus check_colliders(const Asset& asset) {
+  const auto colliders = asset.colliders();
+  if (colliders.size() > kMaxColliders) {
+    return {LoadCode::kChunkSize, chunk::kColliders, 0, kMaxColliders, colliders.size()};
+  }
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    const ColliderRecord& c = colliders[i];
+    const auto fail = [&](LoadCode code) { return LoadStatus{code, chunk::kColliders, i}; };
+    if (c.shape > ColliderShape::kPlane) return fail(LoadCode::kEnumerator);
+    if (!reserved_is_zero(c) || !flags_fit(c)) return fail(LoadCode::kReserved);
+    if (c.bone >= asset.bones().size() || !is_rigid(asset.bones()[c.bone])) return fail(LoadCode::kReference);
+    const bool good = all_finite(c.center) && radii_fit(c) && is_unit(c.rotation) && axis_fits(c);
+    if (!good) return fail(LoadCode::kNotFinite);
+  }
+  return check_collider_sets(asset);
+}
+
+}  // namespace coif

@@ -1,0 +1,114 @@
+// What open() demands of levels of detail. small_asset() has two: level 0 draws patches 0 and 1 and simulates bones 2, 3
+// (on 2) and 4; level 1 draws patch 2 and simulates bone 2.
+
+#include "formats/refusal.h"
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+/// As many levels as there are patches, all bones simulated in each.
+void make_levels(AssetContents& asset, std::uint32_t count) {
+  asset.lods.clear();
+  asset.patches.clear();
+  asset.indices.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    asset.indices.insert(asset.indices.end(), {0, 1, 2});
+    asset.patches.push_back({3 * i, 3, 0.1f, 2});
+    asset.lods.push_back({i, 1, float(count - 1 - i), 0.001f * float(i), {0b11100}});
+  }
+}
+
+TEST(OpenLods, AcceptsAnAssetWithoutLevels) {
+  const auto without_levels = [](AssetContents& a) {
+    a.lods.clear();
+    a.patches[2].head_distance = a.patches[1].head_distance;
+  };
+  EXPECT_EQ(refusal(without_levels), LoadCode::kOk);
+}
+
+TEST(OpenLods, DrawOrderAscendsWithinALevelOnly) {
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0.01f; }), LoadCode::kNotFinite) << "inside level 0";
+  EXPECT_EQ(refusal([](auto& a) { a.patches[2].head_distance = 0.01f; }), LoadCode::kOk) << "level 1 starts anew";
+  EXPECT_EQ(refusal([](auto& a) { a.lods.clear(); }), LoadCode::kNotFinite) << "without levels all is one order";
+}
+
+TEST(OpenLods, AcceptsAsManyLevelsAsTheFormatAllowsAndNoMore) {
+  EXPECT_EQ(refusal([](auto& a) { make_levels(a, 1); }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { make_levels(a, kMaxLods); }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { make_levels(a, kMaxLods + 1); }), LoadCode::kChunkSize);
+}
+
+TEST(OpenLods, RefusesLevelsThatDoNotCoverThePatches) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].first_patch = 1; }), LoadCode::kLodCover);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].patch_count = 1; }), LoadCode::kLodCover) << "a gap";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].first_patch = 1; }), LoadCode::kLodCover) << "an overlap";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].patch_count = 0; }), LoadCode::kLodCover);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].patch_count = 2; }), LoadCode::kLodCover);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].patch_count = ~0u; }), LoadCode::kLodCover);
+  const auto too_few = [](AssetContents& a) {
+    a.lods.pop_back();
+    a.lods[0].screen_size = 0;
+  };
+  EXPECT_EQ(refusal(too_few), LoadCode::kLodCover) << "the last patch is in no level";
+}
+
+TEST(OpenLods, RefusesLevelsWithoutPatches) {
+  const auto without_mesh = [](AssetContents& a) {
+    a.vertices.clear();
+    a.skin.clear();
+    a.indices.clear();
+    a.patches.clear();
+  };
+  EXPECT_EQ(refusal(without_mesh), LoadCode::kChunkMissing);
+}
+
+TEST(OpenLods, RefusesScreenSizesThatDoNotFallToZero) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].screen_size = 0; }), LoadCode::kLodOrder);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].screen_size = 0.1f; }), LoadCode::kLodOrder) << "the last is not 0";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].screen_size = -0.3f; }), LoadCode::kLodOrder);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].screen_size = NAN; }), LoadCode::kLodOrder);
+  const auto rising = [](AssetContents& a) {
+    make_levels(a, 3);
+    a.lods[1].screen_size = a.lods[0].screen_size;
+  };
+  EXPECT_EQ(refusal(rising), LoadCode::kLodOrder);
+}
+
+TEST(OpenLods, RefusesErrorsThatDoNotGrowFromZero) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].error = 0.001f; }), LoadCode::kLodOrder) << "level 0 is the reference";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].error = -0.001f; }), LoadCode::kLodOrder);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].error = INFINITY; }), LoadCode::kLodOrder);
+  const auto falling = [](AssetContents& a) {
+    make_levels(a, 3);
+    a.lods[1].error = 0.01f;
+  };
+  EXPECT_EQ(refusal(falling), LoadCode::kLodOrder);
+}
+
+TEST(OpenLods, RefusesBonesThatALevelCannotSimulate) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b00001; }), LoadCode::kLodBones) << "the head";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b00010; }), LoadCode::kLodBones) << "the scalp";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b100000; }), LoadCode::kLodBones) << "no such bone";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[7] |= 1u << 31; }), LoadCode::kLodBones) << "no such bone";
+}
+
+TEST(OpenLods, RefusesALevelThatSimulatesMoreThanTheOneBefore) {
+  const auto returning = [](AssetContents& a) {
+    make_levels(a, 3);
+    a.lods[1].simulated[0] = 0b00100;
+    a.lods[2].simulated[0] = 0b10100;
+  };
+  EXPECT_EQ(refusal(returning), LoadCode::kLodBones);
+  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] = 0b01100; }), LoadCode::kLodBones) << "level 0 moves all";
+}
+
+TEST(OpenLods, RefusesAMovingBoneOnABoneThatStoodStill) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0b01000; }), LoadCode::kLodBones) << "3 hangs from 2";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0b10000; }), LoadCode::kOk) << "4 hangs from the head";
+  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0; }), LoadCode::kOk);
+}
+
+}  // namespace
+}  // namespace coif
