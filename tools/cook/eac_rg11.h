@@ -1,0 +1,13 @@
+#pragma once
+
+#include "cook/image.h"
+
+namespace coif {
+
+/// Encodes an image of two channels as unsigned EAC RG11: 16 bytes for each 4x4 texels, blocks row by row, red's half
+/// first. Edges that are no multiple of four are padded with texels that the search ignores. The same bytes for any
+/// number of threads. Source of the layout: Khronos Data Format Specification 1.3, "ETC2 Compressed Texture Image
+/// Formats", "Format Unsigned R11 EAC" and "RG11 EAC".
+[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, unsigned threads);
+
+}  // namespace coif
