@@ -29,6 +29,13 @@ Status check_settings(const StepSettings& settings) {
   return Status::kOk;
 }
 
+bool any_bone_collides(std::span<const BoneRecord> bones) {
+  for (const BoneRecord& bone : bones) {
+    if (bone.colliders != 0) return true;
+  }
+  return false;
+}
+
 bool is_aligned(const std::byte* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % MemoryCarver::kAlignment == 0;
 }
@@ -69,7 +76,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   simulated_count_ = asset.skeleton().simulated_count;
   bones_ = asset.bones();
   dynamics_ = asset.dynamics();
-  colliders_ = asset.colliders();
+  colliders_ = any_bone_collides(bones_) ? asset.colliders() : std::span<const ColliderRecord>{};
   for (std::uint32_t instance = 0; instance < instances_; ++instance) put_to_rest(instance);
   return Status::kOk;
 }

@@ -1,8 +1,8 @@
 #include <coif/thesis_step_job.h>
 
 #include "bone_frame.h"
-#include "head_collision.h"
 #include "head_pose.h"
+#include "placed_colliders.h"
 #include "simulated_bones.h"
 #include "vector_math.h"
 
@@ -67,9 +67,15 @@ void keep_lengths(const ThesisStepJob& job) {
   }
 }
 
-/// Lines 13-16.
-void keep_out_of_head(const ThesisStepJob& job) {
-  for (const ColliderRecord& collider : job.colliders) push_out(collider, job.head_rotation, job.particles);
+/// Lines 13-16, for whatever the asset has where the thesis has a head.
+void keep_clear(const ThesisStepJob& job, const PlacedColliders& colliders) {
+  const SimulatedBones bones(job.bones, job.particles.size());
+  const auto dynamics = job.dynamics.last(bones.count());
+  for (std::size_t i = 0; i < bones.count(); ++i) {
+    if (bones[i].colliders == 0) continue;
+    Vec3& position = job.particles[i].position;
+    position = colliders.clear(bones[i].colliders, dynamics[i].hit_radius, position);
+  }
 }
 
 /// Lines 17-19.
@@ -91,6 +97,7 @@ bool sizes_match(const ThesisStepJob& job) {
 
 Status ThesisStepJob::validate() const {
   if (!(dt > 0.0f && dt <= kMaxTimeStep)) return Status::kBadTimeStep;
+  if (colliders.size() > kMaxColliders) return Status::kBadArgument;
   if (iterations < 1 || iterations > kMaxIterations) return Status::kBadArgument;
   if (!is_finite(gravity) || !is_finite(air_velocity) || !is_finite(head_displacement)) return Status::kBadArgument;
   if (!is_unit(head_rotation)) return Status::kBadPose;
@@ -103,11 +110,12 @@ Status ThesisStepJob::run() const {
   if (const Status status = validate(); status != Status::kOk) return status;
   apply_forces(*this);
   pull_to_default(*this);
+  const PlacedColliders placed(colliders, head_rotation);
   // The pull is a weight, not a constraint: repeated n times it would be 1 - (1 - resistance)^n, and more iterations
   // would mean stiffer hair. Lengths and head are what the thesis iterates "to get a closer approximation".
   for (std::uint32_t pass = 0; pass < iterations; ++pass) {
     keep_lengths(*this);
-    keep_out_of_head(*this);
+    if (!colliders.empty()) keep_clear(*this, placed);
   }
   renew_velocities(*this);
   return Status::kOk;

@@ -28,8 +28,9 @@ std::uint32_t TestRig::add(const TestBone& bone) {
   store(start, record.joint);
   store(bone.rest_direction, record.rest_direction);
   record.length = bone.length;
+  record.colliders = ~0u;
   bones.push_back(record);
-  dynamics.push_back({bone.resistance, bone.friction, 1, 60, 0, {}});
+  dynamics.push_back({bone.resistance, bone.friction, 1, 60, bone.hit_radius, {}});
   return std::uint32_t(bones.size() - 1);
 }
 
@@ -48,6 +49,18 @@ void TestRig::add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& r
   colliders.push_back(record);
 }
 
+void TestRig::add_capsule(const Vec3& from, const Vec3& to, float radius) {
+  add_sphere(from, radius);
+  colliders.back().shape = ColliderShape::kCapsule;
+  store({to.x - from.x, to.y - from.y, to.z - from.z}, colliders.back().axis);
+}
+
+void TestRig::add_plane(const Vec3& point, const Vec3& normal) {
+  add_sphere(point, 0);
+  colliders.back().shape = ColliderShape::kPlane;
+  store(normal, colliders.back().axis);
+}
+
 std::vector<Vec3> TestRig::rest_ends() const {
   std::vector<Vec3> ends;
   for (std::size_t i = 1; i < bones.size(); ++i) {
@@ -62,9 +75,8 @@ AssetContents TestRig::contents() const {
   AssetContents contents;
   contents.skeleton.head_rotation[3] = 1;
   contents.bones = bones;
-  for (BoneRecord& bone : contents.bones) {
-    if (bone.kind == BoneKind::kSimulated) bone.colliders = (1u << colliders.size()) - 1;
-  }
+  const auto existing = std::uint32_t((1ull << colliders.size()) - 1);
+  for (BoneRecord& bone : contents.bones) bone.colliders &= existing;
   contents.dynamics = dynamics;
   contents.colliders = colliders;
   for (std::uint32_t i = 1; i < bones.size(); ++i) {

@@ -20,16 +20,20 @@ struct TestBone {
   float length = 1;
   float resistance = 0;
   float friction = 0;
+  float hit_radius = 0;
 };
 
 /// The parts of an asset that the simulation reads: a head, and chains of bones in the order they are added.
 class TestRig {
  public:
   TestRig();
-  /// Returns the bone's index. A bone on the head begins a chain.
+  /// Returns the bone's index. A bone on the head begins a chain. Every bone may touch all colliders; change
+  /// bones[i].colliders for less.
   std::uint32_t add(const TestBone& bone);
   void add_sphere(const Vec3& center, float radius);
   void add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation = {});
+  void add_capsule(const Vec3& from, const Vec3& to, float radius);
+  void add_plane(const Vec3& point, const Vec3& normal);  ///< `normal` unit.
 
   [[nodiscard]] std::size_t simulated_count() const { return bones.size() - 1; }
   /// Where the particles rest, head space.

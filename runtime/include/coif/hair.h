@@ -30,7 +30,7 @@ struct Environment {
 struct StepSettings {
   float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep.
   Solver solver = Solver::kThesis;
-  std::uint32_t iterations = 1;  ///< Passes over the length and head constraints, 1..kMaxIterations.
+  std::uint32_t iterations = 1;  ///< Passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
 };
 
@@ -113,7 +113,7 @@ class Hair {
   std::uint32_t simulated_count_ = 0;
   std::span<const BoneRecord> bones_;
   std::span<const DynamicsRecord> dynamics_;
-  std::span<const ColliderRecord> colliders_;
+  std::span<const ColliderRecord> colliders_;  ///< Empty where no bone can touch any.
   Storage storage_;
 };
 

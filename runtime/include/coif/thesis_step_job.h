@@ -26,7 +26,7 @@ struct BoneScratch {
 /// `particles` and `scratch` may run in parallel.
 struct ThesisStepJob {
   float dt = 1.0f / 60.0f;           ///< Seconds, > 0, at most kMaxTimeStep.
-  std::uint32_t iterations = 1;      ///< Times the length and head passes run, 1..kMaxIterations.
+  std::uint32_t iterations = 1;      ///< Times the length and collision passes run, 1..kMaxIterations.
   Vec3 gravity{0.0f, -9.81f, 0.0f};  ///< World, m/s^2.
   Vec3 air_velocity;                 ///< World, m/s; friction brakes towards it.
   Vec3 head_displacement;            ///< World, metres: the head's way during this step.
@@ -36,7 +36,9 @@ struct ThesisStepJob {
   /// and the spans that are "per simulated bone" are in the same order.
   std::span<const BoneRecord> bones;
   std::span<const DynamicsRecord> dynamics;   ///< One per bone.
-  std::span<const ColliderRecord> colliders;  ///< May be empty.
+  /// What BoneRecord::colliders counts, at most kMaxColliders; empty costs nothing. Bits of a bone's set without a
+  /// collider here are ignored.
+  std::span<const ColliderRecord> colliders;
   std::span<const float> friction_factors;    ///< Per simulated bone; from compute_friction_factors().
   std::span<BoneScratch> scratch;             ///< Per simulated bone.
   std::span<Particle> particles;              ///< Per simulated bone; in and out.

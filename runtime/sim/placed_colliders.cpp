@@ -1,0 +1,104 @@
+#include "placed_colliders.h"
+
+#include "bone_frame.h"
+#include "vector_math.h"
+
+#include <bit>
+#include <new>
+
+namespace coif {
+namespace {
+
+/// Squared share of the radius below which a direction is noise.
+constexpr float kCentre2 = 1e-12f;
+
+/// In head space, so that a particle leaves the same way however the head is turned.
+Vec3 way_out_of(const ColliderRecord& record) {
+  if (record.shape != ColliderShape::kCapsule) return rotate(to_quat(record.rotation), Vec3{0.0f, 1.0f, 0.0f});
+  const Vec3 axis = to_vec3(record.axis);
+  return any_perpendicular(axis * (1.0f / length(axis)));
+}
+
+PlacedCollider place(const ColliderRecord& record, const Quat& head_rotation) {
+  PlacedCollider placed;
+  placed.shape = record.shape;
+  placed.keeps_inside = (record.flags & kColliderKeepsInside) != 0;
+  placed.center = rotate(head_rotation, to_vec3(record.center));
+  placed.axis = rotate(head_rotation, to_vec3(record.axis));
+  placed.radii = to_vec3(record.radii);
+  placed.way_out = rotate(head_rotation, way_out_of(record));
+  placed.rotation = head_rotation * to_quat(record.rotation);
+  return placed;
+}
+
+Vec3 outside_of_ball(const Vec3& center, float radius, const Vec3& way_out, const Vec3& position) {
+  const Vec3 offset = position - center;
+  const float distance2 = dot(offset, offset);
+  if (!(distance2 < radius * radius)) return position;
+  const bool central = distance2 < kCentre2 * radius * radius;
+  return center + (central ? way_out * radius : offset * (radius / std::sqrt(distance2)));
+}
+
+Vec3 inside_of_ball(const Vec3& center, float radius, const Vec3& position) {
+  const Vec3 offset = position - center;
+  const float distance2 = dot(offset, offset);
+  if (!(distance2 > radius * radius)) return position;
+  return center + offset * (radius / std::sqrt(distance2));
+}
+
+/// A sphere, or the ball of a capsule that is nearest to the particle.
+Vec3 clear_of_ball(const PlacedCollider& collider, const Vec3& center, float hit_radius, const Vec3& position) {
+  const float radius = collider.radii.x;
+  if (!collider.keeps_inside) return outside_of_ball(center, radius + hit_radius, collider.way_out, position);
+  return inside_of_ball(center, radius > hit_radius ? radius - hit_radius : 0.0f, position);
+}
+
+Vec3 nearest_on_segment(const PlacedCollider& capsule, const Vec3& position) {
+  const float along = dot(position - capsule.center, capsule.axis) / dot(capsule.axis, capsule.axis);
+  return capsule.center + capsule.axis * (along < 0.0f ? 0.0f : along > 1.0f ? 1.0f : along);
+}
+
+Vec3 clear_of_ellipsoid(const PlacedCollider& ellipsoid, float hit_radius, const Vec3& position) {
+  const Vec3 radii = ellipsoid.radii + Vec3{hit_radius, hit_radius, hit_radius};
+  const Vec3 offset = rotate(conjugate(ellipsoid.rotation), position - ellipsoid.center);
+  const Vec3 unit{offset.x / radii.x, offset.y / radii.y, offset.z / radii.z};
+  const float distance2 = dot(unit, unit);
+  if (!(distance2 < 1.0f)) return position;
+  const Vec3 surface = distance2 < kCentre2 ? Vec3{0.0f, radii.y, 0.0f} : offset * (1.0f / std::sqrt(distance2));
+  return ellipsoid.center + rotate(ellipsoid.rotation, surface);
+}
+
+Vec3 clear_of_plane(const PlacedCollider& plane, float hit_radius, const Vec3& position) {
+  const float missing = hit_radius - dot(position - plane.center, plane.axis);
+  return missing > 0.0f ? position + plane.axis * missing : position;
+}
+
+Vec3 clear_of(const PlacedCollider& collider, float hit_radius, const Vec3& position) {
+  switch (collider.shape) {
+    case ColliderShape::kSphere: return clear_of_ball(collider, collider.center, hit_radius, position);
+    case ColliderShape::kEllipsoid: return clear_of_ellipsoid(collider, hit_radius, position);
+    case ColliderShape::kCapsule:
+      return clear_of_ball(collider, nearest_on_segment(collider, position), hit_radius, position);
+    case ColliderShape::kPlane: return clear_of_plane(collider, hit_radius, position);
+  }
+  return position;
+}
+
+}  // namespace
+
+PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders, const Quat& head_rotation) {
+  for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {
+    ::new (static_cast<void*>(&placed_[i])) PlacedCollider(place(colliders[i], head_rotation));
+    existing_ |= 1u << i;
+  }
+}
+
+Vec3 PlacedColliders::clear(std::uint32_t set, float hit_radius, const Vec3& position) const {
+  Vec3 cleared = position;
+  for (std::uint32_t left = set & existing_; left != 0; left &= left - 1) {
+    cleared = clear_of(placed_[std::countr_zero(left)], hit_radius, cleared);
+  }
+  return cleared;
+}
+
+}  // namespace coif

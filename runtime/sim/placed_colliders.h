@@ -1,0 +1,45 @@
+#pragma once
+
+#include <coif/asset_records.h>
+#include <coif/math.h>
+
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+/// A collider under the head's present rotation: metres from the head's position, world axes, as particles are.
+struct PlacedCollider {
+  ColliderShape shape = ColliderShape::kSphere;
+  bool keeps_inside = false;
+  Vec3 center;
+  Vec3 axis;  ///< Capsule: to the segment's other end. Plane: unit normal.
+  Vec3 radii;
+  Vec3 way_out;   ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
+  Quat rotation;  ///< Ellipsoid: world from its own axes.
+};
+
+/// The colliders of one instance for one step. Small enough for the stack.
+class PlacedColliders {
+ public:
+  /// At most kMaxColliders.
+  PlacedColliders(std::span<const ColliderRecord> colliders, const Quat& head_rotation);
+
+  /// `position` (metres from the head, world axes) moved the shortest way that keeps `hit_radius` metres from each
+  /// collider of `set`, one after another: bit i stands for collider i, bits without one are ignored. On overlapping
+  /// colliders the last has its way.
+  ///
+  /// A particle inside an ellipsoid leaves along the radius of the space where the ellipsoid is a unit sphere, and
+  /// hit_radius is added to the semi-axes: the distance kept is exact where they end and a little less in between.
+  /// A hit_radius beyond the radius of a shape that keeps hair inside leaves its centre or segment.
+  [[nodiscard]] Vec3 clear(std::uint32_t set, float hit_radius, const Vec3& position) const;
+
+ private:
+  /// Not initialised: clearing room for all would cost more than the one collider that most hair has.
+  union {
+    PlacedCollider placed_[kMaxColliders];
+  };
+  std::uint32_t existing_ = 0;  ///< A bit for each.
+};
+
+}  // namespace coif
