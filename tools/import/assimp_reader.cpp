@@ -5,6 +5,7 @@
 #include "import/scene_meshes.h"
 #include "import/scene_nodes.h"
 #include "import/scene_units.h"
+#include "import/vrm_springs.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
@@ -75,6 +76,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   convert_materials(scene, suffix.format, model);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
   model.nodes = std::move(nodes.nodes);
+  if (suffix.format == SourceFormat::kGltf) read_vrm_extensions(path, to_model, model);
   if (model.meshes.empty()) {
     return tl::unexpected(ToolError{
         ToolError::Kind::kBadInput,

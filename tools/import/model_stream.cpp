@@ -109,10 +109,45 @@ bool transfer_flag(Decoder& archive, bool& flag) {
   return true;
 }
 
+template <class Choice>
+bool transfer_choice(Encoder& archive, const Choice& choice, Choice) {
+  return archive.plain(static_cast<std::uint8_t>(choice));
+}
+
+// A number beyond the last enumerator is no value of the type that anything after this expects.
+template <class Choice>
+bool transfer_choice(Decoder& archive, Choice& choice, Choice last) {
+  std::uint8_t byte = 0;
+  if (!archive.plain(byte) || byte > static_cast<std::uint8_t>(last)) return false;
+  choice = static_cast<Choice>(byte);
+  return true;
+}
+
 constexpr auto transfer_material = [](auto& archive, auto& material) {
   return archive.sequence(material.name) && archive.raw(material.base_color.data(), 4 * sizeof(float)) &&
          archive.sequence(material.base_texture.path) && archive.plain(material.base_texture.image) &&
+         transfer_choice(archive, material.alpha_use, AlphaUse::kBlend) && archive.plain(material.alpha_cutoff) &&
          transfer_flag(archive, material.double_sided);
+};
+
+constexpr auto transfer_collider = [](auto& archive, auto& collider) {
+  return transfer_choice(archive, collider.shape, SourceCollider::Shape::kPlane) &&
+         transfer_flag(archive, collider.keeps_inside) && archive.plain(collider.node) &&
+         archive.raw(collider.center.data(), 3 * sizeof(double)) &&
+         archive.raw(collider.tail.data(), 3 * sizeof(double)) &&
+         archive.raw(collider.normal.data(), 3 * sizeof(double)) && archive.plain(collider.radius);
+};
+
+constexpr auto transfer_joint = [](auto& archive, auto& joint) {
+  return archive.plain(joint.node) && archive.plain(joint.length) && archive.plain(joint.stiffness) &&
+         archive.plain(joint.gravity_power) && archive.raw(joint.gravity_direction.data(), 3 * sizeof(double)) &&
+         archive.plain(joint.drag) && archive.plain(joint.hit_radius);
+};
+
+constexpr auto transfer_spring = [](auto& archive, auto& spring) {
+  constexpr std::size_t kJoint = sizeof(std::uint32_t) + 8 * sizeof(double);
+  return archive.sequence(spring.name) && archive.list(spring.joints, kJoint, transfer_joint) &&
+         archive.plain(spring.center) && archive.sequence(spring.colliders);
 };
 
 constexpr auto transfer_image = [](auto& archive, auto& image) {
@@ -125,8 +160,11 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.raw(model.importer_version, sizeof model.importer_version) &&
          archive.list(model.nodes, kCount + 132, transfer_node) &&
          archive.list(model.meshes, 7 * kCount + 8, transfer_mesh) &&
-         archive.list(model.materials, 2 * kCount + 21, transfer_material) &&
-         archive.list(model.images, 2 * kCount, transfer_image) && archive.list(model.warnings, kCount, transfer_text);
+         archive.list(model.materials, 2 * kCount + 26, transfer_material) &&
+         archive.list(model.images, 2 * kCount, transfer_image) &&
+         archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
+         archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
+         archive.list(model.warnings, kCount, transfer_text);
 };
 
 bool decode_error(Decoder& decoder, ImportOutcome& outcome) {

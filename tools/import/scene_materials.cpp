@@ -2,11 +2,14 @@
 
 #include "import/assimp_values.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <assimp/texture.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace coif {
@@ -38,6 +41,23 @@ aiString base_texture_path(const aiMaterial& material) {
     if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0) return path;
   }
   return aiString();
+}
+
+// glTF says it; elsewhere a texture of its own for opacity is the only sign that exporters agree on.
+void convert_alpha(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
+  if (format != SourceFormat::kGltf) {
+    if (material.GetTextureCount(aiTextureType_OPACITY) != 0) out.alpha_use = AlphaUse::kBlend;
+    return;
+  }
+  aiString mode;
+  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS) return;
+  const std::string word = text_of(mode);
+  if (word == "OPAQUE") out.alpha_use = AlphaUse::kOpaque;
+  if (word == "MASK") out.alpha_use = AlphaUse::kMask;
+  if (word == "BLEND") out.alpha_use = AlphaUse::kBlend;
+  float cutoff = 0;
+  if (material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff) != AI_SUCCESS || !std::isfinite(cutoff)) return;
+  out.alpha_cutoff = std::clamp(cutoff, 0.0f, 1.0f);
 }
 
 class TextureTable {
@@ -92,6 +112,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
     out.base_color = base_color(material, format, path.length != 0);
+    convert_alpha(material, format, out);
     int two_sided = 0;
     out.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
     model.materials.push_back(std::move(out));

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 namespace coif {
 
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
+inline constexpr std::size_t kMaxSourceSprings = 4096;  ///< A whole avatar with skirt and tail has some dozens.
+inline constexpr std::size_t kMaxSourceColliders = 1024;
 
 struct SourceNode {
   std::string name;
@@ -60,28 +63,28 @@ struct SourceCollider {
   bool keeps_inside = false;
   std::uint32_t node = 0;  ///< The node that carries it.
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d tail = Eigen::Vector3d::Zero();      ///< kCapsule: the segment's other end.
+  Eigen::Vector3d tail = Eigen::Vector3d::Zero();     ///< kCapsule: the segment's other end.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitY();  ///< kPlane: unit.
-  double radius = 0;                                   ///< Not for kPlane.
+  double radius = 0;                                  ///< Not for kPlane.
 };
 
-/// One joint of a spring bone. The numbers are VRM's own (units of VRMC_springBone 1.0), lengths in metres.
+/// One joint of a spring bone. The numbers are VRM's own (VRMC_springBone 1.0), lengths in metres.
 struct SourceSpringJoint {
   std::uint32_t node = 0;
-  double stiffness = 1;
-  double gravity_power = 0;
+  double length = 0;     ///< To the tail that swings; 0: nothing swings, the joint is only the end of the one before.
+  double stiffness = 1;  ///< Metres per second towards the rest direction, >= 0.
+  double gravity_power = 0;                     ///< Metres per second.
   Eigen::Vector3d gravity_direction{0, -1, 0};  ///< Unit, model space.
   double drag = 0.5;                            ///< 0..1.
   double hit_radius = 0;
 };
 
-/// A chain of joints, root first, each the child or a descendant of the one before. A last joint without a child is only
-/// the end of the one before it.
+/// A chain of joints, root first, each a descendant of the one before. No node is a joint of two springs, or twice.
 struct SourceSpring {
   std::string name;
   std::vector<SourceSpringJoint> joints;
   std::uint32_t center = kNoIndex;       ///< The node whose motion the spring does not feel; kNoIndex: the world.
-  std::vector<std::uint32_t> colliders;  ///< Into SourceModel::colliders.
+  std::vector<std::uint32_t> colliders;  ///< Into SourceModel::colliders, ascending.
 };
 
 /// An image as stored in the file: encoded bytes (PNG, JPEG, TGA), not decoded here.
@@ -98,10 +101,10 @@ struct SourceModel {
   std::vector<SourceMesh> meshes;
   std::vector<SourceMaterial> materials;
   std::vector<SourceImage> images;
-  std::vector<SourceSpring> springs;
-  std::vector<SourceCollider> colliders;
-  std::uint32_t head_node = kNoIndex;  ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
-  std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
+  std::vector<SourceSpring> springs;      ///< At most kMaxSourceSprings.
+  std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
+  std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
+  std::vector<std::string> warnings;      ///< What was repaired or dropped, one sentence each.
 };
 
 }  // namespace coif
