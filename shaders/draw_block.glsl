@@ -2,7 +2,7 @@
 // host's world may be kilometres wide, a head is not, so 32-bit floats stay exact enough.
 layout(std140) uniform DrawBlock {
   mat4 clip_from_head;
-  vec4 eye;                // xyz: metres
+  vec4 eye;                // xyz: metres; w: 1 to show the strands' direction instead of shading
   vec4 base_color;         // linear, times the base texture
   vec4 ambient;            // rgb
   vec4 primary;            // rgb, exponent

@@ -5,6 +5,7 @@ in vec3 position;
 in vec3 normal;
 in vec3 tangent;
 in vec2 uv;
+in float place;
 
 out vec4 fragment;
 
@@ -38,15 +39,21 @@ void main() {
   // Both textures are read before any discard: mip selection needs the neighbours' coordinates.
   vec4 base = texture(base_texture, uv) * base_color;
   vec2 shift_mask = texture(shift_mask_texture, uv).rg;
-  if (outside_alpha_range(base.a)) discard;
-
   // A card is a sheet of strands without thickness. Seen from behind, what we see is its back, so light and highlight
   // belong to the side that faces us.
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-  Accumulated sum = sum_lights(n, shift_mask);
-  vec3 light = component.x * ambient.rgb + component.y * sum.diffuse + component.z * sum.primary +
-               component.w * sum.secondary;
-  vec3 color = base.rgb * light;
+  vec3 color = vec3(0.0);
+  bool shows_direction = eye.w > 0.5;
+  if (shows_direction) {  // for its derivatives also before any discard
+    color = direction_color(normalize(tangent), n, normalize(eye.xyz - position), position, uv, place);
+  }
+  if (outside_alpha_range(base.a)) discard;
+
+  if (!shows_direction) {
+    Accumulated sum = sum_lights(n, shift_mask);
+    color = base.rgb * (component.x * ambient.rgb + component.y * sum.diffuse + component.z * sum.primary +
+                        component.w * sum.secondary);
+  }
   if (shift.z > 0.5) color = encode_srgb(color);
 
   // Premultiplied last, after encoding: the blend unit then adds colour * alpha to what is there * (1 - alpha), and the

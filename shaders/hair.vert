@@ -5,7 +5,7 @@ layout(std140) uniform PaletteBlock {
 
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec3 rest_normal;
-layout(location = 2) in vec3 rest_tangent;
+layout(location = 2) in vec4 rest_tangent;  // w: place along the strand, 0 root, 1 tip
 layout(location = 3) in vec2 texture_place;
 layout(location = 4) in uvec4 bones;
 layout(location = 5) in vec4 weights;
@@ -13,6 +13,7 @@ layout(location = 5) in vec4 weights;
 out vec3 position;
 out vec3 normal;
 out vec3 tangent;
+out float place;
 out vec2 uv;
 
 // Two programs draw the same triangles; their depths must agree to the bit.
@@ -30,7 +31,8 @@ void main() {
   vec4 rest = vec4(rest_position, 1.0);
   position = vec3(dot(x, rest), dot(y, rest), dot(z, rest));
   normal = vec3(dot(x.xyz, rest_normal), dot(y.xyz, rest_normal), dot(z.xyz, rest_normal));
-  tangent = vec3(dot(x.xyz, rest_tangent), dot(y.xyz, rest_tangent), dot(z.xyz, rest_tangent));
+  tangent = vec3(dot(x.xyz, rest_tangent.xyz), dot(y.xyz, rest_tangent.xyz), dot(z.xyz, rest_tangent.xyz));
+  place = rest_tangent.w;
   uv = texture_place;
   gl_Position = clip_from_head * vec4(position, 1.0);
 }

@@ -108,12 +108,13 @@ void fill_component(Component component, float (&out)[4]) {
 Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, DrawBlock& block) {
   if (!is_valid(desc.head)) return Status::kBadPose;
   if (!is_finite(desc.clip_from_world) || !is_finite(desc.eye) || !is_valid(material)) return Status::kBadArgument;
-  if (desc.lights.size() > kMaxLights || desc.component > Component::kSecondary) return Status::kBadArgument;
+  if (desc.lights.size() > kMaxLights || desc.component > Component::kDirection) return Status::kBadArgument;
 
   block = {};
   const Frame frame = frame_of(desc.head);
   fill_clip_from_head(desc.clip_from_world, frame, block.clip_from_head);
   point_to_head(frame, desc.eye, block.eye);
+  block.eye[3] = desc.component == Component::kDirection ? 1.0f : 0.0f;
   for (int i = 0; i < 4; ++i) block.base_color[i] = material.base_color[i];
   fill_rgb_and(material.ambient, 0.0f, block.ambient);
   fill_rgb_and(material.primary_color, material.primary_exponent, block.primary);

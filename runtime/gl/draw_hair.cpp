@@ -4,6 +4,9 @@
 
 #include <coif/renderer.h>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace coif {
 namespace {
 
@@ -43,12 +46,13 @@ Status HairRenderer::draw(const HairModel& model, const DrawDesc& desc) {
   if (!created_ || model.renderer_ != this) return Status::kNotCreated;
   if (desc.palette.size() != model.bone_count_) return Status::kSizeMismatch;
   const MaterialRecord& material = desc.material != nullptr ? *desc.material : model.material_;
+  if (desc.lod >= model.lod_count_) return Status::kBadArgument;
   DrawBlock block;
   if (const Status status = fill_draw_block(desc, material, block); status != Status::kOk) return status;
 
   send_uniforms(block, desc.palette);
   bind(model);
-  draw_passes(model, material, desc.transparency);
+  draw_passes(model, material, desc);
   leave_initial_state();
   return Status::kOk;
 }
@@ -80,19 +84,24 @@ void HairRenderer::bind(const HairModel& model) const {
   gl.DepthFunc(GL_LEQUAL);  // of cards in one place the later, outer one wins
 }
 
-void HairRenderer::draw_passes(const HairModel& model, const MaterialRecord& material, bool transparency) const {
+void HairRenderer::draw_passes(const HairModel& model, const MaterialRecord& material, const DrawDesc& desc) const {
   const float opaque = material.opaque_threshold;
   const float faintest = material.discard_threshold;
   const float solid = faintest > kDepthAlpha ? faintest : kDepthAlpha;
   // Texels from the opaque threshold on count as solid; what is fainter blends, back faces first, since over most of a
   // head they are the far side; below the discard threshold nothing is drawn, which spares the blend unit the empty
   // parts of the texture. Within a pass the index list's order is all the sorting there is: inner patches first.
+  const bool double_sided = (material.flags & kMaterialDoubleSided) != 0;
+  const GLenum unseen = double_sided ? GL_NONE : GL_BACK;
   const Pass passes[] = {
-      {true, false, true, GL_NONE, opaque, kNoLimit},
-      {true, true, false, GL_FRONT, faintest, opaque},
+      {true, false, true, unseen, opaque, kNoLimit},
+      {true, true, false, GL_FRONT, faintest, double_sided ? opaque : faintest},
       {true, true, false, GL_BACK, faintest, opaque},
-      {false, false, true, GL_NONE, solid, opaque},
+      {false, false, true, unseen, solid, opaque},
   };
+  const HairModel::IndexRange range = model.lods_[desc.lod];
+  const auto count = static_cast<GLsizei>(range.count);
+  const void* const first = reinterpret_cast<const void*>(std::size_t{range.first} * sizeof(std::uint32_t));
   const GlFunctions& gl = functions();
   for (const Pass& pass : passes) {
     if (pass.alpha_min >= pass.alpha_max) continue;
@@ -100,8 +109,8 @@ void HairRenderer::draw_passes(const HairModel& model, const MaterialRecord& mat
     gl.UseProgram(pass.shaded ? shaded_program_ : depth_program_);
     gl.Uniform3f(pass.shaded ? shaded_alpha_range_ : depth_alpha_range_, pass.alpha_min, pass.alpha_max,
                  pass.blended ? 0.0f : 1.0f);
-    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(model.index_count_), GL_UNSIGNED_INT, nullptr);
-    if (!transparency) return;
+    gl.DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, first);
+    if (!desc.transparency) return;
   }
 }
 

@@ -20,6 +20,7 @@
   X(BufferSubData)           \
   X(ColorMask)               \
   X(CompileShader)           \
+  X(CompressedTexSubImage2D) \
   X(CreateProgram)           \
   X(CreateShader)            \
   X(CullFace)                \

@@ -21,7 +21,7 @@ constexpr MaterialRecord kGalleryMaterial = {
     .primary_shift = 0.7f,
     .secondary_shift = 0.5f,
     .discard_threshold = 0.02f,
-    .flags = 0,
+    .flags = kMaterialDoubleSided,
 };
 
 // Attribute locations of shaders/hair.vert.
@@ -33,7 +33,7 @@ void describe_vertices(const GlFunctions& gl, std::size_t skin_begin) {
   constexpr GLsizei kStride = sizeof(VertexRecord);
   gl.VertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(VertexRecord, position)));
   gl.VertexAttribPointer(kNormal, 3, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, normal)));
-  gl.VertexAttribPointer(kTangent, 3, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, tangent)));
+  gl.VertexAttribPointer(kTangent, 4, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, tangent)));
   gl.VertexAttribPointer(kTexturePlace, 2, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(VertexRecord, uv)));
   gl.VertexAttribIPointer(kBones, 4, GL_UNSIGNED_BYTE, sizeof(SkinRecord),
                           byte_offset(skin_begin + offsetof(SkinRecord, bone)));
@@ -78,7 +78,7 @@ Status HairModel::upload(HairRenderer& renderer, const Asset& asset) {
   index_buffer_ = fresh.index_buffer_;
   base_texture_ = fresh.base_texture_;
   shift_mask_texture_ = fresh.shift_mask_texture_;
-  index_count_ = static_cast<std::uint32_t>(asset.indices().size());
+  find_lods(asset);
   bone_count_ = static_cast<std::uint32_t>(asset.bones().size());
   material_ = asset.material() != nullptr ? *asset.material() : kGalleryMaterial;
   return Status::kOk;
@@ -105,11 +105,23 @@ void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
   gl.BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+void HairModel::find_lods(const Asset& asset) {
+  lods_[0] = {0, static_cast<std::uint32_t>(asset.indices().size())};
+  lod_count_ = 1;
+  if (asset.lods().empty()) return;
+  lod_count_ = 0;
+  for (const LodRecord& lod : asset.lods()) {
+    const PatchRecord& first = asset.patches()[lod.first_patch];
+    const PatchRecord& last = asset.patches()[lod.first_patch + lod.patch_count - 1];
+    lods_[lod_count_++] = {first.first_index, last.first_index + last.index_count - first.first_index};
+  }
+}
+
 void HairModel::destroy() {
   if (renderer_ == nullptr) return;
   release(renderer_->functions());
   renderer_ = nullptr;
-  index_count_ = 0;
+  lod_count_ = 0;
   bone_count_ = 0;
   material_ = {};
 }

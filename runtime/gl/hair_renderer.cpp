@@ -53,7 +53,8 @@ Status HairRenderer::create(const GlLoader& loader) {
 Status HairRenderer::create_programs() {
   const GlFunctions& gl = functions();
   const char* const vertex[] = {kShaderDrawBlockGlsl, kShaderHairVert};
-  const char* const shaded[] = {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairShadingGlsl, kShaderHairFrag};
+  const char* const shaded[] = {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairShadingGlsl,
+                                kShaderHairDirectionGlsl, kShaderHairFrag};
   const char* const depth[] = {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairDepthFrag};
   shaded_program_ = build_program(gl, vertex, shaded, failure_);
   depth_program_ = shaded_program_ == 0 ? 0 : build_program(gl, vertex, depth, failure_);

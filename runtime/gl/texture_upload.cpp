@@ -2,17 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace coif {
 namespace {
 
 struct PixelLayout {
   GLenum storage;
-  GLenum transfer;
+  GLenum transfer;  // GL_NONE: compressed
 };
 
 PixelLayout layout_of(TexelFormat format) {
-  if (format == TexelFormat::kRg8) return {GL_RG8, GL_RG};
+  switch (format) {
+    case TexelFormat::kSrgb8Alpha8: break;
+    case TexelFormat::kRg8: return {GL_RG8, GL_RG};
+    case TexelFormat::kRg11Eac: return {GL_COMPRESSED_RG11_EAC, GL_NONE};  // core in OpenGL ES 3.0
+  }
   return {GL_SRGB8_ALPHA8, GL_RGBA};
 }
 
@@ -53,6 +58,20 @@ void send_neutral_texel(const GlFunctions& gl, TextureRole role) {
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, layout.transfer, GL_UNSIGNED_BYTE, color ? kWhite : kShiftMask);
 }
 
+void send_mip(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip) {
+  const PixelLayout layout = layout_of(record.format);
+  const auto level = static_cast<GLint>(mip);
+  const GLsizei width = mip_size(record.width, mip);
+  const GLsizei height = mip_size(record.height, mip);
+  const std::span<const std::byte> texels = asset.texels(record, mip);
+  if (layout.transfer == GL_NONE) {
+    gl.CompressedTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, layout.storage,
+                               static_cast<GLsizei>(texels.size()), texels.data());
+  } else {
+    gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, layout.transfer, GL_UNSIGNED_BYTE, texels.data());
+  }
+}
+
 }  // namespace
 
 void reset_unpack_state(const GlFunctions& gl) {
@@ -69,14 +88,9 @@ GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole rol
   const GLuint texture = bind_new_texture(gl, wrap_of(asset));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (const TextureRecord* record = asset.texture(role)) {
-    const PixelLayout layout = layout_of(record->format);
-    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout.storage,
+    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout_of(record->format).storage,
                     static_cast<GLsizei>(record->width), static_cast<GLsizei>(record->height));
-    for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) {
-      gl.TexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(mip), 0, 0, mip_size(record->width, mip),
-                       mip_size(record->height, mip), layout.transfer, GL_UNSIGNED_BYTE,
-                       asset.texels(*record, mip).data());
-    }
+    for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) send_mip(gl, asset, *record, mip);
   } else {
     send_neutral_texel(gl, role);
   }

@@ -97,7 +97,8 @@ TEST_F(Arguments, DrawRefusesBadValuesAndDrawsNothing) {
       {"matrix", Status::kBadArgument, [](DrawDesc& d) { d.clip_from_world[7] = INFINITY; }},
       {"eye", Status::kBadArgument, [](DrawDesc& d) { d.eye.y = kNan; }},
       {"material", Status::kBadArgument, [&](DrawDesc& d) { d.material = &bad_material; }},
-      {"component", Status::kBadArgument, [](DrawDesc& d) { d.component = static_cast<Component>(9); }},
+      {"level of detail", Status::kBadArgument, [](DrawDesc& d) { d.lod = 1; }},
+      {"component", Status::kBadArgument, [](DrawDesc& d) { d.component = static_cast<Component>(7); }},
   };
   for (const Bad& bad : all) {
     DrawDesc desc = at_rest();

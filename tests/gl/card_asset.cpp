@@ -51,6 +51,7 @@ MaterialRecord plain_material() {
   m.primary_exponent = m.secondary_exponent = 100;
   m.opaque_threshold = 0.9f;
   m.discard_threshold = 0.1f;
+  m.flags = kMaterialDoubleSided;
   return m;
 }
 

@@ -24,7 +24,7 @@ struct Card {
   SkinRecord skin{{0, 0, 0, 0}, {255, 0, 0, 0}};
 };
 
-/// White, ambient light 1, no highlights: colours appear as the texture has them. Opaque from alpha 0.9 on, nothing
+/// White, double-sided, ambient light 1, no highlights: colours appear as the texture has them. Opaque from alpha 0.9 on, nothing
 /// below 0.1.
 [[nodiscard]] MaterialRecord plain_material();
 

@@ -182,6 +182,7 @@ MaterialRecord brown() {
   std::fill_n(m.ambient, 3, 0.12f);
   m.opaque_threshold = 0.85f;
   m.discard_threshold = 0.02f;
+  m.flags = kMaterialDoubleSided;
   const float primary[] = {0.9f, 0.85f, 0.75f};
   const float secondary[] = {1.1f, 0.7f, 0.4f};
   std::copy_n(primary, 3, m.primary_color);

@@ -27,8 +27,9 @@ struct Light {
   Vec3 color{1, 1, 1};    ///< Linear. kPoint: at one metre, falling with the square of the distance.
 };
 
-/// What of Algorithm 3 is drawn; the six pictures of the thesis's Gallery 1.
-enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary };
+/// What is drawn: the parts of Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check an asset, the
+/// strands' direction: green at the root to red at the tip, with chevrons that point to the tip, without light.
+enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary, kDirection };
 
 struct DrawDesc {
   float clip_from_world[16] = {};  ///< Column-major, OpenGL clip space; must not mirror (front faces stay front).
@@ -37,6 +38,8 @@ struct DrawDesc {
   std::span<const Mat34> palette;  ///< From Hair::palette(); as many as the asset has bones.
   std::span<const Light> lights;   ///< At most kMaxLights.
   Component component = Component::kAll;
+  /// Level of detail, below HairModel::lod_count(); only its patches are drawn. See choose_lod() in coif/lod.h.
+  std::uint32_t lod = 0;
   /// Replaces the asset's material when not null; must stay valid during the call.
   const MaterialRecord* material = nullptr;
   /// False: everything drawn once, without blending, cut at the opaque threshold.
@@ -66,11 +69,12 @@ class HairRenderer {
   [[nodiscard]] bool is_created() const { return created_; }
 
   /// Draws one head of hair into the bound framebuffer and viewport, which need a depth buffer. Four passes (thesis
-  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. Colour
+  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. Without
+  /// kMaterialDoubleSided in the material's flags back faces are not drawn at all, which saves the second pass. Colour
   /// leaves premultiplied with alpha. Draw what is opaque before, what is transparent after.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when the palette has not one
-  /// matrix per bone; kBadPose; kBadArgument for too many lights or a number out of its range. After a failure no
+  /// matrix per bone; kBadPose; kBadArgument for too many lights, no such level or a number out of its range. After a failure no
   /// OpenGL function has been called.
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit, 2D textures and samplers
@@ -92,7 +96,7 @@ class HairRenderer {
   Status create_programs();
   void send_uniforms(const DrawBlock& block, std::span<const Mat34> palette) const;
   void bind(const HairModel& model) const;
-  void draw_passes(const HairModel& model, const MaterialRecord& material, bool transparency) const;
+  void draw_passes(const HairModel& model, const MaterialRecord& material, const DrawDesc& desc) const;
   void leave_initial_state() const;
 
   /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
@@ -116,7 +120,7 @@ class HairModel {
   HairModel& operator=(const HairModel&) = delete;
 
   /// Copies mesh and textures to the GPU; afterwards the asset may go. Absent textures become neutral ones (white;
-  /// shift 0.5, mask 1), an absent material that of the thesis's Gallery 1. Textures repeat only where a vertex's UV
+  /// shift 0.5, mask 1), an absent material that of the thesis's Gallery 1, double-sided. Textures repeat only where a vertex's UV
   /// leaves 0..1. `renderer` must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory,
   /// texture too large); a failure leaves what was uploaded before.
   ///
@@ -129,12 +133,20 @@ class HairModel {
 
   [[nodiscard]] bool is_uploaded() const { return renderer_ != nullptr; }
   [[nodiscard]] std::uint32_t bone_count() const { return bone_count_; }
+  /// 1 for an asset without levels of detail, 0 before upload().
+  [[nodiscard]] std::uint32_t lod_count() const { return lod_count_; }
   [[nodiscard]] const MaterialRecord& material() const { return material_; }
 
  private:
   friend class HairRenderer;
 
+  struct IndexRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+
   void upload_mesh(const GlFunctions& gl, const Asset& asset);
+  void find_lods(const Asset& asset);
   void release(const GlFunctions& gl);
 
   const HairRenderer* renderer_ = nullptr;
@@ -143,7 +155,8 @@ class HairModel {
   std::uint32_t index_buffer_ = 0;
   std::uint32_t base_texture_ = 0;
   std::uint32_t shift_mask_texture_ = 0;
-  std::uint32_t index_count_ = 0;
+  IndexRange lods_[kMaxLods];
+  std::uint32_t lod_count_ = 0;
   std::uint32_t bone_count_ = 0;
   MaterialRecord material_{};
 };

@@ -1,0 +1,206 @@
+// What an asset may choose: levels of detail, one or both sides, a compressed texture; and the picture that checks it.
+
+#include "gl/gl_test.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace coif {
+namespace {
+
+constexpr Pixel kNothing{0, 0, 0, 0};
+
+Card card(std::array<std::uint8_t, 4> rgba, bool turned = false) {
+  Card made;
+  made.rgba = rgba;
+  made.turned = turned;
+  return made;
+}
+
+const Card kRed = card({255, 0, 0, 255});
+const Card kGreen = card({0, 255, 0, 255});
+const Card kBlue = card({0, 0, 255, 255});
+
+AssetContents two_levels() {
+  AssetContents contents = card_contents(std::array{kRed, kGreen, kBlue});
+  contents.patches[0].head_distance = 0.1f;
+  contents.patches[1].head_distance = 0.1f;
+  contents.lods = {{0, 2, 0.5f, 0, {}}, {2, 1, 0, 0.01f, {}}};
+  return contents;
+}
+
+using LevelsOfDetail = GlTest;
+
+TEST_F(LevelsOfDetail, OnlyTheLevelsPatchesAreDrawn) {
+  AssetContents contents = two_levels();
+  for (int i = 0; i < 4; ++i) contents.vertices[std::size_t(i)].position[0] -= 0.8f;  // red lies left of the others
+  DrawDesc desc = at_rest();
+  draw(contents, desc);
+  EXPECT_TRUE(near(middle_pixel(), {0, 255, 0, 255}));
+  EXPECT_TRUE(near(pixel(5, kSize / 2), {255, 0, 0, 255})) << "level 0 has both";
+  clear();
+  desc.lod = 1;
+  draw(contents, desc);
+  EXPECT_TRUE(near(middle_pixel(), {0, 0, 255, 255}));
+  EXPECT_EQ(pixel(5, kSize / 2), kNothing);
+}
+
+TEST_F(LevelsOfDetail, AreCountedAndOthersRefused) {
+  HairModel model;
+  EXPECT_EQ(model.lod_count(), 0u);
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(two_levels())), Status::kOk);
+  EXPECT_EQ(model.lod_count(), 2u);
+  DrawDesc desc = at_rest();
+  for (const std::uint32_t lod : {2u, kNone}) {
+    desc.lod = lod;
+    EXPECT_EQ(renderer_.draw(model, desc), Status::kBadArgument);
+  }
+  EXPECT_EQ(middle_pixel(), kNothing);
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(card_contents(std::array{kRed}))), Status::kOk);
+  EXPECT_EQ(model.lod_count(), 1u) << "an asset without levels has one";
+  model.destroy();
+}
+
+class Sides : public GlTest {
+ protected:
+  Pixel middle_of(const Card& shown, bool double_sided, bool transparency = true) {
+    AssetContents contents = card_contents(std::array{shown});
+    contents.material[0].flags = double_sided ? kMaterialDoubleSided : 0;
+    DrawDesc desc = at_rest();
+    desc.transparency = transparency;
+    clear();
+    draw(contents, desc);
+    return middle_pixel();
+  }
+};
+
+TEST_F(Sides, WithoutTheFlagBackFacesAreNotDrawn) {
+  for (const bool transparency : {true, false}) {
+    for (const int alpha : {255, 240, 180, 60}) {
+      const std::array<std::uint8_t, 4> rgba{255, 0, 0, std::uint8_t(alpha)};
+      const Pixel front = middle_of(card(rgba), false, transparency);
+      EXPECT_EQ(front, middle_of(card(rgba), true, transparency)) << "fronts do not mind, alpha " << alpha;
+      EXPECT_EQ(middle_of(card(rgba, true), false, transparency), kNothing) << "alpha " << alpha;
+      EXPECT_EQ(middle_of(card(rgba, true), true, transparency), front) << "alpha " << alpha;
+    }
+  }
+}
+
+TEST_F(Sides, UndrawnBackFacesHideNothing) {
+  AssetContents contents = card_contents(std::array{card({255, 0, 0, 255}, true), card({255, 0, 0, 200}, true)});
+  contents.material[0].flags = 0;
+  draw(contents);
+  Card behind = kGreen;
+  behind.center[2] = -1;
+  draw_cards(std::array{behind});
+  EXPECT_TRUE(near(middle_pixel(), {0, 255, 0, 255}));
+}
+
+TEST_F(Sides, TheMaterialOfTheCallDecides) {
+  MaterialRecord single = plain_material();
+  single.flags = 0;
+  DrawDesc desc = at_rest();
+  desc.material = &single;
+  draw_cards(std::array{card({255, 0, 0, 255}, true)}, desc);
+  EXPECT_EQ(middle_pixel(), kNothing);
+}
+
+/// One EAC channel block whose 16 texels all decode to (8 * base + 4 - 3) / 2047, the multiplier being 0 and the
+/// first modifier of table 0 being -3.
+void add_flat_block(std::vector<std::byte>& texels, std::uint8_t base) {
+  texels.push_back(std::byte{base});
+  texels.resize(texels.size() + 7);
+}
+
+using CompressedTexture = GlTest;
+
+TEST_F(CompressedTexture, ShadesAsTheUncompressedOne) {
+  for (const auto& [shift, mask] : {std::array{0, 255}, {60, 128}, {200, 30}}) {
+    Card shiny = kRed;
+    shiny.rgba = {200, 180, 160, 255};
+    shiny.shift_mask = {std::uint8_t(shift), std::uint8_t(mask)};
+    AssetContents plain = card_contents(std::array{shiny});
+    for (float& color : plain.material[0].secondary_color) color = 1;
+    plain.material[0].secondary_exponent = 4;
+    AssetContents compressed = plain;
+    TextureRecord& record = compressed.textures[1];
+    record.format = TexelFormat::kRg11Eac;
+    record.width = record.height = 6;  // a part of a block at each border, and mips smaller than a block
+    record.mip_count = 3;
+    record.bytes = 64 + 16 + 16;
+    compressed.texels.resize(std::size_t(record.offset));
+    for (int block = 0; block < 6; ++block) {
+      add_flat_block(compressed.texels, shiny.shift_mask[0]);
+      add_flat_block(compressed.texels, shiny.shift_mask[1]);
+    }
+    DrawDesc desc = at_rest();
+    const std::array lights{Light{Light::Kind::kDirectional, {0.3f, 0.8f, 0.5f}, {0.5f, 0.5f, 0.5f}}};
+    desc.lights = lights;
+    desc.component = Component::kSecondary;
+    clear();
+    draw(plain, desc);
+    const Pixel expected = middle_pixel();
+    clear();
+    draw(compressed, desc);
+    EXPECT_TRUE(near(middle_pixel(), expected, 3)) << shift << ", " << mask;
+    EXPECT_GT(expected[0], 10) << "the highlight shows";
+  }
+}
+
+/// A card whose strands run from the top (root) to the bottom (tip), or the other way, or across.
+class Direction : public GlTest {
+ protected:
+  void draw_strip(const std::array<float, 2>& root_to_tip) {
+    Card strip = card({255, 255, 255, 255});
+    strip.half_size = 0.95f;
+    strip.tangent = {root_to_tip[0], root_to_tip[1], 0};
+    AssetContents contents = card_contents(std::array{strip});
+    for (VertexRecord& v : contents.vertices) {
+      const float x = v.position[0] / 0.95f, y = v.position[1] / 0.95f;
+      v.tangent[3] = std::int16_t(std::lround(32767 * (0.5f + 0.5f * (x * root_to_tip[0] + y * root_to_tip[1]))));
+      v.uv[0] = 0.5f + 0.5f * x;
+      v.uv[1] = 0.5f - 0.5f * y;
+    }
+    DrawDesc desc = at_rest();
+    desc.component = Component::kDirection;
+    clear();
+    draw(contents, desc);
+  }
+  /// Red minus green, summed over some pixels across the picture's middle so that no chevron decides.
+  static int redness(int from_x, int from_y) {
+    int sum = 0;
+    for (int i = 0; i < 16; ++i) {
+      const Pixel p = pixel(from_x + i % 4, from_y + i / 4);
+      sum += p[0] - p[1];
+    }
+    return sum;
+  }
+};
+
+TEST_F(Direction, RootsAreGreenAndTipsAreRedWhicheverWayTheyRun) {
+  const int near_low = 2, near_high = kSize - 6, middle = kSize / 2;
+  draw_strip({0, -1});
+  EXPECT_LT(redness(middle, near_high), -800);
+  EXPECT_GT(redness(middle, near_low), 800);
+  draw_strip({0, 1});
+  EXPECT_GT(redness(middle, near_high), 800);
+  EXPECT_LT(redness(middle, near_low), -800);
+  draw_strip({1, 0});
+  EXPECT_LT(redness(near_low, middle), -800);
+  EXPECT_GT(redness(near_high, middle), 800);
+}
+
+TEST_F(Direction, NeedsNoLightAndKeepsTheTexturesHoles) {
+  Card hole = card({255, 255, 255, 0});
+  DrawDesc desc = at_rest();
+  desc.component = Component::kDirection;
+  draw_cards(std::array{hole}, desc);
+  EXPECT_EQ(middle_pixel(), kNothing);
+  draw_cards(std::array{kRed}, desc);
+  EXPECT_EQ(middle_pixel()[3], 255);
+  EXPECT_GT(middle_pixel()[1], 30) << "the made-up card's place is its root";
+}
+
+}  // namespace
+}  // namespace coif
