@@ -27,8 +27,12 @@ Skeleton chain_of(std::uint32_t bones) {
   return skeleton;
 }
 
+std::vector<DynamicsRecord> records_of(const Skeleton& skeleton) {
+  return bake_dynamics(SourceModel(), skeleton, default_recipe()).records;
+}
+
 TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
-  const auto records = bake_dynamics(chain_of(3), default_recipe());
+  const auto records = records_of(chain_of(3));
   ASSERT_EQ(records.size(), 4u);
   EXPECT_GT(records[1].resistance, records[2].resistance);
   EXPECT_GT(records[2].resistance, records[3].resistance);
@@ -36,13 +40,13 @@ TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
 }
 
 TEST(BakeDynamics, AChainOfOneBoneTakesTheCurvesMiddle) {
-  EXPECT_FLOAT_EQ(bake_dynamics(chain_of(1), default_recipe())[1].resistance, float(0.5 * (0.35 + 0.06)));
+  EXPECT_FLOAT_EQ(records_of(chain_of(1))[1].resistance, float(0.5 * (0.35 + 0.06)));
 }
 
 TEST(BakeDynamics, RigidHairStoresNone) {
   Skeleton head_alone;
   head_alone.bones.resize(1);
-  EXPECT_TRUE(bake_dynamics(head_alone, default_recipe()).empty());
+  EXPECT_TRUE(records_of(head_alone).empty());
 }
 
 }  // namespace

@@ -1,6 +1,39 @@
 #include "cook/bake_dynamics.h"
 
+#include "cook/spring_dynamics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace coif {
+namespace {
+
+DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
+  const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
+  DynamicsRecord record{};
+  record.resistance = float(evaluate_curve(recipe.resistance, 0.5 * (root_place + bone.place)));
+  record.friction = float(recipe.friction);
+  record.gravity_scale = float(recipe.gravity_scale);
+  record.authoring_rate = float(recipe.authoring_rate);
+  return record;
+}
+
+void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,
+                    BakedDynamics& out) {
+  const auto by_spring = std::size_t(std::ranges::count_if(joints, [](const BoneJoint& bone) { return bool(bone); }));
+  if (by_spring != 0) {
+    out.notes.push_back(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
+  }
+  if (recipe.dynamics_source == "springs" && by_spring < simulated) {
+    out.warnings.push_back(
+        fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
+                    "in the file; they move by the recipe's curves",
+                    simulated - by_spring, simulated));
+  }
+}
+
+}  // namespace
 
 double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   if (at <= curve.front().at) return curve.front().value;
@@ -12,16 +45,20 @@ double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   return curve.back().value;
 }
 
-std::vector<DynamicsRecord> bake_dynamics(const Skeleton& skeleton, const Recipe& recipe) {
-  std::vector<DynamicsRecord> records;
-  if (skeleton.chains.empty()) return records;
-  for (const SkeletonBone& bone : skeleton.bones) {
-    const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
-    const double resistance = evaluate_curve(recipe.resistance, 0.5 * (root_place + bone.place));
-    records.push_back(
-        {float(resistance), float(recipe.friction), float(recipe.gravity_scale), float(recipe.authoring_rate)});
+BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe) {
+  BakedDynamics out;
+  if (skeleton.chains.empty()) return out;
+  std::vector<BoneJoint> joints(skeleton.bones.size());
+  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    const SkeletonBone& bone = skeleton.bones[b];
+    out.records.push_back(joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length())
+                                    : dynamics_by_curve(skeleton, bone, recipe));
   }
-  return records;
+  report_sources(joints, skeleton.simulated_count(), recipe, out);
+  const std::vector<std::string> lost = describe_lost_settings(source, joints);
+  out.warnings.insert(out.warnings.end(), lost.begin(), lost.end());
+  return out;
 }
 
 }  // namespace coif

@@ -2,16 +2,24 @@
 
 #include "cook/recipe.h"
 #include "cook/skeleton.h"
+#include "import/source_model.h"
 
 #include <span>
 
 namespace coif {
 
+struct BakedDynamics {
+  std::vector<DynamicsRecord> records;  ///< One per bone; none where nothing is simulated. Hit radii are 0.
+  std::vector<std::string> notes;
+  std::vector<std::string> warnings;
+};
+
 /// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
 [[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
 
-/// One record per bone. A bone takes the curve's value at its middle, so that a chain of one bone has the mean and not the
-/// tip's value.
-[[nodiscard]] std::vector<DynamicsRecord> bake_dynamics(const Skeleton& skeleton, const Recipe& recipe);
+/// How each bone moves: as the file's spring bones say (spring_dynamics.h) or by the recipe's curves, as
+/// "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of one bone has the mean
+/// and not the tip's value.
+[[nodiscard]] BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe);
 
 }  // namespace coif

@@ -59,6 +59,7 @@ struct CookedParts {
   Skeleton skeleton;
   SkinWeights weights;
   Colliders colliders;
+  BakedDynamics dynamics;
   PatchOrder order;
   BakedTextures textures;
 };
@@ -144,6 +145,7 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
     drop_colliders_out_of_reach(parts.skeleton, colliders);
     return colliders;
   });
+  parts.dynamics = timed("dynamics", [&] { return bake_dynamics(source, parts.skeleton, recipe); });
   parts.order = timed("order", [&] { return sort_patches(mesh, parts.extracted.patches, parts.head.center); });
   auto textures =
       timed("textures", [&] { return bake_textures(source, mesh, parts.strands.along_u, recipe, settings); });
@@ -158,7 +160,7 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   AssetContents contents;
   pack_skeleton(parts.skeleton, parts.colliders, contents);
   pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
-  contents.dynamics = bake_dynamics(parts.skeleton, recipe);
+  contents.dynamics = parts.dynamics.records;
   contents.material = {pack_material(material, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);
@@ -170,7 +172,10 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
   append(report.warnings, parts.selected.warnings);
   append(report.warnings, parts.skeleton.warnings);
   append(report.warnings, parts.colliders.warnings);
+  report.notes.insert(report.notes.begin(), parts.selected.notes.begin(), parts.selected.notes.end());
   append(report.notes, parts.colliders.notes);
+  append(report.warnings, parts.dynamics.warnings);
+  append(report.notes, parts.dynamics.notes);
   append(report.warnings, parts.textures.warnings);
   append(report.left_out, parts.selected.left_out);
   append(report.left_out, parts.textures.left_out);

@@ -46,6 +46,7 @@ struct Recipe {
   std::string patch_connectivity;  ///< "auto", "index" or "position".
   double patch_weld_distance = 0;
   // dynamics
+  std::string dynamics_source;  ///< "auto", "curves" or "springs".
   std::vector<CurvePoint> resistance;
   double friction = 0;
   double gravity_scale = 0;

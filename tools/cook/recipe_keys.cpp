@@ -46,6 +46,9 @@ const RecipeKey kKeys[] = {
   {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
    "vertices closer than this are at one place"},
 
+  {"dynamics", "source", &R::dynamics_source, "\"auto\"", 0, 0, "auto|curves|springs", "",
+   "auto: the file's spring bones (VRM) where a bone has one, else the curve and numbers here; springs: the same, and a"
+   " warning where one is missing; curves: never the file's"},
   {"dynamics", "resistance", &R::resistance, "[[0, 0.35], [1, 0.06]]", 0, 1, nullptr, "per step",
    "pull to the modelled pose, points [place along the chain from root 0 to tip 1, value 0..1]"},
   {"dynamics", "friction", &R::friction, "2", 0, 1.0e4, nullptr, "1/s",
