@@ -127,6 +127,23 @@ const char* Asset::bone_name(std::uint32_t bone) const {
   return names_.data() + bones_[bone].name;
 }
 
+std::uint32_t Asset::lod_count() const {
+  if (!lods_.empty()) return std::uint32_t(lods_.size());
+  return patches_.empty() ? 0 : 1;
+}
+
+std::span<const PatchRecord> Asset::lod_patches(std::uint32_t lod) const {
+  if (lod >= lod_count()) return {};
+  return lods_.empty() ? patches_ : patches_.subspan(lods_[lod].first_patch, lods_[lod].patch_count);
+}
+
+std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {
+  const auto patches = lod_patches(lod);
+  if (patches.empty()) return {};
+  const std::uint32_t first = patches.front().first_index;
+  return indices_.subspan(first, patches.back().first_index + patches.back().index_count - first);
+}
+
 const TextureRecord* Asset::texture(TextureRole role) const {
   for (const TextureRecord& texture : textures_) {
     if (texture.role == role) return &texture;

@@ -106,14 +106,10 @@ void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
 }
 
 void HairModel::find_lods(const Asset& asset) {
-  lods_[0] = {0, static_cast<std::uint32_t>(asset.indices().size())};
-  lod_count_ = 1;
-  if (asset.lods().empty()) return;
-  lod_count_ = 0;
-  for (const LodRecord& lod : asset.lods()) {
-    const PatchRecord& first = asset.patches()[lod.first_patch];
-    const PatchRecord& last = asset.patches()[lod.first_patch + lod.patch_count - 1];
-    lods_[lod_count_++] = {first.first_index, last.first_index + last.index_count - first.first_index};
+  lod_count_ = asset.lod_count();
+  for (std::uint32_t lod = 0; lod < lod_count_; ++lod) {
+    const auto count = static_cast<std::uint32_t>(asset.lod_indices(lod).size());
+    lods_[lod] = {asset.lod_patches(lod).front().first_index, count};
   }
 }
 

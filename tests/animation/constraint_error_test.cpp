@@ -77,6 +77,50 @@ TEST(WorstPenetration, FollowsTheEllipsoidsRotation) {
   EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.25f, 1e-5f);
 }
 
+TEST(WorstPenetration, MeasuresCapsulesFromTheirSegment) {
+  const OpenAsset file(with_collider(
+      {ColliderShape::kCapsule, 0, 0, 0, {0, 1, 0}, 0, {0.5f, 0.5f, 0.5f}, 0, {0, 0, 0, 1}, {2, 0, 0}, 0}));
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
+  ends[3] = {1.5f, 1.6f, 0};
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+  ends[3] = {1.5f, 1.4f, 0};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.2f, 1e-5f);
+  ends[3] = {2.4f, 1, 0};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.2f, 1e-5f) << "the round end";
+}
+
+TEST(WorstPenetration, OfAnEnclosingShapeIsHowFarHairLeavesIt) {
+  const OpenAsset file(with_collider(
+      {ColliderShape::kSphere, 0, kColliderKeepsInside, 0, {0, 0, 0}, 0, {0.5f, 0.5f, 0.5f}, 0, {0, 0, 0, 1}, {}, 0}));
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{0.1f, 0, 0});
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+  ends[4] = {0, 0.6f, 0};
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.2f, 1e-5f);
+}
+
+TEST(WorstPenetration, OfAPlaneIsInHeads) {
+  const OpenAsset file(
+      with_collider({ColliderShape::kPlane, 0, 0, 0, {0, 1, 0}, 0, {}, 0, {0, 0, 0, 1}, {0, 0, 1}, 0}));
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{0, -9, 0.1f});
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+  ends[2].z = -0.05f;
+  EXPECT_NEAR(worst_penetration(file.asset(), ends), 0.5f, 1e-5f);
+}
+
+TEST(WorstPenetration, CountsOnlyCollidersOfTheBonesSet) {
+  AssetContents contents =
+      with_collider({ColliderShape::kSphere, 0, 0, 0, {0, 0, 0}, 0, {1, 1, 1}, 0, {0, 0, 0, 1}, {}, 0});
+  contents.bones[3].colliders = 0;
+  const OpenAsset file(contents);
+  ASSERT_TRUE(file.asset().is_open());
+  std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
+  ends[3] = {0, 0, 0};
+  EXPECT_EQ(worst_penetration(file.asset(), ends), 0.0f);
+}
+
 TEST(WorstPenetration, LeavesRigidBonesOut) {
   const OpenAsset file(small_asset());
   ASSERT_TRUE(file.asset().is_open());

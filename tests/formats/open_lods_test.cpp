@@ -28,6 +28,20 @@ TEST(OpenLods, AcceptsAnAssetWithoutLevels) {
   EXPECT_EQ(refusal(without_levels), LoadCode::kOk);
 }
 
+TEST(OpenLods, WithoutLevelsAMeshIsOneLevel) {
+  AssetContents contents = small_asset();
+  contents.lods.clear();
+  contents.patches[2].head_distance = contents.patches[1].head_distance;
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.lod_count(), 1u);
+  EXPECT_EQ(asset.lod_patches(0).size(), 3u);
+  EXPECT_EQ(asset.lod_indices(0).size(), asset.indices().size());
+  EXPECT_TRUE(asset.lod_patches(1).empty());
+  EXPECT_EQ(Asset{}.lod_count(), 0u);
+}
+
 TEST(OpenLods, DrawOrderAscendsWithinALevelOnly) {
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0.01f; }), LoadCode::kNotFinite) << "inside level 0";
   EXPECT_EQ(refusal([](auto& a) { a.patches[2].head_distance = 0.01f; }), LoadCode::kOk) << "level 1 starts anew";

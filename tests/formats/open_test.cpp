@@ -28,6 +28,11 @@ TEST(Open, GivesBackWhatWasWritten) {
   EXPECT_EQ(asset.patches()[1].first_index, 3u);
   ASSERT_EQ(asset.lods().size(), 2u);
   EXPECT_EQ(asset.lods()[1].simulated[0], 0b100u);
+  EXPECT_EQ(asset.lod_count(), 2u);
+  EXPECT_EQ(asset.lod_patches(0).size(), 2u);
+  EXPECT_EQ(asset.lod_indices(0).size(), 6u);
+  EXPECT_EQ(asset.lod_indices(1).data(), asset.indices().data() + 6);
+  EXPECT_TRUE(asset.lod_indices(2).empty());
   EXPECT_EQ(asset.bones()[2].colliders, 0b111u);
   EXPECT_EQ(asset.colliders()[1].flags, kColliderKeepsInside);
   EXPECT_FLOAT_EQ(asset.colliders()[1].axis[1], -0.2f);

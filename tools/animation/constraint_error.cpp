@@ -9,6 +9,9 @@
 namespace coif {
 namespace {
 
+/// Metres. A plane has no radius; that of a head makes its depths comparable with the others'.
+constexpr float kPlaneRadius = 0.1f;
+
 Eigen::Vector3f vector(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// A bone under a rigid one starts at its own joint, which need not be its parent's.
@@ -17,13 +20,39 @@ Eigen::Vector3f start_of(const Asset& asset, const BoneRecord& bone, std::span<c
   return Eigen::Map<const Eigen::Vector3f>(bone.joint);
 }
 
-float depth_inside(const ColliderRecord& collider, const Vec3& point) {
+float depth_in_ellipsoid(const ColliderRecord& collider, const Eigen::Vector3f& point) {
   const auto& q = collider.rotation;
   const Eigen::Quaternionf head_from_axes(q[3], q[0], q[1], q[2]);
   const Eigen::Vector3f center = Eigen::Map<const Eigen::Vector3f>(collider.center);
   const Eigen::Array3f radii = Eigen::Map<const Eigen::Array3f>(collider.radii);
-  const Eigen::Array3f on_unit_sphere = (head_from_axes.conjugate() * (vector(point) - center)).array() / radii;
-  return std::max(0.0f, 1.0f - on_unit_sphere.matrix().norm());
+  const Eigen::Array3f on_unit_sphere = (head_from_axes.conjugate() * (point - center)).array() / radii;
+  return 1.0f - on_unit_sphere.matrix().norm();
+}
+
+/// Spheres are capsules without a segment.
+float depth_in_capsule(const ColliderRecord& collider, const Eigen::Vector3f& point) {
+  const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);
+  const Eigen::Vector3f offset = point - Eigen::Map<const Eigen::Vector3f>(collider.center);
+  const float square = axis.squaredNorm();
+  const float along = square > 0 ? std::clamp(offset.dot(axis) / square, 0.0f, 1.0f) : 0.0f;
+  return 1.0f - (offset - along * axis).norm() / collider.radii[0];
+}
+
+float depth_behind_plane(const ColliderRecord& collider, const Eigen::Vector3f& point) {
+  const Eigen::Map<const Eigen::Vector3f> normal(collider.axis);
+  return -normal.dot(point - Eigen::Map<const Eigen::Vector3f>(collider.center)) / kPlaneRadius;
+}
+
+/// Negative where the point is on its proper side.
+float depth(const ColliderRecord& collider, const Eigen::Vector3f& point) {
+  const float sign = (collider.flags & kColliderKeepsInside) != 0 ? -1.0f : 1.0f;
+  switch (collider.shape) {
+    case ColliderShape::kSphere:
+    case ColliderShape::kCapsule: return sign * depth_in_capsule(collider, point);
+    case ColliderShape::kEllipsoid: return depth_in_ellipsoid(collider, point);
+    case ColliderShape::kPlane: return depth_behind_plane(collider, point);
+  }
+  return 0;
 }
 
 }  // namespace
@@ -42,9 +71,9 @@ float worst_stretch(const Asset& asset, std::span<const Vec3> bone_ends) {
 float worst_penetration(const Asset& asset, std::span<const Vec3> bone_ends) {
   float worst = 0;
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
-    if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
-    for (const ColliderRecord& collider : asset.colliders()) {
-      worst = std::max(worst, depth_inside(collider, bone_ends[i]));
+    for (std::size_t k = 0; k < asset.colliders().size(); ++k) {
+      if ((asset.bones()[i].colliders >> k & 1) == 0) continue;
+      worst = std::max(worst, depth(asset.colliders()[k], vector(bone_ends[i])));
     }
   }
   return worst;

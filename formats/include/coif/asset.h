@@ -45,6 +45,11 @@ class Asset {
   [[nodiscard]] std::span<const PatchRecord> patches() const { return patches_; }
   /// Levels of detail, finest first; empty where the asset has one level: all patches, all bones simulated.
   [[nodiscard]] std::span<const LodRecord> lods() const { return lods_; }
+  /// 0 without a mesh, 1 for a mesh without LODS.
+  [[nodiscard]] std::uint32_t lod_count() const;
+  /// What one level draws, with or without LODS; empty where there is no such level.
+  [[nodiscard]] std::span<const PatchRecord> lod_patches(std::uint32_t lod) const;
+  [[nodiscard]] std::span<const std::uint32_t> lod_indices(std::uint32_t lod) const;
 
   [[nodiscard]] const MaterialRecord* material() const { return material_; }  ///< Null where absent.
   [[nodiscard]] std::span<const TextureRecord> textures() const { return textures_; }
