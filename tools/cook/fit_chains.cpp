@@ -1,10 +1,152 @@
 #include "cook/fit_chains.h"
 
-namespace coif {
+#include "cook/chain_weights.h"
+#include "cook/lock_curve.h"
+#include "cook/name_pattern.h"
+#include "cook/weld.h"
 
-FittedRig fit_chains(const SourceModel&, const HairMesh& hair, const PatchSet&, const StrandField&, const FittedHead&,
-                     const Skeleton& rigid, const Recipe&) {
-  return {rigid, SkinWeights(hair.positions.size()), {}};
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCellSize = 0.06;  ///< Of the head's radius: hair nearer than this moves together.
+constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
+
+/// Triangles of meshes and materials that the recipe gives chains.
+std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& hair, const Recipe& recipe) {
+  std::vector<bool> of_mesh(source.meshes.size(), true);
+  for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    const std::string material = mesh.material < source.materials.size() ? source.materials[mesh.material].name : "";
+    const auto named = [&](const std::vector<std::string>& patterns) {
+      return matches_any(mesh.name, patterns) || matches_any(material, patterns);
+    };
+    of_mesh[m] = (recipe.chain_only.empty() || named(recipe.chain_only)) && !named(recipe.chain_exclude);
+  }
+  std::vector<bool> movable(hair.triangle_count(), true);
+  for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) movable[t] = of_mesh[hair.mesh_of_triangle[t]];
+  return movable;
+}
+
+/// Vertices at a place that a rigid triangle touches.
+std::vector<bool> rigid_vertices(const HairMesh& hair, const std::vector<bool>& movable,
+                                 const std::vector<std::uint32_t>& place_of) {
+  std::vector<bool> moves(hair.positions.size(), false), held(hair.positions.size(), false);
+  for (std::size_t i = 0; i < hair.triangles.size(); ++i) {
+    const std::uint32_t place = place_of[hair.triangles[i]];
+    (movable[i / 3] ? moves : held)[place] = true;
+  }
+  std::vector<bool> rigid(hair.positions.size());
+  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[place_of[v]] || !moves[place_of[v]];
+  return rigid;
+}
+
+/// Cells at the seam to hair that does not move.
+std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<bool>& rigid) {
+  std::vector<std::uint32_t> held;
+  for (std::size_t v = 0; v < rigid.size(); ++v) {
+    if (rigid[v] && cells.of_vertex[v] != kNoIndex) held.push_back(cells.of_vertex[v]);
+  }
+  return held;
+}
+
+/// Where on the head a chain starts, by the model's axes: most models face +Z with +X to their left (VRM 0.x faces -Z,
+/// and there front is back and left is right).
+std::string side_of(const Vector3d& start, const FittedHead& head) {
+  const Vector3d from = (start - head.center).normalized();
+  if (from.y() > 0.85) return "top";
+  if (std::abs(from.x()) > std::abs(from.z())) return from.x() > 0 ? "left" : "right";
+  return from.z() > 0 ? "front" : "back";
+}
+
+struct FittedChain {
+  std::size_t lock = 0;
+  LockCurve curve;
+  std::string side;
+  std::string name;  ///< Side and number, the longest of a side first.
+};
+
+std::vector<FittedChain> fit_curves(const HairCells& cells, const HangingHair& hair, const std::vector<HairLock>& locks,
+                                    const FittedHead& head, const Recipe& recipe) {
+  const auto moving = std::size_t(std::ranges::count(locks, true, &HairLock::moves));
+  const std::size_t room = (kMaxBones - 1) / std::max<std::size_t>(moving, 1);
+  const std::size_t most_bones = std::min<std::size_t>(recipe.chain_max_bones, room);
+  std::vector<FittedChain> chains;
+  for (std::size_t l = 0; l < locks.size(); ++l) {
+    if (!locks[l].moves) continue;
+    LockCurve curve = fit_lock_curve(cells, hair, locks[l], head, recipe, most_bones);
+    if (curve.joints.empty()) continue;
+    const std::string side = side_of(curve.joints.front(), head);
+    chains.push_back({l, std::move(curve), side, ""});
+  }
+  std::ranges::stable_sort(chains, std::less<>{}, &FittedChain::side);
+  std::map<std::string, int> numbers;
+  for (FittedChain& chain : chains) chain.name = fmt::format("{}_{}", chain.side, ++numbers[chain.side]);
+  return chains;
+}
+
+void add_bones(const FittedChain& chain, Skeleton& skeleton) {
+  const auto index = std::uint32_t(skeleton.chains.size()), first = std::uint32_t(skeleton.bones.size());
+  const auto count = std::uint32_t(chain.curve.joints.size() - 1);
+  double length = 0;
+  for (std::uint32_t b = 0; b < count; ++b) {
+    SkeletonBone bone;
+    bone.name = fmt::format("{}_{}", chain.name, b + 1);
+    bone.parent = b == 0 ? 0 : first + b - 1;
+    bone.kind = BoneKind::kSimulated;
+    bone.chain = index;
+    bone.start = chain.curve.joints[b];
+    bone.tail = chain.curve.joints[b + 1];
+    length += bone.length();
+    bone.place = length;
+    skeleton.bones.push_back(bone);
+  }
+  for (std::uint32_t b = first; b < first + count; ++b) skeleton.bones[b].place /= length;
+  skeleton.chains.push_back({first, count, 0, 0});
+}
+
+std::string describe(const FittedChain& chain) {
+  double length = 0;
+  for (std::size_t j = 1; j < chain.curve.joints.size(); ++j) {
+    length += (chain.curve.joints[j] - chain.curve.joints[j - 1]).norm();
+  }
+  return fmt::format("chain '{}': fitted, {:.0f} mm in {} bones", chain.name, 1000 * length,
+                     chain.curve.joints.size() - 1);
+}
+
+}  // namespace
+
+FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const PatchSet&, const StrandField& strands,
+                     const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
+  const double radius = head.radii.mean();
+  const std::vector<bool> movable = movable_triangles(source, hair, recipe);
+  const std::vector<std::uint32_t> place_of = weld_places(hair.positions, recipe.patch_weld_distance);
+  const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place_of);
+  const HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
+  const HangingHair hanging = find_hanging_hair(cells, head, held_cells(cells, is_rigid));
+  const std::vector<HairLock> locks = group_locks(cells, hanging, radius, recipe);
+
+  FittedRig rig;
+  rig.skeleton = rigid;
+  std::vector<LockBones> bones(locks.size());
+  for (const FittedChain& chain : fit_curves(cells, hanging, locks, head, recipe)) {
+    bones[chain.lock] = {std::uint32_t(rig.skeleton.bones.size()), chain.curve.depth};
+    add_bones(chain, rig.skeleton);
+    rig.notes.push_back(describe(chain));
+  }
+  if (rig.skeleton.chains.empty()) {
+    rig.notes.push_back(
+        fmt::format("no chain was fitted: no hair hangs free for {:.0f} mm; it follows the head rigidly",
+                    1000 * recipe.chain_shortest));
+  }
+  rig.weights = blend_chain_weights(hair, cells, hanging, locks, bones, is_rigid, place_of, kBlend * radius);
+  return rig;
 }
 
 }  // namespace coif

@@ -1,0 +1,125 @@
+#include "cook/hair_tips.h"
+
+#include "cook/disjoint_sets.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace coif {
+namespace {
+
+constexpr double kRipple = 3;  ///< Cells: a tip that stands out less from its surroundings may be noise.
+
+/// Hanging cells, deepest first.
+std::vector<std::uint32_t> by_depth(const HangingHair& hair) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t c = 0; c < hair.depth.size(); ++c) {
+    if (hair.depth[c] > 0) order.push_back(c);
+  }
+  std::ranges::stable_sort(order, std::greater<>{}, [&](std::uint32_t c) { return hair.depth[c]; });
+  return order;
+}
+
+/// The neighbour towards which depth grows fastest, or kNoIndex at a tip.
+std::uint32_t next_towards_tip(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+  std::uint32_t best = kNoIndex;
+  double steepest = 0;
+  for (const CellLink& link : cells.links_of(cell)) {
+    const double slope = (hair.depth[link.to] - hair.depth[cell]) / std::max(link.length, 1.0e-9);
+    if (slope <= steepest) continue;
+    steepest = slope;
+    best = link.to;
+  }
+  return best;
+}
+
+/// Sets of cells, one per tip. A set's tip is its deepest cell.
+class Basins {
+ public:
+  Basins(const HairCells& cells, const HangingHair& hair, double apart)
+      : cells_(cells), hair_(hair), apart_(apart), sets_(cells.count()), tip_(cells.count(), kNoIndex) {}
+
+  void add(std::uint32_t cell) {
+    tip_[cell] = cell;
+    const std::uint32_t next = next_towards_tip(cells_, hair_, cell);
+    if (next != kNoIndex) unite(cell, next);
+    for (const CellLink& link : cells_.links_of(cell)) {
+      if (tip_[link.to] != kNoIndex) merge_ripples(cell, link.to);
+    }
+  }
+
+  std::uint32_t tip_of(std::uint32_t cell) { return tip_[sets_.find(cell)]; }
+
+ private:
+  void unite(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t tip_a = tip_of(a), tip_b = tip_of(b);
+    sets_.unite(a, b);
+    tip_[sets_.find(a)] = hair_.depth[tip_b] >= hair_.depth[tip_a] ? tip_b : tip_a;
+  }
+
+  /// `cell` is where both sets meet, so it says how far each tip stands out.
+  void merge_ripples(std::uint32_t cell, std::uint32_t neighbour) {
+    const std::uint32_t a = tip_of(cell), b = tip_of(neighbour);
+    if (a == b || (cells_.middle[a] - cells_.middle[b]).norm() > apart_) return;
+    const double stands_out = std::min(hair_.depth[a], hair_.depth[b]) - hair_.depth[cell];
+    if (stands_out < kRipple * cells_.size) unite(cell, neighbour);
+  }
+
+  const HairCells& cells_;
+  const HangingHair& hair_;
+  double apart_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> tip_;  ///< Per root of a set.
+};
+
+/// The tips with most hair below them, longest first.
+std::vector<std::uint32_t> chosen_tips(const HairCells& cells, const HangingHair& hair,
+                                       const std::vector<std::uint32_t>& tip_of_cell, std::size_t most) {
+  std::vector<double> area(cells.count(), 0);
+  std::vector<std::uint32_t> tips;
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    if (tip_of_cell[c] == kNoIndex) continue;
+    if (tip_of_cell[c] == c) tips.push_back(c);
+    area[tip_of_cell[c]] += cells.area[c] * hair.depth[c];
+  }
+  std::ranges::stable_sort(tips, std::greater<>{}, [&](std::uint32_t c) { return area[c]; });
+  if (tips.size() > most) tips.resize(most);
+  std::ranges::stable_sort(tips, std::greater<>{}, [&](std::uint32_t c) { return hair.depth[c]; });
+  return tips;
+}
+
+std::uint32_t nearest_tip(const HairCells& cells, const std::vector<std::uint32_t>& tips, std::uint32_t cell) {
+  std::uint32_t nearest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::uint32_t t = 0; t < tips.size(); ++t) {
+    const double distance = (cells.middle[tips[t]] - cells.middle[cell]).squaredNorm();
+    if (distance < least) nearest = t;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+HairTips find_hair_tips(const HairCells& cells, const HangingHair& hair, double apart, std::size_t most) {
+  Basins basins(cells, hair, apart);
+  const std::vector<std::uint32_t> order = by_depth(hair);
+  for (std::uint32_t c : order) basins.add(c);
+  std::vector<std::uint32_t> tip_of_cell(cells.count(), kNoIndex);
+  for (std::uint32_t c : order) tip_of_cell[c] = basins.tip_of(c);
+
+  HairTips tips;
+  tips.cell = chosen_tips(cells, hair, tip_of_cell, most);
+  std::vector<std::uint32_t> number(cells.count(), kNoIndex);
+  for (std::uint32_t t = 0; t < tips.cell.size(); ++t) number[tips.cell[t]] = t;
+  tips.of_cell.assign(cells.count(), kNoIndex);
+  for (std::uint32_t c : order) {
+    std::uint32_t& of_tip = number[tip_of_cell[c]];
+    if (of_tip == kNoIndex) of_tip = nearest_tip(cells, tips.cell, tip_of_cell[c]);
+    tips.of_cell[c] = of_tip;
+  }
+  return tips;
+}
+
+}  // namespace coif
