@@ -122,7 +122,8 @@ TEST(WorstPenetration, CountsOnlyCollidersOfTheBonesSet) {
 }
 
 TEST(WorstPenetration, LeavesRigidBonesOut) {
-  const OpenAsset file(small_asset());
+  const OpenAsset file(
+      with_collider({ColliderShape::kSphere, 0, 0, 0, {0, 0, 0}, 0, {1, 1, 1}, 0, {0, 0, 0, 1}, {}, 0}));
   ASSERT_TRUE(file.asset().is_open());
   std::vector<Vec3> ends(file.asset().bones().size(), Vec3{9, 9, 9});
   ends[0] = ends[1] = {0, 0, 0};
