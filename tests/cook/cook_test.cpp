@@ -13,7 +13,7 @@ namespace coif {
 namespace {
 
 CookResult cooked(const SourceModel& model, unsigned threads = 1, const Recipe& recipe = default_recipe()) {
-  auto result = cook(model, recipe, {.threads = threads, .recipe_directory = {}, .source_hash = 42});
+  auto result = cook(model, recipe, {.threads = threads, .recipe_directory = {}, .source_hash = 42, .progress = {}});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   return result ? *result : CookResult{};
 }
@@ -85,7 +85,10 @@ TEST(Cook, ATextureThatTheRecipeNamesMustBeThere) {
 
 TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
   SourceModel model = make_wig();
-  model.materials.push_back({"strands", {1, 1, 1, 1}, {"D:\\work\\..\\hair.png", kNoIndex}, true});
+  SourceMaterial strands;
+  strands.name = "strands";
+  strands.base_texture.path = "D:\\work\\..\\hair.png";
+  model.materials.push_back(strands);
   model.meshes[0].material = 0;
   const CookResult result = cooked(model);
   ASSERT_EQ(result.report.warnings.size(), 1u);

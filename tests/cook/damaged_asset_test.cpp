@@ -20,7 +20,10 @@ std::vector<std::byte> cooked_wig() {
   SourceModel model = make_wig();
   model.meshes.push_back(make_strip({.root = {0.05f, 1.6f, -0.1f}}));
   model.meshes.back().node = 1;
-  model.materials.push_back({"strands", {1, 1, 1, 1}, {"", 0}, true});
+  SourceMaterial strands;
+  strands.name = "strands";
+  strands.base_texture.image = 0;
+  model.materials.push_back(strands);
   // A TGA of one pixel: header without compression, 32 bits.
   model.images.push_back({"dot", {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 32, 8, 10, 20, 30, 255}});
   for (SourceMesh& mesh : model.meshes) mesh.material = 0;

@@ -1,6 +1,7 @@
 #include "cook/build_skeleton.h"
 #include "cook/fit_head.h"
 #include "cook/select_hair.h"
+#include "cook/settle_colliders.h"
 #include "cook/skin_weights.h"
 
 #include "cook/built_models.h"
@@ -16,7 +17,17 @@ namespace {
 tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
   const auto hair = select_hair(model, recipe);
   EXPECT_TRUE(hair) << hair.error().message;
-  return build_skeleton(model, hair->mesh, recipe);
+  const auto head = find_head_bone(model, hair->mesh, recipe.head_bone);
+  if (!head) return tl::unexpected(head.error());
+  return build_skeleton(model, hair->mesh, *head, recipe);
+}
+
+FittedHead head_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+  const auto hair = select_hair(model, recipe);
+  EXPECT_TRUE(hair) << hair.error().message;
+  const auto head = find_head_bone(model, hair->mesh, recipe.head_bone);
+  EXPECT_TRUE(head) << head.error().message;
+  return fit_head(model, hair->mesh, hair->meshes, *head, recipe);
 }
 
 TEST(BuildSkeleton, SplitsHeadScalpAndSimulatedBonesAsTheThesisDoes) {
@@ -139,18 +150,16 @@ TEST(BuildSkeleton, MoreBonesThanAnAssetHoldsIsUnsupported) {
 TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   const SourceModel wig = make_wig();
   Recipe recipe = default_recipe();
-  const auto hair = select_hair(wig, recipe);
-  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
-  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).origin, "the inside of the hair's upper part");
+  EXPECT_EQ(head_of(wig).origin, "the inside of the hair's upper part");
   recipe.head_center = {0, 1.6, 0};
   recipe.head_radii = {0.05, 0.06, 0.07};
-  const FittedHead declared = fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe);
-  EXPECT_EQ(declared.origin, "the recipe");
-  EXPECT_TRUE(declared.warnings.empty());
+  const Skeleton skeleton = *skeleton_of(wig);
+  EXPECT_EQ(head_of(wig, recipe).origin, "the recipe");
+  EXPECT_TRUE(head_colliders(head_of(wig, recipe), skeleton, recipe).warnings.empty());
   recipe.head_radii = {0.15, 0.15, 0.15};
-  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).warnings.size(), 1u) << "it swallows the hair";
+  EXPECT_EQ(head_colliders(head_of(wig, recipe), skeleton, recipe).warnings.size(), 1u) << "it swallows the hair";
   recipe.head_shape = "none";
-  EXPECT_FALSE(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).collides());
+  EXPECT_TRUE(head_colliders(head_of(wig, recipe), skeleton, recipe).shapes.empty());
 }
 
 TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
@@ -169,15 +178,15 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   }
   skull.triangles = {0, 1, 2};
   wig.meshes.push_back(skull);
-  const Recipe recipe = default_recipe();
-  const auto hair = select_hair(wig, recipe);
-  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
-  const FittedHead head = fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe);
+  const FittedHead head = head_of(wig);
+  const auto skeleton = skeleton_of(wig);
   EXPECT_NE(head.origin.find("100 vertices"), std::string::npos);
-  EXPECT_FALSE(head.warnings.empty()) << "it had to shrink";
+  const Colliders colliders = head_colliders(head, *skeleton, default_recipe());
+  EXPECT_FALSE(colliders.warnings.empty()) << "it had to shrink";
+  const HeadCollider& collider = colliders.shapes.at(0);
   for (const SkeletonBone& bone : skeleton->bones) {
     if (bone.kind != BoneKind::kSimulated) continue;
-    EXPECT_GE((bone.tail - head.center).cwiseQuotient(head.radii).norm(), 1.0);
+    EXPECT_GE((bone.tail - collider.center).cwiseQuotient(collider.radii).norm(), 1.0);
   }
 }
 
@@ -192,10 +201,7 @@ TEST(FitHead, AHatIsNoHead) {
   }
   hat.triangles = {0, 1, 2};
   wig.meshes.push_back(hat);
-  const Recipe recipe = default_recipe();
-  const auto hair = select_hair(wig, recipe);
-  const auto skeleton = build_skeleton(wig, hair->mesh, recipe);
-  EXPECT_EQ(fit_head(wig, hair->mesh, hair->meshes, *skeleton, recipe).origin, "the inside of the hair's upper part");
+  EXPECT_EQ(head_of(wig).origin, "the inside of the hair's upper part");
 }
 
 TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
@@ -213,7 +219,7 @@ TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
       mesh.influences.push_back({random() % 8, float(1 + random() % 1000) / 1000});
     mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
   }
-  for (const SkinRecord& skin : quantize_skin(mesh, skeleton)) {
+  for (const SkinRecord& skin : quantize_skin(weights_of_source(mesh, skeleton))) {
     EXPECT_EQ(skin.weight[0] + skin.weight[1] + skin.weight[2] + skin.weight[3], 255);
     EXPECT_GE(skin.weight[0], skin.weight[3]);
   }

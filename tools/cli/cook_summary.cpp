@@ -42,6 +42,7 @@ std::string cook_json(const CookSummary& summary) {
                     {"chains", report.chains},
                     {"bones", report.bones},
                     {"simulated_bones", report.simulated_bones},
+                    {"notes", report.notes},
                     {"left_out", report.left_out}});
 }
 
@@ -55,6 +56,7 @@ std::string cook_text(const CookSummary& summary) {
                       counted(report.bones, "bone", "bones"), report.simulated_bones);
   text += fmt::format("  {} bytes in {:.0f} ms, {}\n", summary.bytes, total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
+  for (const std::string& note : report.notes) text += fmt::format("  {}\n", note);
   for (const std::string& item : report.left_out) text += fmt::format("  left out: {}\n", item);
   return text + fmt::format("  next: {}\n", next_step(summary));
 }

@@ -61,6 +61,7 @@ struct CookedParts {
   Colliders colliders;
   BakedDynamics dynamics;
   PatchOrder order;
+  BaseColor base_color;
   BakedTextures textures;
 };
 
@@ -129,6 +130,9 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
   if (!selected) return tl::unexpected(selected.error());
   parts.selected = std::move(*selected);
   HairMesh& mesh = parts.selected.mesh;
+  auto base_color = timed("base color", [&] { return find_base_color(source, mesh, recipe, settings); });
+  if (!base_color) return tl::unexpected(base_color.error());
+  parts.base_color = std::move(*base_color);
   auto head_bone = timed("head bone", [&] { return find_head_bone(source, mesh, recipe.head_bone); });
   if (!head_bone) return tl::unexpected(head_bone.error());
   parts.head_bone = std::move(*head_bone);
@@ -148,7 +152,7 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
   parts.dynamics = timed("dynamics", [&] { return bake_dynamics(source, parts.skeleton, recipe); });
   parts.order = timed("order", [&] { return sort_patches(mesh, parts.extracted.patches, parts.head.center); });
   auto textures =
-      timed("textures", [&] { return bake_textures(source, mesh, parts.strands.along_u, recipe, settings); });
+      timed("textures", [&] { return bake_textures(parts.base_color, mesh, parts.strands.along_u, recipe, settings); });
   if (!textures) return tl::unexpected(textures.error());
   parts.textures = std::move(*textures);
   return parts;
@@ -156,12 +160,11 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
 
 AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& recipe, const CookSettings& settings) {
   const HairMesh& mesh = parts.selected.mesh;
-  const SourceMaterial* material = mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
   AssetContents contents;
   pack_skeleton(parts.skeleton, parts.colliders, contents);
   pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = parts.dynamics.records;
-  contents.material = {pack_material(material, mesh, recipe)};
+  contents.material = {pack_material(parts.base_color, parts.textures.transparency, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);
   contents.provenance = {make_provenance(source, recipe, settings)};
@@ -176,7 +179,10 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
   append(report.notes, parts.colliders.notes);
   append(report.warnings, parts.dynamics.warnings);
   append(report.notes, parts.dynamics.notes);
-  append(report.warnings, parts.textures.warnings);
+  append(report.warnings, parts.base_color.warnings);
+  append(report.warnings, parts.textures.transparency.warnings);
+  append(report.notes, parts.base_color.notes);
+  append(report.notes, parts.textures.transparency.notes);
   append(report.left_out, parts.selected.left_out);
   append(report.left_out, parts.textures.left_out);
   report.triangles = std::uint32_t(contents.indices.size() / 3);

@@ -9,13 +9,6 @@
 namespace coif {
 namespace {
 
-/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
-bool is_called_head(const std::string& name) {
-  const std::vector<std::string> not_heads{"*end*",  "*nub*",   "*top*",   "*hair*",
-                                           "*band*", "*phone*", "*light*", "*mesh*"};
-  return matches(name, "*head*") && !matches_any(name, not_heads);
-}
-
 /// The node with most weight below it; of equals the one nearest to the root.
 std::uint32_t heaviest(const SourceModel& source, const NodeWeights& below, auto is_candidate) {
   std::uint32_t best = kNoIndex;
@@ -53,6 +46,12 @@ HeadBone head_bone_at(const SourceModel& source, const HairMesh& hair, std::uint
 }
 
 }  // namespace
+
+bool is_called_head(const std::string& name) {
+  const std::vector<std::string> not_heads{"*end*",  "*nub*",   "*top*",   "*hair*",
+                                           "*band*", "*phone*", "*light*", "*mesh*"};
+  return matches(name, "*head*") && !matches_any(name, not_heads);
+}
 
 NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair) {
   NodeWeights weights(source.nodes.size(), 0.0);

@@ -18,6 +18,9 @@ struct HeadBone {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
 };
 
+/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
+[[nodiscard]] bool is_called_head(const std::string& name);
+
 /// Total skin weight of the hair on each node of the source.
 using NodeWeights = std::vector<double>;
 
