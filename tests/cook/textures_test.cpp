@@ -20,6 +20,8 @@ Image strands(std::uint32_t size) {
   return image;
 }
 
+Image all_used(std::uint32_t size) { return {size, size, 1, std::vector<std::uint8_t>(std::size_t(size) * size, 255)}; }
+
 TEST(Mips, GoDownToOneTexelAndFitTheLimit) {
   Image image = strands(64);
   image.height = 32;
@@ -48,12 +50,15 @@ TEST(Mips, AlphaCoverageStaysAtEveryLevel) {
         std::uint8_t(127.5 + 127.5 * std::sin(double(i % 128) * 0.9) * std::cos(double(i / 128) * 0.05));
   }
   mips = make_mips(rough, 128, TexelMeaning::kSrgbColorAlpha);
-  const double wanted = alpha_coverage(mips[0], 0.75);
+  const auto used = make_mips(all_used(128), 128, TexelMeaning::kNumbers);
+  const double wanted = alpha_coverage(mips[0], used[0], 0.75);
   ASSERT_GT(wanted, 0.1);
-  const double before = alpha_coverage(mips[2], 0.75);
-  keep_alpha_coverage(mips, 0.75);
+  const double before = alpha_coverage(mips[2], used[2], 0.75);
+  keep_alpha_coverage(mips, used, 0.75);
   EXPECT_LT(before, 0.8 * wanted) << "filtering loses coverage";
-  for (std::size_t level = 1; level < 5; ++level) EXPECT_GE(alpha_coverage(mips[level], 0.75), wanted) << level;
+  for (std::size_t level = 1; level < 5; ++level) {
+    EXPECT_GE(alpha_coverage(mips[level], used[level], 0.75), wanted) << level;
+  }
 }
 
 TEST(Mips, EmptyTexelsTakeTheColorAroundThem) {

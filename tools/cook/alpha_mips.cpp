@@ -12,27 +12,31 @@ std::uint8_t scaled(std::uint8_t alpha, double scale) {
   return std::uint8_t(std::min(255.0, std::floor(double(alpha) * scale + 0.5)));
 }
 
-double coverage_at_scale(const Image& image, double threshold, double scale) {
-  std::size_t passing = 0;
-  for (std::size_t i = 3; i < image.texels.size(); i += 4) {
-    passing += double(scaled(image.texels[i], scale)) >= threshold * 255 ? 1 : 0;
+double coverage_at_scale(const Image& image, const Image& used, double threshold, double scale) {
+  std::uint64_t passing = 0, all = 0;
+  for (std::size_t i = 0; i < image.texel_count(); ++i) {
+    all += used.texels[i];
+    if (double(scaled(image.texels[4 * i + 3], scale)) >= threshold * 255) passing += used.texels[i];
   }
-  return double(passing) / double(image.texel_count());
+  return all > 0 ? double(passing) / double(all) : 0;
 }
 
 }  // namespace
 
-double alpha_coverage(const Image& image, double threshold) { return coverage_at_scale(image, threshold, 1); }
+double alpha_coverage(const Image& image, const Image& used, double threshold) {
+  return coverage_at_scale(image, used, threshold, 1);
+}
 
-void keep_alpha_coverage(std::span<Image> mips, double threshold) {
-  const double wanted = alpha_coverage(mips[0], threshold);
+void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, double threshold) {
+  const double wanted = alpha_coverage(mips[0], used[0], threshold);
   if (wanted <= 0 || wanted >= 1) return;
-  for (Image& mip : mips.subspan(1)) {
+  for (std::size_t level = 1; level < mips.size(); ++level) {
+    Image& mip = mips[level];
     double low = 1, high = kMaxScale;
-    if (coverage_at_scale(mip, threshold, low) >= wanted) continue;
+    if (coverage_at_scale(mip, used[level], threshold, low) >= wanted) continue;
     for (int step = 0; step < 12; ++step) {
       const double middle = 0.5 * (low + high);
-      (coverage_at_scale(mip, threshold, middle) < wanted ? low : high) = middle;
+      (coverage_at_scale(mip, used[level], threshold, middle) < wanted ? low : high) = middle;
     }
     for (std::size_t i = 3; i < mip.texels.size(); i += 4) mip.texels[i] = scaled(mip.texels[i], high);
   }

@@ -1,67 +1,18 @@
 #include "cook/bake_textures.h"
 
 #include "cook/alpha_mips.h"
-#include "cook/image.h"
+#include "cook/eac_rg11.h"
 #include "cook/parallel_for.h"
+#include "cook/recipe_image.h"
 #include "cook/shift_mask.h"
-
-#include <fmt/format.h>
+#include "cook/used_texels.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace coif {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr double kFewOpaqueTexels = 0.1;
-
-using MaybeImage = std::optional<Image>;
-
-tl::expected<MaybeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
-                                                      const CookSettings& settings) {
-  if (name.empty()) return MaybeImage{};
-  const fs::path path = settings.recipe_directory / name;
-  auto image = read_image(path);
-  if (image) return MaybeImage{std::move(*image)};
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.{}\": {}",
-                                                                          path.string(), key, image.error())});
-}
-
-/// An image that the source names by a path: only ever looked for in the source's own folder, under its last name, since
-/// paths in files are those of the artist's machine and must not reach elsewhere on this one.
-fs::path beside_source(const SourceModel& source, const std::string& written) {
-  const std::size_t slash = written.find_last_of("/\\");
-  return fs::path(source.path).parent_path() / (slash == std::string::npos ? written : written.substr(slash + 1));
-}
-
-MaybeImage read_source_image(const SourceModel& source, const HairMesh& hair, std::vector<std::string>& warnings) {
-  if (hair.material >= source.materials.size()) return {};
-  const SourceMaterial& material = source.materials[hair.material];
-  const SourceTexture& texture = material.base_texture;
-  tl::expected<Image, std::string> image;
-  std::string name;
-  if (texture.image < source.images.size()) {
-    name = fmt::format("embedded image '{}'", source.images[texture.image].name);
-    image = decode_image(source.images[texture.image].bytes);
-  } else if (!texture.path.empty()) {
-    const fs::path path = beside_source(source, texture.path);
-    name = path.string();
-    image = read_image(path);
-    if (image && path.filename() != texture.path) {
-      warnings.push_back(fmt::format("material '{}': texture '{}' taken from {}", material.name, texture.path, name));
-    }
-  } else {
-    return {};
-  }
-  if (image) return std::move(*image);
-  warnings.push_back(fmt::format("material '{}': {}: {}; the hair is cooked without a base texture", material.name,
-                                 name, image.error()));
-  return {};
-}
-
-void append(TextureRole role, TexelFormat format, std::span<const Image> mips, BakedTextures& out) {
+void append(TextureRole role, TexelFormat format, std::span<const Image> mips, unsigned threads, BakedTextures& out) {
   out.texels.resize((out.texels.size() + 63) / 64 * 64);
   TextureRecord record{};
   record.role = role;
@@ -71,61 +22,69 @@ void append(TextureRole role, TexelFormat format, std::span<const Image> mips, B
   record.mip_count = std::uint32_t(mips.size());
   record.offset = out.texels.size();
   for (const Image& mip : mips) {
-    const auto bytes = std::as_bytes(std::span(mip.texels));
+    const auto encoded = format == TexelFormat::kRg11Eac ? encode_eac_rg11(mip, threads) : mip.texels;
+    const auto bytes = std::as_bytes(std::span(encoded));
     out.texels.insert(out.texels.end(), bytes.begin(), bytes.end());
   }
   record.bytes = out.texels.size() - record.offset;
   out.records.push_back(record);
 }
 
-void warn_of_alpha(const Image& base, const Recipe& recipe, std::vector<std::string>& warnings) {
-  const double opaque = alpha_coverage(base, recipe.opaque_threshold);
-  if (opaque >= kFewOpaqueTexels) return;
-  warnings.push_back(
-      fmt::format("only {:.1f} % of the base texture has alpha {} or more: without an opaque core hair "
-                  "sorts badly; lower \"material.opaque_threshold\" or paint opaque cores",
-                  100 * opaque, recipe.opaque_threshold));
+/// Texel alpha at which the product with the factors reaches the threshold.
+double threshold_in_texture(const BaseColor& color, const Transparency& transparency, const Recipe& recipe) {
+  const double factor = double(color.factor.w()) * recipe.base_color[3];
+  return factor > 0 ? transparency.opaque_threshold / factor : 2;
 }
 
-std::vector<Image> base_mips(Image image, const Recipe& recipe) {
-  std::vector<Image> mips = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+std::vector<Image> bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe,
+                             Transparency& transparency) {
+  Image image = *color.image;
+  Image used = used_texels(hair, image.width, image.height);
+  transparency = choose_transparency(color, &image, used, recipe);
+  if (transparency.ignores_alpha) {
+    // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
+    for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
+  }
+  auto mips = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+  const auto used_mips = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
   fill_color_under_alpha(mips);
-  keep_alpha_coverage(mips, recipe.opaque_threshold);
+  keep_alpha_coverage(mips, used_mips, threshold_in_texture(color, transparency, recipe));
   return mips;
+}
+
+std::vector<Image> bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
+                                   bool strands_along_u, const Recipe& recipe) {
+  const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
+  Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
+  if (color.atlas) whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
+  return make_mips(std::move(whole), recipe.texture_max_size, TexelMeaning::kNumbers);
 }
 
 }  // namespace
 
-tl::expected<BakedTextures, ToolError> bake_textures(const SourceModel& source, const HairMesh& hair,
-                                                     bool strands_along_u, const Recipe& recipe,
-                                                     const CookSettings& settings) {
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
+                                                     const Recipe& recipe, const CookSettings& settings) {
   BakedTextures baked;
-  auto base = read_recipe_image(recipe.base_color_texture, "base_color", settings);
-  auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);
-  auto mask = read_recipe_image(recipe.mask_texture, "mask", settings);
-  for (const auto* image : {&base, &shift, &mask}) {
+  const auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);
+  const auto mask = read_recipe_image(recipe.mask_texture, "mask", settings);
+  for (const auto* image : {&shift, &mask}) {
     if (!*image) return tl::unexpected(image->error());
+    if ((*image)->image) baked.files.push_back((*image)->path);
   }
+  const bool textured = color.image.has_value() && !hair.uvs.empty();
+  if (!textured) baked.transparency = choose_transparency(color, nullptr, {}, recipe);
   if (hair.uvs.empty()) {
     baked.left_out.push_back("textures: the hair has no texture coordinates");
     return baked;
   }
-  if (!*base) *base = read_source_image(source, hair, baked.warnings);
-
   std::vector<Image> mips[2];
   parallel_for(2, settings.threads, [&](std::size_t i) {
-    if (i == 0 && *base) mips[0] = base_mips(std::move(**base), recipe);
-    if (i == 1) {
-      mips[1] = make_mips(combine_shift_mask(*shift ? &**shift : nullptr, *mask ? &**mask : nullptr,
-                                             recipe.texture_seed, strands_along_u),
-                          recipe.texture_max_size, TexelMeaning::kNumbers);
-    }
+    if (i == 0 && textured) mips[0] = bake_base(color, hair, recipe, baked.transparency);
+    if (i == 1) mips[1] = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
   });
-  if (!mips[0].empty()) {
-    warn_of_alpha(mips[0][0], recipe, baked.warnings);
-    append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, mips[0], baked);
-  }
-  append(TextureRole::kShiftMask, TexelFormat::kRg8, mips[1], baked);
+  const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, mips[0], settings.threads, baked);
+  append(TextureRole::kShiftMask, format, mips[1], settings.threads, baked);
   return baked;
 }
 

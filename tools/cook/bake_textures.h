@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cook/cook.h"
-#include "cook/hair_mesh.h"
+#include "cook/base_color.h"
+#include "cook/transparency.h"
 
 #include <coif/asset_records.h>
 
@@ -10,15 +10,16 @@ namespace coif {
 struct BakedTextures {
   std::vector<TextureRecord> records;
   std::vector<std::byte> texels;
-  std::vector<std::string> warnings;
+  Transparency transparency;
+  std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
   std::vector<std::string> left_out;
 };
 
-/// Base colour with alpha (the recipe's, else the source material's) and shift with mask (the recipe's, else generated),
-/// each with all mips. A source image that is missing or broken is a warning and leaves the hair untextured; one that the
-/// recipe names is an error. Without texture coordinates nothing is stored.
-tl::expected<BakedTextures, ToolError> bake_textures(const SourceModel& source, const HairMesh& hair,
-                                                     bool strands_along_u, const Recipe& recipe,
-                                                     const CookSettings& settings);
+/// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats that the
+/// recipe asks for. In an atlas shift and mask follow each surface's own coordinates. An image that the recipe names and
+/// that cannot be read is an error. Without texture coordinates nothing is stored. `hair` has the coordinates that
+/// find_base_color left.
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
+                                                     const Recipe& recipe, const CookSettings& settings);
 
 }  // namespace coif

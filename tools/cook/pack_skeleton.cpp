@@ -55,7 +55,8 @@ void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetCo
   for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
 }
 
-MaterialRecord pack_material(const SourceMaterial* source, const HairMesh& hair, const Recipe& recipe) {
+MaterialRecord pack_material(const BaseColor& color, const Transparency& transparency, const HairMesh& hair,
+                             const Recipe& recipe) {
   MaterialRecord record{};
   store(recipe.base_color, record.base_color);
   store(recipe.ambient, record.ambient);
@@ -65,12 +66,11 @@ MaterialRecord pack_material(const SourceMaterial* source, const HairMesh& hair,
   record.secondary_exponent = float(recipe.secondary_exponent);
   record.primary_shift = float(recipe.primary_shift);
   record.secondary_shift = float(recipe.secondary_shift);
-  record.opaque_threshold = float(recipe.opaque_threshold);
-  record.discard_threshold = float(recipe.discard_threshold);
+  record.opaque_threshold = float(transparency.opaque_threshold);
+  record.discard_threshold = float(transparency.discard_threshold);
   const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
   if (both) record.flags |= kMaterialDoubleSided;
-  if (source == nullptr) return record;
-  for (int k = 0; k < 4; ++k) record.base_color[k] *= std::clamp(source->base_color[k], 0.0f, 1.0f);
+  for (int k = 0; k < 4; ++k) record.base_color[k] *= color.factor[k];
   return record;
 }
 

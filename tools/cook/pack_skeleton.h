@@ -3,6 +3,7 @@
 #include "cook/recipe.h"
 #include "cook/settle_colliders.h"
 #include "cook/skeleton.h"
+#include "cook/transparency.h"
 #include "write/asset_writer.h"
 
 namespace coif {
@@ -11,7 +12,8 @@ namespace coif {
 /// frame, which at rest has the axes of the model.
 void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents);
 
-/// The recipe's material; its base colour times that of the source's (may be null).
-[[nodiscard]] MaterialRecord pack_material(const SourceMaterial* source, const HairMesh& hair, const Recipe& recipe);
+/// The recipe's material; its base colour times `color`'s factor, thresholds as chosen.
+[[nodiscard]] MaterialRecord pack_material(const BaseColor& color, const Transparency& transparency,
+                                           const HairMesh& hair, const Recipe& recipe);
 
 }  // namespace coif

@@ -61,11 +61,12 @@ struct Recipe {
   std::string mask_texture;
   std::uint32_t texture_max_size = 0;
   std::uint32_t texture_seed = 0;
+  std::string shift_mask_format;  ///< "eac" or "rg8".
   // material
   std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};
   std::string sides;  ///< "auto", "both" or "front".
-  double opaque_threshold = 0;
+  double opaque_threshold = 0;  ///< 0: chosen from the file and the texture.
   double discard_threshold = 0;
   std::array<double, 3> primary_color{};
   double primary_exponent = 0;

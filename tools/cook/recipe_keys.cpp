@@ -41,8 +41,8 @@ const RecipeKey kKeys[] = {
   {"chains", "exclude", &R::chain_exclude, "[]", 0, 0, nullptr, "",
    "names of the meshes or materials that stay rigid with the head"},
 
-  {"patches", "connectivity", &R::patch_connectivity, "\"auto\"", 0, 0, "auto|index|position", "",
-   "triangles are one patch when they share vertices (index) or places (position); auto: by index unless that shatters"},
+  {"patches", "connectivity", &R::patch_connectivity, "\"auto\"", 0, 0, "auto|island|index|position", "",
+   "triangles are one patch when they share a texture island, vertices (index) or places; auto: what does not shatter"},
   {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
    "vertices closer than this are at one place"},
 
@@ -75,6 +75,8 @@ const RecipeKey kKeys[] = {
    "larger images are reduced to this"},
   {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
    "start of the generated shift and mask"},
+  {"textures", "shift_mask_format", &R::shift_mask_format, "\"rg8\"", 0, 0, "eac|rg8", "",
+   "how shift and mask are stored: eac takes half the bytes, rg8 keeps every value"},
 
   {"material", "base_color", &R::base_color, "[1, 1, 1, 1]", 0, 100, nullptr, "linear",
    "multiplies the base texture (red, green, blue, alpha)"},
@@ -82,8 +84,8 @@ const RecipeKey kKeys[] = {
    "light from everywhere, times the base colour"},
   {"material", "sides", &R::sides, "\"auto\"", 0, 0, "auto|both|front", "",
    "which sides of the triangles are seen; auto: both, unless the file has closed pieces or says single-sided"},
-  {"material", "opaque_threshold", &R::opaque_threshold, "0.9", 0.004, 1, nullptr, "alpha",
-   "texels from this alpha on are drawn opaque, before the others are blended"},
+  {"material", "opaque_threshold", &R::opaque_threshold, "0", 0, 1, nullptr, "alpha",
+   "texels from this alpha on are drawn opaque, the others are blended; 0: the material's, else chosen from the texture"},
   {"material", "discard_threshold", &R::discard_threshold, "0.02", 0, 1, nullptr, "alpha",
    "texels below this alpha are never drawn"},
   {"material", "primary_color", &R::primary_color, "[1, 0.95, 0.9]", 0, 100, nullptr, "linear",
