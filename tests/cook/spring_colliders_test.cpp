@@ -1,0 +1,143 @@
+#include "cook/spring_colliders.h"
+
+#include "cook/built_models.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+using Shape = SourceCollider::Shape;
+constexpr std::uint32_t kHead = 1;
+constexpr std::uint32_t kBody = 0;
+
+/// root > Head > (hair_a > hair_a_end, hair_b > hair_b_end); one spring on each hair.
+class SpringCollidersTest : public testing::Test {
+ protected:
+  SpringCollidersTest() {
+    add_node(model_, "root", kNoIndex, {0, 0, 0});
+    add_node(model_, "Head", 0, {0, 1.6, 0});
+    skeleton_.bones.resize(1);
+    skeleton_.bones[0].kind = BoneKind::kHead;
+    skeleton_.bone_of_node = {0, 0};
+    add_hair("hair_a", -0.1);
+    add_hair("hair_b", 0.1);
+  }
+
+  void add_hair(const std::string& name, double x) {
+    const auto bone = std::uint32_t(skeleton_.bones.size());
+    const std::uint32_t node = add_node(model_, name, kHead, {x, 1.6, 0});
+    const std::uint32_t end = add_node(model_, name + "_end", node, {x, 1.4, 0});
+    SkeletonBone hair;
+    hair.kind = BoneKind::kSimulated;
+    hair.parent = 0;
+    skeleton_.bones.push_back(hair);
+    skeleton_.bone_of_node.insert(skeleton_.bone_of_node.end(), {bone, bone});
+    SourceSpring spring;
+    spring.name = name;
+    spring.joints.resize(2);
+    spring.joints[0].node = node;
+    spring.joints[0].length = 0.2;
+    spring.joints[0].hit_radius = 0.01 * bone;
+    spring.joints[1].node = end;
+    model_.springs.push_back(spring);
+  }
+
+  std::uint32_t add_collider(Shape shape, std::uint32_t node) {
+    SourceCollider collider;
+    collider.shape = shape;
+    collider.node = node;
+    collider.center = {0, 1.7, 0};
+    collider.tail = {0, 1.5, 0};
+    collider.radius = shape == Shape::kPlane ? 0 : 0.1;
+    model_.colliders.push_back(collider);
+    return std::uint32_t(model_.colliders.size() - 1);
+  }
+
+  [[nodiscard]] SpringColliders run() const { return spring_colliders(model_, kHead, skeleton_); }
+
+  SourceModel model_;
+  Skeleton skeleton_;
+};
+
+TEST_F(SpringCollidersTest, EachBoneHasItsSpringsSetAndItsJointsRadius) {
+  const std::uint32_t first = add_collider(Shape::kSphere, kHead);
+  const std::uint32_t second = add_collider(Shape::kSphere, kHead);
+  model_.springs[0].colliders = {first, second};
+  model_.springs[1].colliders = {second};
+  const SpringColliders result = run();
+  ASSERT_EQ(result.colliders.shapes.size(), 2u);
+  EXPECT_EQ(result.colliders.of_bone, (std::vector<std::uint32_t>{0, 0b11, 0b10}));
+  EXPECT_EQ(result.colliders.hit_radius, (std::vector<double>{0, 0.01, 0.02}));
+  EXPECT_TRUE(result.left_out.empty());
+}
+
+TEST_F(SpringCollidersTest, ShapesKeepTheirSizeAndPlace) {
+  model_.springs[0].colliders = {add_collider(Shape::kSphere, kHead), add_collider(Shape::kCapsule, kHead),
+                                 add_collider(Shape::kPlane, kHead)};
+  model_.colliders[0].keeps_inside = true;
+  model_.colliders[2].normal = Eigen::Vector3d::UnitX();
+  const auto shapes = run().colliders.shapes;
+  ASSERT_EQ(shapes.size(), 3u);
+  EXPECT_EQ(shapes[0].shape, ColliderShape::kSphere);
+  EXPECT_TRUE(shapes[0].keeps_inside);
+  EXPECT_EQ(shapes[0].center, Eigen::Vector3d(0, 1.7, 0));
+  EXPECT_EQ(shapes[0].radii, Eigen::Vector3d::Constant(0.1));
+  EXPECT_EQ(shapes[1].shape, ColliderShape::kCapsule);
+  EXPECT_TRUE(shapes[1].axis.isApprox(Eigen::Vector3d(0, -0.2, 0)));
+  EXPECT_EQ(shapes[2].shape, ColliderShape::kPlane);
+  EXPECT_EQ(shapes[2].axis, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(shapes[2].radii, Eigen::Vector3d::Zero());
+}
+
+TEST_F(SpringCollidersTest, ACapsuleWithoutLengthIsASphere) {
+  model_.springs[0].colliders = {add_collider(Shape::kCapsule, kHead)};
+  model_.colliders[0].tail = model_.colliders[0].center;
+  EXPECT_EQ(run().colliders.shapes.at(0).shape, ColliderShape::kSphere);
+}
+
+TEST_F(SpringCollidersTest, WhatIsNotOnTheHeadIsLeftOutOnceByName) {
+  const std::uint32_t chest = add_collider(Shape::kSphere, kBody);
+  for (SourceSpring& spring : model_.springs) spring.colliders = {chest};
+  const SpringColliders result = run();
+  EXPECT_TRUE(result.colliders.shapes.empty());
+  EXPECT_EQ(result.colliders.of_bone, (std::vector<std::uint32_t>{0, 0, 0}));
+  ASSERT_EQ(result.left_out.size(), 1u);
+  EXPECT_NE(result.left_out[0].find("'root'"), std::string::npos) << result.left_out[0];
+  EXPECT_EQ(spring_colliders(model_, kNoIndex, skeleton_).left_out.size(), 1u) << "without a head nothing is on it";
+}
+
+TEST_F(SpringCollidersTest, AShapeOnSwingingHairMovesWithTheRigidBoneAboveIt) {
+  model_.springs[1].colliders = {add_collider(Shape::kSphere, 2)};  // on hair_a
+  const SpringColliders result = run();
+  ASSERT_EQ(result.colliders.shapes.size(), 1u);
+  EXPECT_EQ(result.colliders.shapes[0].bone, 0u);
+}
+
+TEST_F(SpringCollidersTest, ShapesThatNoHairTouchesAreNotThereAtAll) {
+  add_collider(Shape::kSphere, kHead);
+  add_collider(Shape::kSphere, kBody);
+  const SpringColliders result = run();
+  EXPECT_TRUE(result.colliders.shapes.empty());
+  EXPECT_TRUE(result.left_out.empty());
+}
+
+TEST_F(SpringCollidersTest, ASphereWithoutSizeIsLeftOut) {
+  model_.springs[0].colliders = {add_collider(Shape::kSphere, kHead)};
+  model_.colliders[0].radius = 0;
+  EXPECT_TRUE(run().colliders.shapes.empty());
+  EXPECT_EQ(run().left_out.size(), 1u);
+}
+
+TEST_F(SpringCollidersTest, MoreShapesThanAnAssetHoldsAreLeftOut) {
+  for (std::uint32_t i = 0; i < kMaxColliders + 3; ++i) {
+    model_.springs[0].colliders.push_back(add_collider(Shape::kSphere, kHead));
+  }
+  const SpringColliders result = run();
+  EXPECT_EQ(result.colliders.shapes.size(), kMaxColliders);
+  EXPECT_EQ(result.colliders.of_bone[1], 0xFFFFFFFFu);
+  EXPECT_EQ(result.left_out.size(), 3u);
+}
+
+}  // namespace
+}  // namespace coif

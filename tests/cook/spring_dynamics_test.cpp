@@ -1,0 +1,290 @@
+#include "cook/spring_dynamics.h"
+
+#include "cook/bake_dynamics.h"
+#include "cook/built_models.h"
+#include "cook/vrm_chain.h"
+
+#include <coif/thesis_step_job.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+SourceSpringJoint joint_of(double stiffness, double gravity_power, double drag, double length = 0.1) {
+  SourceSpringJoint joint;
+  joint.length = length;
+  joint.stiffness = stiffness;
+  joint.gravity_power = gravity_power;
+  joint.drag = drag;
+  return joint;
+}
+
+/// Algorithm 1 on a chain along +X whose dynamics come from the mapping, one step per frame of 1/60 s.
+class MappedChain {
+ public:
+  /// `lengths` of the cooked bones.
+  MappedChain(const std::vector<SourceSpringJoint>& joints, const std::vector<double>& lengths)
+      : bones_(joints.size() + 1),
+        dynamics_(joints.size() + 1),
+        particles_(joints.size()),
+        scratch_(joints.size()),
+        factors_(joints.size()) {
+    bones_[0].parent = kNone;
+    bones_[0].kind = BoneKind::kHead;
+    double reach = 0;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      BoneRecord& bone = bones_[j + 1];
+      bone.parent = std::uint32_t(j);
+      bone.kind = BoneKind::kSimulated;
+      bone.joint[0] = float(reach);
+      bone.length = float(lengths[j]);
+      bone.rest_direction[0] = 1;
+      dynamics_[j + 1] = dynamics_of_joint(joints[j], lengths[j]);
+      reach += lengths[j];
+      particles_[j].position.x = float(reach);
+    }
+  }
+
+  void step(const Vec3& gravity, const Vec3& head_displacement = {}) {
+    ThesisStepJob job;
+    job.gravity = gravity;
+    job.head_displacement = head_displacement;
+    job.bones = bones_;
+    job.dynamics = dynamics_;
+    compute_friction_factors(dynamics_, job.dt, factors_);
+    job.friction_factors = factors_;
+    job.scratch = scratch_;
+    job.particles = particles_;
+    ASSERT_EQ(job.run(), Status::kOk);
+  }
+  [[nodiscard]] std::vector<Particle>& particles() { return particles_; }
+
+ private:
+  std::vector<BoneRecord> bones_;
+  std::vector<DynamicsRecord> dynamics_;
+  std::vector<Particle> particles_;
+  std::vector<BoneScratch> scratch_;
+  std::vector<float> factors_;
+};
+
+double angle_below_horizon(const Vector3d& direction) { return std::atan2(-direction.y(), direction.x()); }
+double angle_below_horizon(const Vec3& direction) { return std::atan2(-double(direction.y), double(direction.x)); }
+
+// The published algorithm brakes the gravity of each step within that step, which spring bones do not.
+Vec3 gravity_before_brake(double drag) { return {0, float(-9.81 / (1 - drag)), 0}; }
+
+TEST(SpringDynamics, OneBoneMovesFrameByFrameAsVrmMovesIt) {
+  const SourceSpringJoint settings[] = {joint_of(1, 0.2, 0.4), joint_of(4, 0, 0.1), joint_of(0.3, 1, 0.8, 0.3),
+                                        joint_of(2.5, -0.5, 0.4, 0.07)};
+  for (const SourceSpringJoint& joint : settings) {
+    VrmChain vrm({joint}, {Vector3d::UnitX()});
+    MappedChain mapped({joint}, {joint.length});
+    Vector3d root = Vector3d::Zero();
+    for (int frame = 1; frame <= 180; ++frame) {
+      const Vector3d moved(0.05 * std::sin(0.2 * frame), 0.03 * std::sin(0.11 * frame), 0);
+      const Vector3d way = moved - root;
+      root = moved;
+      vrm.step(root);
+      mapped.step(gravity_before_brake(joint.drag), {float(way.x()), float(way.y()), 0});
+      const double expected = angle_below_horizon(Vector3d(vrm.tails()[0] - root));
+      ASSERT_NEAR(angle_below_horizon(mapped.particles()[0].position), expected, 1.0e-3)
+          << "frame " << frame << ", stiffness " << joint.stiffness;
+    }
+  }
+}
+
+TEST(SpringDynamics, TheOscillatorThatResistanceStandsForSagsAsFarAsVrm) {
+  for (const double drag : {0.0, 0.4, 0.9}) {
+    const SourceSpringJoint joint = joint_of(1, 0.6, drag);
+    VrmChain vrm({joint}, {Vector3d::UnitX()});
+    for (int frame = 0; frame < 3000; ++frame) vrm.step(Vector3d::Zero());
+    const DynamicsRecord record = dynamics_of_joint(joint, joint.length);
+    const double per_mass = record.resistance / (1 - record.resistance) * 60.0 * 60.0;  // NUMERICS: k = r/((1-r) h^2)
+    const double sag = std::atan2(record.gravity_scale * 9.81, per_mass * joint.length);
+    EXPECT_NEAR(sag, angle_below_horizon(vrm.tails()[0]), 1.0e-5) << "drag " << drag;
+    EXPECT_NEAR(sag, std::atan2(0.6, 1.0), 1.0e-5) << "gravityPower over stiffness";
+  }
+}
+
+TEST(SpringDynamics, AlgorithmOneSagsByTheBrakedShareOfIt) {
+  const SourceSpringJoint joint = joint_of(1, 0.6, 0.4);
+  MappedChain mapped({joint}, {joint.length});
+  for (int frame = 0; frame < 600; ++frame) mapped.step({0, -9.81f, 0});
+  const double settled = angle_below_horizon(mapped.particles()[0].position);
+  RecordProperty("settled_deg", std::to_string(settled * 180 / std::numbers::pi));
+  EXPECT_NEAR(std::tan(settled), (1 - 0.4) * 0.6, 1.0e-4);
+}
+
+TEST(SpringDynamics, ThreeBonesSettleNearWhereVrmSettlesThem) {
+  const std::vector<SourceSpringJoint> joints(3, joint_of(1, 0.3, 0.4));
+  VrmChain vrm(joints, std::vector<Vector3d>(3, Vector3d::UnitX()));
+  MappedChain mapped(joints, {0.1, 0.1, 0.1});
+  for (int frame = 0; frame < 1200; ++frame) {
+    vrm.step(Vector3d::Zero());
+    mapped.step(gravity_before_brake(0.4));
+  }
+  const double expected = angle_below_horizon(vrm.tails()[2]);
+  const double settled = angle_below_horizon(mapped.particles()[2].position);
+  RecordProperty("vrm_deg", std::to_string(expected * 180 / std::numbers::pi));
+  RecordProperty("algorithm_1_deg", std::to_string(settled * 180 / std::numbers::pi));
+  // Algorithm 1 lets children pull their parents, VRM does not; nothing in a record can undo that.
+  EXPECT_NEAR(settled / expected, 1.0, 0.2);
+}
+
+TEST(SpringDynamics, SwingsDieOutAsFastAsInVrm) {
+  const SourceSpringJoint joint = joint_of(0.5, 0, 0.1, 0.3);
+  VrmChain vrm({joint}, {Vector3d::UnitX()});
+  vrm.pose(Eigen::Quaterniond(Eigen::AngleAxisd(-0.5, Vector3d::UnitZ())));
+  MappedChain mapped({joint}, {joint.length});
+  mapped.particles()[0].position = {float(0.3 * std::cos(0.5)), float(-0.3 * std::sin(0.5)), 0};
+  double vrm_swing = 0, mapped_swing = 0;
+  for (int frame = 1; frame <= 60; ++frame) {
+    vrm.step(Vector3d::Zero());
+    mapped.step({0, -9.81f, 0});
+    if (frame < 20) continue;
+    vrm_swing = std::max(vrm_swing, std::abs(angle_below_horizon(vrm.tails()[0])));
+    mapped_swing = std::max(mapped_swing, std::abs(angle_below_horizon(mapped.particles()[0].position)));
+  }
+  EXPECT_GT(vrm_swing, 0.01) << "it has to swing for the comparison to say anything";
+  EXPECT_LT(vrm_swing, 0.45);
+  EXPECT_NEAR(mapped_swing, vrm_swing, 1.0e-3);
+}
+
+TEST(SpringDynamics, ALeafTurnsAlikeWhateverTheHairsLengthThere) {
+  const SourceSpringJoint leaf = joint_of(1, 0.3, 0.2, 0.07);
+  MappedChain as_in_vrm({leaf}, {0.07});
+  MappedChain longer({leaf}, {0.21});
+  for (int frame = 0; frame < 30; ++frame) {
+    as_in_vrm.step({0, -9.81f, 0});
+    longer.step({0, -9.81f, 0});
+    ASSERT_NEAR(angle_below_horizon(longer.particles()[0].position),
+                angle_below_horizon(as_in_vrm.particles()[0].position), 1.0e-4)
+        << "frame " << frame;
+  }
+}
+
+TEST(SpringDynamics, EverySettingGivesWhatAnAssetMayHold) {
+  for (const double stiffness : {0.0, 1.0, 1.0e6}) {
+    for (const double gravity : {-1.0e6, 0.0, 1.0e6}) {
+      for (const double drag : {0.0, 1.0}) {
+        for (const double length : {1.0e-9, 0.1, 1.0e6}) {
+          const DynamicsRecord record = dynamics_of_joint(joint_of(stiffness, gravity, drag, length), 0.1);
+          EXPECT_GE(record.resistance, 0.0f);
+          EXPECT_LE(record.resistance, 1.0f);
+          EXPECT_GE(record.friction, 0.0f);
+          EXPECT_LE(record.friction, 1.0e6f);
+          EXPECT_LE(std::abs(record.gravity_scale), 1.0e3f);
+        }
+      }
+    }
+  }
+}
+
+TEST(SpringDynamics, GravityKeepsItsVerticalPart) {
+  SourceSpringJoint joint = joint_of(1, 0.5, 0.4);
+  const float down = dynamics_of_joint(joint, 0.1).gravity_scale;
+  EXPECT_NEAR(down, 0.5f * 60 / 9.81f, 1.0e-5f);
+  joint.gravity_direction = {0.8, -0.6, 0};
+  EXPECT_FLOAT_EQ(dynamics_of_joint(joint, 0.1).gravity_scale, 0.6f * down);
+  joint.gravity_direction = {0, 1, 0};
+  EXPECT_FLOAT_EQ(dynamics_of_joint(joint, 0.1).gravity_scale, -down);
+}
+
+/// The wig with a spring on both of its simulated bones.
+SourceModel sprung_wig() {
+  SourceModel model = make_wig();
+  SourceSpring spring;
+  spring.name = "tail";
+  for (const std::uint32_t node : {3u, 4u, 5u}) {
+    spring.joints.push_back(joint_of(1, 0.2, 0.4));
+    spring.joints.back().node = node;
+  }
+  spring.joints.back().length = 0;
+  model.springs = {spring};
+  return model;
+}
+
+/// The wig's skeleton as the cooker builds it, without its passes before that.
+Skeleton wig_skeleton() {
+  Skeleton skeleton;
+  skeleton.bones.resize(4);
+  skeleton.bones[0].kind = BoneKind::kHead;
+  skeleton.bones[1].parent = 0;
+  skeleton.bones[1].start = {0, 1.65, -0.1};
+  for (std::uint32_t b = 2; b < 4; ++b) {
+    skeleton.bones[b].kind = BoneKind::kSimulated;
+    skeleton.bones[b].parent = b - 1;
+    skeleton.bones[b].place = 0.5 * (b - 1);
+    skeleton.bones[b].start = {0, 1.6 - 0.1 * (b - 2), -0.1};
+    skeleton.bones[b].tail = {0, 1.5 - 0.1 * (b - 2), -0.1};
+  }
+  skeleton.chains = {{2, 2, 1, 0}};
+  skeleton.bone_of_node = {0, 0, 1, 2, 3, 3};
+  return skeleton;
+}
+
+TEST(SpringJoints, AJointsSettingsGoToItsOwnNodesBone) {
+  SourceModel model = sprung_wig();
+  const auto joints = joints_of_bones(model, wig_skeleton());
+  ASSERT_EQ(joints.size(), 4u);
+  EXPECT_FALSE(joints[0]);
+  EXPECT_FALSE(joints[1]) << "rigid";
+  ASSERT_TRUE(joints[2] && joints[3]);
+  EXPECT_EQ(joints[2].joint->node, 3u);
+  EXPECT_EQ(joints[3].joint->node, 4u) << "not the last joint, whose vertices the bone carries";
+  model.springs[0].joints[2].length = 0.07;  // as the leaf of a VRM 0.x: it has no bone of its own
+  EXPECT_EQ(joints_of_bones(model, wig_skeleton())[3].joint->node, 4u);
+  model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
+  model.springs[0].joints[1].length = 0;
+  EXPECT_FALSE(joints_of_bones(model, wig_skeleton())[3]) << "an end turns nothing";
+}
+
+TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
+  SourceModel model = sprung_wig();
+  model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
+  const Skeleton skeleton = wig_skeleton();
+  Recipe recipe = default_recipe();
+  const BakedDynamics mixed = bake_dynamics(model, skeleton, recipe);
+  const DynamicsRecord by_spring = dynamics_of_joint(model.springs[0].joints[0], 0.1);
+  ASSERT_EQ(mixed.records.size(), 4u);
+  EXPECT_FLOAT_EQ(mixed.records[2].resistance, by_spring.resistance);
+  EXPECT_FLOAT_EQ(mixed.records[2].friction, by_spring.friction);
+  EXPECT_FLOAT_EQ(mixed.records[3].friction, float(recipe.friction)) << "no spring: the curves";
+  ASSERT_EQ(mixed.notes.size(), 1u);
+  EXPECT_NE(mixed.notes[0].find("1 of 2"), std::string::npos);
+  EXPECT_TRUE(mixed.warnings.empty());
+
+  recipe.dynamics_source = "springs";
+  const BakedDynamics wanted = bake_dynamics(model, skeleton, recipe);
+  ASSERT_EQ(wanted.warnings.size(), 1u);
+  EXPECT_NE(wanted.warnings[0].find("1 of 2 simulated bones have no spring"), std::string::npos);
+
+  recipe.dynamics_source = "curves";
+  const BakedDynamics curves = bake_dynamics(model, skeleton, recipe);
+  EXPECT_FLOAT_EQ(curves.records[2].friction, float(recipe.friction));
+  EXPECT_TRUE(curves.notes.empty());
+}
+
+TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
+  SourceModel model = sprung_wig();
+  EXPECT_TRUE(bake_dynamics(model, wig_skeleton(), default_recipe()).warnings.empty());
+  model.springs[0].center = 1;
+  model.springs[0].joints[1].gravity_direction = Vector3d(1, -1, 0).normalized();
+  const auto warnings = bake_dynamics(model, wig_skeleton(), default_recipe()).warnings;
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("spring 'tail': its gravity is not vertical"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[1].find("center 'Head'"), std::string::npos) << warnings[1];
+  model.springs[0].joints[1].gravity_power = 0;
+  model.springs[0].center = kNoIndex;
+  EXPECT_TRUE(bake_dynamics(model, wig_skeleton(), default_recipe()).warnings.empty()) << "no gravity has no direction";
+}
+
+}  // namespace
+}  // namespace coif
