@@ -24,5 +24,6 @@ Command add_validate(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
+Command add_compare(CLI::App& program);
 
 }  // namespace coif
