@@ -128,7 +128,7 @@ FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const Patc
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<std::uint32_t> place_of = weld_places(hair.positions, recipe.patch_weld_distance);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place_of);
-  const HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
+  HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
   const HangingHair hanging = find_hanging_hair(cells, head, held_cells(cells, is_rigid));
   const std::vector<HairLock> locks = group_locks(cells, hanging, radius, recipe);
 

@@ -1,6 +1,6 @@
 #include "cook/hanging_hair.h"
 
-#include "cook/disjoint_sets.h"
+#include "cook/bridge_pieces.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,6 +16,7 @@ constexpr double kAcross = 1.0;        ///< Extra length of a way across the str
 constexpr double kRootPart = 0.25;     ///< Of a strand: the part that may be the root of loose hair.
 constexpr double kRootEnd = 0.05;      ///< Of a strand: its very end, held with the others of its piece
 constexpr double kRootSpread = 0.5;    ///< that are at most this share of the radius farther from the head.
+constexpr double kBridge = 0.35;       ///< Of the radius: loose hair hangs from other hair at most this far away.
 
 /// Thickness of the layer that lies on the skull: how far off half of the hair is on top of the head.
 double layer_thickness(const HairCells& cells, const FittedHead& head) {
@@ -45,26 +46,30 @@ double distance_as_root(const HairCells& cells, const FittedHead& head, std::uin
 /// Of each piece of hair without any seed the roots of its strands that are about as near to the head as the nearest.
 std::vector<std::uint32_t> roots_of_loose_pieces(const HairCells& cells, const FittedHead& head,
                                                  const std::vector<std::uint32_t>& seeds) {
-  DisjointSets pieces(cells.count());
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
-    for (const CellLink& link : cells.links_of(c)) pieces.unite(c, link.to);
-  }
+  const std::vector<std::uint32_t> piece = connected_pieces(cells);
   std::vector<bool> held(cells.count(), false);
-  for (std::uint32_t seed : seeds) held[pieces.find(seed)] = true;
+  for (std::uint32_t seed : seeds) held[piece[seed]] = true;
   std::vector<double> nearest(cells.count(), std::numeric_limits<double>::max());
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
-    double& of_piece = nearest[pieces.find(c)];
-    of_piece = std::min(of_piece, distance_as_root(cells, head, c));
+    nearest[piece[c]] = std::min(nearest[piece[c]], distance_as_root(cells, head, c));
   }
   std::vector<std::uint32_t> roots;
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
-    const std::uint32_t piece = pieces.find(c);
-    if (held[piece]) continue;
+    if (held[piece[c]]) continue;
     const double distance = distance_as_root(cells, head, c);
-    const bool is_end = cells.place[c] <= kRootEnd && distance <= nearest[piece] + kRootSpread * head.radii.mean();
-    if (is_end || distance <= nearest[piece]) roots.push_back(c);
+    const bool is_end = cells.place[c] <= kRootEnd && distance <= nearest[piece[c]] + kRootSpread * head.radii.mean();
+    if (is_end || distance <= nearest[piece[c]]) roots.push_back(c);
   }
   return roots;
+}
+
+/// Loose pieces hang from the hair next to their roots, if there is any, and else from their roots.
+void tie_loose_pieces(HairCells& cells, const FittedHead& head, std::vector<std::uint32_t>& seeds) {
+  std::vector<bool> is_root(cells.count(), false);
+  for (std::uint32_t c : roots_of_loose_pieces(cells, head, seeds)) is_root[c] = true;
+  bridge_pieces(cells, is_root, kBridge * head.radii.mean());
+  const auto roots = roots_of_loose_pieces(cells, head, seeds);
+  seeds.insert(seeds.end(), roots.begin(), roots.end());
 }
 
 /// Ways across the strands count for more: a strand hangs from its own root, not from its neighbour's.
@@ -105,14 +110,13 @@ HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t
 
 }  // namespace
 
-HangingHair find_hanging_hair(const HairCells& cells, const FittedHead& head, const std::vector<std::uint32_t>& held) {
+HangingHair find_hanging_hair(HairCells& cells, const FittedHead& head, const std::vector<std::uint32_t>& held) {
   std::vector<std::uint32_t> seeds = held;
   const double thickness = layer_thickness(cells, head);
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
     if (head.distance(cells.middle[c]) < thickness) seeds.push_back(c);
   }
-  const auto roots = roots_of_loose_pieces(cells, head, seeds);
-  seeds.insert(seeds.end(), roots.begin(), roots.end());
+  tie_loose_pieces(cells, head, seeds);
   return measure_from(cells, seeds);
 }
 
