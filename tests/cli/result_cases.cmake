@@ -15,7 +15,7 @@ coif_cli_case(info_text EXIT 0 SAMPLE STDOUT "bob.coif: format 1.0, .*triangles 
   ARGS info ${COIF_COOKED_SAMPLE})
 coif_cli_case(info_json EXIT 0 SAMPLE
   JSON format,major format,minor bytes chunks,0,id chunks,0,bytes triangles vertices patches chains bones
-       simulated_bones settings
+       simulated_bones settings collider_shapes colliding_bones lods textures,0,format sides
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
 coif_cli_case(info_text_file EXIT 3 STDERR "coif info: error: notes.coif: not a cooked hair asset; give a file written by"
   TEXT notes.coif "this text is long enough for a header" ARGS info notes.coif)
@@ -34,6 +34,12 @@ coif_cli_case(render_text EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240,
 coif_cli_case(render_json EXIT 0 SAMPLE WRITES bob.png JSON output width height heads triangles draw_ms device
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --view=-30,5 --motion nod --time 0.5 --transparency opaque
        --component specular --heads 4 -o bob.png --format json)
+coif_cli_case(render_direction EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component direction -o bob.png)
+coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component patches --lod 0 -o bob.png)
+coif_cli_case(render_no_such_lod EXIT 1 SAMPLE STDERR "bob.coif: there is no level of detail 9; the asset has [0-9], counted"
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --lod 9 -o bob.png)
 coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} -o bob.png)
 coif_cli_case(render_no_such_body_mesh EXIT 3 SAMPLE STDERR "no mesh is left for the body; give --body-mesh one of '"

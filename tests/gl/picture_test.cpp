@@ -1,7 +1,7 @@
+#include "render/picture.h"
 #include "gl/card_asset.h"
 #include "gl/made_up_wig.h"
 #include "render/egl_context.h"
-#include "render/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <string>
 
 namespace coif {
@@ -135,6 +136,46 @@ TEST_F(PictureTest, BodyReplacesTheMannequin) {
   EXPECT_EQ(clumps_across(picture), 0);
 }
 
+/// Different hues among the pixels, of 36.
+std::size_t hues(const Picture& picture) {
+  std::set<int> found;
+  for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+    const double r = picture.rgba[i], g = picture.rgba[i + 1], b = picture.rgba[i + 2];
+    const double most = std::max({r, g, b}), least = std::min({r, g, b});
+    if (most - least < 60) continue;  // backdrop and mannequin are nearly grey
+    found.insert(int((std::atan2(std::sqrt(3.0) * (g - b), 2 * r - g - b) + 3.15) / 6.3 * 36));
+  }
+  return found.size();
+}
+
+TEST_F(PictureTest, PatchesHaveColoursOfTheirOwn) {
+  const std::size_t shaded = hues(take(settings_));
+  settings_.patches = true;
+  const Picture patches = take(settings_);
+  EXPECT_GT(hues(patches), 15u) << "24 strips, about half of them seen";
+  EXPECT_LT(shaded, 5u);
+  settings_.motion = Motion::kTumble;
+  settings_.time = 0.5;
+  EXPECT_GT(difference(patches, take(settings_)), 0.02) << "patches move with the hair";
+}
+
+TEST_F(PictureTest, DirectionRunsFromGreenAboveToRedBelow) {
+  settings_.component = Component::kDirection;
+  settings_.yaw_degrees = 180;
+  settings_.mannequin = false;
+  const Picture picture = take(settings_);
+  double green = 0, red = 0, green_rows = 0, red_rows = 0;
+  for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+    const int greener = picture.rgba[i + 1] - picture.rgba[i];
+    const double row = double(i / 4 / picture.width);
+    if (greener > 60) green += 1, green_rows += row;
+    if (greener < -60) red += 1, red_rows += row;
+  }
+  ASSERT_GT(green, 50);
+  ASSERT_GT(red, 50);
+  EXPECT_LT(green_rows / green + 10, red_rows / red) << "the wig's strips hang from the crown";
+}
+
 TEST_F(PictureTest, PngDeclaresThePicture) {
   const Picture picture = take(settings_);
   const auto png = encode_png(picture);
@@ -160,6 +201,7 @@ TEST_F(PictureTest, RefusesWhatItCannotDraw) {
   EXPECT_EQ(kind_of([](auto& s) { s.time = -1; }), ToolError::Kind::kUsage);
   EXPECT_EQ(kind_of([](auto& s) { s.time = std::numeric_limits<double>::quiet_NaN(); }), ToolError::Kind::kUsage);
   EXPECT_EQ(kind_of([](auto& s) { s.pitch_degrees = INFINITY; }), ToolError::Kind::kUsage);
+  EXPECT_EQ(kind_of([](auto& s) { s.lod = 1; }), ToolError::Kind::kUsage);
 
   const auto no_asset = render_picture(Asset{}, settings_);
   ASSERT_FALSE(no_asset);

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <limits>
 
 namespace coif {
@@ -33,7 +35,7 @@ struct Range {
 
 /// Smallest and largest value over the simulated bones: an artist sets curves and scalars, the asset has numbers.
 ordered_json dynamics_ranges(const Asset& asset) {
-  Range resistance, friction, gravity_scale, authoring_rate;
+  Range resistance, friction, gravity_scale, authoring_rate, hit_radius;
   for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
     if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
     const DynamicsRecord& bone = asset.dynamics()[i];
@@ -41,6 +43,7 @@ ordered_json dynamics_ranges(const Asset& asset) {
     friction.add(bone.friction);
     gravity_scale.add(bone.gravity_scale);
     authoring_rate.add(bone.authoring_rate);
+    hit_radius.add(bone.hit_radius);
   }
   ordered_json settings = ordered_json::object();
   const auto put = [&settings](const char* key, const Range& range) {
@@ -50,7 +53,17 @@ ordered_json dynamics_ranges(const Asset& asset) {
   put("friction", friction);
   put("gravity_scale", gravity_scale);
   put("authoring_rate", authoring_rate);
+  put("hit_radius", hit_radius);
   return settings;
+}
+
+const char* name_of(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::kSrgb8Alpha8: return "rgba8";
+    case TexelFormat::kRg8: return "rg8";
+    case TexelFormat::kRg11Eac: return "eac_rg11";
+  }
+  return "unknown";
 }
 
 ordered_json texture_list(const Asset& asset) {
@@ -58,12 +71,53 @@ ordered_json texture_list(const Asset& asset) {
   for (const TextureRecord& texture : asset.textures()) {
     const char* role = texture.role == TextureRole::kBaseColor ? "base_color" : "shift_mask";
     list.push_back({{"role", role},
+                    {"format", name_of(texture.format)},
                     {"width", texture.width},
                     {"height", texture.height},
                     {"mips", texture.mip_count},
                     {"bytes", texture.bytes}});
   }
   return list;
+}
+
+ordered_json lod_list(const Asset& asset) {
+  ordered_json list = ordered_json::array();
+  for (std::uint32_t i = 0; i < asset.lods().size(); ++i) {
+    const LodRecord& lod = asset.lods()[i];
+    int simulated = 0;
+    for (const std::uint32_t word : lod.simulated) simulated += std::popcount(word);
+    list.push_back({{"triangles", asset.lod_indices(i).size() / 3},
+                    {"patches", lod.patch_count},
+                    {"simulated_bones", simulated},
+                    {"screen_size", lod.screen_size},
+                    {"error", lod.error}});
+  }
+  return list;
+}
+
+const char* name_of(ColliderShape shape) {
+  switch (shape) {
+    case ColliderShape::kSphere: return "spheres";
+    case ColliderShape::kEllipsoid: return "ellipsoids";
+    case ColliderShape::kCapsule: return "capsules";
+    case ColliderShape::kPlane: return "planes";
+  }
+  return "unknown";
+}
+
+/// Shapes that occur, each with its count; those that keep hair inside are counted once more under that name.
+ordered_json collider_shapes(const Asset& asset) {
+  ordered_json shapes = ordered_json::object();
+  for (const ColliderRecord& collider : asset.colliders()) {
+    const auto count = [&shapes](const char* name) { shapes[name] = shapes.value(name, 0) + 1; };
+    count(name_of(collider.shape));
+    if ((collider.flags & kColliderKeepsInside) != 0) count("keep_inside");
+  }
+  return shapes;
+}
+
+std::ptrdiff_t colliding_bones(const Asset& asset) {
+  return std::ranges::count_if(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
 
 ordered_json provenance(const ProvenanceRecord& record) {
@@ -74,6 +128,10 @@ ordered_json provenance(const ProvenanceRecord& record) {
           {"recipe_hash", fmt::format("{:016x}", record.recipe_hash)}};
 }
 
+const char* sides(const MaterialRecord& material) {
+  return (material.flags & kMaterialDoubleSided) != 0 ? "both" : "front";
+}
+
 ordered_json summarize(const Asset& asset) {
   ordered_json chunks = ordered_json::array();
   for (const ChunkEntry& entry : asset.chunks()) {
@@ -82,17 +140,43 @@ ordered_json summarize(const Asset& asset) {
   ordered_json summary = {{"format", {{"major", kAssetMajor}, {"minor", asset.minor()}}},
                           {"bytes", asset.total_bytes()},
                           {"chunks", std::move(chunks)},
-                          {"triangles", asset.indices().size() / 3},
+                          {"triangles", asset.lod_indices(0).size() / 3},
                           {"vertices", asset.vertices().size()},
-                          {"patches", asset.patches().size()},
+                          {"patches", asset.lod_patches(0).size()},
                           {"chains", asset.chains().size()},
                           {"bones", asset.bones().size()},
                           {"simulated_bones", asset.skeleton().simulated_count},
                           {"colliders", asset.colliders().size()},
+                          {"collider_shapes", collider_shapes(asset)},
+                          {"colliding_bones", colliding_bones(asset)},
+                          {"lods", lod_list(asset)},
                           {"textures", texture_list(asset)},
                           {"settings", dynamics_ranges(asset)}};
+  if (asset.material() != nullptr) summary["sides"] = sides(*asset.material());
   if (asset.provenance()) summary["provenance"] = provenance(*asset.provenance());
   return summary;
+}
+
+std::string count_line(const std::string& name, const ordered_json& count) {
+  return fmt::format("  {:<16}{:>12}\n", name, count.get<std::uint64_t>());
+}
+
+std::string texture_line(const ordered_json& texture) {
+  const std::string size = fmt::format("{}x{}", texture["width"].get<int>(), texture["height"].get<int>());
+  return fmt::format("  {:<16}{:>12} {}\n", texture["role"].get<std::string>(), size,
+                     texture["format"].get<std::string>());
+}
+
+std::string lod_table(const ordered_json& lods) {
+  if (lods.empty()) return {};
+  std::string text = "levels of detail (from screen size: triangles, patches, simulated bones; error)\n";
+  for (std::size_t i = 0; i < lods.size(); ++i) {
+    const ordered_json& lod = lods[i];
+    text += fmt::format("  {:<4}{:>12.3g}: {:>8} {:>6} {:>4}; {:.2g} mm\n", i, lod["screen_size"].get<float>(),
+                        lod["triangles"].get<std::uint64_t>(), lod["patches"].get<std::uint64_t>(),
+                        lod["simulated_bones"].get<int>(), 1000 * lod["error"].get<float>());
+  }
+  return text;
 }
 
 }  // namespace
@@ -104,20 +188,19 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
   for (const char* key : {"triangles", "vertices", "patches", "chains", "bones", "simulated_bones", "colliders"}) {
-    text += fmt::format("  {:<16}{:>12}\n", key, summary[key].get<std::uint64_t>());
+    text += count_line(key, summary[key]);
   }
-  for (const auto& texture : summary["textures"]) {
-    text += fmt::format("  {:<16}{:>12}\n", texture["role"].get<std::string>(),
-                        fmt::format("{}x{}", texture["width"].get<int>(), texture["height"].get<int>()));
-  }
+  for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
+  text += count_line("colliding_bones", summary["colliding_bones"]);
+  for (const auto& texture : summary["textures"]) text += texture_line(texture);
+  if (asset.material() != nullptr) text += fmt::format("  {:<16}{:>12}\n", "sides", sides(*asset.material()));
+  text += lod_table(summary["lods"]);
   text += "settings (smallest .. largest over the simulated bones)\n";
   for (const auto& [key, range] : summary["settings"].items()) {
     text += fmt::format("  {:<16}{:>12.4g} .. {:.4g}\n", key, range[0].get<float>(), range[1].get<float>());
   }
   text += "chunks (bytes)\n";
-  for (const auto& chunk : summary["chunks"]) {
-    text += fmt::format("  {:<16}{:>12}\n", chunk["id"].get<std::string>(), chunk["bytes"].get<std::uint64_t>());
-  }
+  for (const auto& chunk : summary["chunks"]) text += count_line(chunk["id"].get<std::string>(), chunk["bytes"]);
   if (!summary.contains("provenance")) return text;
   text += "cooked by\n";
   for (const auto& [key, value] : summary["provenance"].items()) {

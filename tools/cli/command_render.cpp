@@ -14,9 +14,19 @@
 namespace coif {
 namespace {
 
-constexpr Choice<Component> kComponents[] = {{"all", Component::kAll},         {"ambient", Component::kAmbient},
-                                             {"diffuse", Component::kDiffuse}, {"specular", Component::kSpecular},
-                                             {"primary", Component::kPrimary}, {"secondary", Component::kSecondary}};
+struct Shown {
+  Component component = Component::kAll;
+  bool patches = false;
+};
+
+constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
+                                    {"ambient", {Component::kAmbient, false}},
+                                    {"diffuse", {Component::kDiffuse, false}},
+                                    {"specular", {Component::kSpecular, false}},
+                                    {"primary", {Component::kPrimary, false}},
+                                    {"secondary", {Component::kSecondary, false}},
+                                    {"direction", {Component::kDirection, false}},
+                                    {"patches", {Component::kAll, true}}};
 constexpr Choice<bool> kTransparency[] = {{"blend", true}, {"opaque", false}};
 
 struct RenderOptions {
@@ -24,6 +34,7 @@ struct RenderOptions {
   std::string output;
   PixelSize size{1024, 768};
   ViewAngles view{30, 5};
+  Shown shown;
   Motion motion = Motion::kStill;
   bool moves = false;
   std::string body;
@@ -47,12 +58,14 @@ PictureSettings picture_settings(const RenderOptions& options) {
   settings.height = options.size.height;
   settings.yaw_degrees = options.view.yaw_degrees;
   settings.pitch_degrees = options.view.pitch_degrees;
+  settings.component = options.shown.component;
+  settings.patches = options.shown.patches;
   if (options.moves) settings.motion = options.motion;
   return settings;
 }
 
 std::string result_text(const RenderOptions& options, const Asset& asset, const Picture& picture) {
-  const std::size_t triangles = asset.indices().size() / 3;
+  const std::size_t triangles = asset.lod_indices(options.picture.lod).size() / 3;
   const std::uint32_t heads = options.picture.heads;
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
@@ -124,7 +137,9 @@ Command add_render(CLI::App& program) {
   add_size(*app, options->size);
   add_view(*app, options->view);
   add_content_options(*app, *options);
-  add_choice<Component>(*app, "--component", options->picture.component, kComponents, "Which part of the shading");
+  add_choice<Shown>(*app, "--component", options->shown, kShown,
+                    "Which part of the shading; or, to check the cook, the strands' direction or the patches");
+  app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_choice<bool>(*app, "--transparency", options->picture.transparency, kTransparency, "How soft edges are drawn");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};

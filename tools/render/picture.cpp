@@ -4,6 +4,7 @@
 #include "render/egl_context.h"
 #include "render/hair_pose.h"
 #include "render/offscreen_target.h"
+#include "render/patch_surfaces.h"
 #include "render/solid_mesh.h"
 #include "render/stage_renderer.h"
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -43,16 +45,24 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
     return fail(ToolError::Kind::kBadInput,
                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
   }
+  if (settings.lod >= asset.lod_count()) {
+    return fail(ToolError::Kind::kUsage, "there is no level of detail " + std::to_string(settings.lod) +
+                                             "; the asset has " + std::to_string(asset.lod_count()) +
+                                             ", counted from 0");
+  }
   return {};
 }
 
-std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings) {
+std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const HairPose& pose) {
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
     const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
     for (const SourceMesh& mesh : settings.body->meshes) meshes.push_back(body_mesh(*settings.body, mesh, head_joint));
   } else if (settings.mannequin) {
-    for (const ColliderRecord& collider : asset.colliders()) meshes.push_back(mannequin_mesh(collider));
+    meshes = mannequin_meshes(asset.colliders());
+  }
+  if (settings.patches) {
+    for (SolidMesh& patch : patch_surfaces(asset, pose.palette, settings.lod)) meshes.push_back(std::move(patch));
   }
   return meshes;
 }
@@ -63,8 +73,8 @@ std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
   for (const VertexRecord& vertex : asset.vertices()) {
     points.push_back(Eigen::Map<const Eigen::Vector3f>(vertex.position).cast<double>());
   }
-  for (const ColliderRecord& collider : asset.colliders()) {
-    for (const SolidVertex& v : mannequin_mesh(collider).vertices) points.push_back(v.position.cast<double>());
+  for (const SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
+    for (const SolidVertex& v : mesh.vertices) points.push_back(v.position.cast<double>());
   }
   return points;
 }
@@ -98,6 +108,7 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSetti
   desc.palette = scene.pose.palette;
   desc.lights = lights;
   desc.component = settings.component;
+  desc.lod = settings.lod;
   desc.transparency = settings.transparency;
   desc.framebuffer_is_srgb = true;
 
@@ -107,6 +118,7 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSetti
     Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
     scene.stage.draw_bodies(scene.view.camera, desc.head, lights);
   }
+  if (settings.patches) return Status::kOk;  // they are on the stage
   for (const Eigen::Vector3d& place : scene.view.places) {
     Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
     if (const Status status = renderer.draw(scene.model, desc); status != Status::kOk) return status;
@@ -151,7 +163,7 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   if (const Status status = model.upload(renderer, asset); status != Status::kOk) {
     return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
   }
-  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings);
+  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
   const auto stage = StageRenderer::create(meshes);
   if (!stage) return tl::unexpected(stage.error());
 

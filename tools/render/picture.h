@@ -27,10 +27,12 @@ struct PictureSettings {
   double time = 0;              ///< Seconds into the motion.
   StepSettings step;
   Component component = Component::kAll;
+  bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
+  std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
   bool transparency = true;
   std::uint32_t heads = 1;      ///< Drawn in a grid.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
-  bool mannequin = true;        ///< Without `body`: draw the head collider as a plain head.
+  bool mannequin = true;        ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
 struct Picture {

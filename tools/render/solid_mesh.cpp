@@ -25,24 +25,34 @@ std::vector<Eigen::Vector3f> smooth_normals(const SourceMesh& mesh) {
   return normals;
 }
 
-}  // namespace
+constexpr std::uint32_t kRings = 48;  // even: one is the equator
+constexpr std::uint32_t kSectors = 96;
 
+/// From a unit sphere's axes, its poles on Y, to head space.
+Eigen::Quaternionf orientation(const ColliderRecord& collider) {
+  if (collider.shape != ColliderShape::kCapsule) return Eigen::Map<const Eigen::Quaternionf>(collider.rotation);
+  const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);
+  return Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitY(), axis);
+}
+
+/// A sphere or ellipsoid; a capsule is a sphere whose upper half is moved to the segment's other end.
 SolidMesh mannequin_mesh(const ColliderRecord& collider) {
-  constexpr std::uint32_t kRings = 48;
-  constexpr std::uint32_t kSectors = 96;
   const Eigen::Map<const Eigen::Vector3f> center(collider.center);
+  const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);  // 0 unless a capsule
   const Eigen::Array3f radii = kMannequinScale * Eigen::Map<const Eigen::Array3f>(collider.radii);
-  const Eigen::Map<const Eigen::Quaternionf> rotation(collider.rotation);
+  const Eigen::Quaternionf rotation = orientation(collider);
 
   SolidMesh mesh;
   for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
     const float polar = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
+    const float share = 2 * ring <= kRings ? 1.0f : 0.0f;
+    const Eigen::Vector3f ring_center = center + share * axis;
     for (std::uint32_t sector = 0; sector <= kSectors; ++sector) {
       const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
       const Eigen::Array3f unit(std::sin(polar) * std::sin(around), std::cos(polar),
                                 std::sin(polar) * std::cos(around));
-      mesh.vertices.push_back({center + rotation * (unit * radii).matrix(),
-                               (rotation * (unit / radii).matrix()).normalized()});
+      mesh.vertices.push_back(
+          {ring_center + rotation * (unit * radii).matrix(), (rotation * (unit / radii).matrix()).normalized()});
     }
   }
   constexpr std::uint32_t kRow = kSectors + 1;
@@ -54,6 +64,17 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
     }
   }
   return mesh;
+}
+
+}  // namespace
+
+std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders) {
+  std::vector<SolidMesh> meshes;
+  for (const ColliderRecord& collider : colliders) {
+    const bool seen = collider.shape != ColliderShape::kPlane && (collider.flags & kColliderKeepsInside) == 0;
+    if (seen) meshes.push_back(mannequin_mesh(collider));
+  }
+  return meshes;
 }
 
 SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace coif {
@@ -23,8 +24,9 @@ struct SolidMesh {
   Eigen::Vector3f color{0.42f, 0.33f, 0.28f};  ///< Linear; the default is a mannequin's clay.
 };
 
-/// A head collider as a smooth ellipsoid, a little smaller than it collides.
-[[nodiscard]] SolidMesh mannequin_mesh(const ColliderRecord& collider);
+/// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,
+/// which would hide it.
+[[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
 
 /// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones.
 [[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint);
