@@ -194,6 +194,34 @@ TEST_F(Conventions, MaterialsCarryColourTextureAndSides) {
   EXPECT_EQ(material.base_texture.image, kNoIndex);
 }
 
+TEST_F(Conventions, AlphaModeAndCutoffComeFromTheFile) {
+  const auto material_of = [&](const std::string& members) {
+    SmallGltf file;
+    file.material = R"({"name": "hair")" + members + "}";
+    return import_or_fail(file.write(folder_, "m.gltf")).materials.at(0);
+  };
+  EXPECT_EQ(material_of(R"(, "alphaMode": "OPAQUE")").alpha_use, AlphaUse::kOpaque);
+  EXPECT_EQ(material_of(R"(, "alphaMode": "BLEND")").alpha_use, AlphaUse::kBlend);
+  EXPECT_EQ(material_of("").alpha_use, AlphaUse::kOpaque) << "glTF's default";
+  EXPECT_EQ(material_of(R"(, "alphaMode": "SHINY")").alpha_use, AlphaUse::kUnknown);
+  const SourceMaterial mask = material_of(R"(, "alphaMode": "MASK", "alphaCutoff": 0.25)");
+  EXPECT_EQ(mask.alpha_use, AlphaUse::kMask);
+  EXPECT_FLOAT_EQ(mask.alpha_cutoff, 0.25f);
+  EXPECT_FLOAT_EQ(material_of(R"(, "alphaMode": "MASK")").alpha_cutoff, 0.5f);
+  EXPECT_FLOAT_EQ(material_of(R"(, "alphaMode": "MASK", "alphaCutoff": 7)").alpha_cutoff, 1.0f);
+}
+
+TEST_F(Conventions, AlphaOfOtherFormatsIsKnownByItsTextureOnly) {
+  folder_.write("m.mtl", "newmtl plain\nKd 1 1 1\nd 0.5\nnewmtl card\nKd 1 1 1\nmap_d hair.png\n");
+  const SourceModel model = import_or_fail(
+      folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl card\nf 1 3 2\n"));
+  ASSERT_EQ(model.meshes.size(), 2u);
+  for (const SourceMesh& mesh : model.meshes) {
+    const SourceMaterial& material = model.materials.at(mesh.material);
+    EXPECT_EQ(material.alpha_use, material.name == "card" ? AlphaUse::kBlend : AlphaUse::kUnknown) << material.name;
+  }
+}
+
 TEST_F(Conventions, ImporterIsNamedWithItsVersion) {
   const SourceModel model = import_or_fail(SmallGltf().write(folder_, "m.gltf"));
   EXPECT_EQ(model.importer.rfind("assimp ", 0), 0u);

@@ -173,6 +173,31 @@ TEST_F(Corpus, EmbeddedBaseTexturesComeAsEncodedImages) {
   EXPECT_EQ(std::string(bytes.begin() + 1, bytes.begin() + 4), "PNG");
 }
 
+TEST_F(Corpus, SpringBonesOfBothVersionsComeThroughWhole) {
+  struct Case {
+    const char* file;
+    std::size_t springs, joints, colliders;
+    const char* head;
+  };
+  for (const Case& expected : {Case{"hair/godette/Godette_vrm_v4.vrm", 8, 16, 4, "head_Armature"},
+                               Case{"hair/churro/ChurroChurro.vrm", 4, 18, 1, "head"},
+                               Case{"same_hair/ponytail01_springbone.glb", 1, 6, 2, nullptr},
+                               Case{"bad/vrm/springbone.vrm", 1, 2, 1, nullptr}}) {
+    const SourceModel model = import_or_fail(kAssets / expected.file);
+    std::size_t joints = 0;
+    for (const SourceSpring& spring : model.springs) joints += spring.joints.size();
+    EXPECT_EQ(model.springs.size(), expected.springs) << expected.file;
+    EXPECT_EQ(joints, expected.joints) << expected.file;
+    EXPECT_EQ(model.colliders.size(), expected.colliders) << expected.file;
+    if (expected.head == nullptr) {
+      EXPECT_EQ(model.head_node, kNoIndex) << expected.file;
+    } else {
+      ASSERT_NE(model.head_node, kNoIndex) << expected.file;
+      EXPECT_EQ(model.nodes[model.head_node].name, expected.head);
+    }
+  }
+}
+
 TEST_F(Corpus, ImportTwiceGivesTheSameModel) {
   const fs::path path = kAssets / "hair/unitychan/UnityChan.fbx";
   const SourceModel a = import_or_fail(path);

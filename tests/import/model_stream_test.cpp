@@ -34,9 +34,23 @@ SourceModel small_model() {
   SourceMaterial material;
   material.name = "hair";
   material.base_texture = {"hair.png", 0};
+  material.alpha_use = AlphaUse::kMask;
+  material.alpha_cutoff = 0.25f;
   material.double_sided = true;
   model.materials = {material};
   model.images = {{"hair.png", {1, 2, 3}}};
+  SourceCollider collider;
+  collider.radius = 0.5;
+  model.colliders = {collider, collider};
+  SourceSpring spring;
+  spring.name = "tail";
+  spring.joints.resize(2);
+  spring.joints[0].length = 1;
+  spring.joints[1].node = 1;
+  spring.colliders = {0, 1};
+  spring.center = 0;
+  model.springs = {spring};
+  model.head_node = 1;
   model.warnings = {"one", "two"};
   return model;
 }
@@ -49,6 +63,12 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(encode_outcome(back), bytes);
   EXPECT_EQ(back->meshes[0].influences[2].weight, 0.75f);
   EXPECT_EQ(back->nodes[1].model_from_node.translation().y(), 1.0);
+  EXPECT_EQ(back->materials[0].alpha_use, AlphaUse::kMask);
+  EXPECT_EQ(back->materials[0].alpha_cutoff, 0.25f);
+  EXPECT_EQ(back->springs[0].joints[0].length, 1.0);
+  EXPECT_EQ(back->springs[0].colliders, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(back->colliders[1].radius, 0.5);
+  EXPECT_EQ(back->head_node, 1u);
   EXPECT_EQ(back->warnings, (std::vector<std::string>{"one", "two"}));
 }
 
@@ -149,7 +169,33 @@ INSTANTIATE_TEST_SUITE_P(Model, BrokenPromise,
                                                 [](SourceModel& m) { m.meshes[0].influences[0].weight = kNan; },
                                                 [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
                                                 [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
-                                                [](SourceModel& m) { m.materials[0].base_color.x() = kNan; }));
+                                                [](SourceModel& m) { m.materials[0].base_color.x() = kNan; },
+                                                [](SourceModel& m) { m.materials[0].alpha_cutoff = 2; }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Springs, BrokenPromise,
+    testing::Values<Break>([](SourceModel& m) { m.head_node = 2; }, [](SourceModel& m) { m.colliders[0].node = 2; },
+                           [](SourceModel& m) { m.colliders[0].radius = -1; },
+                           [](SourceModel& m) { m.colliders[0].radius = double{kNan}; },
+                           [](SourceModel& m) { m.colliders[0].tail.x() = double{kNan}; },
+                           [](SourceModel& m) { m.colliders[0].normal.setZero(); },
+                           [](SourceModel& m) { m.colliders.resize(kMaxSourceColliders + 1); },
+                           [](SourceModel& m) { m.springs[0].joints.clear(); },
+                           [](SourceModel& m) { m.springs[0].joints[0].node = 2; },
+                           [](SourceModel& m) { m.springs[0].joints[1].node = 0; },
+                           [](SourceModel& m) { std::swap(m.springs[0].joints[0].node, m.springs[0].joints[1].node); },
+                           [](SourceModel& m) { m.springs[0].joints[0].drag = 1.5; },
+                           [](SourceModel& m) { m.springs[0].joints[0].stiffness = -1; },
+                           [](SourceModel& m) { m.springs[0].joints[0].length = -1; },
+                           [](SourceModel& m) { m.springs[0].joints[0].hit_radius = -1; },
+                           [](SourceModel& m) { m.springs[0].joints[0].gravity_power = double{kNan}; },
+                           [](SourceModel& m) { m.springs[0].joints[0].gravity_direction *= 2; },
+                           [](SourceModel& m) { m.springs[0].center = 2; },
+                           [](SourceModel& m) { m.springs[0].colliders = {2}; },
+                           [](SourceModel& m) {
+                             m.springs[0].colliders = {1, 0};
+                           },
+                           [](SourceModel& m) { m.springs.push_back(m.springs[0]); }));
 
 }  // namespace
 }  // namespace coif
