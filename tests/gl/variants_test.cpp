@@ -167,7 +167,7 @@ class Direction : public GlTest {
     clear();
     draw(contents, desc);
   }
-  /// Red minus green, summed over some pixels across the picture's middle so that no chevron decides.
+  /// Red minus green, summed over some pixels across the picture's middle so that no arrowhead decides.
   static int redness(int from_x, int from_y) {
     int sum = 0;
     for (int i = 0; i < 16; ++i) {

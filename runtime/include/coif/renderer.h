@@ -28,7 +28,7 @@ struct Light {
 };
 
 /// What is drawn: the parts of Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check an asset, the
-/// strands' direction: green at the root to red at the tip, with chevrons that point to the tip, without light.
+/// strands' direction: green at the root to red at the tip, with arrowheads that point to the tip, without light.
 enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary, kDirection };
 
 struct DrawDesc {
