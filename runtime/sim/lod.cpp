@@ -22,7 +22,7 @@ float clamped(float hysteresis) {
 }  // namespace
 
 float screen_share(float height, float distance, float fov) {
-  return height / (2.0f * distance * std::tan(0.5f * fov));
+  return height * std::cos(0.5f * fov) / (2.0f * distance * std::sin(0.5f * fov));
 }
 
 std::uint32_t choose_lod(std::span<const LodRecord> lods, float share, std::uint32_t current, float hysteresis) {
