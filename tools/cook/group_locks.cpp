@@ -14,10 +14,11 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostTips = 400;  ///< Pairs of strands are compared, so that there must not be many.
 constexpr double kTipsApart = 0.25;     ///< Of the head's radius: nearer ripples of one edge are one tip.
-constexpr double kLockWidth = 0.8;   ///< Of the head's radius: mean distance of strands up to which they are one lock.
-constexpr double kRootShare = 0.5;   ///< Of a distance that counts at the root: a pony tail fans out and stays one.
-constexpr double kGap = 1.5;         ///< Extra distance of strands with a gap between them all the way, as a share.
-constexpr std::size_t kLevels = 24;  ///< Steps of depth at which strands are compared.
+constexpr double kLockWidth = 0.8;  ///< Of the head's radius: mean distance of strands up to which they are one lock,
+constexpr double kSlenderness = 0.25;  ///< or of their common length, where that is more: long hair is thicker.
+constexpr double kRootShare = 0.5;     ///< Of a distance that counts at the root: a pony tail fans out and stays one.
+constexpr double kGap = 1.5;           ///< Extra distance of strands with a gap between them all the way, as a share.
+constexpr std::size_t kLevels = 24;    ///< Steps of depth at which strands are compared.
 
 /// The way of one tip to the scalp, at equal steps of depth.
 struct Strand {
@@ -62,7 +63,8 @@ Strand strand_of(const HairCells& cells, const HangingHair& hair, const std::vec
   return strand;
 }
 
-double distance_of(const Strand& a, const Strand& b) {
+/// At most 1 for strands of one lock. `step`: metres of depth from level to level.
+double distance_of(const Strand& a, const Strand& b, double head_radius, double step) {
   const std::size_t levels = std::min(a.levels, b.levels);
   double sum = 0, together = 0;
   for (std::size_t l = 0; l < levels; ++l) {
@@ -71,23 +73,25 @@ double distance_of(const Strand& a, const Strand& b) {
   }
   const double mean = sum / double(levels), at_root = (a.at[0] - b.at[0]).norm();
   const double gaps = 1 - together / double(levels);
-  return (kRootShare * at_root + (1 - kRootShare) * mean) * (1 + kGap * gaps);
+  const double distance = (kRootShare * at_root + (1 - kRootShare) * mean) * (1 + kGap * gaps);
+  return distance / std::max(kLockWidth * head_radius, kSlenderness * double(levels) * step);
 }
 
 /// Complete linkage: the distance of two groups is that of their two farthest strands, so that groups stay narrow.
 class StrandGroups {
  public:
-  StrandGroups(const std::vector<Strand>& strands, std::vector<double> length)
-      : length_(std::move(length)), group_(strands.size()), distance_(strands.size() * strands.size(), 0) {
-    for (std::size_t i = 0; i < strands.size(); ++i) {
+  template <typename Distance>
+  StrandGroups(std::vector<double> length, const Distance& distance)
+      : length_(std::move(length)), group_(length_.size()), distance_(length_.size() * length_.size(), 0) {
+    for (std::size_t i = 0; i < length_.size(); ++i) {
       group_[i] = i;
-      for (std::size_t j = 0; j < i; ++j) at(i, j) = at(j, i) = distance_of(strands[i], strands[j]);
+      for (std::size_t j = 0; j < i; ++j) at(i, j) = at(j, i) = distance(i, j);
     }
   }
 
-  void merge_up_to(double width) {
+  void merge_up_to(double limit) {
     const auto distance = [&](std::size_t i, std::size_t j) { return at(i, j); };
-    while (merge_best(distance, width, 0)) {
+    while (merge_best(distance, limit, 0)) {
     }
   }
 
@@ -155,7 +159,6 @@ std::vector<HairLock> collect_locks(const HairCells& cells, const HangingHair& h
       locks.emplace_back();
     }
     lock_of_tip.push_back(lock);
-    locks[lock].length = std::max(locks[lock].length, hair.depth[tips.cell[t]]);
     for (std::uint32_t c = tips.cell[t]; c != kNoIndex; c = hair.from[c]) locks[lock].ways.push_back(c);
   }
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
@@ -164,6 +167,7 @@ std::vector<HairLock> collect_locks(const HairCells& cells, const HangingHair& h
   for (HairLock& lock : locks) {
     std::ranges::sort(lock.ways);
     lock.ways.erase(std::ranges::unique(lock.ways).begin(), lock.ways.end());
+    for (std::uint32_t c : lock.cells) lock.length = std::max(lock.length, hair.depth[c]);
     lock.moves = lock.length >= shortest;
   }
   return locks;
@@ -183,8 +187,9 @@ std::vector<HairLock> group_locks(const HairCells& cells, const HangingHair& hai
     strands.push_back(strand_of(cells, hair, piece, tip, step));
     length.push_back(hair.depth[tip]);
   }
-  StrandGroups groups(strands, length);
-  groups.merge_up_to(kLockWidth * head_radius);
+  StrandGroups groups(
+      length, [&](std::size_t i, std::size_t j) { return distance_of(strands[i], strands[j], head_radius, step); });
+  groups.merge_up_to(1);
   groups.merge_down_to(recipe.chain_max_count, recipe.chain_shortest);
   return collect_locks(cells, hair, tips, groups, recipe.chain_shortest);
 }

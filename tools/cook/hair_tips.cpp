@@ -9,7 +9,9 @@
 namespace coif {
 namespace {
 
-constexpr double kRipple = 3;  ///< Cells: a tip that stands out less from its surroundings may be noise.
+constexpr int kWayBack = 3;      ///< Cells: a way's direction at its end.
+constexpr double kGoesOn = 0.4;  ///< Of a cell: hair this far beyond a tip is more than the tip's own width.
+constexpr double kRipple = 3;    ///< Cells: a tip that stands out less from its surroundings may be noise.
 
 /// Hanging cells, deepest first.
 std::vector<std::uint32_t> by_depth(const HangingHair& hair) {
@@ -34,15 +36,32 @@ std::uint32_t next_towards_tip(const HairCells& cells, const HangingHair& hair, 
   return best;
 }
 
-/// Sets of cells, one per tip. A set's tip is its deepest cell.
+/// Whether the hair ends at a local maximum of depth. Where strands part and are tied together again, ways around both
+/// sides meet in a maximum in the middle of a strand: there the hair goes on.
+bool is_end(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+  std::uint32_t back = cell;
+  for (int i = 0; i < kWayBack && hair.from[back] != kNoIndex; ++i) back = hair.from[back];
+  const Eigen::Vector3d way = (cells.middle[cell] - cells.middle[back]).normalized();
+  return std::ranges::none_of(cells.links_of(cell), [&](const CellLink& link) {
+    return (cells.middle[link.to] - cells.middle[cell]).dot(way) > kGoesOn * cells.size;
+  });
+}
+
+/// Sets of cells, one per tip. A set's tip is its deepest cell; cells where hair ends go before others.
 class Basins {
  public:
   Basins(const HairCells& cells, const HangingHair& hair, double apart)
-      : cells_(cells), hair_(hair), apart_(apart), sets_(cells.count()), tip_(cells.count(), kNoIndex) {}
+      : cells_(cells),
+        hair_(hair),
+        apart_(apart),
+        sets_(cells.count()),
+        tip_(cells.count(), kNoIndex),
+        ends_(cells.count(), false) {}
 
   void add(std::uint32_t cell) {
     tip_[cell] = cell;
     const std::uint32_t next = next_towards_tip(cells_, hair_, cell);
+    ends_[cell] = next == kNoIndex && is_end(cells_, hair_, cell);
     if (next != kNoIndex) unite(cell, next);
     for (const CellLink& link : cells_.links_of(cell)) {
       if (tip_[link.to] != kNoIndex) merge_ripples(cell, link.to);
@@ -55,13 +74,16 @@ class Basins {
   void unite(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t tip_a = tip_of(a), tip_b = tip_of(b);
     sets_.unite(a, b);
-    tip_[sets_.find(a)] = hair_.depth[tip_b] >= hair_.depth[tip_a] ? tip_b : tip_a;
+    const bool b_is_deeper = hair_.depth[tip_b] >= hair_.depth[tip_a];
+    tip_[sets_.find(a)] = ends_[tip_a] != ends_[tip_b] ? (ends_[tip_b] ? tip_b : tip_a) : b_is_deeper ? tip_b : tip_a;
   }
 
   /// `cell` is where both sets meet, so it says how far each tip stands out.
   void merge_ripples(std::uint32_t cell, std::uint32_t neighbour) {
     const std::uint32_t a = tip_of(cell), b = tip_of(neighbour);
-    if (a == b || (cells_.middle[a] - cells_.middle[b]).norm() > apart_) return;
+    if (a == b) return;
+    if (!ends_[a] || !ends_[b]) return unite(cell, neighbour);
+    if ((cells_.middle[a] - cells_.middle[b]).norm() > apart_) return;
     const double stands_out = std::min(hair_.depth[a], hair_.depth[b]) - hair_.depth[cell];
     if (stands_out < kRipple * cells_.size) unite(cell, neighbour);
   }
@@ -71,6 +93,7 @@ class Basins {
   double apart_;
   DisjointSets sets_;
   std::vector<std::uint32_t> tip_;  ///< Per root of a set.
+  std::vector<bool> ends_;          ///< Per tip: the hair ends there.
 };
 
 /// The tips with most hair below them, longest first.
