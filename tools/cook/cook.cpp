@@ -13,7 +13,9 @@
 #include "cook/skin_weights.h"
 #include "cook/smooth_normals.h"
 #include "cook/sort_patches.h"
+#include "cook/split_shells.h"
 #include "cook/strand_direction.h"
+#include "cook/weld.h"
 #include "payload_hash.h"
 #include "write/asset_writer.h"
 
@@ -28,6 +30,8 @@
 
 namespace coif {
 namespace {
+
+constexpr double kWidestPatch = 0.75;  ///< Of the head's radius: what hides its own back half cannot be sorted as one.
 
 /// Runs passes one after the other, announces each and notes its time.
 class PassTimer {
@@ -56,6 +60,7 @@ struct CookedParts {
   FittedHead head;
   ExtractedPatches extracted;
   StrandField strands;
+  ShellSplit split;
   Skeleton skeleton;
   SkinWeights weights;
   Colliders colliders;
@@ -95,6 +100,29 @@ tl::expected<void, ToolError> check_written(const SourceModel& source, const std
   describe(status, text, sizeof text);
   return tl::unexpected(
       ToolError{ToolError::Kind::kBadInput, fmt::format("{}: the cooked asset is not valid: {}", source.path, text)});
+}
+
+StrandField find_strands(const SourceModel& source, const Recipe& recipe, const CookSettings& settings,
+                         const CookedParts& parts) {
+  const HairMesh& mesh = parts.selected.mesh;
+  const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
+  const std::vector<float> depths = depths_below(source, parts.head_bone.node);
+  StrandSettings strands;
+  strands.trust_texture = parts.extracted.chosen != "position";
+  strands.depth_of_node = depths;
+  strands.threads = settings.threads;
+  return find_strand_direction(mesh, place, parts.extracted.patches, parts.head, strands);
+}
+
+/// Splits patches that are too wide to be drawn at once; their parts get vertices of their own.
+ShellSplit divide_shells(const Recipe& recipe, CookedParts& parts) {
+  HairMesh& mesh = parts.selected.mesh;
+  const double widest = recipe.patch_widest > 0 ? recipe.patch_widest : kWidestPatch * parts.head.radii.mean();
+  const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
+  const ShellSplit split = split_shells(mesh, place, parts.strands, widest, parts.extracted.patches);
+  const std::vector<std::uint32_t> original = separate_patches(mesh, parts.extracted.patches);
+  parts.strands.append_copies(original);
+  return split;
 }
 
 bool wants_fitted_chains(const Skeleton& skeleton, const Recipe& recipe) {
@@ -138,11 +166,14 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
   parts.head_bone = std::move(*head_bone);
   parts.head = timed("head", [&] { return fit_head(source, mesh, parts.selected.meshes, parts.head_bone, recipe); });
   parts.extracted = timed("patches", [&] {
-    return extract_patches(mesh, {recipe.patch_connectivity, recipe.patch_weld_distance});
+    const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
+    ExtractedPatches extracted = extract_patches(mesh, place, recipe.patch_connectivity);
+    separate_patches(mesh, extracted.patches);
+    return extracted;
   });
   timed("normals", [&] { return complete_normals(mesh, recipe.patch_weld_distance); });
-  parts.strands = timed(
-      "strands", [&] { return find_strand_direction(mesh, parts.extracted.patches, parts.head, settings.threads); });
+  parts.strands = timed("strands", [&] { return find_strands(source, recipe, settings, parts); });
+  parts.split = timed("shells", [&] { return divide_shells(recipe, parts); });
   if (auto ok = rig(source, recipe, timed, report, parts); !ok) return tl::unexpected(ok.error());
   parts.colliders = timed("colliders", [&] {
     Colliders colliders = head_colliders(parts.head, parts.skeleton, recipe);
@@ -188,6 +219,12 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
   report.triangles = std::uint32_t(contents.indices.size() / 3);
   report.vertices = std::uint32_t(contents.vertices.size());
   report.patches = std::uint32_t(contents.patches.size());
+  report.notes.push_back(fmt::format("patches {}", parts.extracted.reason));
+  report.notes.push_back(parts.strands.reason);
+  if (parts.split.shells > 0) {
+    report.notes.push_back(fmt::format("{} patches too wide to sort were cut along the strands into {}",
+                                       parts.split.shells, parts.split.parts));
+  }
   report.patches_by_index = parts.extracted.by_index;
   report.patches_by_position = parts.extracted.by_position;
   report.chains = std::uint32_t(contents.chains.size());

@@ -2,25 +2,34 @@
 
 #include "cook/hair_mesh.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace coif {
-
-struct ExtractSettings {
-  std::string connectivity = "auto";  ///< "auto", "index" or "position".
-  double weld_distance = 1.0e-5;      ///< Metres; for "position".
-};
 
 struct ExtractedPatches {
   PatchSet patches;
   std::uint32_t by_index = 0;     ///< Groups of triangles that share vertices.
   std::uint32_t by_position = 0;  ///< Groups of triangles that share places.
-  bool chose_position = false;
+  std::uint32_t by_island = 0;    ///< Groups of triangles that share an edge and its texture coordinates.
+  std::string chosen;             ///< "index", "position" or "island".
+  std::string reason;             ///< Why, for the report.
 };
 
-/// Algorithm 2 of the thesis: triangles that share vertices are one patch. Done by union-find, so near-linear where the
-/// published form compares each triangle with each group. "auto" takes index groups as the thesis does, unless they
-/// average under 8 triangles while groups by position are larger: then the file was exported with split vertices.
-[[nodiscard]] ExtractedPatches extract_patches(const HairMesh& mesh, const ExtractSettings& settings);
+/// Algorithm 2 of the thesis, connected triangles are one patch, by union-find: near-linear where the published form
+/// compares each triangle with each group. What counts as connected is `connectivity`:
+///  - "index": shared vertices, as published. Exporters split vertices at hard edges and seams, so this may shatter.
+///  - "position": shared places. Strips whose roots touch, or that lie on each other, become one.
+///  - "island": a shared edge with the same texture coordinates at both ends, whatever its normals. A strip is unwrapped
+///    in one piece, and two strips that touch are not.
+///  - "auto": islands (indices without texture coordinates), unless more than a quarter of the triangles are then in
+///    fragments of fewer than 8 whose place has more: such a file is unwrapped face by face, and positions decide.
+/// `place` of each vertex from weld_places().
+[[nodiscard]] ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> place,
+                                               const std::string& connectivity);
+
+/// Gives each patch its own vertices: copies those that several share. Returns, for each vertex appended, which it equals.
+std::vector<std::uint32_t> separate_patches(HairMesh& mesh, const PatchSet& patches);
 
 }  // namespace coif

@@ -16,6 +16,8 @@ constexpr double kDeepInside = 0.85;         ///< Hair deeper than this in a hea
 constexpr double kMuchHair = 0.25;           ///< where it is more than this share of all hair; roots may be inside.
 constexpr double kReachOut = 0.05;           ///< Ears may reach this share of the hair's width out of it.
 constexpr double kThinnest = 0.75;           ///< Of a sphere through the hair: roots may reach into the skull.
+constexpr double kLongestHead = 2.5;         ///< Longest over shortest semi-axis.
+constexpr double kSmallestHead = 0.4;        ///< Of the hair's smaller horizontal size.
 constexpr double kSmallestRadius = 0.001;    ///< Metres: flat hair encloses nothing.
 
 Eigen::AlignedBox3d box_of(const HairMesh& hair) {
@@ -79,6 +81,13 @@ bool holds_hair(const FittedHead& head, const HairMesh& hair) {
   return double(inside) > kMuchHair * double(hair.positions.size());
 }
 
+/// A head is about as wide as deep and high, and not small beside its hair.
+bool is_head_shaped(const FittedHead& head, const HairMesh& hair) {
+  const Eigen::Vector3d hair_size = box_of(hair).sizes();
+  return head.radii.maxCoeff() < kLongestHead * head.radii.minCoeff() &&
+         2 * head.radii.maxCoeff() > kSmallestHead * std::min(hair_size.x(), hair_size.z());
+}
+
 /// Sphere through points by linear least squares: |p|^2 = 2 c.p + (r^2 - |c|^2). Points relative to their mean.
 std::pair<Vector3d, double> fit_sphere(const std::vector<Vector3d>& points) {
   Vector3d mean = Vector3d::Zero();
@@ -136,7 +145,8 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<c
   } else {
     const std::vector<Vector3d> vertices = head_vertices(source, hair, hair_meshes, head_bone);
     if (vertices.size() >= kFewestVertices) head = from_box(vertices);
-    if (vertices.size() < kFewestVertices || holds_hair(head, hair)) head = from_hair(hair);
+    const bool found = vertices.size() >= kFewestVertices && is_head_shaped(head, hair) && !holds_hair(head, hair);
+    if (!found) head = from_hair(hair);
   }
   head.radii = head.radii.cwiseMax(kSmallestRadius);
   if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());

@@ -24,6 +24,17 @@ struct HairMesh {
   std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
+  /// Appends a vertex equal to `vertex`.
+  void append_copy(std::uint32_t vertex) {
+    positions.push_back(Eigen::Vector3f(positions[vertex]));
+    if (!normals.empty()) normals.push_back(Eigen::Vector3f(normals[vertex]));
+    if (!uvs.empty()) uvs.push_back(Eigen::Vector2f(uvs[vertex]));
+    for (std::uint32_t k = influence_begin[vertex]; k < influence_begin[vertex + 1]; ++k) {
+      influences.push_back(SourceInfluence(influences[k]));
+    }
+    influence_begin.push_back(std::uint32_t(influences.size()));
+  }
+
   [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {
     return std::span(influences)
         .subspan(influence_begin[vertex], influence_begin[vertex + 1] - influence_begin[vertex]);

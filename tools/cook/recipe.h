@@ -43,7 +43,8 @@ struct Recipe {
   std::vector<std::string> chain_only;
   std::vector<std::string> chain_exclude;
   // patches
-  std::string patch_connectivity;  ///< "auto", "index" or "position".
+  std::string patch_connectivity;  ///< "auto", "island", "index" or "position".
+  double patch_widest = 0;         ///< Metres; 0: from the head's size.
   double patch_weld_distance = 0;
   // dynamics
   std::string dynamics_source;  ///< "auto", "curves" or "springs".

@@ -43,6 +43,8 @@ const RecipeKey kKeys[] = {
 
   {"patches", "connectivity", &R::patch_connectivity, "\"auto\"", 0, 0, "auto|island|index|position", "",
    "triangles are one patch when they share a texture island, vertices (index) or places; auto: what does not shatter"},
+  {"patches", "widest", &R::patch_widest, "0", 0, 100, nullptr, "m",
+   "patches wider than this across their strands are cut along them; 0: three quarters of the head's radius"},
   {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
    "vertices closer than this are at one place"},
 

@@ -1,6 +1,7 @@
 #include "cook/select_hair.h"
 
 #include "cook/choose_hair.h"
+#include "cook/merge_back_faces.h"
 #include "cook/weld.h"
 
 #include <fmt/format.h>
@@ -113,6 +114,17 @@ void warn_of_materials(const SourceModel& source, SelectedHair& result) {
                                         materials.size(), source.materials[result.mesh.material].name));
 }
 
+void merge_faces(const Recipe& recipe, SelectedHair& result) {
+  const std::vector<std::uint32_t> place = weld_places(result.mesh.positions, recipe.patch_weld_distance);
+  const MergedFaces merged = merge_back_faces(result.mesh, place);
+  if (merged.back_faces > 0) {
+    result.left_out.push_back(fmt::format(
+        "{} triangles that only were the back of others: the hair is drawn double-sided", merged.back_faces));
+  }
+  if (merged.copies > 0) result.left_out.push_back(fmt::format("{} triangles that were there twice", merged.copies));
+  if (!is_closed(result.mesh, place)) result.mesh.double_sided = true;
+}
+
 }  // namespace
 
 tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, const Recipe& recipe) {
@@ -134,6 +146,7 @@ tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, con
   }
   result.mesh.material = main_material(source, gathered.taken);
   warn_of_materials(source, result);
+  merge_faces(recipe, result);
   weld_vertices(result.mesh);
   return result;
 }

@@ -1,163 +1,186 @@
 #include "cook/strand_direction.h"
 
 #include "cook/parallel_for.h"
+#include "cook/strand_axis.h"
+#include "cook/strand_root.h"
 
+#include <fmt/format.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 
 namespace coif {
 namespace {
 
-using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-struct PatchView {
-  std::vector<std::size_t> triangles;   ///< First index of each.
-  std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
+constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
+constexpr float kMuchLonger = 0.6f;       ///< Four times as long: nothing else is asked.
+constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
+constexpr float kConsensusWeight = 1.0f;  ///< What it counts where the others have their roots.
+
+struct PatchStrands {
+  float preference = 0;  ///< texture_preference().
+  float area = 0;
+  StrandAxis axis;
+  RootEvidence evidence;
+  float sign = 1;  ///< 1: the low end of the coordinate is the root.
 };
 
-std::vector<PatchView> split(const HairMesh& mesh, const PatchSet& patches) {
-  std::vector<PatchView> views(patches.count);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) views[patches.patch_of[t]].triangles.push_back(3 * t);
-  for (PatchView& view : views) {
-    for (std::size_t t : view.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) view.vertices.push_back(mesh.triangles[t + k]);
+float total_area(const HairMesh& mesh, const PatchView& view) {
+  float sum = 0;
+  for (std::size_t t : view.triangles) sum += doubled_area(mesh, t);
+  return sum;
+}
+
+/// The texture axis of most of the area, by the patches that are clearly longer along one.
+int common_texture_axis(std::span<const PatchStrands> patches) {
+  float sum = 0;
+  for (const PatchStrands& patch : patches) {
+    if (std::abs(patch.preference) > kLonger) sum += patch.area * (patch.preference > 0 ? 1.0f : -1.0f);
+  }
+  return sum >= 0 ? 1 : 0;
+}
+
+/// Along which texture axis the strands run: the one the patch is longer along, whose ends differ more as roots and tips
+/// do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
+void choose_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view,
+                 const FittedHead& head, std::span<const float> depth_of_node, int common, PatchStrands& patch) {
+  const int only = patch.preference == 0 ? -1 : std::abs(patch.preference) > kMuchLonger ? (patch.preference > 0) : 2;
+  float best = -1;
+  for (int candidate = -1; candidate < 2; ++candidate) {
+    if (only == 2 ? candidate < 0 : candidate != only) continue;
+    StrandAxis axis = strand_axis(mesh, place, view, candidate);
+    const RootEvidence evidence = weigh_ends(mesh, view, axis, head, depth_of_node);
+    const float longer = candidate == 1 ? patch.preference : -patch.preference;
+    const float score = 1 + longer + std::abs(evidence.sum()) + (candidate == common ? kCommonAxis : 0.0f);
+    if (score <= best) continue;
+    best = score;
+    patch.axis = std::move(axis);
+    patch.evidence = evidence;
+  }
+}
+
+/// Where the sure patches have their roots in the texture, per axis: -1 at the high end .. 1 at the low end.
+std::array<float, 2> root_consensus(std::span<const PatchStrands> patches) {
+  std::array<float, 2> sum{0, 0}, area{0, 0};
+  for (const PatchStrands& patch : patches) {
+    if (patch.axis.texture_axis < 0 || std::abs(patch.evidence.sum()) < kSure) continue;
+    const auto axis = std::size_t(patch.axis.texture_axis);
+    sum[axis] += patch.area * (patch.evidence.sum() > 0 ? 1.0f : -1.0f);
+    area[axis] += patch.area;
+  }
+  for (std::size_t k = 0; k < 2; ++k) sum[k] = area[k] > 0 ? sum[k] / area[k] : 0;
+  return sum;
+}
+
+struct RootCounts {
+  std::size_t sure = 0, by_others = 0;
+};
+
+RootCounts decide_roots(std::span<PatchStrands> patches) {
+  const std::array<float, 2> consensus = root_consensus(patches);
+  RootCounts counts;
+  for (PatchStrands& patch : patches) {
+    float score = patch.evidence.sum();
+    if (std::abs(score) >= kSure) {
+      ++counts.sure;
+    } else if (patch.axis.texture_axis >= 0) {
+      const float others = kConsensusWeight * consensus[std::size_t(patch.axis.texture_axis)];
+      counts.by_others += std::abs(others) > std::abs(score) ? 1 : 0;
+      score += others;
     }
-    std::ranges::sort(view.vertices);
-    view.vertices.erase(std::ranges::unique(view.vertices).begin(), view.vertices.end());
+    patch.sign = score >= 0 ? 1.0f : -1.0f;
   }
-  return views;
+  return counts;
 }
 
-/// Direction of growth of U and V over one triangle: dp/du and dp/dv, metres per texture; zero without an inverse.
-std::array<Vector3f, 2> texture_axes(const HairMesh& mesh, std::size_t t) {
-  const std::uint32_t a = mesh.triangles[t], b = mesh.triangles[t + 1], c = mesh.triangles[t + 2];
-  const Vector3f e1 = mesh.positions[b] - mesh.positions[a], e2 = mesh.positions[c] - mesh.positions[a];
-  const Vector2f d1 = mesh.uvs[b] - mesh.uvs[a], d2 = mesh.uvs[c] - mesh.uvs[a];
-  const float determinant = d1.x() * d2.y() - d2.x() * d1.y();
-  if (std::abs(determinant) < 1.0e-12f) return {Vector3f::Zero(), Vector3f::Zero()};
-  return {(e1 * d2.y() - e2 * d1.y()) / determinant, (e2 * d1.x() - e1 * d2.x()) / determinant};
-}
-
-float area(const HairMesh& mesh, std::size_t t) {
+/// Direction in which the coordinate grows over one triangle.
+Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> coordinate) {
   const Vector3f& a = mesh.positions[mesh.triangles[t]];
-  return (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a).norm();
+  const Vector3f e1 = mesh.positions[mesh.triangles[t + 1]] - a, e2 = mesh.positions[mesh.triangles[t + 2]] - a;
+  const Vector3f normal = e1.cross(e2);
+  const float square = normal.squaredNorm();
+  if (!(square > 0)) return Vector3f::Zero();
+  const float d1 = coordinate[mesh.triangles[t + 1]] - coordinate[mesh.triangles[t]];
+  const float d2 = coordinate[mesh.triangles[t + 2]] - coordinate[mesh.triangles[t]];
+  return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
 }
 
-/// The patch's longest direction through its vertices.
-Vector3f principal_axis(const HairMesh& mesh, const PatchView& patch) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (std::uint32_t v : patch.vertices) mean += mesh.positions[v].cast<double>() / double(patch.vertices.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::uint32_t v : patch.vertices) {
-    const Eigen::Vector3d d = mesh.positions[v].cast<double>() - mean;
-    covariance += d * d.transpose();
-  }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(2).cast<float>();
+/// Where the strands run on the whole: from the middle of its first half to that of its second.
+Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::span<const float> place) {
+  Vector3f sum = Vector3f::Zero(), mean = Vector3f::Zero();
+  for (std::uint32_t v : view.vertices) mean += mesh.positions[v] / float(view.vertices.size());
+  for (std::uint32_t v : view.vertices) sum += (mesh.positions[v] - mean) * (place[v] - 0.5f);
+  return sum.norm() > 0 ? Vector3f(sum.normalized()) : Vector3f(0, -1, 0);
 }
 
-/// 0 or 1: the texture axis along which the patch is longer, in metres; -1 where texture coordinates are of no use.
-int texture_axis_of_strands(const HairMesh& mesh, const PatchView& patch) {
-  if (mesh.uvs.empty()) return -1;
-  Eigen::AlignedBox2f range;
-  for (std::uint32_t v : patch.vertices) range.extend(mesh.uvs[v]);
-  float length[2] = {0, 0}, total = 0;
-  for (std::size_t t : patch.triangles) {
-    const auto axes = texture_axes(mesh, t);
-    if (axes[0].isZero() && axes[1].isZero()) continue;
-    for (int k = 0; k < 2; ++k) length[k] += axes[std::size_t(k)].norm() * range.sizes()[k] * area(mesh, t);
-    total += area(mesh, t);
+/// Tangents of one patch from StrandField::place.
+void write_tangents(const HairMesh& mesh, const PatchView& view, const PatchStrands& strands, StrandField& field) {
+  for (std::size_t t : view.triangles) {
+    // Along the texture's own axis where there is one: painted strands are parallel to it even where it is sheared.
+    Vector3f along = gradient(mesh, t, field.place);
+    if (strands.axis.texture_axis >= 0) {
+      along = texture_axes(mesh, t)[std::size_t(strands.axis.texture_axis)] * strands.sign;
+    }
+    if (!(along.norm() > 0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      field.tangent[mesh.triangles[t + k]] += along.normalized() * doubled_area(mesh, t);
+    }
   }
-  if (total <= 0) return -1;
-  return length[1] >= length[0] ? 1 : 0;
-}
-
-/// +1 where the root is at the low end of `coordinate`, -1 where it is at the high end.
-float root_sign(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate,
-                const FittedHead& head) {
-  const auto [low, high] = std::ranges::minmax(coordinate);
-  const float quarter = 0.25f * (high - low);
-  struct End {
-    float distance = 0, height = 0, count = 0;
-  } ends[2];
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
-    if (coordinate[i] > low + quarter && coordinate[i] < high - quarter) continue;
-    End& end = ends[coordinate[i] <= low + quarter ? 0 : 1];
-    end.distance += float(head.distance(mesh.positions[patch.vertices[i]].cast<double>()));
-    end.height += mesh.positions[patch.vertices[i]].y();
-    end.count += 1;
-  }
-  for (End& end : ends) {
-    end.distance /= std::max(end.count, 1.0f);
-    end.height /= std::max(end.count, 1.0f);
-  }
-  const float difference = ends[1].distance - ends[0].distance;
-  // Hair that follows the skull is everywhere as near to it; there the upper end is the root.
-  const float size = float(head.radii.mean());
-  if (std::abs(difference) > 0.1f * size) return difference > 0 ? 1.0f : -1.0f;
-  return ends[0].height >= ends[1].height ? 1.0f : -1.0f;
-}
-
-void write_tangents(const HairMesh& mesh, const PatchView& patch, int texture_axis, const Vector3f& fallback,
-                    float sign, StrandField& field) {
-  for (std::size_t t : patch.triangles) {
-    const Vector3f along = texture_axis < 0 ? Vector3f(fallback * sign)
-                                            : Vector3f(texture_axes(mesh, t)[std::size_t(texture_axis)] * sign);
-    if (along.isZero()) continue;
-    for (std::size_t k = 0; k < 3; ++k) field.tangent[mesh.triangles[t + k]] += along.normalized() * area(mesh, t);
-  }
-  for (std::uint32_t v : patch.vertices) {
+  const Vector3f fallback = overall_direction(mesh, view, field.place);
+  for (std::uint32_t v : view.vertices) {
     const Vector3f& normal = mesh.normals[v];
-    Vector3f tangent = field.tangent[v].isZero() ? Vector3f(fallback * sign) : field.tangent[v].normalized();
+    Vector3f tangent = field.tangent[v].isZero() ? fallback : Vector3f(field.tangent[v].normalized());
     tangent -= normal * normal.dot(tangent);
     field.tangent[v] = tangent.norm() > 1.0e-4f ? Vector3f(tangent.normalized()) : Vector3f(normal.unitOrthogonal());
   }
 }
 
-/// `axis` or its opposite: the one along which `coordinate` grows.
-Vector3f oriented_along(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate,
-                        const Vector3f& axis) {
-  const float first = coordinate.front(), origin = axis.dot(mesh.positions[patch.vertices.front()]);
-  float sum = 0;
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
-    sum += (coordinate[i] - first) * (axis.dot(mesh.positions[patch.vertices[i]]) - origin);
+void write_patch(const HairMesh& mesh, const PatchView& view, const PatchStrands& strands, StrandField& field) {
+  for (std::size_t i = 0; i < view.vertices.size(); ++i) {
+    const float at = strands.axis.coordinate[i];
+    field.place[view.vertices[i]] = strands.sign > 0 ? at : 1 - at;
   }
-  return sum >= 0 ? axis : Vector3f(-axis);
-}
-
-/// Returns the texture axis that was used, or -1.
-int find_in_patch(const HairMesh& mesh, const PatchView& patch, const FittedHead& head, StrandField& field) {
-  const int axis = texture_axis_of_strands(mesh, patch);
-  Vector3f principal = principal_axis(mesh, patch);
-  std::vector<float> coordinate;
-  for (std::uint32_t v : patch.vertices) {
-    coordinate.push_back(axis < 0 ? principal.dot(mesh.positions[v]) : mesh.uvs[v][axis]);
-  }
-  principal = oriented_along(mesh, patch, coordinate, principal);
-  const float sign = root_sign(mesh, patch, coordinate, head);
-  const auto [low, high] = std::ranges::minmax(coordinate);
-  const float range = std::max(high - low, 1.0e-12f);
-  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
-    field.place[patch.vertices[i]] = sign > 0 ? (coordinate[i] - low) / range : (high - coordinate[i]) / range;
-  }
-  write_tangents(mesh, patch, axis, principal, sign, field);
-  return axis;
+  write_tangents(mesh, view, strands, field);
 }
 
 }  // namespace
 
-StrandField find_strand_direction(const HairMesh& mesh, const PatchSet& patches, const FittedHead& head,
-                                  unsigned threads) {
+StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
+                                  const FittedHead& head, const StrandSettings& settings) {
   StrandField field;
   field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
   field.place.assign(mesh.positions.size(), 0.0f);
-  const std::vector<PatchView> views = split(mesh, patches);
-  std::vector<int> axis(views.size());
-  parallel_for(views.size(), threads, [&](std::size_t p) { axis[p] = find_in_patch(mesh, views[p], head, field); });
-  field.along_u = std::ranges::count(axis, 0) > std::ranges::count(axis, 1);
+  const std::vector<PatchView> views = view_patches(mesh, patches);
+  std::vector<PatchStrands> strands(views.size());
+  parallel_for(views.size(), settings.threads, [&](std::size_t p) {
+    strands[p].area = total_area(mesh, views[p]);
+    strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
+  });
+  const int common = common_texture_axis(strands);
+  parallel_for(views.size(), settings.threads, [&](std::size_t p) {
+    choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
+  });
+  const RootCounts counts = decide_roots(strands);
+  parallel_for(views.size(), settings.threads, [&](std::size_t p) { write_patch(mesh, views[p], strands[p], field); });
+  field.along_u = common == 0 && !mesh.uvs.empty();
+  field.reason =
+      fmt::format("roots: {} of {} patches by their own ends, {} by where the others have theirs in the texture",
+                  counts.sure, views.size(), counts.by_others);
   return field;
+}
+
+std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node) {
+  std::vector<float> depth(source.nodes.size(), -1.0f);
+  if (head_node != kNoIndex) depth[head_node] = 0;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    const std::uint32_t parent = source.nodes[n].parent;
+    if (n != head_node && parent != kNoIndex && depth[parent] >= 0) depth[n] = depth[parent] + 1;
+  }
+  for (float& d : depth) d = std::max(d, 0.0f);
+  return depth;
 }
 
 }  // namespace coif

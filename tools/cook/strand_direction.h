@@ -3,18 +3,42 @@
 #include "cook/fit_head.h"
 #include "cook/hair_mesh.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace coif {
 
 struct StrandField {
   std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
   std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
   bool along_u = false;                  ///< In the texture most patches run along U, not V.
+  std::string reason;                    ///< How roots were told from tips, for the report.
+
+  /// Follows the mesh when vertices equal to `originals` were appended.
+  void append_copies(std::span<const std::uint32_t> originals) {
+    for (std::uint32_t v : originals) {
+      tangent.push_back(Eigen::Vector3f(tangent[v]));
+      place.push_back(float(place[v]));
+    }
+  }
 };
 
-/// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or along the
-/// patch itself where there are no texture coordinates. The end that is nearer to the head is the root; where both
-/// are as near, the upper one. Vertices are not shared between patches.
-[[nodiscard]] StrandField find_strand_direction(const HairMesh& mesh, const PatchSet& patches, const FittedHead& head,
-                                                unsigned threads);
+struct StrandSettings {
+  bool trust_texture = true;             ///< False where patches are not unwrapped in one piece.
+  std::span<const float> depth_of_node;  ///< Bones between each node of the source and the head bone.
+  unsigned threads = 1;                  ///< The result does not depend on it.
+};
+
+/// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
+/// the surface from end to end where texture coordinates say nothing. The root is the end that is nearer to the head,
+/// follows bones nearer to it, is higher and wider; a patch whose ends say little takes the direction that the texture
+/// has in the patches that are sure, since one artist paints roots on one side. Vertices are not shared between patches.
+[[nodiscard]] StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place,
+                                                const PatchSet& patches, const FittedHead& head,
+                                                const StrandSettings& settings);
+
+/// StrandSettings::depth_of_node for a head bone: 0 for it and whatever is not below it.
+[[nodiscard]] std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node);
 
 }  // namespace coif
