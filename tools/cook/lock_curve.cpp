@@ -10,6 +10,7 @@ using Eigen::Vector3d;
 
 constexpr double kSlice = 1.5;  ///< Cells: each slice has hair, and levels of depth stay apart.
 constexpr std::size_t kMostSlices = 512;
+constexpr double kThinSlice = 0.2;    ///< Of the middle slice's area: less hair at the tip is a few wisps.
 constexpr double kWayShare = 1.0e-3;  ///< Hair that another lock moves counts only where the lock has none of its own.
 constexpr int kSmoothing = 3;         ///< Times that each point moves halfway to its neighbours.
 constexpr double kClearance = 1.01;   ///< Of the head's size: where joints inside of it go.
@@ -21,6 +22,15 @@ struct CurvePoint3 {
 };
 
 using Curve = std::vector<CurvePoint3>;
+
+/// Slices up to the last one with a fair share of hair: a few long wisps are carried on by the last bone.
+std::size_t slices_to_tip(const std::vector<double>& weight) {
+  std::vector<double> sorted = weight;
+  std::ranges::nth_element(sorted, sorted.begin() + std::ptrdiff_t(sorted.size() / 2));
+  std::size_t count = weight.size();
+  while (count > 2 && weight[count - 1] < kThinSlice * sorted[sorted.size() / 2]) --count;
+  return count;
+}
 
 /// Mean of the hair in each slice of depth; slices without hair are left out.
 Curve slice_means(const HairCells& cells, const HangingHair& hair, const HairLock& lock) {
@@ -38,7 +48,7 @@ Curve slice_means(const HairCells& cells, const HangingHair& hair, const HairLoc
   for (std::uint32_t c : lock.cells) add(c, 1);
   for (std::uint32_t c : lock.ways) add(c, kWayShare);
   Curve curve;
-  for (std::size_t s = 0; s < count; ++s) {
+  for (std::size_t s = 0; s < slices_to_tip(weight); ++s) {
     if (weight[s] > 0) curve.push_back({sum[s] / weight[s], depth[s] / weight[s]});
   }
   return curve;
@@ -53,16 +63,17 @@ void smooth(Curve& curve) {
   }
 }
 
-/// Slices are at their mean depth; the curve goes on to the scalp and to the tip along its end directions.
-void extend(Curve& curve, double length) {
+/// Slices are at their mean depth; the curve goes on to the scalp, and half a slice to the tip, along its end directions.
+void extend(Curve& curve) {
   const CurvePoint3 first = curve[0], second = curve[1];
   const CurvePoint3 last = curve[curve.size() - 1], before = curve[curve.size() - 2];
+  const double half = 0.5 * (last.depth - before.depth);
   const Vector3d back = (first.at - second.at) / std::max(second.depth - first.depth, 1.0e-9);
   const Vector3d on = (last.at - before.at) / std::max(last.depth - before.depth, 1.0e-9);
   // The mean moves at most as fast as depth; faster is a jump between different hair.
   const auto limited = [](const Vector3d& v) { return v.norm() > 1 ? Vector3d(v.normalized()) : v; };
   curve.insert(curve.begin(), {first.at + limited(back) * first.depth, 0});
-  curve.push_back({last.at + limited(on) * (length - last.depth), length});
+  curve.push_back({last.at + limited(on) * half, last.depth + half});
 }
 
 void keep_out_of_head(const FittedHead& head, Curve& curve) {
@@ -96,7 +107,7 @@ LockCurve fit_lock_curve(const HairCells& cells, const HangingHair& hair, const 
   Curve curve = slice_means(cells, hair, lock);
   if (curve.size() < 2) return result;
   smooth(curve);
-  extend(curve, lock.length);
+  extend(curve);
   keep_out_of_head(head, curve);
   const std::vector<double> arc = arc_lengths(curve);
   const double length = arc.back();
