@@ -1,7 +1,5 @@
 #include "cook/spring_dynamics.h"
 
-#include "cook/bake_dynamics.h"
-#include "cook/built_models.h"
 #include "cook/vrm_chain.h"
 
 #include <coif/thesis_step_job.h>
@@ -195,95 +193,6 @@ TEST(SpringDynamics, GravityKeepsItsVerticalPart) {
   EXPECT_FLOAT_EQ(dynamics_of_joint(joint, 0.1).gravity_scale, 0.6f * down);
   joint.gravity_direction = {0, 1, 0};
   EXPECT_FLOAT_EQ(dynamics_of_joint(joint, 0.1).gravity_scale, -down);
-}
-
-/// The wig with a spring on both of its simulated bones.
-SourceModel sprung_wig() {
-  SourceModel model = make_wig();
-  SourceSpring spring;
-  spring.name = "tail";
-  for (const std::uint32_t node : {3u, 4u, 5u}) {
-    spring.joints.push_back(joint_of(1, 0.2, 0.4));
-    spring.joints.back().node = node;
-  }
-  spring.joints.back().length = 0;
-  model.springs = {spring};
-  return model;
-}
-
-/// The wig's skeleton as the cooker builds it, without its passes before that.
-Skeleton wig_skeleton() {
-  Skeleton skeleton;
-  skeleton.bones.resize(4);
-  skeleton.bones[0].kind = BoneKind::kHead;
-  skeleton.bones[1].parent = 0;
-  skeleton.bones[1].start = {0, 1.65, -0.1};
-  for (std::uint32_t b = 2; b < 4; ++b) {
-    skeleton.bones[b].kind = BoneKind::kSimulated;
-    skeleton.bones[b].parent = b - 1;
-    skeleton.bones[b].place = 0.5 * (b - 1);
-    skeleton.bones[b].start = {0, 1.6 - 0.1 * (b - 2), -0.1};
-    skeleton.bones[b].tail = {0, 1.5 - 0.1 * (b - 2), -0.1};
-  }
-  skeleton.chains = {{2, 2, 1, 0}};
-  skeleton.bone_of_node = {0, 0, 1, 2, 3, 3};
-  return skeleton;
-}
-
-TEST(SpringJoints, AJointsSettingsGoToItsOwnNodesBone) {
-  SourceModel model = sprung_wig();
-  const auto joints = joints_of_bones(model, wig_skeleton());
-  ASSERT_EQ(joints.size(), 4u);
-  EXPECT_FALSE(joints[0]);
-  EXPECT_FALSE(joints[1]) << "rigid";
-  ASSERT_TRUE(joints[2] && joints[3]);
-  EXPECT_EQ(joints[2].joint->node, 3u);
-  EXPECT_EQ(joints[3].joint->node, 4u) << "not the last joint, whose vertices the bone carries";
-  model.springs[0].joints[2].length = 0.07;  // as the leaf of a VRM 0.x: it has no bone of its own
-  EXPECT_EQ(joints_of_bones(model, wig_skeleton())[3].joint->node, 4u);
-  model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
-  model.springs[0].joints[1].length = 0;
-  EXPECT_FALSE(joints_of_bones(model, wig_skeleton())[3]) << "an end turns nothing";
-}
-
-TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
-  SourceModel model = sprung_wig();
-  model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
-  const Skeleton skeleton = wig_skeleton();
-  Recipe recipe = default_recipe();
-  const BakedDynamics mixed = bake_dynamics(model, skeleton, recipe);
-  const DynamicsRecord by_spring = dynamics_of_joint(model.springs[0].joints[0], 0.1);
-  ASSERT_EQ(mixed.records.size(), 4u);
-  EXPECT_FLOAT_EQ(mixed.records[2].resistance, by_spring.resistance);
-  EXPECT_FLOAT_EQ(mixed.records[2].friction, by_spring.friction);
-  EXPECT_FLOAT_EQ(mixed.records[3].friction, float(recipe.friction)) << "no spring: the curves";
-  ASSERT_EQ(mixed.notes.size(), 1u);
-  EXPECT_NE(mixed.notes[0].find("1 of 2"), std::string::npos);
-  EXPECT_TRUE(mixed.warnings.empty());
-
-  recipe.dynamics_source = "springs";
-  const BakedDynamics wanted = bake_dynamics(model, skeleton, recipe);
-  ASSERT_EQ(wanted.warnings.size(), 1u);
-  EXPECT_NE(wanted.warnings[0].find("1 of 2 simulated bones have no spring"), std::string::npos);
-
-  recipe.dynamics_source = "curves";
-  const BakedDynamics curves = bake_dynamics(model, skeleton, recipe);
-  EXPECT_FLOAT_EQ(curves.records[2].friction, float(recipe.friction));
-  EXPECT_TRUE(curves.notes.empty());
-}
-
-TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
-  SourceModel model = sprung_wig();
-  EXPECT_TRUE(bake_dynamics(model, wig_skeleton(), default_recipe()).warnings.empty());
-  model.springs[0].center = 1;
-  model.springs[0].joints[1].gravity_direction = Vector3d(1, -1, 0).normalized();
-  const auto warnings = bake_dynamics(model, wig_skeleton(), default_recipe()).warnings;
-  ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_NE(warnings[0].find("spring 'tail': its gravity is not vertical"), std::string::npos) << warnings[0];
-  EXPECT_NE(warnings[1].find("center 'Head'"), std::string::npos) << warnings[1];
-  model.springs[0].joints[1].gravity_power = 0;
-  model.springs[0].center = kNoIndex;
-  EXPECT_TRUE(bake_dynamics(model, wig_skeleton(), default_recipe()).warnings.empty()) << "no gravity has no direction";
 }
 
 }  // namespace

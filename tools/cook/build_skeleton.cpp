@@ -22,6 +22,16 @@ Children hair_children(const SourceModel& source, const NodeWeights& below) {
   return children;
 }
 
+/// Nodes that the file's spring bones turn, where the recipe heeds those: artists let hair swing from its first joint.
+std::vector<bool> turned_by_springs(const SourceModel& source, const Recipe& recipe) {
+  std::vector<bool> turned(source.nodes.size(), false);
+  if (recipe.dynamics_source == "curves") return turned;
+  for (const SourceSpring& spring : source.springs) {
+    for (const SourceSpringJoint& joint : spring.joints) turned[joint.node] = joint.length > 0;
+  }
+  return turned;
+}
+
 /// The head bone; no other node has a bone yet.
 Skeleton only_head(const SourceModel& source, const HeadBone& head) {
   Skeleton skeleton;
@@ -42,6 +52,7 @@ class SkeletonBuilder {
       : source_(source),
         hair_(hair),
         recipe_(recipe),
+        swings_(turned_by_springs(source, recipe)),
         children_(hair_children(source, weights_below(source, hair_weights(source, hair)))) {
     skeleton_ = only_head(source, head);
     if (head.node != kNoIndex) {
@@ -56,7 +67,7 @@ class SkeletonBuilder {
  private:
   [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
     if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
-    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty();
+    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty() && !swings_[node];
   }
 
   /// Scalp bones depth first; remembers where chains start, since all rigid bones come before them.
@@ -129,6 +140,7 @@ class SkeletonBuilder {
   const SourceModel& source_;
   const HairMesh& hair_;
   const Recipe& recipe_;
+  std::vector<bool> swings_;
   Children children_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> chain_roots_;  ///< Node, rigid bone that carries it.
   Skeleton skeleton_;

@@ -8,9 +8,10 @@
 namespace coif {
 
 /// Splits the file's bones as the thesis does (5.2): the head bone is moved by the host; bones with the head as parent
-/// are scalp bones, rigid; bones below are simulated. A bone alone below the head is simulated too: as a scalp bone it
-/// would only make the hair stiff. Nodes that carry no hair are left out, but a last joint below a hair bone says where
-/// that bone ends. Errors: kBadInput for patterns without a match, kUnsupported above 256 bones.
+/// are scalp bones, rigid; bones below are simulated. Simulated too are a bone alone below the head, which as a scalp
+/// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves. Nodes
+/// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Errors: kBadInput for
+/// patterns without a match, kUnsupported above 256 bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
                                                  const Recipe& recipe);
 
