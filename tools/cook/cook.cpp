@@ -141,7 +141,7 @@ tl::expected<void, ToolError> rig(const SourceModel& source, const Recipe& recip
     return {};
   }
   FittedRig fitted = timed("chains", [&] {
-    return fit_chains(source, mesh, parts.extracted.patches, parts.strands, parts.head,
+    return fit_chains(source, mesh, parts.strands, parts.head,
                       head_alone(source, parts.head_bone), recipe);
   });
   parts.skeleton = std::move(fitted.skeleton);

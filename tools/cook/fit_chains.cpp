@@ -122,7 +122,7 @@ std::string describe(const FittedChain& chain) {
 
 }  // namespace
 
-FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const PatchSet&, const StrandField& strands,
+FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const StrandField& strands,
                      const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
   const double radius = head.radii.mean();
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);

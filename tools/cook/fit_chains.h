@@ -12,11 +12,10 @@ struct FittedRig {
   std::vector<std::string> notes;  ///< What was fitted where, for the report.
 };
 
-/// Bones for hair that has none: clusters the patches into locks, fits a chain to each from where it leaves the scalp to
+/// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp to
 /// its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
 /// and nothing that moves.
-[[nodiscard]] FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const PatchSet& patches,
-                                   const StrandField& strands, const FittedHead& head, const Skeleton& rigid,
-                                   const Recipe& recipe);
+[[nodiscard]] FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const StrandField& strands,
+                                   const FittedHead& head, const Skeleton& rigid, const Recipe& recipe);
 
 }  // namespace coif
