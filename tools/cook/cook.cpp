@@ -108,6 +108,7 @@ StrandField find_strands(const SourceModel& source, const Recipe& recipe, const 
   const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
   const std::vector<float> depths = depths_below(source, parts.head_bone.node);
   StrandSettings strands;
+  strands.root = recipe.strand_root;
   strands.trust_texture = parts.extracted.chosen != "position";
   strands.depth_of_node = depths;
   strands.threads = settings.threads;

@@ -46,6 +46,8 @@ struct Recipe {
   std::string patch_connectivity;  ///< "auto", "island", "index" or "position".
   double patch_widest = 0;         ///< Metres; 0: from the head's size.
   double patch_weld_distance = 0;
+  // strands
+  std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".
   // dynamics
   std::string dynamics_source;  ///< "auto", "curves" or "springs".
   std::vector<CurvePoint> resistance;

@@ -48,6 +48,9 @@ const RecipeKey kKeys[] = {
   {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
    "vertices closer than this are at one place"},
 
+  {"strands", "root", &R::strand_root, "\"auto\"", 0, 0, "auto|low_u|high_u|low_v|high_v", "",
+   "side of the texture where the roots are; auto: found for each patch ('coif render --component direction' shows it)"},
+
   {"dynamics", "source", &R::dynamics_source, "\"auto\"", 0, 0, "auto|curves|springs", "",
    "auto: the file's spring bones (VRM) where a bone has one, else the curve and numbers here; springs: the same, and a"
    " warning where one is missing; curves: never the file's"},

@@ -2,6 +2,7 @@
 
 #include "cook/parallel_for.h"
 #include "cook/strand_axis.h"
+#include "cook/strand_neighbours.h"
 #include "cook/strand_root.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,10 @@ constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a ra
 constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
 constexpr float kMuchLonger = 0.6f;       ///< Four times as long: nothing else is asked.
 constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
+constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
+constexpr int kRounds = 16;
+constexpr double kBeside = 0.15;  ///< Patches nearer than this share of the head's radius are beside each other.
+constexpr float kUnsure = 0.2f;   ///< Of a belief: told in the report.
 constexpr float kConsensusWeight = 1.0f;  ///< What it counts where the others have their roots.
 
 struct PatchStrands {
@@ -25,8 +30,21 @@ struct PatchStrands {
   float area = 0;
   StrandAxis axis;
   RootEvidence evidence;
-  float sign = 1;  ///< 1: the low end of the coordinate is the root.
 };
+
+/// What a recipe says about all patches that have texture coordinates.
+struct DeclaredRoot {
+  int texture_axis = -1;  ///< -1: nothing.
+  bool at_high_end = false;
+
+  /// As of a patch that is much longer along that axis.
+  [[nodiscard]] float preference() const { return texture_axis == 1 ? 1.0f : -1.0f; }
+};
+
+DeclaredRoot declared_root(const std::string& root) {
+  if (root == "auto") return {};
+  return {root.ends_with("_v") ? 1 : 0, root.starts_with("high")};
+}
 
 float total_area(const HairMesh& mesh, const PatchView& view) {
   float sum = 0;
@@ -75,25 +93,32 @@ std::array<float, 2> root_consensus(std::span<const PatchStrands> patches) {
   return sum;
 }
 
-struct RootCounts {
-  std::size_t sure = 0, by_others = 0;
-};
-
-RootCounts decide_roots(std::span<PatchStrands> patches) {
+/// What a patch says itself and the texture of the others says about it.
+std::vector<float> own_scores(std::span<const PatchStrands> patches) {
   const std::array<float, 2> consensus = root_consensus(patches);
-  RootCounts counts;
-  for (PatchStrands& patch : patches) {
-    float score = patch.evidence.sum();
-    if (std::abs(score) >= kSure) {
-      ++counts.sure;
-    } else if (patch.axis.texture_axis >= 0) {
-      const float others = kConsensusWeight * consensus[std::size_t(patch.axis.texture_axis)];
-      counts.by_others += std::abs(others) > std::abs(score) ? 1 : 0;
-      score += others;
-    }
-    patch.sign = score >= 0 ? 1.0f : -1.0f;
+  std::vector<float> scores;
+  for (const PatchStrands& patch : patches) {
+    const int axis = patch.axis.texture_axis;
+    scores.push_back(patch.evidence.sum() + (axis < 0 ? 0 : kConsensusWeight * consensus[std::size_t(axis)]));
   }
-  return counts;
+  return scores;
+}
+
+/// Belief of each patch that its low end is the root, -1..1: its own evidence and that of the patches beside it, since
+/// hair combed one way runs one way. Mean-field iteration; few rounds carry a belief across a head.
+std::vector<float> settle_beliefs(std::span<const float> scores,
+                                  const std::vector<std::vector<Neighbour>>& neighbours) {
+  std::vector<float> belief(scores.size()), next(scores.size());
+  for (std::size_t p = 0; p < scores.size(); ++p) belief[p] = std::tanh(scores[p]);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t p = 0; p < scores.size(); ++p) {
+      float sum = scores[p];
+      for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
+      next[p] = std::tanh(sum);
+    }
+    belief.swap(next);
+  }
+  return belief;
 }
 
 /// Direction in which the coordinate grows over one triangle.
@@ -117,13 +142,11 @@ Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::spa
 }
 
 /// Tangents of one patch from StrandField::place.
-void write_tangents(const HairMesh& mesh, const PatchView& view, const PatchStrands& strands, StrandField& field) {
+void write_tangents(const HairMesh& mesh, const PatchView& view, int texture_axis, StrandField& field) {
   for (std::size_t t : view.triangles) {
     // Along the texture's own axis where there is one: painted strands are parallel to it even where it is sheared.
-    Vector3f along = gradient(mesh, t, field.place);
-    if (strands.axis.texture_axis >= 0) {
-      along = texture_axes(mesh, t)[std::size_t(strands.axis.texture_axis)] * strands.sign;
-    }
+    const Vector3f along =
+        texture_axis >= 0 ? texture_axes(mesh, t)[std::size_t(texture_axis)] : gradient(mesh, t, field.place);
     if (!(along.norm() > 0)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       field.tangent[mesh.triangles[t + k]] += along.normalized() * doubled_area(mesh, t);
@@ -138,12 +161,17 @@ void write_tangents(const HairMesh& mesh, const PatchView& view, const PatchStra
   }
 }
 
-void write_patch(const HairMesh& mesh, const PatchView& view, const PatchStrands& strands, StrandField& field) {
-  for (std::size_t i = 0; i < view.vertices.size(); ++i) {
-    const float at = strands.axis.coordinate[i];
-    field.place[view.vertices[i]] = strands.sign > 0 ? at : 1 - at;
+/// As if every low end were the root.
+void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& axis, StrandField& field) {
+  for (std::size_t i = 0; i < view.vertices.size(); ++i) field.place[view.vertices[i]] = axis.coordinate[i];
+  write_tangents(mesh, view, axis.texture_axis, field);
+}
+
+void turn_round(const PatchView& view, StrandField& field) {
+  for (std::uint32_t v : view.vertices) {
+    field.place[v] = 1 - field.place[v];
+    field.tangent[v] = -field.tangent[v];
   }
-  write_tangents(mesh, view, strands, field);
 }
 
 }  // namespace
@@ -158,17 +186,27 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
     strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
+    if (declared.texture_axis >= 0 && strands[p].preference != 0) strands[p].preference = declared.preference();
   });
   const int common = common_texture_axis(strands);
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
   });
-  const RootCounts counts = decide_roots(strands);
-  parallel_for(views.size(), settings.threads, [&](std::size_t p) { write_patch(mesh, views[p], strands[p], field); });
+  parallel_for(views.size(), settings.threads,
+               [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
+  const std::vector<float> belief =
+      settle_beliefs(own_scores(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
+  std::size_t sure = 0, unsure = 0;
+  for (std::size_t p = 0; p < views.size(); ++p) {
+    const bool by_recipe = declared.texture_axis >= 0 && strands[p].axis.texture_axis >= 0;
+    if (by_recipe ? declared.at_high_end : belief[p] < 0) turn_round(views[p], field);
+    sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
+    unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
+  }
   field.along_u = common == 0 && !mesh.uvs.empty();
   field.reason =
-      fmt::format("roots: {} of {} patches by their own ends, {} by where the others have theirs in the texture",
-                  counts.sure, views.size(), counts.by_others);
+      fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,
+                  views.size(), unsure);
   return field;
 }
 

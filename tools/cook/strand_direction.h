@@ -25,6 +25,7 @@ struct StrandField {
 };
 
 struct StrandSettings {
+  std::string root = "auto";             ///< As in the recipe: the side of the texture where all roots are.
   bool trust_texture = true;             ///< False where patches are not unwrapped in one piece.
   std::span<const float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   unsigned threads = 1;                  ///< The result does not depend on it.
@@ -32,8 +33,9 @@ struct StrandSettings {
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
 /// the surface from end to end where texture coordinates say nothing. The root is the end that is nearer to the head,
-/// follows bones nearer to it, is higher and wider; a patch whose ends say little takes the direction that the texture
-/// has in the patches that are sure, since one artist paints roots on one side. Vertices are not shared between patches.
+/// follows bones nearer to it, is higher and wider. Where that says little, the side of the texture counts that has the
+/// roots in other patches, since one artist paints them on one side, and which way the patches beside run. Vertices are
+/// not shared between patches.
 [[nodiscard]] StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place,
                                                 const PatchSet& patches, const FittedHead& head,
                                                 const StrandSettings& settings);

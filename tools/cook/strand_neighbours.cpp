@@ -1,0 +1,82 @@
+#include "cook/strand_neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kSamples = 64;  ///< Vertices looked at per patch.
+constexpr std::size_t kPerCell = 16;  ///< Samples kept per cell: beyond, hair is so dense that more say the same.
+constexpr float kParallel = 0.6f;     ///< Cosine from which two tangents can be compared.
+
+using Cell = std::array<int, 3>;
+
+struct Sample {
+  std::uint32_t vertex = 0;
+  std::uint32_t patch = 0;
+};
+
+Cell cell_of(const Eigen::Vector3f& p, double size) {
+  Cell cell;
+  for (int k = 0; k < 3; ++k) cell[std::size_t(k)] = int(std::floor(double(p[k]) / size));
+  return cell;
+}
+
+std::vector<Sample> take_samples(const std::vector<PatchView>& views) {
+  std::vector<Sample> samples;
+  for (std::uint32_t p = 0; p < views.size(); ++p) {
+    const std::size_t count = views[p].vertices.size(), step = std::max<std::size_t>(1, count / kSamples);
+    for (std::size_t i = 0; i < count; i += step) samples.push_back({views[p].vertices[i], p});
+  }
+  return samples;
+}
+
+using Grid = std::map<Cell, std::vector<Sample>>;
+
+Grid fill_grid(const HairMesh& mesh, const std::vector<Sample>& samples, double size) {
+  Grid grid;
+  for (const Sample& sample : samples) {
+    auto& cell = grid[cell_of(mesh.positions[sample.vertex], size)];
+    if (cell.size() < kPerCell) cell.push_back(sample);
+  }
+  return grid;
+}
+
+template <typename Visit>
+void for_each_near(const Grid& grid, const Cell& home, const Visit& visit) {
+  for (int n = 0; n < 27; ++n) {
+    const auto found = grid.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
+    if (found == grid.end()) continue;
+    for (const Sample& sample : found->second) visit(sample);
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                    std::span<const Eigen::Vector3f> tangents, double reach) {
+  const std::vector<Sample> samples = take_samples(views);
+  const Grid grid = fill_grid(mesh, samples, reach);
+  std::vector<std::map<std::uint32_t, float>> sums(views.size());
+  std::vector<float> total(views.size(), 0.0f);
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3f& at = mesh.positions[sample.vertex];
+    for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
+      if (other.patch == sample.patch || (mesh.positions[other.vertex] - at).norm() > float(reach)) return;
+      const float cosine = tangents[sample.vertex].dot(tangents[other.vertex]);
+      if (std::abs(cosine) < kParallel) return;
+      sums[sample.patch][other.patch] += cosine;
+      total[sample.patch] += std::abs(cosine);
+    });
+  }
+  std::vector<std::vector<Neighbour>> neighbours(views.size());
+  for (std::size_t p = 0; p < views.size(); ++p) {
+    for (const auto& [patch, sum] : sums[p]) neighbours[p].push_back({patch, sum / total[p]});
+  }
+  return neighbours;
+}
+
+}  // namespace coif
