@@ -98,6 +98,10 @@ std::vector<double> vertex_areas(const Asset& asset) {
   return area;
 }
 
+bool has_skinned_mesh(const Asset& asset) {
+  return !asset.lod_indices(0).empty() && asset.skin().size() == asset.vertices().size();
+}
+
 tl::unexpected<ToolError> not_the_same(double rms, double far_share) {
   return tl::unexpected(ToolError{
       ToolError::Kind::kBadInput,
@@ -109,9 +113,9 @@ tl::unexpected<ToolError> not_the_same(double rms, double far_share) {
 }  // namespace
 
 tl::expected<SurfaceMatch, ToolError> match_surfaces(const Asset& a, const Asset& b) {
-  if (a.lod_count() == 0 || b.lod_count() == 0) {
+  if (!has_skinned_mesh(a) || !has_skinned_mesh(b)) {
     return tl::unexpected(
-        ToolError{ToolError::Kind::kUnsupported, "an asset without a mesh has no surface to compare"});
+        ToolError{ToolError::Kind::kUnsupported, "an asset without a skinned mesh has no surface to compare"});
   }
   const VertexGrid grid(b);
   const std::vector<double> areas = vertex_areas(a);

@@ -24,7 +24,7 @@ struct SurfaceMatch {
 inline constexpr double kSameSurface = 1.0e-3;
 
 /// Matches vertices in the model's space, so that the assets may have different head bones. Errors: kUnsupported for an
-/// asset without a mesh, kBadInput for surfaces that are not the same. Near-linear time.
+/// asset without a skinned mesh, kBadInput for surfaces that are not the same. Near-linear time.
 tl::expected<SurfaceMatch, ToolError> match_surfaces(const Asset& a, const Asset& b);
 
 }  // namespace coif
