@@ -2,6 +2,7 @@
 
 #include "cook/bone_tails.h"
 #include "cook/find_head_bone.h"
+#include "cook/hair_evidence.h"
 #include "cook/name_pattern.h"
 
 #include <fmt/format.h>
@@ -15,9 +16,10 @@ using Children = std::vector<std::vector<std::uint32_t>>;
 
 /// Children of each node that carry hair, themselves or below.
 Children hair_children(const SourceModel& source, const NodeWeights& below) {
+  const std::vector<bool> carriers = find_carriers(source);
   Children children(source.nodes.size());
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
-    if (below[n] > 0 && source.nodes[n].parent != kNoIndex) children[source.nodes[n].parent].push_back(n);
+    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex) children[source.nodes[n].parent].push_back(n);
   }
   return children;
 }

@@ -140,11 +140,18 @@ void choose_by_recipe(const SourceModel& source, const Recipe& recipe, Chooser& 
   }
 }
 
+/// Another part of the same mesh has a material called hair: then this part is what is worn in it.
+bool has_hair_beside(const SourceModel& source, const SourceMesh& mesh) {
+  return std::ranges::any_of(source.meshes, [&](const SourceMesh& other) {
+    return other.node == mesh.node && is_called_hair(material_name(source, other));
+  });
+}
+
 /// Why a mesh is hair by what it is called; empty where nothing says so.
 std::string named_hair(const SourceModel& source, const SourceMesh& mesh) {
   const std::string material = material_name(source, mesh), texture = texture_name(source, mesh);
   if (is_called_hair(material)) return fmt::format("its material is called '{}'", material);
-  if (is_called_adornment(material)) return "";
+  if (is_called_adornment(material) || has_hair_beside(source, mesh)) return "";
   if (is_called_hair(mesh.name)) return "its name says so";
   if (!is_called_adornment(mesh.name) && is_called_hair(texture)) {
     return fmt::format("its texture is called '{}'", texture);

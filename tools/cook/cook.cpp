@@ -14,6 +14,7 @@
 #include "cook/smooth_normals.h"
 #include "cook/sort_patches.h"
 #include "cook/split_shells.h"
+#include "cook/spring_colliders.h"
 #include "cook/strand_direction.h"
 #include "cook/weld.h"
 #include "payload_hash.h"
@@ -31,6 +32,7 @@
 namespace coif {
 namespace {
 
+constexpr double kBackwards = 0.5;     ///< Share of the mean strand along -Z.
 constexpr double kWidestPatch = 0.75;  ///< Of the head's radius: what hides its own back half cannot be sorted as one.
 
 /// Runs passes one after the other, announces each and notes its time.
@@ -115,6 +117,14 @@ StrandField find_strands(const SourceModel& source, const Recipe& recipe, const 
   return find_strand_direction(mesh, place, parts.extracted.patches, parts.head, strands);
 }
 
+/// Hair hangs. Where nearly all of it runs straight backwards the file was more likely written with Z up.
+void warn_of_up_axis(const StrandField& strands, CookReport& report) {
+  if (strands.mean.z() > -kBackwards || strands.mean.y() < -0.5 * kBackwards) return;
+  report.warnings.push_back(
+      "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
+      "\"source.up_axis\": \"z\" in the recipe");
+}
+
 /// Splits patches that are too wide to be drawn at once; their parts get vertices of their own.
 ShellSplit divide_shells(const Recipe& recipe, CookedParts& parts) {
   HairMesh& mesh = parts.selected.mesh;
@@ -124,6 +134,24 @@ ShellSplit divide_shells(const Recipe& recipe, CookedParts& parts) {
   const std::vector<std::uint32_t> original = separate_patches(mesh, parts.extracted.patches);
   parts.strands.append_copies(original);
   return split;
+}
+
+/// The file's own colliders where its springs use any that the head carries, else the head as fitted.
+Colliders settle_colliders(const SourceModel& source, const Recipe& recipe, const CookedParts& parts,
+                           CookReport& report) {
+  Colliders colliders = head_colliders(parts.head, parts.skeleton, recipe);
+  if (recipe.dynamics_source != "curves" && recipe.head_shape == "auto" && !parts.head.declared) {
+    SpringColliders springs = spring_colliders(source, parts.head_bone.node, parts.skeleton);
+    append(report.left_out, springs.left_out);
+    if (!springs.colliders.shapes.empty()) {
+      colliders = std::move(springs.colliders);
+      report.notes.push_back(
+          fmt::format("colliders: {} of the file's spring bones on the head", colliders.shapes.size()));
+    }
+  }
+  drop_colliders_out_of_reach(parts.skeleton, colliders);
+  report_rest_penetration(parts.skeleton, colliders);
+  return colliders;
 }
 
 bool wants_fitted_chains(const Skeleton& skeleton, const Recipe& recipe) {
@@ -142,8 +170,7 @@ tl::expected<void, ToolError> rig(const SourceModel& source, const Recipe& recip
     return {};
   }
   FittedRig fitted = timed("chains", [&] {
-    return fit_chains(source, mesh, parts.strands, parts.head,
-                      head_alone(source, parts.head_bone), recipe);
+    return fit_chains(source, mesh, parts.strands, parts.head, head_alone(source, parts.head_bone), recipe);
   });
   parts.skeleton = std::move(fitted.skeleton);
   parts.weights = std::move(fitted.weights);
@@ -174,13 +201,10 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
   });
   timed("normals", [&] { return complete_normals(mesh, recipe.patch_weld_distance); });
   parts.strands = timed("strands", [&] { return find_strands(source, recipe, settings, parts); });
+  warn_of_up_axis(parts.strands, report);
   parts.split = timed("shells", [&] { return divide_shells(recipe, parts); });
   if (auto ok = rig(source, recipe, timed, report, parts); !ok) return tl::unexpected(ok.error());
-  parts.colliders = timed("colliders", [&] {
-    Colliders colliders = head_colliders(parts.head, parts.skeleton, recipe);
-    drop_colliders_out_of_reach(parts.skeleton, colliders);
-    return colliders;
-  });
+  parts.colliders = timed("colliders", [&] { return settle_colliders(source, recipe, parts, report); });
   parts.dynamics = timed("dynamics", [&] { return bake_dynamics(source, parts.skeleton, recipe); });
   parts.order = timed("order", [&] { return sort_patches(mesh, parts.extracted.patches, parts.head.center); });
   auto textures =
@@ -196,6 +220,9 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   pack_skeleton(parts.skeleton, parts.colliders, contents);
   pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = parts.dynamics.records;
+  for (std::size_t b = 0; b < parts.colliders.hit_radius.size() && b < contents.dynamics.size(); ++b) {
+    contents.dynamics[b].hit_radius = float(parts.colliders.hit_radius[b]);
+  }
   contents.material = {pack_material(parts.base_color, parts.textures.transparency, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);

@@ -111,6 +111,24 @@ std::vector<bool> find_hair_bones(const SourceModel& source) {
   return hair;
 }
 
+std::vector<bool> find_carriers(const SourceModel& source) {
+  static const Names face{"*eye*",   "*lid*",    "*brow*",  "*blink*",   "*lash*",  "*jaw*",      "*lip*",
+                          "*mouth*", "*tongue*", "*nose*",  "*cheek*",   "*chin*",  "*masseter*", "*ear",
+                          "*ear.?",  "*ear_?",   "*teeth*", "*caninus*", "*facial*"};
+  const std::vector<bool> hair = find_hair_bones(source);
+  const bool has_hair_bones = std::ranges::count(hair, true) > 0;
+  std::vector<bool> carries = hair;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    const std::uint32_t parent = source.nodes[n].parent;
+    if (parent != kNoIndex && hair[n] == false && carries[parent] && has_hair_bones) carries[n] = true;
+    if (!has_hair_bones) carries[n] = !matches_any(source.nodes[n].name, face);
+  }
+  for (std::size_t n = source.nodes.size(); n-- > 0;) {
+    if (carries[n] && has_hair_bones && source.nodes[n].parent != kNoIndex) carries[source.nodes[n].parent] = true;
+  }
+  return carries;
+}
+
 std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceMesh& mesh, const MeshPieces& pieces,
                                         const std::vector<bool>& hair_bones, std::uint32_t head_node) {
   std::vector<PieceEvidence> evidence(pieces.count);

@@ -28,6 +28,10 @@ namespace coif {
 /// without one.
 [[nodiscard]] std::uint32_t guess_head_node(const SourceModel& source);
 
+/// Per node, false for what below a head carries something else than hair: eyes, lids, lips, jaw. Where the file has hair
+/// bones, only those, what is above them and what is below them carry hair.
+[[nodiscard]] std::vector<bool> find_carriers(const SourceModel& source);
+
 /// What is known of one connected piece.
 struct PieceEvidence {
   std::size_t triangles = 0;

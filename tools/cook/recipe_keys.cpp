@@ -45,8 +45,8 @@ const RecipeKey kKeys[] = {
    "triangles are one patch when they share a texture island, vertices (index) or places; auto: what does not shatter"},
   {"patches", "widest", &R::patch_widest, "0", 0, 100, nullptr, "m",
    "patches wider than this across their strands are cut along them; 0: three quarters of the head's radius"},
-  {"patches", "weld_distance", &R::patch_weld_distance, "1e-5", 0, 0.01, nullptr, "m",
-   "vertices closer than this are at one place"},
+  {"patches", "weld_distance", &R::patch_weld_distance, "0", 0, 0.01, nullptr, "m",
+   "vertices closer than this are at one place; 0: a 50,000th of the hair's size"},
 
   {"strands", "root", &R::strand_root, "\"auto\"", 0, 0, "auto|low_u|high_u|low_v|high_v", "",
    "side of the texture where the roots are; auto: found for each patch ('coif render --component direction' shows it)"},

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 namespace coif {
 namespace {
@@ -106,14 +105,6 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, SelectedHai
   return gathered;
 }
 
-void warn_of_materials(const SourceModel& source, SelectedHair& result) {
-  std::set<std::uint32_t> materials;
-  for (std::uint32_t m : result.meshes) materials.insert(source.meshes[m].material);
-  if (materials.size() <= 1 || result.mesh.material == kNoIndex) return;
-  result.warnings.push_back(fmt::format("the hair has {} materials; the asset keeps that with most triangles ('{}')",
-                                        materials.size(), source.materials[result.mesh.material].name));
-}
-
 void merge_faces(const Recipe& recipe, SelectedHair& result) {
   const std::vector<std::uint32_t> place = weld_places(result.mesh.positions, recipe.patch_weld_distance);
   const MergedFaces merged = merge_back_faces(result.mesh, place);
@@ -145,7 +136,6 @@ tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, con
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, why)});
   }
   result.mesh.material = main_material(source, gathered.taken);
-  warn_of_materials(source, result);
   merge_faces(recipe, result);
   weld_vertices(result.mesh);
   return result;

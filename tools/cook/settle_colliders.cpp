@@ -10,6 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestShare = 0.5;  ///< A head that has to shrink further was not the head.
+constexpr double kTouching = 1.0e-5;    ///< Metres: a fitted head ends where the first particle is.
 constexpr double kStretch = 0.5;        ///< Algorithm 1 stretches up to this on hard motion (NUMERICS: 25 to 50 %).
 
 /// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
@@ -54,6 +55,18 @@ double distance_at_least(const HeadCollider& shape, const Vector3d& point) {
   return 0;
 }
 
+/// How deep a particle with this hit radius is in the shape, metres; negative or zero outside of it.
+double depth_inside(const HeadCollider& shape, const Vector3d& particle, double radius) {
+  if (shape.shape == ColliderShape::kEllipsoid) {
+    const Vector3d radii = shape.radii.array() + radius;
+    const Vector3d from = particle - shape.center;
+    const double scaled = from.cwiseQuotient(radii).norm();
+    return scaled > 0 ? from.norm() * (1 / scaled - 1) : radii.minCoeff();
+  }
+  const double distance = distance_at_least(shape, particle);
+  return shape.keeps_inside ? distance + radius : radius - distance;
+}
+
 bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {
   // Whoever is kept inside may touch the shell from anywhere.
   return shape.keeps_inside || distance_at_least(shape, root) <= reach;
@@ -96,6 +109,35 @@ void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders)
       colliders.of_bone[b] &= ~(1u << c);
     }
   }
+}
+
+void report_rest_penetration(const Skeleton& skeleton, Colliders& colliders) {
+  std::size_t colliding = 0, inside = 0;
+  double deepest = 0;
+  std::string where;
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    colliding += colliders.of_bone[b] != 0 ? 1 : 0;
+    const double radius = colliders.hit_radius.empty() ? 0 : colliders.hit_radius[b];
+    double depth = 0;
+    for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
+      if (!(colliders.of_bone[b] >> c & 1)) continue;
+      depth = std::max(depth, depth_inside(colliders.shapes[c], skeleton.bones[b].tail, radius));
+    }
+    if (depth <= kTouching) continue;
+    ++inside;
+    if (depth <= deepest) continue;
+    deepest = depth;
+    where = skeleton.bones[b].name;
+  }
+  if (skeleton.simulated_count() > 0) {
+    colliders.notes.push_back(fmt::format("{} of {} simulated bones can reach a collider; {} inside one at rest",
+                                          colliding, skeleton.simulated_count(), inside));
+  }
+  if (inside == 0 || !colliders.warnings.empty()) return;
+  colliders.warnings.push_back(
+      fmt::format("{} bones are inside a collider at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
+                  "pose: make the collider or the hit radius smaller, or set \"head.shape\" in the recipe",
+                  inside, where, 1000 * deepest));
 }
 
 }  // namespace coif

@@ -37,4 +37,8 @@ struct Colliders {
 /// bones between are long, and stretch of kStretch on top of that.
 void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders);
 
+/// Says how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius, with
+/// the greatest depth: they will be pushed out of the modelled pose.
+void report_rest_penetration(const Skeleton& skeleton, Colliders& colliders);
+
 }  // namespace coif

@@ -167,6 +167,17 @@ void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& 
   write_tangents(mesh, view, axis.texture_axis, field);
 }
 
+Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tangents) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto weight = double(doubled_area(mesh, i / 3 * 3));
+    sum += weight * tangents[mesh.triangles[i]].cast<double>();
+    area += weight;
+  }
+  return area > 0 ? Eigen::Vector3d(sum / area) : sum;
+}
+
 void turn_round(const PatchView& view, StrandField& field) {
   for (std::uint32_t v : view.vertices) {
     field.place[v] = 1 - field.place[v];
@@ -178,6 +189,7 @@ void turn_round(const PatchView& view, StrandField& field) {
 
 StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
                                   const FittedHead& head, const StrandSettings& settings) {
+  const DeclaredRoot declared = declared_root(settings.root);
   StrandField field;
   field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
   field.place.assign(mesh.positions.size(), 0.0f);
@@ -203,6 +215,7 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
     sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
     unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
   }
+  field.mean = mean_tangent(mesh, field.tangent);
   field.along_u = common == 0 && !mesh.uvs.empty();
   field.reason =
       fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,

@@ -13,6 +13,7 @@ struct StrandField {
   std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
   std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
   bool along_u = false;                  ///< In the texture most patches run along U, not V.
+  Eigen::Vector3d mean{0, 0, 0};         ///< Of the tangents, by area; length 1 where all are the same.
   std::string reason;                    ///< How roots were told from tips, for the report.
 
   /// Follows the mesh when vertices equal to `originals` were appended.

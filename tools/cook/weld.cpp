@@ -3,6 +3,8 @@
 #include "cook/disjoint_sets.h"
 #include "payload_hash.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -23,6 +25,14 @@ struct CellHash {
 Cell cell_of(const Eigen::Vector3f& position, double size) {
   const auto index = [&](float v) { return std::int64_t(std::floor(double(v) / size)); };
   return {index(position.x()), index(position.y()), index(position.z())};
+}
+
+constexpr double kWeldShare = 2.0e-5;  ///< Far above single precision, far below what an artist models.
+
+double diagonal_of(std::span<const Eigen::Vector3f> positions) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : positions) box.extend(p);
+  return positions.empty() ? 0 : double(box.diagonal().norm());
 }
 
 /// The attributes of one vertex as bytes, -0 written as 0.
@@ -60,8 +70,8 @@ void copy_vertex(const HairMesh& from, std::uint32_t v, HairMesh& to) {
 
 std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> positions, double distance) {
   // Cells of the weld distance: neighbours within it lie in the same or an adjacent cell.
-  const double size = std::max(distance, 1.0e-7);
-  const float limit = float(distance * distance);
+  const double size = std::max(distance > 0 ? distance : kWeldShare * diagonal_of(positions), 1.0e-7);
+  const float limit = float(size * size);
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
   cells.reserve(positions.size());
   DisjointSets sets(positions.size());

@@ -83,7 +83,8 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
         fmt::format("{}: no usable triangles; convert curves and hair particles to polygon strips before the export",
                     model.path)});
   }
-  warn_of_implausible_height(model, suffix.format);
+  if (suffix.format == SourceFormat::kObj && !settings.metres_per_unit) guess_unit(model);
+  warn_of_implausible_height(model);
   return model;
 }
 

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace coif {
 namespace {
 
-constexpr double kShortest = 0.05;         // metres; a doll's fringe
-constexpr double kTallest = 10.0;          // a giant
-constexpr double kTallestWithoutUnit = 3;  // OBJ hair in decimetres is about 4 to 8 units high
+constexpr double kShortest = 0.05;  // metres; a doll's fringe
+constexpr double kTallest = 10.0;   // a giant
+constexpr double kDeepest = 0.75;   // metres, of a head of hair or of a body, whichever way it faces
+constexpr double kFlat = 0.05;      // share of the longest size; thinner is a card, and says nothing
 
 std::optional<double> number(const aiMetadata* metadata, const char* key) {
   if (metadata == nullptr) return std::nullopt;
@@ -71,6 +71,14 @@ double unit_in_root(const aiScene& scene) {
   return std::isfinite(unit) && unit > 0 ? unit : 1.0;
 }
 
+Eigen::AlignedBox3f box_of(const SourceModel& model) {
+  Eigen::AlignedBox3f box;
+  for (const SourceMesh& mesh : model.meshes) {
+    for (const Eigen::Vector3f& position : mesh.positions) box.extend(position);
+  }
+  return box;
+}
+
 }  // namespace
 
 Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format, const ImportSettings& settings,
@@ -87,22 +95,30 @@ Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format, cons
   return model_from_scene;
 }
 
-void warn_of_implausible_height(SourceModel& model, SourceFormat format) {
-  float low = std::numeric_limits<float>::max();
-  float high = std::numeric_limits<float>::lowest();
-  for (const SourceMesh& mesh : model.meshes) {
-    for (const Eigen::Vector3f& position : mesh.positions) {
-      low = std::min(low, position.y());
-      high = std::max(high, position.y());
-    }
+void guess_unit(SourceModel& model) {
+  const Eigen::Vector3d size = box_of(model).sizes().cast<double>();
+  const double depth = std::min(size.x(), size.z());
+  if (!(depth > kFlat * size.maxCoeff())) return;
+  double unit = 1;
+  while (unit > 0.0015 && depth * unit > kDeepest) unit /= 10;
+  if (unit == 1) return;
+  for (SourceMesh& mesh : model.meshes) {
+    for (Eigen::Vector3f& position : mesh.positions) position *= float(unit);
   }
-  const double height = double(high) - double(low);
-  const double tallest = format == SourceFormat::kObj ? kTallestWithoutUnit : kTallest;
-  if (height >= kShortest && height <= tallest) return;
-  model.warnings.push_back(fmt::format(
-      "the model is {:.4g} m tall{}; if that is wrong, set \"source.metres_per_unit\" (and \"source.up_axis\") "
-      "in the recipe",
-      height, format == SourceFormat::kObj ? ", taking OBJ units as metres" : ""));
+  for (SourceNode& node : model.nodes) node.model_from_node.translation() *= unit;
+  model.warnings.push_back(
+      fmt::format("OBJ has no unit; a model {:.4g} units deep is taken as one of {:.3g} m ({} m per unit): set "
+                  "\"source.metres_per_unit\" in the recipe if that is wrong",
+                  depth, depth * unit, unit));
+}
+
+void warn_of_implausible_height(SourceModel& model) {
+  const double height = double(box_of(model).sizes().y());
+  if (height >= kShortest && height <= kTallest) return;
+  model.warnings.push_back(
+      fmt::format("the model is {:.4g} m tall; if that is wrong, set \"source.metres_per_unit\" (and "
+                  "\"source.up_axis\") in the recipe",
+                  height));
 }
 
 }  // namespace coif
