@@ -4,10 +4,8 @@
 #include "cook/mesh_edges.h"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include <numeric>
-#include <tuple>
 
 namespace coif {
 namespace {
@@ -62,54 +60,21 @@ bool same_coordinates(const HairMesh& mesh, const Ends& a, const Ends& b) {
          (mesh.uvs[a.high] - mesh.uvs[b.high]).cwiseAbs().maxCoeff() <= kSameCoordinate;
 }
 
-Eigen::Vector3f normal_of(const HairMesh& mesh, std::uint32_t t) {
-  const Eigen::Vector3f& a = mesh.positions[mesh.triangles[3 * t]];
-  return (mesh.positions[mesh.triangles[3 * t + 1]] - a)
-      .cross(mesh.positions[mesh.triangles[3 * t + 2]] - a)
-      .stableNormalized();
-}
-
-/// How well one triangle continues the other over the edge, -2..2: smooth, and wound the same way.
-float continuation(const HairMesh& mesh, std::span<const std::uint32_t> place, const EdgeUse& a, const EdgeUse& b) {
-  const bool a_ascends =
-      place[mesh.triangles[3 * a.triangle + a.side]] < place[mesh.triangles[3 * a.triangle + (a.side + 1) % 3]];
-  const bool b_ascends =
-      place[mesh.triangles[3 * b.triangle + b.side]] < place[mesh.triangles[3 * b.triangle + (b.side + 1) % 3]];
-  return normal_of(mesh, a.triangle).dot(normal_of(mesh, b.triangle)) + (a_ascends != b_ascends ? 1.0f : -1.0f);
-}
-
-/// Strips that stand on one edge with the same texture coordinates: each goes on in the one that continues it best.
-void unite_best_pairs(const HairMesh& mesh, std::span<const std::uint32_t> place, std::vector<EdgeUse> uses,
-                      DisjointSets& sets) {
-  while (uses.size() >= 2) {
-    std::size_t best_a = 0, best_b = 1;
-    float best = -3;
-    for (std::size_t a = 0; a < uses.size(); ++a) {
-      for (std::size_t b = a + 1; b < uses.size(); ++b) {
-        const float score = continuation(mesh, place, uses[a], uses[b]);
-        if (score > best) std::tie(best, best_a, best_b) = std::tuple(score, a, b);
-      }
-    }
-    sets.unite(uses[best_a].triangle, uses[best_b].triangle);
-    uses.erase(uses.begin() + std::ptrdiff_t(best_b));
-    uses.erase(uses.begin() + std::ptrdiff_t(best_a));
-  }
-}
-
 PatchSet group_by_islands(const HairMesh& mesh, std::span<const std::uint32_t> place) {
-  constexpr std::size_t kMostOnAnEdge = 16;  ///< More are a hedgehog, not hair; comparing all pairs would be quadratic.
+  constexpr std::size_t kMostCharts = 16;  ///< On one edge; more are a hedgehog, and comparing all would be quadratic.
   DisjointSets sets(mesh.triangle_count());
+  std::vector<EdgeUse> charts;  ///< One use for each pair of texture coordinates that meets at the edge.
   for_each_edge(sorted_edges(mesh.triangles, place), [&](std::span<const EdgeUse> uses) {
-    std::vector<EdgeUse> open(uses.begin(), uses.begin() + std::ptrdiff_t(std::min(uses.size(), kMostOnAnEdge)));
-    while (!open.empty()) {
-      const Ends first = ends_of(mesh, place, open.front());
-      std::vector<EdgeUse> same;
-      std::erase_if(open, [&](const EdgeUse& use) {
-        const bool fits = same_coordinates(mesh, first, ends_of(mesh, place, use));
-        if (fits) same.push_back(use);
-        return fits;
-      });
-      unite_best_pairs(mesh, place, std::move(same), sets);
+    charts.clear();
+    for (const EdgeUse& use : uses) {
+      const Ends ends = ends_of(mesh, place, use);
+      const auto same = std::ranges::find_if(
+          charts, [&](const EdgeUse& chart) { return same_coordinates(mesh, ends, ends_of(mesh, place, chart)); });
+      if (same != charts.end()) {
+        sets.unite(same->triangle, use.triangle);
+      } else if (charts.size() < kMostCharts) {
+        charts.push_back(use);
+      }
     }
   });
   return number_sets(sets, mesh.triangle_count());

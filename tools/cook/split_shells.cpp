@@ -2,6 +2,7 @@
 
 #include "cook/disjoint_sets.h"
 #include "cook/mesh_edges.h"
+#include "cook/strand_axis.h"
 
 #include <Eigen/Geometry>
 
@@ -50,18 +51,24 @@ std::size_t section_of(const HairMesh& mesh, const StrandField& strands, std::ui
   return std::min(kSections - 1, std::size_t(std::max(0.0f, place) * float(kSections)));
 }
 
-/// Offset from the strand line through the section: what is left of a point without its part along the tangent would need
-/// a centre, so sections are measured as they are; their own length is taken off.
-Vector3f across(const HairMesh& mesh, const StrandField& strands, std::uint32_t t, const Vector3f& origin) {
-  Vector3f tangent = Vector3f::Zero();
-  for (std::size_t k = 0; k < 3; ++k) tangent += strands.tangent[mesh.triangles[3 * t + k]];
-  const Vector3f from = middle_of(mesh, t) - origin;
-  if (tangent.norm() < 1.0e-6f) return from;
-  tangent.normalize();
-  return from - tangent * tangent.dot(from);
+/// Unit direction of the strands in each triangle, zero where unknown. From the place along the strand rather than from
+/// tangents, which depend on normals: the same hair from another exporter is to be cut in the same way.
+std::vector<Vector3f> directions_of(const HairMesh& mesh, const StrandField& strands) {
+  std::vector<Vector3f> directions;
+  directions.reserve(mesh.triangle_count());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    directions.push_back(gradient(mesh, 3 * t, strands.place).stableNormalized());
+  }
+  return directions;
 }
 
-/// First vertex of each section, per patch: where offsets of that section are measured from.
+/// The part of a triangle's offset from `origin` that is across the strands.
+Vector3f across(const HairMesh& mesh, const Vector3f& direction, std::uint32_t t, const Vector3f& origin) {
+  const Vector3f from = middle_of(mesh, t) - origin;
+  return from - direction * direction.dot(from);
+}
+
+/// Middle of each section, per patch: where offsets of that section are measured from.
 using Origins = std::vector<std::array<Vector3f, kSections>>;
 
 Origins section_origins(const HairMesh& mesh, const StrandField& strands, const PatchSet& patches) {
@@ -85,11 +92,12 @@ Origins section_origins(const HairMesh& mesh, const StrandField& strands, const 
 std::vector<Extent> extents_of(const HairMesh& mesh, const StrandField& strands, const PatchSet& patches,
                                std::span<const std::uint32_t> group_of, std::size_t groups) {
   const Origins origins = section_origins(mesh, strands, patches);
+  const std::vector<Vector3f> directions = directions_of(mesh, strands);
   std::vector<Extent> extents(groups);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     if (group_of[t] == kNoIndex) continue;
     const std::size_t s = section_of(mesh, strands, t);
-    extents[group_of[t]].boxes[s].extend(across(mesh, strands, t, origins[patches.patch_of[t]][s]));
+    extents[group_of[t]].boxes[s].extend(across(mesh, directions[t], t, origins[patches.patch_of[t]][s]));
   }
   return extents;
 }
@@ -107,11 +115,12 @@ bool is_diagonal(const HairMesh& mesh, std::span<const EdgeUse> uses) {
   });
 }
 
-bool runs_along_strand(const HairMesh& mesh, const StrandField& strands, const EdgeUse& use) {
+bool runs_along_strand(const HairMesh& mesh, std::span<const Vector3f> directions, std::span<const EdgeUse> uses) {
+  const EdgeUse& use = uses[0];
   const std::uint32_t a = mesh.triangles[3 * use.triangle + use.side];
   const std::uint32_t b = mesh.triangles[3 * use.triangle + (use.side + 1) % 3];
   const Vector3f edge = (mesh.positions[b] - mesh.positions[a]).normalized();
-  const Vector3f strand = strands.tangent[a] + strands.tangent[b];
+  const Vector3f strand = directions[uses[0].triangle] + directions[uses[1].triangle];
   return std::abs(edge.dot(strand)) > kAlongStrand * strand.norm();
 }
 
@@ -197,12 +206,13 @@ struct Ribbons {
 /// Rows of quads along the strands, inside the patches that are shells.
 Ribbons find_ribbons(const HairMesh& mesh, std::span<const std::uint32_t> place, const StrandField& strands,
                      const PatchSet& patches, const std::vector<bool>& is_shell) {
+  const std::vector<Vector3f> directions = directions_of(mesh, strands);
   DisjointSets sets(mesh.triangle_count());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   for_each_edge(sorted_edges(mesh.triangles, place), [&](std::span<const EdgeUse> uses) {
     const std::uint32_t patch = patches.patch_of[uses[0].triangle];
     if (uses.size() != 2 || patches.patch_of[uses[1].triangle] != patch || !is_shell[patch]) return;
-    if (is_diagonal(mesh, uses) || !runs_along_strand(mesh, strands, uses[0])) {
+    if (is_diagonal(mesh, uses) || !runs_along_strand(mesh, directions, uses)) {
       sets.unite(uses[0].triangle, uses[1].triangle);
     } else {
       sides.emplace_back(uses[0].triangle, uses[1].triangle);

@@ -122,6 +122,17 @@ float texture_preference(const HairMesh& mesh, const PatchView& patch) {
   return difference >= 0 ? std::max(difference, 1.0e-6f) : difference;
 }
 
+Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> coordinate) {
+  const Vector3f& a = mesh.positions[mesh.triangles[t]];
+  const Vector3f e1 = mesh.positions[mesh.triangles[t + 1]] - a, e2 = mesh.positions[mesh.triangles[t + 2]] - a;
+  const Vector3f normal = e1.cross(e2);
+  const float square = normal.squaredNorm();
+  if (!(square > 0)) return Vector3f::Zero();
+  const float d1 = coordinate[mesh.triangles[t + 1]] - coordinate[mesh.triangles[t]];
+  const float d2 = coordinate[mesh.triangles[t + 2]] - coordinate[mesh.triangles[t]];
+  return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
+}
+
 StrandAxis strand_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& patch,
                        int texture_axis) {
   StrandAxis axis;

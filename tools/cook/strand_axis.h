@@ -17,6 +17,9 @@ struct StrandAxis {
 /// Direction of growth of U and V over the triangle at `t`: dp/du and dp/dv, metres per texture; zero without an inverse.
 [[nodiscard]] std::array<Eigen::Vector3f, 2> texture_axes(const HairMesh& mesh, std::size_t t);
 
+/// Direction in which a coordinate per vertex grows over the triangle at `t`, per metre; zero without area.
+[[nodiscard]] Eigen::Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> coordinate);
+
 /// How much longer the patch is along V than along U, -1..1; 0 where texture coordinates are of no use: most of the area
 /// is in one spot of the texture, as with palettes.
 [[nodiscard]] float texture_preference(const HairMesh& mesh, const PatchView& patch);

@@ -121,18 +121,6 @@ std::vector<float> settle_beliefs(std::span<const float> scores,
   return belief;
 }
 
-/// Direction in which the coordinate grows over one triangle.
-Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> coordinate) {
-  const Vector3f& a = mesh.positions[mesh.triangles[t]];
-  const Vector3f e1 = mesh.positions[mesh.triangles[t + 1]] - a, e2 = mesh.positions[mesh.triangles[t + 2]] - a;
-  const Vector3f normal = e1.cross(e2);
-  const float square = normal.squaredNorm();
-  if (!(square > 0)) return Vector3f::Zero();
-  const float d1 = coordinate[mesh.triangles[t + 1]] - coordinate[mesh.triangles[t]];
-  const float d2 = coordinate[mesh.triangles[t + 2]] - coordinate[mesh.triangles[t]];
-  return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
-}
-
 /// Where the strands run on the whole: from the middle of its first half to that of its second.
 Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::span<const float> place) {
   Vector3f sum = Vector3f::Zero(), mean = Vector3f::Zero();
