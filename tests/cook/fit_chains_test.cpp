@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace coif {
 namespace {
@@ -158,6 +160,15 @@ TEST(FitChains, EndOfATailBehindARibbonHangsFromTheTail) {
   const FittedWig wig = fit_wig({upper, lower});
   ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
   EXPECT_NEAR(wig.joints(0).back().y(), 1.6 - 0.62, 0.01);
+}
+
+TEST(FitChains, StrandsThatPartAndAreTiedAgainAreOneChainToTheEnd) {
+  SourceMesh straight = make_tail(180, 0.3f), bulging = straight, below = straight;
+  for (auto& p : bulging.positions) p.z() -= 0.12f * std::sin((1.6f - p.y()) / 0.3f * std::numbers::pi_v<float>);
+  for (auto& p : below.positions) p.y() -= 0.3f;
+  const FittedWig wig = fit_wig({straight, bulging, below});
+  ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
+  EXPECT_NEAR(wig.joints(0).back().y(), 1.0, 0.02);
 }
 
 TEST(FitChains, MirroredModelGetsMirroredChains) {
