@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -76,6 +78,17 @@ TEST(FitChains, TwoSeparateTailsGetTwoChainsNamedBySide) {
   EXPECT_EQ(wig.rig.skeleton.bones[wig.rig.skeleton.chains[1].first_bone].name, "right_1_1");
   EXPECT_GT(wig.joints(0).front().x(), 0.09);
   EXPECT_LT(wig.joints(1).front().x(), -0.09);
+}
+
+TEST(FitChains, NamesSayWhereOnTheHead) {
+  const std::vector<std::pair<double, std::string>> sides = {
+      {0, "front"},  {45, "front_left"},   {90, "left"},   {135, "back_left"},
+      {180, "back"}, {-135, "back_right"}, {-90, "right"}, {-45, "front_right"}};
+  for (const auto& [degrees, side] : sides) {
+    const FittedWig wig = fit_wig({make_tail(degrees, 0.3f)});
+    ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u) << degrees;
+    EXPECT_EQ(wig.rig.skeleton.bones[1].name, side + "_1_1");
+  }
 }
 
 TEST(FitChains, ManyCardsOfOnePonyTailAreOneChain) {

@@ -16,6 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kCellSize = 0.06;  ///< Of the head's radius: hair nearer than this moves together.
+constexpr double kTop = 0.85;       ///< Height of a direction from the head's centre that is neither side nor end.
+constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directions around the head.
 constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
 
 /// Triangles of meshes and materials that the recipe gives chains.
@@ -60,9 +62,13 @@ std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<
 /// and there front is back and left is right).
 std::string side_of(const Vector3d& start, const FittedHead& head) {
   const Vector3d from = (start - head.center).normalized();
-  if (from.y() > 0.85) return "top";
-  if (std::abs(from.x()) > std::abs(from.z())) return from.x() > 0 ? "left" : "right";
-  return from.z() > 0 ? "front" : "back";
+  if (from.y() > kTop) return "top";
+  const double across = std::abs(from.x()), along = std::abs(from.z());
+  const char* side = from.x() > 0 ? "left" : "right";
+  const char* end = from.z() > 0 ? "front" : "back";
+  if (along < kDiagonal * across) return side;
+  if (across < kDiagonal * along) return end;
+  return fmt::format("{}_{}", end, side);
 }
 
 struct FittedChain {

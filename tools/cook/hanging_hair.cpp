@@ -9,7 +9,7 @@
 namespace coif {
 namespace {
 
-constexpr double kOnScalp = 0.08;      ///< Of the head's radius: hair this close to it does not swing.
+constexpr double kOnScalp = 0.25;      ///< Of the head's radius: hair this close to it does not swing.
 constexpr double kThickestHair = 0.5;  ///< Of the radius: what stands off further is no longer a layer on the skull.
 constexpr double kUpperPart = 0.3;     ///< Of the radius above the centre: there hair lies on the skull, if anywhere.
 constexpr double kAcross = 1.0;        ///< Extra length of a way across the strands, as a share of it.
