@@ -22,27 +22,53 @@ struct Front {
   auto operator<=>(const Front&) const = default;
 };
 
-/// The nearest locks of each cell over connected hair, those within `blend` of the nearest.
-std::vector<LockShares> near_locks(const HairCells& cells, std::span<const HairLock> locks, double blend) {
-  std::vector<LockShares> near(cells.count());
-  std::priority_queue<Front, std::vector<Front>, std::greater<>> queue;
-  for (std::uint32_t l = 0; l < locks.size(); ++l) {
-    for (std::uint32_t c : locks[l].cells) queue.push({0, c, l});
-    for (std::uint32_t c : locks[l].ways) queue.push({0, c, l});
-  }
-  while (!queue.empty()) {
-    const Front front = queue.top();
-    queue.pop();
-    LockShares& here = near[front.cell];
-    if (here.size() >= kMostLocks || std::ranges::find(here, front.lock, &LockShare::lock) != here.end()) continue;
-    if (!here.empty() && front.distance > here.front().share + blend) continue;
-    here.push_back({front.lock, front.distance});
-    for (const CellLink& link : cells.links_of(front.cell)) {
-      if (front.distance + link.length <= blend) queue.push({front.distance + link.length, link.to, front.lock});
+/// The nearest locks of each cell over connected hair, nearest first, those within `blend` of the nearest.
+class NearLocks {
+ public:
+  NearLocks(const HairCells& cells, std::span<const HairLock> locks, double blend)
+      : cells_(cells), blend_(blend), near_(cells.count()) {
+    for (std::uint32_t l = 0; l < locks.size(); ++l) {
+      for (std::uint32_t c : locks[l].cells) settle({0, c, l});
+      for (std::uint32_t c : locks[l].ways) settle({0, c, l});
+    }
+    for (std::uint32_t c = 0; c < cells.count(); ++c) {
+      for (const LockShare& own : near_[c]) spread({0, c, own.lock});
+    }
+    while (!queue_.empty()) {
+      const Front front = queue_.top();
+      queue_.pop();
+      if (settle(front)) spread(front);
     }
   }
-  return near;
-}
+
+  std::vector<LockShares> take() && { return std::move(near_); }
+
+ private:
+  /// Whether a lock at this distance still counts in a cell.
+  [[nodiscard]] bool is_wanted(const Front& front) const {
+    const LockShares& here = near_[front.cell];
+    if (front.distance > blend_ + (here.empty() ? 0 : here.front().share) || here.size() >= kMostLocks) return false;
+    return std::ranges::find(here, front.lock, &LockShare::lock) == here.end();
+  }
+
+  bool settle(const Front& front) {
+    if (!is_wanted(front)) return false;
+    near_[front.cell].push_back({front.lock, front.distance});
+    return true;
+  }
+
+  void spread(const Front& front) {
+    for (const CellLink& link : cells_.links_of(front.cell)) {
+      const Front next{front.distance + link.length, link.to, front.lock};
+      if (next.distance <= blend_ && is_wanted(next)) queue_.push(next);
+    }
+  }
+
+  const HairCells& cells_;
+  double blend_;
+  std::vector<LockShares> near_;
+  std::priority_queue<Front, std::vector<Front>, std::greater<>> queue_;
+};
 
 void normalize(LockShares& shares) {
   double sum = 0;
@@ -51,7 +77,7 @@ void normalize(LockShares& shares) {
 }
 
 std::vector<LockShares> lock_shares(const HairCells& cells, std::span<const HairLock> locks, double blend) {
-  std::vector<LockShares> shares = near_locks(cells, locks, blend);
+  std::vector<LockShares> shares = NearLocks(cells, locks, blend).take();
   for (LockShares& here : shares) {
     if (here.empty()) continue;
     const double nearest = here.front().share;
