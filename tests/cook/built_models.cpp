@@ -1,5 +1,7 @@
 #include "cook/built_models.h"
 
+#include <cmath>
+
 namespace coif {
 
 SourceMesh make_strip(const StripDesc& desc) {
@@ -18,6 +20,41 @@ SourceMesh make_strip(const StripDesc& desc) {
     mesh.triangles.insert(mesh.triangles.end(), {a, a + 2, a + 1, a + 1, a + 2, a + 3});
   }
   return mesh;
+}
+
+SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius) {
+  SourceMesh mesh;
+  mesh.name = "hair";
+  for (std::uint32_t row = 0; row <= rows; ++row) {
+    const float t = 2 * float(row) / float(rows), down = 0.1f + 1.47f * std::min(t, 1.0f);
+    const float hanging = 1.5f * radius * std::max(t - 1, 0.0f);
+    for (std::uint32_t column = 0; column <= columns; ++column) {
+      const float u = float(column) / float(columns), around = turn * u;
+      mesh.positions.emplace_back(radius * std::sin(down) * std::cos(around), 1.6f + radius * std::cos(down) - hanging,
+                                  radius * std::sin(down) * std::sin(around));
+      mesh.uvs.emplace_back(u, float(row) / float(rows));
+    }
+  }
+  const std::uint32_t width = columns + 1;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const std::uint32_t a = row * width + column, b = a + width;
+      mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, b, b, a + 1, b + 1});
+    }
+  }
+  return mesh;
+}
+
+void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node) {
+  const auto base = std::uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
+  for (std::uint32_t index : part.triangles) mesh.triangles.push_back(base + index);
+  if (mesh.influence_begin.empty()) return;
+  for (std::size_t v = 0; v < part.positions.size(); ++v) {
+    mesh.influences.push_back({node, 1.0f});
+    mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
+  }
 }
 
 HairMesh hair_from(const SourceMesh& source) {

@@ -20,6 +20,13 @@ struct StripDesc {
 /// The mesh as the cooker sees it, every vertex on node 0.
 [[nodiscard]] HairMesh hair_from(const SourceMesh& source);
 
+/// A sheet of `columns` by `rows` quads over `turn` radians: its upper half on a ball of `radius` metres around (0, 1.6, 0),
+/// from the crown down to the widest, its lower half hanging straight down from there. V is 0 at the crown, 1 at the edge.
+[[nodiscard]] SourceMesh make_cap(std::uint32_t columns, std::uint32_t rows, float turn, float radius = 0.1f);
+
+/// Appends `part` to `mesh`, not connected, moved by `node` alone where `mesh` has influences.
+void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node);
+
 /// One vertex per corner: what exporters make of flat shading.
 void split_vertices(SourceMesh& mesh);
 

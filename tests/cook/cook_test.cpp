@@ -62,11 +62,25 @@ TEST(Cook, AnyChangeOfTheRecipeChangesItsHash) {
   EXPECT_NE(cooked(make_wig()).asset, cooked(make_wig(), 1, recipe).asset);
 }
 
+TEST(Cook, HairWithoutBonesGetsChainsUnlessTheRecipeWantsNone) {
+  SourceModel model = make_wig();
+  model.meshes[0].influence_begin.clear();
+  model.meshes[0].influences.clear();
+  EXPECT_GT(cooked(model).report.simulated_bones, 0u);
+  Recipe recipe = default_recipe();
+  recipe.chain_source = "none";
+  EXPECT_EQ(cooked(model, 1, recipe).report.simulated_bones, 0u);
+  recipe.chain_source = "file";
+  EXPECT_EQ(cooked(model, 1, recipe).report.simulated_bones, 0u);
+}
+
 TEST(Cook, RigidHairLeavesDynamicsOut) {
   SourceModel model = make_wig();
   model.meshes[0].influence_begin.clear();
   model.meshes[0].influences.clear();
-  const CookResult result = cooked(model);
+  Recipe recipe = default_recipe();
+  recipe.chain_source = "file";
+  const CookResult result = cooked(model, 1, recipe);
   AlignedBytes file(result.asset);
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
@@ -92,7 +106,7 @@ TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
   model.meshes[0].material = 0;
   const CookResult result = cooked(model);
   ASSERT_EQ(result.report.warnings.size(), 1u);
-  EXPECT_NE(result.report.warnings[0].find("hair.png: no such file"), std::string::npos);
+  EXPECT_NE(result.report.warnings[0].find("no such file beside the source"), std::string::npos);
 }
 
 TEST(Cook, NumbersThatNoAssetMayHoldAreRefusedNotWritten) {

@@ -27,29 +27,20 @@ TEST(SelectHair, TakesWhatIsCalledHairAndSaysWhatItLeft) {
 
 TEST(SelectHair, TakesEverythingWhereNothingIsCalledHair) {
   SourceModel model = wig_with_body();
-  model.meshes[0].name = "tresses";
+  model.meshes[0].name = "thing";
+  for (SourceNode& node : model.nodes) node.name = "node";
   EXPECT_EQ(select_hair(model, default_recipe())->mesh.triangle_count(), 22u);
 }
 
 TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
   SourceModel model = make_wig();
-  // One mesh: the strip, and a body that follows the head, not connected to it.
-  SourceMesh& mesh = model.meshes[0];
-  const auto base = std::uint32_t(mesh.positions.size());
-  const SourceMesh body = make_strip({.root = {1, 1, 1}});
-  mesh.positions.insert(mesh.positions.end(), body.positions.begin(), body.positions.end());
-  mesh.uvs.insert(mesh.uvs.end(), body.uvs.begin(), body.uvs.end());
-  for (std::uint32_t index : body.triangles) mesh.triangles.push_back(base + index);
-  for (std::size_t v = 0; v < body.positions.size(); ++v) {
-    mesh.influences.push_back({1, 1.0f});
-    mesh.influence_begin.push_back(std::uint32_t(mesh.influences.size()));
-  }
+  append_piece(model.meshes[0], make_strip({.root = {1, 1, 1}}), 1);
   Recipe recipe = default_recipe();
   recipe.hair_bones = {"hair_*"};
   const auto hair = select_hair(model, recipe);
   ASSERT_TRUE(hair);
   EXPECT_EQ(hair->mesh.triangle_count(), 10u) << "the piece keeps its root, which follows the scalp";
-  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 8 triangles that no hair bone moves");
+  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 8 triangles of pieces that are not hair");
 }
 
 TEST(SelectHair, APatternThatMatchesNothingNamesWhatThereIs) {

@@ -1,20 +1,27 @@
 #include "cook/extract_patches.h"
 #include "cook/smooth_normals.h"
 #include "cook/strand_direction.h"
+#include "cook/weld.h"
 
 #include "cook/built_models.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coif {
 namespace {
 
-StrandField strands_of(HairMesh mesh) {
+StrandField strands_of(HairMesh mesh, const StrandSettings& given = {}) {
   complete_normals(mesh, 1.0e-5);
   FittedHead head;
   head.center = {0, 1.6, 0};
   head.radii = Eigen::Vector3d::Constant(0.09);
-  return find_strand_direction(mesh, extract_patches(mesh, {"index", 1.0e-5}).patches, head, 1);
+  const auto place = weld_places(mesh.positions, 0);
+  const std::vector<float> no_depth(10, 0.0f);
+  StrandSettings settings = given;
+  if (settings.depth_of_node.empty()) settings.depth_of_node = no_depth;
+  return find_strand_direction(mesh, place, extract_patches(mesh, place, "index").patches, head, settings);
 }
 
 class StrandConventions : public testing::TestWithParam<std::tuple<bool, bool, bool>> {};
@@ -27,7 +34,7 @@ TEST_P(StrandConventions, TangentsRunFromRootToTip) {
   const StrandField field = strands_of(mesh);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_LT(field.tangent[v].y(), -0.99f) << "vertex " << v;
-    EXPECT_NEAR(field.place[v], (1.6f - mesh.positions[v].y()) / 0.3f, 1.0e-5);
+    EXPECT_NEAR(field.place[v], (1.6f - mesh.positions[v].y()) / 0.3f, without_uv ? 0.02 : 1.0e-5);
   }
   EXPECT_EQ(field.along_u, uv_sideways && !without_uv);
 }
@@ -38,6 +45,74 @@ TEST(StrandDirection, TheRootIsTheEndAtTheHeadEvenWhenItIsBelow) {
   // A spike that stands up from the crown.
   const HairMesh mesh = hair_from(make_strip({.root = {0, 1.69f, 0}, .along = {0, 0.3f, 0}}));
   for (const Eigen::Vector3f& tangent : strands_of(mesh).tangent) EXPECT_GT(tangent.y(), 0.99f);
+}
+
+TEST(StrandDirection, BonesSayMoreThanWhereTheEndsAre) {
+  // A strip whose lower end is carried by the first bone: combed upwards.
+  HairMesh mesh = hair_from(make_strip({.root = {0, 1.66f, -0.1f}, .along = {0, -0.1f, 0}}));
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.influences[v].node = mesh.positions[v].y() > 1.61f ? 2 : 1;
+  const std::vector<float> depths{0, 1, 2};
+  StrandSettings settings;
+  settings.depth_of_node = depths;
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(tangent.y(), 0.9f);
+}
+
+TEST(StrandDirection, APatchThatCannotTellFollowsTheTextureOfTheOthers) {
+  // Three strips hang with V down; one lies level on the skull, far from them, with V to the left.
+  SourceMesh strips = make_strip({.root = {0.1f, 1.6f, 0}});
+  append_piece(strips, make_strip({.root = {0.2f, 1.6f, 0}}), 0);
+  append_piece(strips, make_strip({.root = {0.3f, 1.6f, 0}}), 0);
+  const auto first = std::uint32_t(strips.positions.size());
+  append_piece(strips, make_strip({.root = {0.06f, 1.69f, 0}, .along = {-0.12f, 0, 0}, .across = {0, 0, 0.03f}}), 0);
+  const HairMesh mesh = hair_from(strips);
+  const StrandField field = strands_of(mesh);
+  for (std::uint32_t v = first; v < mesh.positions.size(); ++v) EXPECT_LT(field.tangent[v].x(), -0.9f);
+}
+
+TEST(StrandDirection, APatchWithoutTextureFollowsItsNeighbours) {
+  // Level strips side by side on the skull; all but one end in free air, so that one is carried along by them.
+  SourceMesh strips = make_strip({.root = {0.05f, 1.69f, 0}, .along = {-0.1f, 0, 0}, .across = {0, 0, 0.01f}});
+  for (const float z : {-0.01f, 0.01f}) {
+    SourceMesh beside =
+        make_strip({.root = {0.05f, 1.69f, z}, .along = {-0.3f, 0, 0}, .across = {0, 0, 0.01f}, .rows = 8});
+    append_piece(strips, beside, 0);
+  }
+  HairMesh mesh = hair_from(strips);
+  mesh.uvs.clear();
+  const StrandField field = strands_of(mesh);
+  for (std::uint32_t v = 0; v < 10; ++v) EXPECT_LT(field.tangent[v].x(), -0.9f);
+}
+
+TEST(StrandDirection, PalettesSayNothingAboutStrands) {
+  HairMesh mesh = hair_from(make_strip({}));
+  for (Eigen::Vector2f& uv : mesh.uvs) uv = {0.3f, 0.7f};
+  for (const Eigen::Vector3f& tangent : strands_of(mesh).tangent) EXPECT_LT(tangent.y(), -0.9f);
+}
+
+TEST(StrandDirection, WithoutTextureTheStrandFollowsTheBendOfTheSurface) {
+  SourceMesh strip = make_strip({.rows = 24});
+  for (std::size_t v = 0; v < strip.positions.size(); ++v) {
+    // Half a ring from the crown round the back to the nape.
+    const float angle = 3.1f * float(v / 2) / 24;
+    strip.positions[v] = {v % 2 == 0 ? -0.01f : 0.01f, 1.6f + 0.12f * std::cos(angle), -0.12f * std::sin(angle)};
+  }
+  HairMesh mesh = hair_from(strip);
+  mesh.uvs.clear();
+  const StrandField field = strands_of(mesh);
+  for (std::size_t v = 4; v + 4 < mesh.positions.size(); ++v) {
+    const Eigen::Vector3f along = strip.positions[v + 2] - strip.positions[v - 2];
+    EXPECT_GT(field.tangent[v].dot(along.normalized()), 0.95f) << "vertex " << v;
+  }
+}
+
+TEST(StrandDirection, ARecipeSaysOnWhichSideTheRootsAre) {
+  const HairMesh mesh = hair_from(make_strip({}));
+  StrandSettings settings;
+  settings.root = "high_v";
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(tangent.y(), 0.9f);
+  settings.root = "low_u";
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(tangent.x(), 0.9f);
 }
 
 TEST(StrandDirection, TangentsAreUnitAndPerpendicularToNormals) {

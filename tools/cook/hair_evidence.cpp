@@ -89,9 +89,13 @@ std::uint32_t guess_head_node(const SourceModel& source) {
   }
   const std::vector<bool> carries_mesh = nodes_of_meshes(source);
   std::uint32_t head = kNoIndex;
-  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
-    if (carries_mesh[n] || !is_called_head(source.nodes[n].name)) continue;
-    if (head == kNoIndex || below[n] > below[head]) head = n;
+  // A mesh called head is none of the bones, unless the skeleton goes on below it.
+  for (const bool meshes_too : {false, true}) {
+    for (std::uint32_t n = 0; n < source.nodes.size() && (head == kNoIndex || !meshes_too); ++n) {
+      const bool is_bone = !carries_mesh[n] || (meshes_too && below[n] > 1);
+      if (!is_bone || !is_called_head(source.nodes[n].name)) continue;
+      if (head == kNoIndex || below[n] > below[head]) head = n;
+    }
   }
   return head;
 }

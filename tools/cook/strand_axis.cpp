@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <queue>
 #include <unordered_map>
 
@@ -84,6 +86,59 @@ std::vector<float> walked_coordinate(const HairMesh& mesh, std::span<const std::
   return coordinate;
 }
 
+/// Mean position of the vertices in each of `count` equal ranges of the coordinate; ranges without any are left out.
+std::vector<Vector3f> centre_line(const HairMesh& mesh, const PatchView& patch, std::span<const float> coordinate,
+                                  std::size_t count) {
+  const auto [low, high] = std::ranges::minmax(coordinate);
+  const float scale = float(count) / std::max(high - low, 1.0e-12f);
+  std::vector<Vector3f> sums(count, Vector3f::Zero());
+  std::vector<float> counts(count, 0.0f);
+  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
+    const std::size_t bin = std::min(count - 1, std::size_t((coordinate[i] - low) * scale));
+    sums[bin] += mesh.positions[patch.vertices[i]];
+    counts[bin] += 1;
+  }
+  std::vector<Vector3f> line;
+  for (std::size_t bin = 0; bin < count; ++bin) {
+    if (counts[bin] > 0) line.push_back(sums[bin] / counts[bin]);
+  }
+  return line;
+}
+
+/// Length along the line to the point on it nearest to `p`; beyond its ends the line goes straight on.
+float length_along(std::span<const Vector3f> line, const Vector3f& p) {
+  float best = std::numeric_limits<float>::infinity(), result = 0, before = 0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vector3f way = line[k + 1] - line[k];
+    const float length = way.norm();
+    float at = length > 0 ? way.dot(p - line[k]) / length : 0;
+    if (k > 0) at = std::max(at, 0.0f);
+    if (k + 2 < line.size()) at = std::min(at, length);
+    const float distance = (p - line[k] - way * (length > 0 ? at / length : 0)).squaredNorm();
+    if (distance < best) {
+      best = distance;
+      result = before + at;
+    }
+    before += length;
+  }
+  return result;
+}
+
+/// Ways along sides follow the diagonals of quads. Measured along the line through the middle of what is equally far, the
+/// rows of a strip come out level.
+void level_rows(const HairMesh& mesh, const PatchView& patch, std::vector<float>& coordinate) {
+  constexpr std::size_t kFewest = 2, kMost = 16, kPerBin = 6;
+  constexpr int kRounds = 4;
+  const std::size_t bins = std::clamp(patch.vertices.size() / kPerBin, kFewest, kMost);
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Vector3f> line = centre_line(mesh, patch, coordinate, bins);
+    if (line.size() < 2) return;
+    for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
+      coordinate[i] = length_along(line, mesh.positions[patch.vertices[i]]);
+    }
+  }
+}
+
 void scale_to_unit(std::vector<float>& values) {
   const auto [low, high] = std::ranges::minmax(values);
   const float range = std::max(high - low, 1.0e-12f);
@@ -139,6 +194,7 @@ StrandAxis strand_axis(const HairMesh& mesh, std::span<const std::uint32_t> plac
   axis.texture_axis = texture_axis;
   if (texture_axis < 0) {
     axis.coordinate = walked_coordinate(mesh, place, patch);
+    level_rows(mesh, patch, axis.coordinate);
   } else {
     for (std::uint32_t v : patch.vertices) axis.coordinate.push_back(mesh.uvs[v][texture_axis]);
   }

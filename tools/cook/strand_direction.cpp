@@ -17,7 +17,8 @@ using Eigen::Vector3f;
 
 constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
 constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
-constexpr float kMuchLonger = 0.6f;       ///< Four times as long: nothing else is asked.
+constexpr float kLongerWeight = 0.7f;     ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
+constexpr float kClearEnds = 3.0f;        ///< More evidence at the ends counts no more for the axis.
 constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
 constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
 constexpr int kRounds = 16;
@@ -36,9 +37,6 @@ struct PatchStrands {
 struct DeclaredRoot {
   int texture_axis = -1;  ///< -1: nothing.
   bool at_high_end = false;
-
-  /// As of a patch that is much longer along that axis.
-  [[nodiscard]] float preference() const { return texture_axis == 1 ? 1.0f : -1.0f; }
 };
 
 DeclaredRoot declared_root(const std::string& root) {
@@ -65,14 +63,14 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
 /// do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
 void choose_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view,
                  const FittedHead& head, std::span<const float> depth_of_node, int common, PatchStrands& patch) {
-  const int only = patch.preference == 0 ? -1 : std::abs(patch.preference) > kMuchLonger ? (patch.preference > 0) : 2;
-  float best = -1;
-  for (int candidate = -1; candidate < 2; ++candidate) {
-    if (only == 2 ? candidate < 0 : candidate != only) continue;
+  const bool textured = patch.preference != 0;
+  float best = -10;
+  for (int candidate = textured ? 0 : -1; candidate < (textured ? 2 : 0); ++candidate) {
     StrandAxis axis = strand_axis(mesh, place, view, candidate);
     const RootEvidence evidence = weigh_ends(mesh, view, axis, head, depth_of_node);
     const float longer = candidate == 1 ? patch.preference : -patch.preference;
-    const float score = 1 + longer + std::abs(evidence.sum()) + (candidate == common ? kCommonAxis : 0.0f);
+    const float ends = std::min(std::abs(evidence.sum()), kClearEnds);
+    const float score = kLongerWeight * longer + ends + (candidate == common ? kCommonAxis : 0.0f);
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);
@@ -186,11 +184,14 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
     strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
-    if (declared.texture_axis >= 0 && strands[p].preference != 0) strands[p].preference = declared.preference();
   });
   const int common = common_texture_axis(strands);
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
-    choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
+    if (declared.texture_axis >= 0 && strands[p].preference != 0) {
+      strands[p].axis = strand_axis(mesh, place, views[p], declared.texture_axis);
+    } else {
+      choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
+    }
   });
   parallel_for(views.size(), settings.threads,
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
@@ -204,7 +205,7 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
     unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
   }
   field.mean = mean_tangent(mesh, field.tangent);
-  field.along_u = common == 0 && !mesh.uvs.empty();
+  field.along_u = (declared.texture_axis < 0 ? common : declared.texture_axis) == 0 && !mesh.uvs.empty();
   field.reason =
       fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,
                   views.size(), unsure);

@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstddef>
+#include <algorithm>
 #include <numbers>
 
 namespace coif {
 namespace {
+
+constexpr float kLargestHead = 0.5f;  // metres
 
 // Hair rests on the collider; drawn at full size the two would fight for the same depth.
 constexpr float kMannequinScale = 0.98f;
@@ -71,7 +74,9 @@ SolidMesh mannequin_mesh(const ColliderRecord& collider) {
 std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders) {
   std::vector<SolidMesh> meshes;
   for (const ColliderRecord& collider : colliders) {
-    const bool seen = collider.shape != ColliderShape::kPlane && (collider.flags & kColliderKeepsInside) == 0;
+    // A ball of a metre stands for a floor or a wall, not for anything to look at.
+    const bool seen = collider.shape != ColliderShape::kPlane && (collider.flags & kColliderKeepsInside) == 0 &&
+                      *std::ranges::max_element(collider.radii) < kLargestHead;
     if (seen) meshes.push_back(mannequin_mesh(collider));
   }
   return meshes;
