@@ -6,6 +6,7 @@
 #include "cook/extract_patches.h"
 #include "cook/fit_chains.h"
 #include "cook/fit_head.h"
+#include "cook/make_lods.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
 #include "cook/select_hair.h"
@@ -68,6 +69,7 @@ struct CookedParts {
   Colliders colliders;
   BakedDynamics dynamics;
   PatchOrder order;
+  DetailLevels lods;
   BaseColor base_color;
   BakedTextures textures;
 };
@@ -178,6 +180,24 @@ tl::expected<void, ToolError> rig(const SourceModel& source, const Recipe& recip
   return {};
 }
 
+DetailLevels find_lods(const Recipe& recipe, const CookSettings& settings, const CookedParts& parts) {
+  const HairMesh& mesh = parts.selected.mesh;
+  const Transparency& transparency = parts.textures.transparency;
+  AlphaTest alpha;
+  if (parts.base_color.image && !transparency.ignores_alpha) alpha.image = &*parts.base_color.image;
+  alpha.factor = recipe.base_color[3] * parts.base_color.factor[3];
+  alpha.threshold = std::min(alpha.threshold, transparency.opaque_threshold);
+  LodSettings lods;
+  lods.levels = recipe.lod_levels;
+  lods.ratio = recipe.lod_ratio;
+  lods.max_error = recipe.lod_max_error;
+  lods.pixel_error = recipe.lod_pixel_error;
+  lods.still_pixels = recipe.lod_still_pixels;
+  lods.threads = settings.threads;
+  const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
+  return make_lods(mesh, place, parts.extracted.patches, parts.skeleton, parts.weights, parts.head, alpha, lods);
+}
+
 tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const Recipe& recipe,
                                                 const CookSettings& settings, const PassTimer& timed,
                                                 CookReport& report) {
@@ -193,6 +213,7 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
   if (!head_bone) return tl::unexpected(head_bone.error());
   parts.head_bone = std::move(*head_bone);
   parts.head = timed("head", [&] { return fit_head(source, mesh, parts.selected.meshes, parts.head_bone, recipe); });
+  if (parts.head_bone.node == kNoIndex) parts.head_bone.joint = parts.head.center;
   parts.extracted = timed("patches", [&] {
     const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
     ExtractedPatches extracted = extract_patches(mesh, place, recipe.patch_connectivity);
@@ -211,6 +232,7 @@ tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const
       timed("textures", [&] { return bake_textures(parts.base_color, mesh, parts.strands.along_u, recipe, settings); });
   if (!textures) return tl::unexpected(textures.error());
   parts.textures = std::move(*textures);
+  parts.lods = timed("lods", [&] { return find_lods(recipe, settings, parts); });
   return parts;
 }
 
@@ -218,7 +240,7 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   const HairMesh& mesh = parts.selected.mesh;
   AssetContents contents;
   pack_skeleton(parts.skeleton, parts.colliders, contents);
-  pack_mesh(mesh, parts.extracted.patches, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
+  pack_mesh(mesh, parts.lods.levels, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = parts.dynamics.records;
   for (std::size_t b = 0; b < parts.colliders.hit_radius.size() && b < contents.dynamics.size(); ++b) {
     contents.dynamics[b].hit_radius = float(parts.colliders.hit_radius[b]);
@@ -228,6 +250,17 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   contents.texels = std::move(parts.textures.texels);
   contents.provenance = {make_provenance(source, recipe, settings)};
   return contents;
+}
+
+void report_lods(const DetailLevels& lods, const AssetContents& contents, CookReport& report) {
+  append(report.notes, lods.notes);
+  if (contents.lods.empty()) return;
+  const LodRecord& finest = contents.lods[0];
+  const std::size_t finest_indices = 3 * lods.levels[0].triangle_count();
+  const std::size_t bytes = (contents.indices.size() - finest_indices) * sizeof contents.indices[0] +
+                            (contents.patches.size() - finest.patch_count) * sizeof(PatchRecord) +
+                            contents.lods.size() * sizeof(LodRecord);
+  report.notes.push_back(fmt::format("coarser levels of detail take {} bytes", bytes));
 }
 
 void fill_report(const CookedParts& parts, const AssetContents& contents, CookReport& report) {
@@ -244,9 +277,10 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
   append(report.notes, parts.textures.transparency.notes);
   append(report.left_out, parts.selected.left_out);
   append(report.left_out, parts.textures.left_out);
-  report.triangles = std::uint32_t(contents.indices.size() / 3);
+  report.triangles = std::uint32_t(parts.lods.levels[0].triangle_count());
   report.vertices = std::uint32_t(contents.vertices.size());
-  report.patches = std::uint32_t(contents.patches.size());
+  report.patches = std::uint32_t(parts.lods.levels[0].patch_count());
+  report_lods(parts.lods, contents, report);
   report.notes.push_back(fmt::format("patches {}", parts.extracted.reason));
   report.notes.push_back(parts.strands.reason);
   if (parts.split.shells > 0) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace coif {
@@ -27,6 +29,16 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
     if (total > 0 && below[n] >= total * (1 - 1.0e-9)) lowest = n;
   }
   return lowest;
+}
+
+/// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
+bool is_far_mesh_node(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
+  if (node == kNoIndex) return false;
+  const bool carries_mesh = std::ranges::any_of(
+      source.meshes, [&](const SourceMesh& mesh) { return mesh.node == node && mesh.influence_begin.empty(); });
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
+  return carries_mesh && !box.contains(source.nodes[node].model_from_node.translation());
 }
 
 /// Without a node of its own the head sits in the middle of the hair.
@@ -89,7 +101,8 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
   if (const std::uint32_t head = heaviest(source, below, by_name); head != kNoIndex) {
     return head_bone_at(source, hair, head);
   }
-  return head_bone_at(source, hair, lowest_common_node(source, below));
+  const std::uint32_t lowest = lowest_common_node(source, below);
+  return head_bone_at(source, hair, is_far_mesh_node(source, hair, lowest) ? kNoIndex : lowest);
 }
 
 }  // namespace coif

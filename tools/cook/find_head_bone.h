@@ -28,7 +28,8 @@ using NodeWeights = std::vector<double>;
 
 /// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
 /// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
-/// of the hair. Without any its joint is the middle of the hair. Error (kBadInput): nothing is called `pattern`.
+/// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair. Error
+/// (kBadInput): nothing is called `pattern`.
 tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
                                                  const std::string& pattern);
 

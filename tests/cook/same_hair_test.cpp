@@ -1,0 +1,167 @@
+// One hairstyle from several exporters has to become one asset. The files are not part of the project: where the folder
+// is absent every case skips and says so.
+
+#include "cook/cook.h"
+#include "formats/aligned_bytes.h"
+#include "import/import.h"
+
+#include <coif/asset.h>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3f;
+
+struct Cooked {
+  CookReport report;
+  std::unique_ptr<AlignedBytes> bytes;
+  Asset asset;
+};
+
+struct SameFile {
+  const char* name;
+  double metres_per_unit;
+  const char* up_axis;
+};
+
+class SameHair : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(COIF_TEST_ASSETS) / "same_hair";
+    if (!std::filesystem::exists(folder_)) GTEST_SKIP() << folder_ << ": no corpus of artists' files here";
+  }
+
+  std::unique_ptr<Cooked> cooked(const SameFile& file) {
+    Recipe recipe = default_recipe();
+    ImportSettings settings;
+    if (file.metres_per_unit > 0) settings.metres_per_unit = file.metres_per_unit;
+    if (std::string(file.up_axis) == "z") settings.up_axis = UpAxis::kZ;
+    auto result = std::make_unique<Cooked>();
+    const auto source = import_model(folder_ / file.name, settings);
+    EXPECT_TRUE(source) << (source ? "" : source.error().message);
+    if (!source) return result;
+    auto cooked = cook(*source, recipe, {});
+    EXPECT_TRUE(cooked) << (cooked ? "" : cooked.error().message);
+    if (!cooked) return result;
+    result->report = cooked->report;
+    result->bytes = std::make_unique<AlignedBytes>(cooked->asset);
+    EXPECT_TRUE(result->asset.open(result->bytes->bytes()));
+    return result;
+  }
+
+  std::filesystem::path folder_;
+};
+
+Vector3f position_of(const VertexRecord& vertex) { return Eigen::Map<const Vector3f>(vertex.position); }
+
+float size_of(const Asset& asset) {
+  Eigen::AlignedBox3f box;
+  for (const VertexRecord& vertex : asset.vertices()) box.extend(position_of(vertex));
+  return box.diagonal().norm();
+}
+
+/// Largest distance of a vertex of `a` from the nearest of `b`.
+float largest_gap(const Asset& a, const Asset& b) {
+  float largest = 0;
+  for (const VertexRecord& vertex : a.vertices()) {
+    float nearest = 1.0e30f;
+    for (const VertexRecord& other : b.vertices()) {
+      nearest = std::min(nearest, (position_of(vertex) - position_of(other)).squaredNorm());
+    }
+    largest = std::max(largest, nearest);
+  }
+  return std::sqrt(largest);
+}
+
+void expect_same(const Cooked& a, const Cooked& b) {
+  EXPECT_EQ(a.report.triangles, b.report.triangles);
+  EXPECT_EQ(a.report.patches, b.report.patches);
+  EXPECT_EQ(a.report.chains, b.report.chains);
+  EXPECT_EQ(a.report.bones, b.report.bones);
+  const float allowed = 1.0e-4f * size_of(a.asset);
+  EXPECT_LT(largest_gap(a.asset, b.asset), allowed);
+  EXPECT_LT(largest_gap(b.asset, a.asset), allowed);
+}
+
+TEST_F(SameHair, APonyTailIsTheSameFromFbxColladaGlbAndGlbWithZUp) {
+  const auto first = cooked({"ponytail01_blender.fbx", 0, ""});
+  for (const SameFile file : {SameFile{"ponytail01_blender.dae", 0, ""}, SameFile{"ponytail01_springbone.glb", 0, ""},
+                              SameFile{"ponytail01_zup.glb", 0, "z"}}) {
+    SCOPED_TRACE(file.name);
+    expect_same(*first, *cooked(file));
+  }
+}
+
+TEST_F(SameHair, LongHairIsTheSameFromObjColladaFbxAndGlb) {
+  // The modeller's unit is the decimetre, which none of these files says.
+  const auto first = cooked({"long01.obj", 0.1, ""});
+  for (const char* name : {"long01_dae.dae", "long01_fbxa.fbx", "long01_glb2.glb"}) {
+    SCOPED_TRACE(name);
+    expect_same(*first, *cooked({name, 0.1, ""}));
+  }
+}
+
+TEST_F(SameHair, AnObjWithoutUnitIsGivenTheRightOne) {
+  expect_same(*cooked({"long01.obj", 0, ""}), *cooked({"long01.obj", 0.1, ""}));
+}
+
+/// Share of the vertices that have a partner on the other side, with everything mirrored.
+double mirrored_share(const Asset& asset) {
+  const float near = 1.0e-3f * size_of(asset);
+  Eigen::AlignedBox3f box;
+  for (const VertexRecord& vertex : asset.vertices()) box.extend(position_of(vertex));
+  const float plane = box.center().x();
+  std::size_t found = 0;
+  for (const VertexRecord& vertex : asset.vertices()) {
+    const auto mirrored = [](const std::int16_t(&v)[4]) { return Vector3f(-v[0], v[1], v[2]) / 32767.0f; };
+    const Vector3f wanted(2 * plane - vertex.position[0], vertex.position[1], vertex.position[2]);
+    for (const VertexRecord& other : asset.vertices()) {
+      const Vector3f normal = Vector3f(other.normal[0], other.normal[1], other.normal[2]) / 32767.0f;
+      const Vector3f tangent = Vector3f(other.tangent[0], other.tangent[1], other.tangent[2]) / 32767.0f;
+      if ((position_of(other) - wanted).norm() > near) continue;
+      if (normal.dot(mirrored(vertex.normal)) < 0.95f || tangent.dot(mirrored(vertex.tangent)) < 0.95f) continue;
+      if (std::abs(other.tangent[3] - vertex.tangent[3]) > 700) continue;  // of 32767, the place root to tip
+      ++found;
+      break;
+    }
+  }
+  return double(found) / double(asset.vertices().size());
+}
+
+/// Share of the triangles that are wound as their vertices' normals look, on one side of the head.
+double wound_share(const Asset& asset, float side) {
+  std::size_t right = 0, all = 0;
+  for (std::size_t i = 0; i < asset.indices().size(); i += 3) {
+    std::array<const VertexRecord*, 3> corner{};
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = &asset.vertices()[asset.indices()[i + k]];
+    if (corner[0]->position[0] * side <= 0) continue;
+    const Vector3f a = position_of(*corner[0]);
+    const Vector3f face = (position_of(*corner[1]) - a).cross(position_of(*corner[2]) - a);
+    const Vector3f normal(corner[0]->normal[0], corner[0]->normal[1], corner[0]->normal[2]);
+    right += face.dot(normal) > 0 ? 1 : 0;
+    ++all;
+  }
+  return double(right) / double(std::max<std::size_t>(all, 1));
+}
+
+TEST_F(SameHair, AMirroredInstanceGivesTwoMirroredHalves) {
+  for (const char* name : {"long01_negscale_instanced.glb", "long01_negscale_instanced.fbx"}) {
+    SCOPED_TRACE(name);
+    const auto hair = cooked({name, 0, ""});
+    ASSERT_TRUE(hair->asset.is_open());
+    EXPECT_EQ(hair->report.triangles, 4108u);
+    EXPECT_GT(mirrored_share(hair->asset), 0.97);
+    EXPECT_GT(wound_share(hair->asset, -1), 0.97);
+    EXPECT_GT(wound_share(hair->asset, 1), 0.97);
+  }
+}
+
+}  // namespace
+}  // namespace coif
