@@ -120,7 +120,7 @@ double mirrored_share(const Asset& asset) {
   const float plane = box.center().x();
   std::size_t found = 0;
   for (const VertexRecord& vertex : asset.vertices()) {
-    const auto mirrored = [](const std::int16_t(&v)[4]) { return Vector3f(-v[0], v[1], v[2]) / 32767.0f; };
+    const auto mirrored = [](const std::int16_t(&v)[4]) -> Vector3f { return Vector3f(-v[0], v[1], v[2]) / 32767.0f; };
     const Vector3f wanted(2 * plane - vertex.position[0], vertex.position[1], vertex.position[2]);
     for (const VertexRecord& other : asset.vertices()) {
       const Vector3f normal = Vector3f(other.normal[0], other.normal[1], other.normal[2]) / 32767.0f;
