@@ -182,20 +182,10 @@ tl::expected<void, ToolError> rig(const SourceModel& source, const Recipe& recip
 
 DetailLevels find_lods(const Recipe& recipe, const CookSettings& settings, const CookedParts& parts) {
   const HairMesh& mesh = parts.selected.mesh;
-  const Transparency& transparency = parts.textures.transparency;
-  AlphaTest alpha;
-  if (parts.base_color.image && !transparency.ignores_alpha) alpha.image = &*parts.base_color.image;
-  alpha.factor = recipe.base_color[3] * parts.base_color.factor[3];
-  alpha.threshold = std::min(alpha.threshold, transparency.opaque_threshold);
-  LodSettings lods;
-  lods.levels = recipe.lod_levels;
-  lods.ratio = recipe.lod_ratio;
-  lods.max_error = recipe.lod_max_error;
-  lods.pixel_error = recipe.lod_pixel_error;
-  lods.still_pixels = recipe.lod_still_pixels;
-  lods.threads = settings.threads;
   const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
-  return make_lods(mesh, place, parts.extracted.patches, parts.skeleton, parts.weights, parts.head, alpha, lods);
+  return make_lods(mesh, place, parts.extracted.patches, parts.skeleton, parts.weights, parts.head,
+                   alpha_test(parts.base_color, parts.textures.transparency, recipe),
+                   lod_settings(recipe, settings.threads));
 }
 
 tl::expected<CookedParts, ToolError> run_passes(const SourceModel& source, const Recipe& recipe,
@@ -252,17 +242,6 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   return contents;
 }
 
-void report_lods(const DetailLevels& lods, const AssetContents& contents, CookReport& report) {
-  append(report.notes, lods.notes);
-  if (contents.lods.empty()) return;
-  const LodRecord& finest = contents.lods[0];
-  const std::size_t finest_indices = 3 * lods.levels[0].triangle_count();
-  const std::size_t bytes = (contents.indices.size() - finest_indices) * sizeof contents.indices[0] +
-                            (contents.patches.size() - finest.patch_count) * sizeof(PatchRecord) +
-                            contents.lods.size() * sizeof(LodRecord);
-  report.notes.push_back(fmt::format("coarser levels of detail take {} bytes", bytes));
-}
-
 void fill_report(const CookedParts& parts, const AssetContents& contents, CookReport& report) {
   append(report.warnings, parts.selected.warnings);
   append(report.warnings, parts.skeleton.warnings);
@@ -280,7 +259,7 @@ void fill_report(const CookedParts& parts, const AssetContents& contents, CookRe
   report.triangles = std::uint32_t(parts.lods.levels[0].triangle_count());
   report.vertices = std::uint32_t(contents.vertices.size());
   report.patches = std::uint32_t(parts.lods.levels[0].patch_count());
-  report_lods(parts.lods, contents, report);
+  append(report.notes, parts.lods.notes);
   report.notes.push_back(fmt::format("patches {}", parts.extracted.reason));
   report.notes.push_back(parts.strands.reason);
   if (parts.split.shells > 0) {

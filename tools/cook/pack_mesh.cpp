@@ -27,25 +27,48 @@ VertexRecord pack_vertex(const HairMesh& mesh, const StrandField& strands, const
   return record;
 }
 
-/// Indices of all patches in draw order, each patch's triangles ordered for the vertex cache; fills the patches' ranges.
-std::vector<std::uint32_t> lay_out_indices(const HairMesh& mesh, const PatchSet& patches, const PatchOrder& order,
-                                           std::vector<PatchRecord>& records) {
-  std::vector<std::vector<std::uint32_t>> triangles(patches.count);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    auto& patch = triangles[patches.patch_of[t]];
-    patch.insert(patch.end(), mesh.triangles.begin() + std::ptrdiff_t(3 * t),
-                 mesh.triangles.begin() + std::ptrdiff_t(3 * t + 3));
+/// The same triangles in an order that suits the vertex cache. Numbers the vertices afresh: with those of the whole mesh
+/// each patch would cost as much as all of it.
+class CacheOrder {
+ public:
+  explicit CacheOrder(std::size_t vertices) : number_(vertices, kNoIndex) {}
+
+  std::vector<std::uint32_t> operator()(std::span<const std::uint32_t> triangles) {
+    vertices_.clear();
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t v : triangles) {
+      if (number_[v] == kNoIndex) {
+        number_[v] = std::uint32_t(vertices_.size());
+        vertices_.push_back(v);
+      }
+      order.push_back(number_[v]);
+    }
+    meshopt_optimizeVertexCache(order.data(), order.data(), order.size(), vertices_.size());
+    for (std::uint32_t& index : order) index = vertices_[index];
+    for (std::uint32_t v : vertices_) number_[v] = kNoIndex;
+    return order;
   }
-  std::vector<std::uint32_t> indices;
-  indices.reserve(mesh.triangles.size());
+
+ private:
+  std::vector<std::uint32_t> number_, vertices_;
+};
+
+/// Appends the level's indices, patches in draw order, each patch's triangles ordered for the vertex cache: only inside a
+/// patch, across patches it would destroy the draw order.
+void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder& for_cache,
+                   std::vector<std::uint32_t>& indices, AssetContents& contents) {
+  LodRecord record{std::uint32_t(contents.patches.size()), 0, level.screen_size, level.error, {}};
+  std::ranges::copy(level.simulated, record.simulated);
   for (std::size_t i = 0; i < order.patch.size(); ++i) {
-    auto& patch = triangles[order.patch[i]];
-    // Only inside a patch: across patches it would destroy the draw order.
-    meshopt_optimizeVertexCache(patch.data(), patch.data(), patch.size(), mesh.positions.size());
-    records.push_back({std::uint32_t(indices.size()), std::uint32_t(patch.size()), float(order.distance[i]), 0});
+    const auto& triangles = level.triangles_of[order.patch[i]];
+    if (triangles.empty()) continue;
+    const std::vector<std::uint32_t> patch = for_cache(triangles);
+    contents.patches.push_back(
+        {std::uint32_t(indices.size()), std::uint32_t(patch.size()), float(order.distance[i]), 0});
     indices.insert(indices.end(), patch.begin(), patch.end());
   }
-  return indices;
+  record.patch_count = std::uint32_t(contents.patches.size()) - record.first_patch;
+  contents.lods.push_back(record);
 }
 
 std::uint32_t heaviest_bone(const AssetContents& contents, const PatchRecord& patch) {
@@ -59,9 +82,13 @@ std::uint32_t heaviest_bone(const AssetContents& contents, const PatchRecord& pa
 
 }  // namespace
 
-void pack_mesh(const HairMesh& mesh, const PatchSet& patches, const PatchOrder& order, const StrandField& strands,
-               const Eigen::Vector3d& head_joint, const SkinWeights& weights, AssetContents& contents) {
-  const std::vector<std::uint32_t> indices = lay_out_indices(mesh, patches, order, contents.patches);
+void pack_mesh(const HairMesh& mesh, std::span<const DetailLevel> levels, const PatchOrder& order,
+               const StrandField& strands, const Eigen::Vector3d& head_joint, const SkinWeights& weights,
+               AssetContents& contents) {
+  std::vector<std::uint32_t> indices;
+  CacheOrder for_cache(mesh.positions.size());
+  for (const DetailLevel& level : levels) lay_out_level(level, order, for_cache, indices, contents);
+  if (levels.size() == 1) contents.lods.clear();
   const std::vector<SkinRecord> skin = quantize_skin(weights);
   const Eigen::Vector3f origin = head_joint.cast<float>();
   std::vector<std::uint32_t> new_place(mesh.positions.size());

@@ -58,6 +58,12 @@ struct Recipe {
   std::string head_shape;                            ///< "auto", "ellipsoid", "sphere" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
+  // levels of detail
+  std::uint32_t lod_levels = 0;
+  double lod_ratio = 0;
+  double lod_max_error = 0;
+  double lod_pixel_error = 0;
+  double lod_still_pixels = 0;
   // textures
   std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
   std::string shift_texture;

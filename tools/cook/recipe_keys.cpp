@@ -70,6 +70,17 @@ const RecipeKey kKeys[] = {
   {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",
    "half sizes of the head along X, Y, Z; null: fitted"},
 
+  {"lods", "levels", &R::lod_levels, "3", 1, 8, nullptr, "levels",
+   "levels of detail at most, the finest included; fewer where a coarser one would save little"},
+  {"lods", "ratio", &R::lod_ratio, "0.5", 0.05, 0.95, nullptr, "",
+   "triangles of a level, as a share of the next finer one's"},
+  {"lods", "max_error", &R::lod_max_error, "0.01", 0, 10, nullptr, "m",
+   "no level's surface is farther than this from the finest one's"},
+  {"lods", "pixel_error", &R::lod_pixel_error, "1", 0.01, 1000, nullptr, "pixels",
+   "largest error on a screen of 1080 lines; decides from which size on a level is drawn"},
+  {"lods", "still_pixels", &R::lod_still_pixels, "24", 0, 10000, nullptr, "pixels",
+   "on such a screen hair of a coarser level that hangs free for less than this is rigid"},
+
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
    "image with colour and alpha, path from the recipe; empty: the source's own"},
   {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",

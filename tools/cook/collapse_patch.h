@@ -1,0 +1,43 @@
+#pragma once
+
+#include "cook/patch_surface.h"
+
+namespace coif {
+
+/// How a patch loses its triangles, one edge after the other. Any number of first steps makes a coarser patch out of the
+/// finest one's vertices, so levels of detail share them.
+struct CollapseSequence {
+  struct Step {
+    float error = 0;                   ///< Metres, in the worst of the poses, of this and all steps before; ascending.
+    std::uint32_t triangles_left = 0;  ///< After it.
+    std::uint32_t moves_end = 0;       ///< moves[0 .. moves_end) belong to this step and those before.
+  };
+  /// All that used corner `from` uses `to` from now on.
+  struct Move {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+  };
+  std::vector<Step> steps;
+  std::vector<Move> moves;
+};
+
+struct CollapseLimits {
+  double largest_error = 0.01;  ///< Metres.
+  double fewest_share = 0;      ///< Of its triangles that a patch keeps in any case.
+};
+
+/// Collapses edges, those first that change the shape least by quadric error, onto one of their ends. Corners of the
+/// outline stay, so that strips keep their points and their width, and no point that has a triangle loses its last one,
+/// so that something of every piece stays. Borders only move along themselves, texture seams too.
+///
+/// A step's error is measured: how far the points that are gone lie from the triangles now around where they went.
+/// Near-linear in the triangles.
+[[nodiscard]] CollapseSequence collapse_patch(const PatchSurface& surface, const CollapseLimits& limits);
+
+/// The patch after its first `steps` steps: three vertices of the mesh for each triangle that is left. `originals` are
+/// the vertices of the patch's triangles as they were, in the order of PatchSurface::triangles.
+[[nodiscard]] std::vector<std::uint32_t> collapsed_triangles(const PatchSurface& surface,
+                                                             const CollapseSequence& sequence, std::size_t steps,
+                                                             std::span<const std::uint32_t> originals);
+
+}  // namespace coif

@@ -1,0 +1,31 @@
+#include "cook/triangle_distance.h"
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+double squared_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d along = b - a;
+  const double length2 = along.squaredNorm();
+  const double at = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (a + at * along - p).squaredNorm();
+}
+
+}  // namespace
+
+double squared_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const Vector3d normal = (b - a).cross(c - a);
+  const double area2 = normal.squaredNorm();
+  const bool above = area2 > 0 && (b - a).cross(p - a).dot(normal) >= 0 && (c - b).cross(p - b).dot(normal) >= 0 &&
+                     (a - c).cross(p - c).dot(normal) >= 0;
+  if (above) {
+    const double height = (p - a).dot(normal);
+    return height * height / area2;
+  }
+  return std::min({squared_distance(p, a, b), squared_distance(p, b, c), squared_distance(p, c, a)});
+}
+
+}  // namespace coif

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace coif {
+
+/// Triangles by the cubes of one size that their boxes touch, to find how far a point is from them.
+class TriangleGrid {
+ public:
+  /// `triangles`: three indices of `positions` each; `group_of` gives each one's group. The spans must outlive the grid.
+  /// Distances up to `reach` (metres, > 0) are told apart.
+  TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
+               std::span<const std::uint32_t> group_of, double reach);
+
+  /// Metres to the nearest triangle of a group that counts; `reach` where none is nearer.
+  [[nodiscard]] double distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts) const;
+
+ private:
+  using Cube = std::array<std::int32_t, 3>;
+  struct CubeHash {
+    std::size_t operator()(const Cube& cube) const;
+  };
+
+  [[nodiscard]] Cube cube_of(const Eigen::Vector3f& point) const;
+
+  std::span<const Eigen::Vector3f> positions_;
+  std::span<const std::uint32_t> triangles_;
+  std::span<const std::uint32_t> group_of_;
+  double reach_;
+  double side_;
+  std::unordered_map<Cube, std::vector<std::uint32_t>, CubeHash> cubes_;
+};
+
+}  // namespace coif
