@@ -35,7 +35,7 @@ const RealFile kFiles[] = {
     {"godette/Godette_vrm_v4.vrm", "godette", 3 * 80 + 139, 0, 4, 7, 7, false},
     {"churro/ChurroChurro.vrm", "churro", 2 * 51 + 82, 0, 3, 4, 4},
     {"quaternius_witch/Witch.glb", "witch", 2316, 4, 20, 2, 0},
-    {"rocketbox_Female_Adult_03/Female_Adult_03.fbx", "rocketbox", 728, 360, 11, 1, 0},
+    {"rocketbox_Female_Adult_03/Female_Adult_03.fbx", "rocketbox", 728 - 58, 360 - 29, 10, 1, 0},
     {"moz_french-braids-double/hair_french-braids-double-brown.glb", "moz_braids", 1237 - 2, 0, 5, 2, 0},
 };
 

@@ -1,5 +1,6 @@
 #include "cli/body_model.h"
 
+#include "cook/choose_hair.h"
 #include "cook/name_pattern.h"
 
 #include <fmt/format.h>
@@ -10,14 +11,15 @@
 namespace coif {
 namespace {
 
-bool is_hair(const SourceModel& model, const SourceMesh& mesh, const Recipe& recipe) {
-  const std::string& node = model.nodes[mesh.node].name;
-  const std::string material = mesh.material < model.materials.size() ? model.materials[mesh.material].name : "";
-  if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty()) {
-    return matches_any(mesh.name, recipe.hair_meshes) || matches_any(node, recipe.hair_meshes) ||
-           matches_any(material, recipe.hair_materials);
+void remove_hair(const HairChoice& hair, SourceModel& model) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    std::vector<std::uint32_t>& triangles = model.meshes[m].triangles;
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (!hair.takes(m, i / 3)) kept.push_back(triangles[i]);
+    }
+    triangles = std::move(kept);
   }
-  return matches(mesh.name, "*hair*") || matches(node, "*hair*") || matches(material, "*hair*");
 }
 
 }  // namespace
@@ -25,8 +27,13 @@ bool is_hair(const SourceModel& model, const SourceMesh& mesh, const Recipe& rec
 tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe) {
   std::vector<std::string> names;
   for (const SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
+  if (pattern.empty()) {
+    const auto hair = choose_hair(model, recipe);
+    if (!hair) return tl::unexpected(hair.error());
+    remove_hair(*hair, model);
+  }
   std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
-    return pattern.empty() ? is_hair(model, mesh, recipe) : !matches(mesh.name, pattern);
+    return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));
   });
   if (!model.meshes.empty()) return model;
   return tl::unexpected(ToolError{

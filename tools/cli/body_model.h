@@ -10,10 +10,9 @@
 
 namespace coif {
 
-/// Removes the meshes that are not the body, so that hair is not drawn twice. `pattern`: with * and ?, of a mesh's
-/// name; empty: every mesh that is not hair. Hair is what the recipe selects by mesh or material; where it selects
-/// nothing, what has "hair" in its mesh's, node's or material's name.
-/// Error: kBadInput where no mesh is left, with the names that there are.
+/// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
+/// everything that a cook with this recipe would not take for hair. Errors: kBadInput where nothing is left, with the names
+/// that there are; those of choose_hair().
 tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe);
 
 }  // namespace coif

@@ -18,7 +18,7 @@ using Names = std::vector<std::string>;
 constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe follows the head for the most part.
 constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have a touch of its bones only.
 constexpr double kMovedByEyes = 0.15;       ///< Of a piece's weight: then it is a lash or a brow.
-constexpr double kOnHead = 0.05;            ///< Of a transparent piece's weight; long hair lies on the shoulders.
+constexpr double kOnHead = 0.3;             ///< Of a transparent piece's weight: long hair reaches the shoulders.
 
 const SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
   return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
@@ -188,8 +188,10 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
   const double neck = source.nodes[head].model_from_node.translation().y();
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (!is_transparent(source, source.meshes[m])) continue;
+    const bool rigid = source.meshes[m].influence_begin.empty();
     chooser.take_pieces(m, bones, head, "transparent pieces on the head", [&](const PieceEvidence& piece) {
-      return piece.eye_bone_share < kMovedByEyes && (piece.head_share >= kOnHead || piece.height > neck);
+      const bool on_head = rigid ? piece.height > neck : piece.head_share >= kOnHead;
+      return on_head && piece.eye_bone_share < kMovedByEyes;
     });
   }
 }
