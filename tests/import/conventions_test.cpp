@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <tuple>
+
 namespace coif {
 namespace {
 
@@ -98,10 +101,40 @@ TEST_F(Conventions, SettingsTurnEveryAxisUp) {
   EXPECT_TRUE(import_or_fail(path, with_up_axis(UpAxis::kZ)).meshes[0].normals[0].isApprox(Vector3f(0, 1, 0)));
 }
 
-TEST_F(Conventions, ObjTakesUnitsAsMetresAndAsksWhenTheyCannotBe) {
+/// A wig 0.2 m deep and half a metre long, in units of `per_metre` to the metre.
+std::string obj_wig(double per_metre) {
+  std::string text;
+  for (const auto& [x, y, z] : {std::tuple{-0.1, 1.2, -0.1}, {0.1, 1.7, -0.1}, {0.0, 1.7, 0.1}}) {
+    text += "v " + std::to_string(x * per_metre) + " " + std::to_string(y * per_metre) + " " +
+            std::to_string(z * per_metre) + "\n";
+  }
+  return text + "f 1 2 3\n";
+}
+
+TEST_F(Conventions, ObjInMetresIsTakenAsItIs) {
+  const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(1)));
+  EXPECT_TRUE(model.warnings.empty());
+  EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 1.2f, 1e-5);
+}
+
+TEST_F(Conventions, ObjInSmallerUnitsIsScaledToTheSizeOfHairAndSaysSo) {
+  for (const double per_metre : {10.0, 100.0, 1000.0}) {
+    const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(per_metre)));
+    EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 1.2f, 1e-4) << per_metre;
+    ASSERT_EQ(model.warnings.size(), 1u) << per_metre;
+    EXPECT_NE(model.warnings[0].find("source.metres_per_unit"), std::string::npos) << model.warnings[0];
+  }
+}
+
+TEST_F(Conventions, ADeclaredUnitIsNotSecondGuessed) {
+  const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(10)), with_unit(1.0));
+  EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 12.0f, 1e-4);
+}
+
+TEST_F(Conventions, ObjWithoutDepthSaysNothingOfItsUnitAndAsksWhenItCannotBe) {
   const auto strip = [](const char* top) { return std::string("v 0 0 0\nv 1 0 0\nv 0 ") + top + " 0\nf 1 2 3\n"; };
   EXPECT_TRUE(import_or_fail(folder_.write("a.obj", strip("1.5"))).warnings.empty());
-  for (const char* top : {"7", "0.01"}) {
+  for (const char* top : {"17", "0.01"}) {
     const SourceModel model = import_or_fail(folder_.write("b.obj", strip(top)));
     ASSERT_EQ(model.warnings.size(), 1u) << top;
     EXPECT_NE(model.warnings[0].find("source.metres_per_unit"), std::string::npos) << model.warnings[0];

@@ -95,7 +95,7 @@ TEST_F(Corpus, OnePonytailInSixFilesComesOutAlike) {
 }
 
 TEST_F(Corpus, OneLongHairInFourFilesComesOutAlike) {
-  const Shape reference = measure(import_or_fail(kAssets / "same_hair/long01.obj"));
+  const Shape reference = measure(import_or_fail(kAssets / "same_hair/long01.obj", with_unit(1.0)));
   expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_dae.dae")), reference, 1e-3f, "COLLADA");
   expect_alike(measure(import_or_fail(kAssets / "same_hair/long01_glb2.glb")), reference, 1e-3f, "glTF");
   // The exporter kept the numbers and declared centimetres.
