@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace coif {
@@ -107,6 +108,21 @@ TEST(Cook, ATextureOfTheSourceThatIsMissingIsAWarning) {
   const CookResult result = cooked(model);
   ASSERT_EQ(result.report.warnings.size(), 1u);
   EXPECT_NE(result.report.warnings[0].find("no such file beside the source"), std::string::npos);
+}
+
+TEST(Cook, HairThatSaysNothingOfItsColorIsBrownButGltfMeansWhite) {
+  const auto color_of = [](const char* path) {
+    SourceModel model = make_wig();
+    model.path = path;
+    AlignedBytes file(cooked(model).asset);
+    Asset asset;
+    EXPECT_TRUE(asset.open(file.bytes()));
+    return std::array{asset.material()->base_color[0], asset.material()->base_color[2]};
+  };
+  const auto fbx = color_of("wig.fbx");
+  EXPECT_LT(fbx[0], 0.3f);
+  EXPECT_LT(fbx[1], fbx[0]);
+  EXPECT_EQ(color_of("wig.glb"), (std::array{1.0f, 1.0f}));
 }
 
 TEST(Cook, NumbersThatNoAssetMayHoldAreRefusedNotWritten) {

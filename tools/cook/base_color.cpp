@@ -58,6 +58,20 @@ BaseColor from_materials(const SourceModel& source, SourceImages& images, HairMe
   return color;
 }
 
+/// White or grey without an image: what importers put where the exporter said nothing.
+bool is_colourless(const BaseColor& color) {
+  const Eigen::Vector3f rgb = color.factor.head<3>();
+  return !color.image && rgb.maxCoeff() - rgb.minCoeff() < 0.05f * rgb.maxCoeff() && rgb.minCoeff() > 0.1f;
+}
+
+/// Hair that says nothing of its colour is shown as hair rather than as paper.
+void dye(BaseColor& color) {
+  color.factor.head<3>() = Eigen::Vector3f(0.13f, 0.07f, 0.035f);  // linear, a middle brown
+  color.notes.emplace_back(
+      "the file has neither texture nor colour for the hair: it is brown; set \"textures.base_color\" or "
+      "\"material.base_color\", which multiplies it");
+}
+
 void append(auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 }  // namespace
@@ -75,6 +89,7 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   }
   SourceImages images(source);
   BaseColor color = from_materials(source, images, hair);
+  if (is_colourless(color) && !says_what_it_lacks(source)) dye(color);
   append(color.warnings, images.warnings());
   append(color.notes, images.notes());
   append(color.files, images.files());

@@ -46,11 +46,6 @@ std::vector<std::string> names_of_hair(const SourceModel& source, const HairMesh
   return {names.begin(), names.end()};
 }
 
-bool says_what_it_lacks(const SourceModel& source) {
-  const std::string suffix = std::filesystem::path(source.path).extension().string();
-  return matches_any(suffix, std::vector<std::string>{".gltf", ".glb", ".vrm"});
-}
-
 bool names_texture(const SourceModel& source, std::uint32_t material) {
   if (material >= source.materials.size()) return false;
   const SourceTexture& texture = source.materials[material].base_texture;
@@ -79,6 +74,11 @@ std::uint8_t painted_alpha(const SurfaceLook& look, const JointAlpha& joint, std
 }
 
 }  // namespace
+
+bool says_what_it_lacks(const SourceModel& source) {
+  const std::string suffix = std::filesystem::path(source.path).extension().string();
+  return matches_any(suffix, std::vector<std::string>{".gltf", ".glb", ".vrm"});
+}
 
 Eigen::Vector4f color_factor(const SourceMaterial& material) {
   return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);

@@ -27,6 +27,9 @@ struct SurfaceLooks {
 /// part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
 [[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair);
 
+/// True for glTF: a file without a texture or a colour means white, where other formats' exporters leave things out.
+[[nodiscard]] bool says_what_it_lacks(const SourceModel& source);
+
 /// How one image says what several looks do with alpha.
 struct JointAlpha {
   AlphaUse use = AlphaUse::kUnknown;
