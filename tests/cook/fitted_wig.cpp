@@ -1,4 +1,5 @@
 #include "cook/fitted_wig.h"
+#include "cook/weld.h"
 
 #include "cook/build_skeleton.h"
 
@@ -83,7 +84,8 @@ FittedWig fit_wig(const std::vector<SourceMesh>& strips, const Recipe& recipe) {
     append_strands(strips[s], strands);
   }
   const HeadBone bone{node, "Head", {0, 1.5, 0}};
-  wig.rig = fit_chains(wig.source, wig.hair, strands, round_head(), head_alone(wig.source, bone), recipe);
+  wig.rig = fit_chains(wig.source, wig.hair, weld_places(wig.hair.positions, 0), strands, round_head(),
+                       head_alone(wig.source, bone), recipe);
   return wig;
 }
 

@@ -24,7 +24,7 @@ struct Shell {
 Shell cut(const SourceMesh& source, double widest) {
   Shell shell;
   shell.mesh = hair_from(source);
-  complete_normals(shell.mesh, 0);
+  complete_normals(shell.mesh, weld_places(shell.mesh.positions, 0));
   const auto place = weld_places(shell.mesh.positions, 0);
   shell.patches = extract_patches(shell.mesh, place, "auto").patches;
   FittedHead head;

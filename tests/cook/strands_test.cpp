@@ -13,7 +13,7 @@ namespace coif {
 namespace {
 
 StrandField strands_of(HairMesh mesh, const StrandSettings& given = {}) {
-  complete_normals(mesh, 1.0e-5);
+  complete_normals(mesh, weld_places(mesh.positions, 0));
   FittedHead head;
   head.center = {0, 1.6, 0};
   head.radii = Eigen::Vector3d::Constant(0.09);
@@ -119,7 +119,7 @@ TEST(StrandDirection, TangentsAreUnitAndPerpendicularToNormals) {
   SourceMesh strip = make_strip({.along = {0.1f, -0.2f, -0.1f}, .rows = 8});
   for (std::size_t v = 0; v < strip.positions.size(); ++v) strip.positions[v].z() += 0.02f * float(v % 5);
   HairMesh mesh = hair_from(strip);
-  complete_normals(mesh, 1.0e-5);
+  complete_normals(mesh, weld_places(mesh.positions, 0));
   const StrandField field = strands_of(mesh);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_NEAR(field.tangent[v].norm(), 1.0f, 1.0e-5);
@@ -138,7 +138,7 @@ TEST(SmoothNormals, AStripsTwoSidesKeepOppositeNormals) {
   for (std::size_t i = 0; i < triangles; i += 3) {
     for (std::size_t k : {0u, 2u, 1u}) mesh.triangles.push_back(half + mesh.triangles[i + k]);
   }
-  EXPECT_EQ(complete_normals(mesh, 1.0e-5), mesh.positions.size());
+  EXPECT_EQ(complete_normals(mesh, weld_places(mesh.positions, 0)), mesh.positions.size());
   for (std::uint32_t v = 0; v < half; ++v) {
     EXPECT_NEAR(mesh.normals[v].norm(), 1.0f, 1.0e-5);
     EXPECT_NEAR(mesh.normals[v].dot(mesh.normals[half + v]), -1.0f, 1.0e-5);
@@ -149,7 +149,7 @@ TEST(SmoothNormals, GivenNormalsAreKept) {
   HairMesh mesh = hair_from(make_strip({}));
   mesh.normals.assign(mesh.positions.size(), Eigen::Vector3f::UnitX());
   mesh.normals[3] = Eigen::Vector3f::Zero();
-  EXPECT_EQ(complete_normals(mesh, 1.0e-5), 1u);
+  EXPECT_EQ(complete_normals(mesh, weld_places(mesh.positions, 0)), 1u);
   EXPECT_EQ(mesh.normals[2], Eigen::Vector3f::UnitX());
   EXPECT_NEAR(std::abs(mesh.normals[3].z()), 1.0f, 1.0e-5);
 }

@@ -173,7 +173,7 @@ class WeightBlender {
 
 SkinWeights blend_chain_weights(const HairMesh& mesh, const HairCells& cells, const HangingHair& hair,
                                 std::span<const HairLock> locks, std::span<const LockBones> bones,
-                                const std::vector<bool>& rigid, const std::vector<std::uint32_t>& place_of,
+                                const std::vector<bool>& rigid, std::span<const std::uint32_t> place_of,
                                 double blend) {
   const WeightBlender blender(cells, hair, bones, lock_shares(cells, locks, blend));
   SkinWeights weights(mesh.positions.size());

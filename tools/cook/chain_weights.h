@@ -17,6 +17,6 @@ struct LockBones {
 [[nodiscard]] SkinWeights blend_chain_weights(const HairMesh& mesh, const HairCells& cells, const HangingHair& hair,
                                               std::span<const HairLock> locks, std::span<const LockBones> bones,
                                               const std::vector<bool>& rigid,
-                                              const std::vector<std::uint32_t>& place_of, double blend);
+                                              std::span<const std::uint32_t> place_of, double blend);
 
 }  // namespace coif

@@ -16,9 +16,9 @@
 namespace coif {
 
 struct CookSettings {
-  unsigned threads = 1;                            ///< The result's bytes do not depend on it.
-  std::filesystem::path recipe_directory;          ///< Where texture paths of the recipe start.
-  std::uint64_t source_hash = 0;                   ///< XXH64 of the source file, for the provenance record.
+  unsigned threads = 1;                              ///< The result's bytes do not depend on it.
+  std::filesystem::path recipe_directory;            ///< Where texture paths of the recipe start.
+  std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
   std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.
 };
 

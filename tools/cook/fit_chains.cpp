@@ -38,14 +38,14 @@ std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& h
 
 /// Vertices at a place that a rigid triangle touches.
 std::vector<bool> rigid_vertices(const HairMesh& hair, const std::vector<bool>& movable,
-                                 const std::vector<std::uint32_t>& place_of) {
+                                 std::span<const std::uint32_t> place) {
   std::vector<bool> moves(hair.positions.size(), false), held(hair.positions.size(), false);
   for (std::size_t i = 0; i < hair.triangles.size(); ++i) {
-    const std::uint32_t place = place_of[hair.triangles[i]];
-    (movable[i / 3] ? moves : held)[place] = true;
+    const std::uint32_t here = place[hair.triangles[i]];
+    (movable[i / 3] ? moves : held)[here] = true;
   }
   std::vector<bool> rigid(hair.positions.size());
-  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[place_of[v]] || !moves[place_of[v]];
+  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[place[v]] || !moves[place[v]];
   return rigid;
 }
 
@@ -128,12 +128,11 @@ std::string describe(const FittedChain& chain) {
 
 }  // namespace
 
-FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const StrandField& strands,
-                     const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
+FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> place,
+                     const StrandField& strands, const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
   const double radius = head.radii.mean();
   const std::vector<bool> movable = movable_triangles(source, hair, recipe);
-  const std::vector<std::uint32_t> place_of = weld_places(hair.positions, recipe.patch_weld_distance);
-  const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place_of);
+  const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place);
   HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
   const HangingHair hanging = find_hanging_hair(cells, head, held_cells(cells, is_rigid));
   const std::vector<HairLock> locks = group_locks(cells, hanging, radius, recipe);
@@ -151,7 +150,7 @@ FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const Stra
         fmt::format("no chain was fitted: no hair hangs free for {:.0f} mm; it follows the head rigidly",
                     1000 * recipe.chain_shortest));
   }
-  rig.weights = blend_chain_weights(hair, cells, hanging, locks, bones, is_rigid, place_of, kBlend * radius);
+  rig.weights = blend_chain_weights(hair, cells, hanging, locks, bones, is_rigid, place, kBlend * radius);
   return rig;
 }
 

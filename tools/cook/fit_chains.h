@@ -15,7 +15,9 @@ struct FittedRig {
 /// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp to
 /// its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
 /// and nothing that moves.
-[[nodiscard]] FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, const StrandField& strands,
+/// `place` of each vertex from weld_places().
+[[nodiscard]] FittedRig fit_chains(const SourceModel& source, const HairMesh& hair,
+                                   std::span<const std::uint32_t> place, const StrandField& strands,
                                    const FittedHead& head, const Skeleton& rigid, const Recipe& recipe);
 
 }  // namespace coif

@@ -1,7 +1,5 @@
 #include "cook/smooth_normals.h"
 
-#include "cook/weld.h"
-
 #include <Eigen/Geometry>
 
 namespace coif {
@@ -18,13 +16,12 @@ bool is_unit(const Vector3f& n) { return std::abs(n.squaredNorm() - 1.0f) < 0.02
 
 }  // namespace
 
-std::size_t complete_normals(HairMesh& mesh, double weld_distance) {
+std::size_t complete_normals(HairMesh& mesh, std::span<const std::uint32_t> place) {
   mesh.normals.resize(mesh.positions.size(), Vector3f::Zero());
   std::size_t missing = 0;
   for (const Vector3f& n : mesh.normals) missing += is_unit(n) ? 0 : 1;
   if (missing == 0) return 0;
 
-  const std::vector<std::uint32_t> place = weld_places(mesh.positions, weld_distance);
   std::vector<Vector3f> own(mesh.positions.size(), Vector3f::Zero()), mean = own;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     for (int k = 0; k < 3; ++k) own[mesh.triangles[t + std::size_t(k)]] += face_vector(mesh, t);
