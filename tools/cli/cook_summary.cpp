@@ -24,6 +24,23 @@ std::string next_step(const CookSummary& summary) {
   return fmt::format("coif render {} -o picture.png", summary.output);
 }
 
+/// Up to a colon: what a line is about.
+std::string subject_of(const std::string& line) { return line.substr(0, line.find_first_of(":'")); }
+
+/// One line each, but no more than a few in a row about one subject; the JSON result has all.
+std::string folded(const std::vector<std::string>& lines, const char* prefix) {
+  constexpr std::size_t kMostInARow = 4;
+  std::string text;
+  for (std::size_t first = 0, end = 0; first < lines.size(); first = end) {
+    while (end < lines.size() && subject_of(lines[end]) == subject_of(lines[first])) ++end;
+    const std::size_t count = end - first, shown = count <= kMostInARow + 1 ? count : kMostInARow;
+    for (std::size_t i = first; i < first + shown; ++i) text += fmt::format("  {}{}\n", prefix, lines[i]);
+    if (shown < count)
+      text += fmt::format("  {}... and {} more like this (all with --format json)\n", prefix, count - shown);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string cook_json(const CookSummary& summary) {
@@ -56,8 +73,8 @@ std::string cook_text(const CookSummary& summary) {
                       counted(report.bones, "bone", "bones"), report.simulated_bones);
   text += fmt::format("  {} bytes in {:.0f} ms, {}\n", summary.bytes, total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
-  for (const std::string& note : report.notes) text += fmt::format("  {}\n", note);
-  for (const std::string& item : report.left_out) text += fmt::format("  left out: {}\n", item);
+  text += folded(report.notes, "");
+  text += folded(report.left_out, "left out: ");
   return text + fmt::format("  next: {}\n", next_step(summary));
 }
 

@@ -122,8 +122,9 @@ std::string describe(const FittedChain& chain) {
   for (std::size_t j = 1; j < chain.curve.joints.size(); ++j) {
     length += (chain.curve.joints[j] - chain.curve.joints[j - 1]).norm();
   }
-  return fmt::format("chain '{}': fitted, {:.0f} mm in {} bones", chain.name, 1000 * length,
-                     chain.curve.joints.size() - 1);
+  const std::size_t bones = chain.curve.joints.size() - 1;
+  return fmt::format("chains: '{}' fitted, {:.0f} mm in {} {}", chain.name, 1000 * length, bones,
+                     bones == 1 ? "bone" : "bones");
 }
 
 }  // namespace
