@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/patch_surface.h"
+#include "cook/shrinking_surface.h"
 
 namespace coif {
 
@@ -12,13 +12,8 @@ struct CollapseSequence {
     std::uint32_t triangles_left = 0;  ///< After it.
     std::uint32_t moves_end = 0;       ///< moves[0 .. moves_end) belong to this step and those before.
   };
-  /// All that used corner `from` uses `to` from now on.
-  struct Move {
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-  };
   std::vector<Step> steps;
-  std::vector<Move> moves;
+  std::vector<CornerMove> moves;
 };
 
 struct CollapseLimits {
@@ -26,9 +21,8 @@ struct CollapseLimits {
   double fewest_share = 0;      ///< Of its triangles that a patch keeps in any case.
 };
 
-/// Collapses edges, those first that change the shape least by quadric error, onto one of their ends. Corners of the
-/// outline stay, so that strips keep their points and their width, and no point that has a triangle loses its last one,
-/// so that something of every piece stays. Borders only move along themselves, texture seams too.
+/// Collapses edges onto one of their ends, those first that change the shape least. Corners of the outline stay, so that
+/// strips keep their points and their width, and something of every piece stays.
 ///
 /// A step's error is measured: how far the points that are gone lie from the triangles now around where they went.
 /// Near-linear in the triangles.

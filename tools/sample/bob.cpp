@@ -1,7 +1,6 @@
 #include "sample/bob.h"
 
 #include "sample/bob_skeleton.h"
-#include "sample/bob_style.h"
 #include "sample/gltf_document.h"
 #include "sample/head_shape.h"
 #include "sample/strand_texture.h"
@@ -16,11 +15,11 @@ SurfaceMesh skinned(SurfaceMesh mesh, SkinInfluences (*influences)(const Eigen::
 
 }  // namespace
 
-std::vector<std::uint8_t> make_bob() {
+std::vector<std::uint8_t> make_bob(const BobDensity& density) {
   GltfDocument document;
   document.set_skeleton(make_bob_skeleton());
   document.set_image("strands", encode_png(make_strand_texture()));
-  document.add_mesh("hair", skinned(make_bob_hair(), hair_influences), {.name = "hair", .is_hair = true});
+  document.add_mesh("hair", skinned(make_bob_hair(density), hair_influences), {.name = "hair", .is_hair = true});
   // Not "head": the name must not be mistaken for the joint's.
   document.add_mesh("bust", skinned(make_bust(), bust_influences),
                     {.name = "head", .red = 0.56, .green = 0.46, .blue = 0.40, .roughness = 0.75});

@@ -3,6 +3,9 @@
 #include "sample/strand_texture.h"
 #include "sample/strip.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace coif::sample {
 namespace {
 
@@ -88,9 +91,21 @@ StripStyle side_fringe(double azimuth, double half_width, double parting_from, d
   return style;
 }
 
+void append_copies(StripStyle style, const BobDensity& density, unsigned first_seed, SurfaceMesh& mesh) {
+  style.columns = std::max(1, int(std::lround(style.columns * density.quads)));
+  style.rows = std::max(1, int(std::lround(style.rows * density.quads)));
+  const double spread = 0.5 * style.half_width / density.copies;  // Degrees and metres that set copies apart.
+  const double rise = 0.003 / density.copies;
+  for (int copy = 0; copy < density.copies; ++copy) {
+    append_strip(style, first_seed + 1000 * unsigned(copy), mesh);
+    style.azimuth += spread;
+    style.lift += rise;
+  }
+}
+
 }  // namespace
 
-SurfaceMesh make_bob_hair() {
+SurfaceMesh make_bob_hair(const BobDensity& density) {
   const StripStyle styles[] = {
       panel(72, 30, 0.10, 0.80),          panel(124, 32, 0.75, 1.00),           panel(180, 36, 0.80, 0.80),
       panel(-124, 32, 1.00, 0.75),        panel(-72, 30, 0.80, 0.10),
@@ -107,7 +122,7 @@ SurfaceMesh make_bob_hair() {
   };
   SurfaceMesh mesh;
   unsigned seed = 1;
-  for (const StripStyle& style : styles) append_strip(style, seed++, mesh);
+  for (const StripStyle& style : styles) append_copies(style, density, seed++, mesh);
   return mesh;
 }
 

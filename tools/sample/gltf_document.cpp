@@ -1,5 +1,6 @@
 #include "sample/gltf_document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Names from the specification, tables of section 3.6.
-constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126;
+constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
 constexpr int kVertexTarget = 34962, kIndexTarget = 34963, kNoTarget = 0;
 
 /// Rounds to 2^-16: the file's bytes then do not depend on the last bit of a platform's sin() or exp().
@@ -152,7 +153,11 @@ void GltfDocument::add_skin_attributes(const std::vector<SkinInfluences>& skin, 
 }
 
 std::size_t GltfDocument::add_triangles(const std::vector<std::uint32_t>& triangles) {
-  // Every mesh of the sample has fewer than 65535 vertices.
+  const bool wide = !triangles.empty() && *std::ranges::max_element(triangles) > 0xFFFF;
+  if (wide) {
+    const std::size_t view = add_view(triangles.data(), triangles.size() * sizeof(std::uint32_t), kIndexTarget);
+    return add_accessor(view, kUnsignedInt, "SCALAR", triangles.size());
+  }
   const std::vector<std::uint16_t> narrow(triangles.begin(), triangles.end());
   const std::size_t view = add_view(narrow.data(), narrow.size() * sizeof(std::uint16_t), kIndexTarget);
   return add_accessor(view, kUnsignedShort, "SCALAR", narrow.size());
