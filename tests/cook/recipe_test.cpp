@@ -56,7 +56,7 @@ TEST(Recipe, UnknownKeyIsAnErrorWithASuggestion) {
 TEST(Recipe, ValuesOutOfRangeNameTheRange) {
   EXPECT_EQ(message_of(R"({"dynamics": {"friction": -1}})"),
             "r.json: \"dynamics.friction\" wants a number from 0 to 10000 1/s, found -1");
-  EXPECT_NE(message_of(R"({"head": {"shape": "cube"}})").find("auto|ellipsoid|sphere|none"), std::string::npos);
+  EXPECT_NE(message_of(R"({"head": {"shape": "cube"}})").find("auto|ellipsoid|sphere|capsule|none"), std::string::npos);
   EXPECT_NE(message_of(R"({"textures": {"max_size": 1.5}})").find("whole number"), std::string::npos);
   EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0.5, 0.1], [0.5, 0.2]]}})").find("ascending"),
             std::string::npos);

@@ -162,6 +162,69 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   EXPECT_TRUE(head_colliders(head_of(wig, recipe), skeleton, recipe).shapes.empty());
 }
 
+TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
+  const SourceModel wig = make_wig();
+  Recipe recipe = default_recipe();
+  recipe.head_center = {0, 1.6, 0};
+  recipe.head_radii = {0.05, 0.08, 0.06};
+  const auto shape = [&](const char* name) {
+    recipe.head_shape = name;
+    return head_colliders(head_of(wig, recipe), *skeleton_of(wig), recipe).shapes.at(0);
+  };
+  EXPECT_EQ(shape("auto").shape, ColliderShape::kEllipsoid);
+  EXPECT_EQ(shape("sphere").shape, ColliderShape::kSphere);
+  const HeadCollider capsule = shape("capsule");
+  EXPECT_EQ(capsule.shape, ColliderShape::kCapsule);
+  EXPECT_NEAR(capsule.center.y() - capsule.radii.x(), 1.52, 1.0e-9) << "as low as the ellipsoid";
+  EXPECT_NEAR(capsule.center.y() + capsule.axis.y() + capsule.radii.x(), 1.68, 1.0e-9) << "as high";
+}
+
+TEST(ColliderReach, BonesThatCannotGetThereAreNeverTested) {
+  Skeleton skeleton = *skeleton_of(make_wig());
+  FittedHead head;
+  head.center = {0, 1.6, 0};
+  head.radii.setConstant(0.05);
+  Colliders near = head_colliders(head, skeleton, default_recipe());
+  drop_colliders_out_of_reach(skeleton, near);
+  EXPECT_EQ(near.of_bone.at(2), 1u) << "0.1 m long, 0.05 m away";
+  head.center.x() = 1;
+  Colliders far = head_colliders(head, skeleton, default_recipe());
+  drop_colliders_out_of_reach(skeleton, far);
+  for (const std::uint32_t set : far.of_bone) EXPECT_EQ(set, 0u);
+  // Halfway: the chain's end gets there, its first bone does not.
+  head.center.x() = 0.28;
+  Colliders between = head_colliders(head, skeleton, default_recipe());
+  drop_colliders_out_of_reach(skeleton, between);
+  EXPECT_EQ(between.of_bone.at(2), 0u);
+  EXPECT_EQ(between.of_bone.at(3), 1u);
+}
+
+TEST(ColliderReach, RestPenetrationIsReportedWithItsDepth) {
+  const Skeleton skeleton = *skeleton_of(make_wig());
+  Colliders colliders;
+  colliders.of_bone = {0, 0, 1, 1};
+  colliders.hit_radius = {0, 0, 0, 0.02};
+  HeadCollider ball;
+  ball.center = skeleton.bones[3].tail + Eigen::Vector3d(0.05, 0, 0);
+  ball.radii.setConstant(0.04);
+  colliders.shapes.push_back(ball);
+  report_rest_penetration(skeleton, colliders);
+  ASSERT_EQ(colliders.warnings.size(), 1u);
+  EXPECT_NE(colliders.warnings[0].find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"), std::string::npos)
+      << colliders.warnings[0];
+}
+
+TEST(FitHead, WhatIsFlatOrSmallIsNoHead) {
+  SourceModel wig = make_wig();
+  SourceMesh ties;
+  ties.name = "ties";
+  ties.node = 1;
+  for (int i = 0; i < 100; ++i) ties.positions.emplace_back(i % 2 == 0 ? -0.02f : 0.02f, 1.4f, 0.0001f * float(i % 5));
+  ties.triangles = {0, 1, 2};
+  wig.meshes.push_back(ties);
+  EXPECT_EQ(head_of(wig).origin, "the inside of the hair's upper part");
+}
+
 TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   SourceModel wig = make_wig();
   wig.meshes.push_back(

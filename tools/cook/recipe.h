@@ -55,7 +55,7 @@ struct Recipe {
   double gravity_scale = 0;
   double authoring_rate = 0;
   // head
-  std::string head_shape;                            ///< "auto", "ellipsoid", "sphere" or "none".
+  std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
   // levels of detail

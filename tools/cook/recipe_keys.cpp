@@ -63,8 +63,8 @@ const RecipeKey kKeys[] = {
   {"dynamics", "authoring_rate", &R::authoring_rate, "60", 1, 1000, nullptr, "1/s",
    "frame rate at which the resistance was tuned"},
 
-  {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|none", "",
-   "what hair stays out of; auto: an ellipsoid as declared, from the head's mesh, or from the hair's inside"},
+  {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
+   "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},
   {"head", "center", &R::head_center, "null", -1000, 1000, nullptr, "m",
    "centre of the head in the model, metres, Y up; null: fitted"},
   {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",

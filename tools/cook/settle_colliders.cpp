@@ -41,6 +41,28 @@ double share_kept(const FittedHead& head, const Skeleton& skeleton, Colliders& c
   return kept;
 }
 
+HeadCollider ellipsoid(const Vector3d& center, const Vector3d& radii) {
+  HeadCollider shape;
+  const bool sphere = radii.minCoeff() == radii.maxCoeff();
+  shape.shape = sphere ? ColliderShape::kSphere : ColliderShape::kEllipsoid;
+  shape.center = center;
+  shape.radii = radii;
+  return shape;
+}
+
+/// As high as the ellipsoid and inside of its width and depth; a sphere where it is no higher than that.
+HeadCollider upright_capsule(const Vector3d& center, const Vector3d& radii) {
+  const double radius = std::min({radii.x(), radii.y(), radii.z()});
+  const double half = radii.y() - radius;
+  if (!(half > 0)) return ellipsoid(center, Vector3d::Constant(radius));
+  HeadCollider shape;
+  shape.shape = ColliderShape::kCapsule;
+  shape.center = center - half * Vector3d::UnitY();
+  shape.axis = 2 * half * Vector3d::UnitY();
+  shape.radii.setConstant(radius);
+  return shape;
+}
+
 /// Distance of `point` from the surface of a sphere around all of the shape; a plane has none.
 double distance_at_least(const HeadCollider& shape, const Vector3d& point) {
   switch (shape.shape) {
@@ -79,12 +101,8 @@ Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const
   colliders.of_bone.assign(skeleton.bones.size(), 0);
   if (recipe.head_shape == "none") return colliders;
   const Vector3d radii = head.radii * share_kept(head, skeleton, colliders);
-  const bool sphere = radii.minCoeff() == radii.maxCoeff();
-  HeadCollider shape;
-  shape.shape = sphere ? ColliderShape::kSphere : ColliderShape::kEllipsoid;
-  shape.center = head.center;
-  shape.radii = radii;
-  colliders.shapes.push_back(shape);
+  colliders.shapes.push_back(recipe.head_shape == "capsule" ? upright_capsule(head.center, radii)
+                                                            : ellipsoid(head.center, radii));
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     colliders.of_bone[b] = skeleton.bones[b].kind == BoneKind::kSimulated ? 1 : 0;
   }
