@@ -48,6 +48,26 @@ TEST(Cook, HeadSpaceStartsAtTheHeadsJoint) {
   EXPECT_NEAR(top, 0.05f, 1.0e-6);
 }
 
+TEST(Cook, OneOrderGoesAcrossMeshes) {
+  SourceModel model = make_wig();
+  for (const float depth : {-0.3f, -0.05f, -0.2f}) {
+    model.meshes.push_back(make_strip({.root = {0, 1.6f, depth}, .along = {0, -0.1f, 0}, .rows = 6}));
+    model.meshes.back().node = 1;
+  }
+  AlignedBytes file(cooked(model).asset);
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  const auto patches = asset.lod_patches(0);
+  ASSERT_EQ(patches.size(), 4u);
+  for (std::size_t p = 1; p < patches.size(); ++p) {
+    EXPECT_LE(patches[p - 1].head_distance, patches[p].head_distance);
+  }
+  const auto depth_of = [&](const PatchRecord& patch) {
+    return asset.vertices()[asset.indices()[patch.first_index]].position[2];
+  };
+  EXPECT_NEAR(depth_of(patches.back()), -0.3f, 1.0e-5) << "the first of the added meshes is the outermost";
+}
+
 TEST(Cook, ThreadsDoNotChangeTheBytes) {
   SourceModel model = make_wig();
   for (int i = 0; i < 20; ++i) model.meshes.push_back(make_strip({.root = {0.01f * float(i), 1.6f, 0.1f}, .rows = 9}));
