@@ -91,7 +91,7 @@ const RecipeKey kKeys[] = {
    "larger images are reduced to this"},
   {"textures", "seed", &R::texture_seed, "1", 0, 4294967295.0, nullptr, "",
    "start of the generated shift and mask"},
-  {"textures", "shift_mask_format", &R::shift_mask_format, "\"rg8\"", 0, 0, "eac|rg8", "",
+  {"textures", "shift_mask_format", &R::shift_mask_format, "\"eac\"", 0, 0, "eac|rg8", "",
    "how shift and mask are stored: eac takes half the bytes, rg8 keeps every value"},
 
   {"material", "base_color", &R::base_color, "[1, 1, 1, 1]", 0, 100, nullptr, "linear",
