@@ -46,7 +46,7 @@ HOMES = {
     "tl/": ["tools/", "tests/"],
     "stb/stb_image.h": ["tools/cook", "tests/"],
     "stb/stb_image_resize.h": ["tools/cook"],
-    "stb/stb_image_write.h": ["tools/render", "tools/sample"],
+    "stb/stb_image_write.h": ["tools/render", "tools/sample", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl"],
     "GLES2/": ["tools/render", "tests/gl"],
     "GLES3/": ["runtime/gl", "tools/render", "tests/gl"],

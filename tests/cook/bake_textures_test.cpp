@@ -1,0 +1,142 @@
+#include "cook/bake_textures.h"
+
+#include "cook/alpha_mips.h"
+#include "cook/built_models.h"
+#include "cook/image_files.h"
+#include "cook/shift_mask.h"
+#include "cook/textured_hair.h"
+#include "cook/used_texels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kSide = 128;
+
+/// Strands of uneven width and softness in the left half; alpha 1 in the right, which the hair does not show.
+Image strands_beside_a_face() {
+  return painted(kSide, kSide, [](std::uint32_t x, std::uint32_t y) {
+    const double wave = 127.5 + 127.5 * std::sin(x * 0.9) * std::cos(y * 0.05);
+    return Rgba{120, 80, 40, x < kSide / 2 ? std::uint8_t(wave) : std::uint8_t{255}};
+  });
+}
+
+HairMesh left_half() { return hair_from(strip_over({0.01f, 0.01f}, {0.49f, 0.99f})); }
+
+BakedTextures baked(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, unsigned threads = 1) {
+  auto result = bake_textures(color, hair, false, recipe, {.threads = threads, .recipe_directory = {}});
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  return result ? std::move(*result) : BakedTextures{};
+}
+
+const TextureRecord& record_of(const BakedTextures& baked, TextureRole role) {
+  const auto found = std::ranges::find(baked.records, role, &TextureRecord::role);
+  if (found == baked.records.end()) throw std::logic_error("no such texture");
+  return *found;
+}
+
+/// The texture's levels as they are stored; not for compressed ones.
+std::vector<Image> stored_mips(const BakedTextures& baked, TextureRole role, std::uint32_t channels) {
+  const TextureRecord& record = record_of(baked, role);
+  std::vector<Image> mips;
+  std::size_t at = record.offset;
+  for (std::uint32_t level = 0; level < record.mip_count; ++level) {
+    Image mip{std::max(1u, record.width >> level), std::max(1u, record.height >> level), channels, {}};
+    const std::size_t bytes = mip.texel_count() * channels;
+    for (std::size_t i = 0; i < bytes; ++i) mip.texels.push_back(std::uint8_t(baked.texels[at + i]));
+    at += bytes;
+    mips.push_back(std::move(mip));
+  }
+  EXPECT_EQ(at, record.offset + record.bytes);
+  return mips;
+}
+
+TEST(BakeTextures, MipsKeepTheCoverageOfWhatTheHairShowsAtTheThresholdInUse) {
+  BaseColor color;
+  color.image = strands_beside_a_face();
+  for (const double threshold : {0.0, 0.6, 0.9}) {
+    Recipe recipe = default_recipe();
+    recipe.opaque_threshold = threshold;
+    const BakedTextures textures = baked(color, left_half(), recipe);
+    const double in_use = textures.transparency.opaque_threshold;
+    ASSERT_GT(in_use, 0.4);
+    const auto mips = stored_mips(textures, TextureRole::kBaseColor, 4);
+    const auto used = make_mips(used_texels(left_half(), kSide, kSide), kSide, TexelMeaning::kNumbers);
+    const double wanted = alpha_coverage(mips[0], used[0], in_use);
+    ASSERT_GT(wanted, 0.05);
+    ASSERT_LT(wanted, 0.6);
+    for (std::size_t level = 1; level < 5; ++level) {
+      EXPECT_NEAR(alpha_coverage(mips[level], used[level], in_use), wanted, 0.15) << threshold << ", level " << level;
+      EXPECT_GE(alpha_coverage(mips[level], used[level], in_use), wanted) << threshold << ", level " << level;
+    }
+  }
+}
+
+TEST(BakeTextures, AnOpaqueMaterialIsStoredOpaque) {
+  BaseColor color;
+  color.image = strands_beside_a_face();
+  color.alpha_use = AlphaUse::kOpaque;
+  const auto mips = stored_mips(baked(color, left_half(), default_recipe()), TextureRole::kBaseColor, 4);
+  for (const Image& mip : mips) {
+    for (std::size_t i = 3; i < mip.texels.size(); i += 4) ASSERT_EQ(mip.texels[i], 255);
+  }
+}
+
+TEST(BakeTextures, ShiftAndMaskAreStoredAsTheRecipeSays) {
+  BaseColor color;
+  Recipe recipe = default_recipe();
+  const TextureRecord eac = record_of(baked(color, left_half(), recipe), TextureRole::kShiftMask);
+  EXPECT_EQ(eac.format, TexelFormat::kRg11Eac);
+  recipe.shift_mask_format = "rg8";
+  const TextureRecord rg8 = record_of(baked(color, left_half(), recipe), TextureRole::kShiftMask);
+  EXPECT_EQ(rg8.format, TexelFormat::kRg8);
+  EXPECT_NEAR(double(eac.bytes), 0.5 * double(rg8.bytes), 0.01 * double(rg8.bytes));
+}
+
+TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
+  SourceModel model;
+  model.path = "wig.glb";
+  add_surface(model, "red").base_color = {1, 0, 0, 1};
+  add_surface(model, "blue").base_color = {0, 0, 1, 1};
+  const HairMesh before = whole_hair(model);
+  HairMesh hair = before;
+  Recipe recipe = default_recipe();
+  recipe.shift_mask_format = "rg8";
+  const auto color = find_base_color(model, hair, recipe, {});
+  ASSERT_TRUE(color && color->atlas);
+  const Image stored = stored_mips(baked(*color, hair, recipe), TextureRole::kShiftMask, 2)[0];
+  const Image own = generate_shift_mask(recipe.texture_seed, false);
+  for (const AtlasTile& tile : color->atlas->tiles) {
+    for (std::uint32_t i = 0; i < tile.height; ++i) {
+      const double v = (i + 0.5) / tile.height, u = 0.5 / tile.width;
+      const std::size_t from = std::size_t(v * own.height) * own.width + std::size_t(u * own.width);
+      EXPECT_EQ(stored.texels[2 * (std::size_t(tile.y + i) * stored.width + tile.x)], own.texels[2 * from]);
+    }
+  }
+}
+
+TEST(BakeTextures, ThreadsDoNotChangeTheBytes) {
+  BaseColor color;
+  color.image = strands_beside_a_face();
+  const auto one = baked(color, left_half(), default_recipe(), 1).texels;
+  EXPECT_EQ(one, baked(color, left_half(), default_recipe(), 3).texels);
+}
+
+TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {
+  BaseColor color;
+  color.image = strands_beside_a_face();
+  HairMesh hair = left_half();
+  hair.uvs.clear();
+  const BakedTextures textures = baked(color, hair, default_recipe());
+  EXPECT_TRUE(textures.records.empty());
+  EXPECT_TRUE(textures.texels.empty());
+  EXPECT_EQ(textures.left_out.size(), 1u);
+}
+
+}  // namespace
+}  // namespace coif

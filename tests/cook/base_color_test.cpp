@@ -1,0 +1,160 @@
+#include "cook/base_color.h"
+
+#include "cook/built_models.h"
+#include "cook/image_files.h"
+#include "cook/textured_hair.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+constexpr Rgba kRed{200, 30, 20, 255};
+constexpr Rgba kGreen{30, 180, 40, 255};
+
+SourceModel model_beside(const ImageFolder& folder, const std::string& name) {
+  SourceModel model;
+  model.path = folder.source(name).string();
+  return model;
+}
+
+BaseColor base_color_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+  HairMesh hair = whole_hair(model);
+  auto color = find_base_color(model, hair, recipe, {});
+  EXPECT_TRUE(color) << (color ? "" : color.error().message);
+  return color ? std::move(*color) : BaseColor{};
+}
+
+/// The one warning; else what is wrong.
+std::string only_warning(const BaseColor& color) {
+  return color.warnings.size() == 1 ? color.warnings[0] : std::to_string(color.warnings.size()) + " warnings";
+}
+
+bool has_color(const BaseColor& color, const Rgba& wanted) {
+  return color.image && texel_at(*color.image, {0.5f, 0.5f}) == wanted;
+}
+
+TEST(BaseColor, ATextureWhereTheFileSaysIsTakenWithoutAWord) {
+  const ImageFolder folder;
+  folder.write_flat("maps/strands.png", kRed);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "maps/strands.png";
+  const BaseColor color = base_color_of(model);
+  EXPECT_TRUE(has_color(color, kRed));
+  EXPECT_TRUE(color.warnings.empty()) << color.warnings[0];
+  EXPECT_EQ(color.files, std::vector{folder.path() / "maps/strands.png"});
+}
+
+TEST(BaseColor, ATextureFoundElsewhereIsTakenWithAWarning) {
+  const ImageFolder folder;
+  folder.write_flat("Textures/Strands.png", kRed);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "D:\\art\\strands.psd";
+  const BaseColor color = base_color_of(model);
+  EXPECT_TRUE(has_color(color, kRed));
+  EXPECT_EQ(only_warning(color), "material 'strands': texture 'D:\\art\\strands.psd' taken from Textures/Strands.png");
+}
+
+TEST(BaseColor, AMissingTextureIsAWarningThatListsWhatIsThere) {
+  const ImageFolder folder;
+  folder.write_flat("a.png");
+  folder.write_flat("b.png");
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  const BaseColor color = base_color_of(model);
+  EXPECT_FALSE(color.image);
+  EXPECT_NE(only_warning(color).find("'strands.png': no such file"), std::string::npos) << only_warning(color);
+  EXPECT_NE(only_warning(color).find("a.png, b.png"), std::string::npos);
+}
+
+TEST(BaseColor, AnImageThatCannotBeReadIsAWarning) {
+  const ImageFolder folder;
+  folder.write("strands.png", std::vector<std::uint8_t>{'n', 'o'});
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  const BaseColor color = base_color_of(model);
+  EXPECT_FALSE(color.image);
+  EXPECT_NE(only_warning(color).find("cannot read the image"), std::string::npos) << only_warning(color);
+}
+
+TEST(BaseColor, EmbeddedImagesAreDecoded) {
+  for (const FileFormat format : {FileFormat::kPng, FileFormat::kJpeg}) {
+    SourceModel model;
+    model.path = "wig.glb";
+    model.images.push_back({"strands", encoded(flat(8, 8, kRed), format)});
+    add_surface(model, "strands").base_texture.image = 0;
+    const BaseColor color = base_color_of(model);
+    ASSERT_TRUE(color.image);
+    EXPECT_LE(difference(texel_at(*color.image, {0.5f, 0.5f}), kRed), 4);
+    EXPECT_TRUE(color.warnings.empty());
+    EXPECT_TRUE(color.files.empty());
+  }
+}
+
+TEST(BaseColor, ABrokenEmbeddedImageIsAWarningThatNamesIt) {
+  SourceModel model;
+  model.path = "wig.glb";
+  model.images.push_back({"strands", {1, 2, 3}});
+  add_surface(model, "hair").base_texture.image = 0;
+  const BaseColor color = base_color_of(model);
+  EXPECT_FALSE(color.image);
+  EXPECT_NE(only_warning(color).find("embedded image 'strands'"), std::string::npos) << only_warning(color);
+}
+
+TEST(BaseColor, OneImageWhoseNameFitsIsTakenWithAWarning) {
+  // Called like the source, the material, or hair; the skin beside it is not meant.
+  for (const char* image : {"long2_texture.png", "Strands.tga", "hair.png"}) {
+    const ImageFolder folder;
+    folder.write_flat(image, kRed);
+    folder.write_flat("skin.png");
+    folder.write_flat("hair_normal.png");
+    SourceModel model = model_beside(folder, "long2.obj");
+    add_surface(model, "strands").base_color = {0.6f, 0.6f, 0.6f, 1};
+    const BaseColor color = base_color_of(model);
+    EXPECT_TRUE(has_color(color, kRed)) << image;
+    EXPECT_EQ(color.factor, Eigen::Vector4f::Ones()) << "grey of the exporter, not of the artist";
+    EXPECT_NE(only_warning(color).find(std::string(image) + " is taken"), std::string::npos) << only_warning(color);
+  }
+}
+
+TEST(BaseColor, SeveralImagesThatFitAreListedAndNoneIsTaken) {
+  const ImageFolder folder;
+  folder.write_flat("hair_red.png");
+  folder.write_flat("tex/hair_blond.png");
+  SourceModel model = model_beside(folder, "wig.obj");
+  add_surface(model, "strands");
+  const BaseColor color = base_color_of(model);
+  EXPECT_FALSE(color.image);
+  EXPECT_NE(only_warning(color).find("hair_red.png, tex/hair_blond.png"), std::string::npos) << only_warning(color);
+  EXPECT_NE(only_warning(color).find(R"("textures": {"base_color": "hair_red.png"})"), std::string::npos);
+}
+
+TEST(BaseColor, AGltfWithoutATextureMeansIt) {
+  const ImageFolder folder;
+  folder.write_flat("hair.png");
+  SourceModel model = model_beside(folder, "wig.glb");
+  add_surface(model, "hair").base_color = {0.5f, 0.2f, 0.1f, 1};
+  const BaseColor color = base_color_of(model);
+  EXPECT_FALSE(color.image);
+  EXPECT_TRUE(color.warnings.empty());
+  EXPECT_EQ(color.factor, Eigen::Vector4f(0.5f, 0.2f, 0.1f, 1));
+}
+
+TEST(BaseColor, TheImageOfTheRecipeComesFirstAndMustBeThere) {
+  const ImageFolder folder;
+  folder.write_flat("strands.png", kRed);
+  folder.write_flat("mine.png", kGreen);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  Recipe recipe = default_recipe();
+  recipe.base_color_texture = (folder.path() / "mine.png").string();
+  EXPECT_TRUE(has_color(base_color_of(model, recipe), kGreen));
+  recipe.base_color_texture = "absent.png";
+  HairMesh hair = whole_hair(model);
+  const auto color = find_base_color(model, hair, recipe, {});
+  ASSERT_FALSE(color);
+  EXPECT_NE(color.error().message.find("\"textures.base_color\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coif

@@ -1,0 +1,123 @@
+#include "cook/texture_atlas.h"
+
+#include "cook/built_models.h"
+#include "cook/image_files.h"
+#include "cook/textured_hair.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace coif {
+namespace {
+
+/// One strip for each rectangle of texture coordinates, each a surface of its own.
+struct Surfaces {
+  explicit Surfaces(std::span<const std::pair<Eigen::Vector2f, Eigen::Vector2f>> rectangles) {
+    SourceMesh mesh;
+    for (const auto& [low, high] : rectangles) {
+      const SourceMesh strip = strip_over(low, high);
+      of_triangle.insert(of_triangle.end(), strip.triangles.size() / 3, surfaces++);
+      append_piece(mesh, strip, 0);
+    }
+    hair = hair_from(mesh);
+  }
+
+  HairMesh hair;
+  std::vector<std::uint32_t> of_triangle;
+  std::uint32_t surfaces = 0;
+};
+
+using Rectangles = std::vector<std::pair<Eigen::Vector2f, Eigen::Vector2f>>;
+
+TEST(TextureAtlas, NoTileTouchesAnother) {
+  Surfaces surfaces(
+      Rectangles{{{0, 0}, {1, 1}}, {{0.2f, 0.2f}, {0.4f, 0.9f}}, {{0, 0}, {1, 1}}, {{-0.5f, 0}, {1.4f, 1}}});
+  const auto layout = lay_out_atlas(surfaces.hair, surfaces.of_triangle,
+                                    std::vector<ImageSize>{{100, 60}, {256, 256}, {0, 0}, {33, 17}});
+  ASSERT_TRUE(layout) << layout.error();
+  ASSERT_EQ(layout->tiles.size(), 4u);
+  Image owner{layout->width, layout->height, 1, std::vector<std::uint8_t>(layout->width * layout->height, 0)};
+  for (const AtlasTile& tile : layout->tiles) {
+    ASSERT_LE(tile.x + tile.width, layout->width);
+    ASSERT_LE(tile.y + tile.height, layout->height);
+    for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y) {
+      for (std::uint32_t x = tile.x; x < tile.x + tile.width; ++x) ASSERT_EQ(owner.texels[y * owner.width + x]++, 0);
+    }
+  }
+}
+
+TEST(TextureAtlas, FourMipsKeepSurfacesApart) {
+  Surfaces surfaces(Rectangles{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}, {{0.3f, 0.1f}, {0.7f, 0.6f}}});
+  const Rgba colors[] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}};
+  const Image images[] = {flat(50, 70, colors[0]), flat(30, 20, colors[1]), flat(64, 64, colors[2])};
+  const auto layout =
+      lay_out_atlas(surfaces.hair, surfaces.of_triangle, std::vector<ImageSize>{{50, 70}, {30, 20}, {64, 64}});
+  ASSERT_TRUE(layout);
+  const Image* pointers[] = {&images[0], &images[1], &images[2]};
+  const auto mips = make_mips(draw_atlas(*layout, pointers), 4096, TexelMeaning::kSrgbColorAlpha);
+  move_uvs_to_atlas(*layout, surfaces.of_triangle, surfaces.hair);
+  for (std::size_t level = 0; level <= 4; ++level) {
+    for (std::size_t i = 0; i < surfaces.hair.triangles.size(); ++i) {
+      const Eigen::Vector2f uv = surfaces.hair.uvs[surfaces.hair.triangles[i]];
+      EXPECT_LE(difference(texel_at(mips[level], uv), colors[surfaces.of_triangle[i / 3]]), 1) << "level " << level;
+    }
+  }
+}
+
+TEST(TextureAtlas, ImagesMirroredOrRepeatedOnceStayInTheirTile) {
+  // Coordinates beyond 1 on both sides: two repeats in all.
+  Surfaces surfaces(Rectangles{{{-0.9f, 1.2f}, {1.0f, 2.1f}}, {{0, 0}, {1, 1}}});
+  const Image stripes = painted(16, 16, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{std::uint8_t(x * 16), std::uint8_t(y * 16), 0, 255};
+  });
+  const HairMesh before = surfaces.hair;
+  const auto layout = lay_out_atlas(surfaces.hair, surfaces.of_triangle, std::vector<ImageSize>{{16, 16}, {16, 16}});
+  ASSERT_TRUE(layout) << layout.error();
+  const Image* pointers[] = {&stripes, &stripes};
+  const Image atlas = draw_atlas(*layout, pointers);
+  move_uvs_to_atlas(*layout, surfaces.of_triangle, surfaces.hair);
+  for (std::size_t t = 0; t < surfaces.hair.triangles.size(); t += 3) {
+    Eigen::Vector2f own = Eigen::Vector2f::Zero(), moved = own;
+    for (std::size_t k = 0; k < 3; ++k) {
+      own += before.uvs[before.triangles[t + k]] / 3;
+      moved += surfaces.hair.uvs[surfaces.hair.triangles[t + k]] / 3;
+    }
+    EXPECT_LE(difference(texel_at(atlas, moved), texel_at(stripes, own)), 16) << "more than a texel off";
+  }
+}
+
+TEST(TextureAtlas, AVertexOfTwoSurfacesBecomesTwo) {
+  HairMesh hair = hair_from(make_strip({.rows = 2}));
+  const std::size_t vertices = hair.positions.size();
+  const std::vector<std::uint32_t> surface_of_triangle{0, 0, 1, 1};
+  const auto layout = lay_out_atlas(hair, surface_of_triangle, std::vector<ImageSize>{{8, 8}, {8, 8}});
+  ASSERT_TRUE(layout);
+  const std::vector<Eigen::Vector3f> before = hair.positions;
+  const std::vector<std::uint32_t> triangles = hair.triangles;
+  move_uvs_to_atlas(*layout, surface_of_triangle, hair);
+  EXPECT_EQ(hair.positions.size(), vertices + 2) << "the two of the row between them";
+  EXPECT_EQ(hair.uvs.size(), hair.positions.size());
+  EXPECT_EQ(hair.influence_begin.size(), hair.positions.size() + 1);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    EXPECT_EQ(hair.positions[hair.triangles[i]], before[triangles[i]]);
+  }
+}
+
+TEST(TextureAtlas, RefusesWhatItCannotHold) {
+  Surfaces often(Rectangles{{{0, 0}, {2.5f, 1}}});
+  const std::vector<ImageSize> small{{16, 16}};
+  EXPECT_FALSE(lay_out_atlas(often.hair, often.of_triangle, small));
+  Surfaces far_off(Rectangles{{{50000, 0}, {50001, 1}}});
+  EXPECT_FALSE(lay_out_atlas(far_off.hair, far_off.of_triangle, small)) << "no exact texels there";
+  Surfaces bad(Rectangles{{{0, 0}, {1, 1}}});
+  for (Eigen::Vector2f& uv : bad.hair.uvs) uv.x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(lay_out_atlas(bad.hair, bad.of_triangle, small));
+  Surfaces two(Rectangles{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}});
+  const auto huge = lay_out_atlas(two.hair, two.of_triangle, std::vector<ImageSize>{{8192, 8192}, {8192, 8192}});
+  ASSERT_FALSE(huge);
+  EXPECT_NE(huge.error().find("an atlas of"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coif
