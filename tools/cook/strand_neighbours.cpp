@@ -12,7 +12,7 @@ constexpr std::size_t kSamples = 64;  ///< Vertices looked at per patch.
 constexpr std::size_t kPerCell = 16;  ///< Samples kept per cell: beyond, hair is so dense that more say the same.
 constexpr float kParallel = 0.6f;     ///< Cosine from which two tangents can be compared.
 
-using Cell = std::array<int, 3>;
+using Cell = std::array<std::int64_t, 3>;
 
 struct Sample {
   std::uint32_t vertex = 0;
@@ -21,7 +21,11 @@ struct Sample {
 
 Cell cell_of(const Eigen::Vector3f& p, double size) {
   Cell cell;
-  for (int k = 0; k < 3; ++k) cell[std::size_t(k)] = int(std::floor(double(p[k]) / size));
+  // Far outside of anything sensible all is one cell, rather than overflow.
+  constexpr double kFarthest = 1.0e15;
+  for (int k = 0; k < 3; ++k) {
+    cell[std::size_t(k)] = std::int64_t(std::clamp(std::floor(double(p[k]) / size), -kFarthest, kFarthest));
+  }
   return cell;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -23,7 +24,10 @@ struct CellHash {
 };
 
 Cell cell_of(const Eigen::Vector3f& position, double size) {
-  const auto index = [&](float v) { return std::int64_t(std::floor(double(v) / size)); };
+  constexpr double kFarthest = 1.0e15;  // beyond, all is one cell, rather than overflow
+  const auto index = [&](float v) {
+    return std::int64_t(std::clamp(std::floor(double(v) / size), -kFarthest, kFarthest));
+  };
   return {index(position.x()), index(position.y()), index(position.z())};
 }
 
