@@ -9,8 +9,9 @@ SourceMesh make_strip(const StripDesc& desc) {
   mesh.name = "hair";
   for (std::uint32_t row = 0; row <= desc.rows; ++row) {
     const float t = float(row) / float(desc.rows);
+    const Eigen::Vector3f across = desc.across * (1 + t * (desc.tip_width - 1));
     for (int side = 0; side < 2; ++side) {
-      mesh.positions.push_back(desc.root + desc.along * t + desc.across * (float(side) - 0.5f));
+      mesh.positions.push_back(desc.root + desc.along * t + across * (float(side) - 0.5f));
       const float v = desc.v_upwards ? 1 - t : t;
       mesh.uvs.push_back(desc.uv_sideways ? Eigen::Vector2f(v, float(side)) : Eigen::Vector2f(float(side), v));
     }
@@ -105,7 +106,7 @@ SourceModel make_wig() {
   const std::uint32_t hair2 = add_node(model, "hair_2", hair1, {0, 1.5, -0.1});
   add_node(model, "hair_2_end", hair2, {0, 1.4, -0.1});
 
-  SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .rows = 5});
+  SourceMesh mesh = make_strip({.root = {0, 1.65f, -0.1f}, .along = {0, -0.25f, 0}, .tip_width = 0.4f, .rows = 5});
   mesh.node = head;
   mesh.influence_begin.push_back(0);
   for (const Eigen::Vector3f& p : mesh.positions) {

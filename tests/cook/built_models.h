@@ -9,6 +9,7 @@ struct StripDesc {
   Eigen::Vector3f root{0, 1.6f, -0.1f};  ///< Middle of the upper edge, metres.
   Eigen::Vector3f along{0, -0.3f, 0};    ///< Root to tip.
   Eigen::Vector3f across{0.05f, 0, 0};   ///< Width.
+  float tip_width = 1;                   ///< Of `across`; the strip narrows evenly.
   std::uint32_t rows = 4;
   bool v_upwards = false;    ///< V is 0 at the tip instead of the root.
   bool uv_sideways = false;  ///< U runs along the strip.
@@ -30,8 +31,8 @@ void append_piece(SourceMesh& mesh, const SourceMesh& part, std::uint32_t node);
 /// One vertex per corner: what exporters make of flat shading.
 void split_vertices(SourceMesh& mesh);
 
-/// root > Head (at y = 1.6) > scalp > hair_1 > hair_2 > hair_2_end straight down in steps of 0.1 m, and one strip that
-/// follows scalp, hair_1 and hair_2 by height.
+/// root > Head (at y = 1.6) > scalp > hair_1 > hair_2 > hair_2_end straight down in steps of 0.1 m, and one strip,
+/// narrowing towards its tip, that follows scalp, hair_1 and hair_2 by height.
 [[nodiscard]] SourceModel make_wig();
 
 /// Adds a node; returns its index.

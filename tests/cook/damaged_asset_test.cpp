@@ -18,7 +18,7 @@ namespace {
 /// A wig with two patches and both textures, cooked as small as it gets, so that every byte can be tried.
 std::vector<std::byte> cooked_wig() {
   SourceModel model = make_wig();
-  model.meshes.push_back(make_strip({.root = {0.05f, 1.6f, -0.1f}}));
+  model.meshes.push_back(make_strip({.root = {0.05f, 1.6f, -0.1f}, .tip_width = 0.4f}));
   model.meshes.back().node = 1;
   SourceMaterial strands;
   strands.name = "strands";

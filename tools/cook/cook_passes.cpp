@@ -2,6 +2,7 @@
 
 #include "cook/build_skeleton.h"
 #include "cook/fit_chains.h"
+#include "cook/hard_tips.h"
 #include "cook/smooth_normals.h"
 #include "cook/spring_colliders.h"
 #include "cook/weld.h"
@@ -184,6 +185,7 @@ class CookRun {
     append(report_.notes, parts_.textures.transparency.notes);
     append(report_.warnings, parts_.textures.transparency.warnings);
     append(report_.left_out, parts_.textures.left_out);
+    append(report_.warnings, timed("tips", [&] { return find_hard_ends(); }).warnings);
     parts_.lods = timed("lods", [&] {
       return make_lods(mesh(), parts_.place, parts_.extracted.patches, parts_.skeleton, parts_.weights, parts_.head,
                        alpha_test(parts_.base_color, parts_.textures.transparency, recipe_),
@@ -191,6 +193,13 @@ class CookRun {
     });
     append(report_.notes, parts_.lods.notes);
     return {};
+  }
+
+  HardTips find_hard_ends() {
+    AlphaTest opaque = alpha_test(parts_.base_color, parts_.textures.transparency, recipe_);
+    opaque.threshold = parts_.textures.transparency.opaque_threshold;
+    return find_hard_tips(mesh(), parts_.place, parts_.extracted.patches, parts_.strands, parts_.head, opaque,
+                          settings_.threads);
   }
 
   const SourceModel& source_;

@@ -1,0 +1,186 @@
+#include "cook/hard_tips.h"
+
+#include "cook/built_models.h"
+#include "cook/image_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+const Eigen::Vector3d kHead{0, 1.6, 0};
+
+/// Patches whose strands run along V, in front of a head's centre.
+struct Wig {
+  void add(const SourceMesh& piece) {
+    patches.patch_of.insert(patches.patch_of.end(), piece.triangles.size() / 3, patches.count++);
+    append_piece(all, piece, 0);
+  }
+
+  [[nodiscard]] HardTips tips(const AlphaTest& opaque = {}, unsigned threads = 1) const {
+    const HairMesh mesh = hair_from(all);
+    StrandField strands;
+    for (const Eigen::Vector2f& uv : mesh.uvs) strands.place.push_back(uv.y());
+    strands.tangent.assign(mesh.positions.size(), {0, -1, 0});
+    FittedHead head;
+    head.center = kHead;
+    head.radii.setConstant(0.1);
+    // Vertices at one place count as one, whatever piece they are of.
+    std::vector<std::uint32_t> place(mesh.positions.size());
+    for (std::size_t v = 0; v < place.size(); ++v) {
+      place[v] = std::uint32_t(std::ranges::find(mesh.positions, mesh.positions[v]) - mesh.positions.begin());
+    }
+    return find_hard_tips(mesh, place, patches, strands, head, opaque, threads);
+  }
+
+  SourceMesh all;
+  PatchSet patches;
+};
+
+std::size_t hard_ends(const SourceMesh& piece, const AlphaTest& opaque = {}) {
+  Wig wig;
+  wig.add(piece);
+  return wig.tips(opaque).patches.size();
+}
+
+const StripDesc kStrip{.root = {0, 1.6f, 0.12f}, .rows = 6};
+
+SourceMesh strip_at(float x, float z, float length = 0.3f) {
+  StripDesc desc = kStrip;
+  desc.root = {x, 1.6f, z};
+  desc.along = {0, -length, 0};
+  return make_strip(desc);
+}
+
+TEST(HardTips, AStripCutStraightEndsHard) {
+  Wig wig;
+  wig.add(make_strip(kStrip));
+  const HardTips tips = wig.tips();
+  EXPECT_EQ(tips.open, 1u);
+  EXPECT_EQ(tips.patches, std::vector<std::uint32_t>{0});
+}
+
+TEST(HardTips, AStripThatNarrowsDoesNot) {
+  StripDesc desc = kStrip;
+  for (const float width : {0.9f, 0.7f}) {
+    desc.tip_width = width;
+    EXPECT_EQ(hard_ends(make_strip(desc)), 1u) << width;
+  }
+  for (const float width : {0.4f, 0.1f, 0.0f}) {
+    desc.tip_width = width;
+    EXPECT_EQ(hard_ends(make_strip(desc)), 0u) << width;
+  }
+}
+
+/// Alpha by place along the strip.
+Image fading(const std::function<double(double)>& alpha) {
+  return painted(8, 128, [&](auto, std::uint32_t y) { return Rgba{9, 9, 9, std::uint8_t(255 * alpha(y / 128.0))}; });
+}
+
+TEST(HardTips, AlphaThatFadesMakesThemSoft) {
+  const Image even = fading([](double v) { return 1 - v; });
+  const Image late = fading([](double v) { return v < 0.9 ? 1 : 0.5; });
+  const Image never = fading([](double v) { return v < 0.5 ? 1 : 0.9; });
+  const auto with = [](const Image& image, double threshold) { return AlphaTest{&image, 1, threshold}; };
+  EXPECT_EQ(hard_ends(make_strip(kStrip), with(even, 0.8)), 0u);
+  EXPECT_EQ(hard_ends(make_strip(kStrip), with(late, 0.8)), 0u);
+  EXPECT_EQ(hard_ends(make_strip(kStrip), with(never, 0.8)), 1u);
+  EXPECT_EQ(hard_ends(make_strip(kStrip), with(even, 0)), 1u) << "all of it is drawn as opaque";
+}
+
+TEST(HardTips, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
+  // Four opaque strands across the strip; below `from` one of them is left.
+  const auto strands = [](std::uint32_t from) {
+    return painted(64, 64, [=](std::uint32_t x, std::uint32_t y) {
+      const bool opaque = x % 16 < 8 && (y < from || x < 16);
+      return Rgba{9, 9, 9, opaque ? std::uint8_t{255} : std::uint8_t{0}};
+    });
+  };
+  const Image thinning = strands(48), cut = strands(64);
+  EXPECT_EQ(hard_ends(make_strip(kStrip), {&thinning, 1, 0.8}), 0u);
+  EXPECT_EQ(hard_ends(make_strip(kStrip), {&cut, 1, 0.8}), 1u);
+}
+
+/// A flat tube: two sheets that share their sides and both ends.
+SourceMesh closed_lock() {
+  SourceMesh lock;
+  for (const float bulge : {0.01f, -0.01f}) {
+    const auto base = std::uint32_t(lock.positions.size());
+    for (std::uint32_t row = 0; row <= 4; ++row) {
+      for (std::uint32_t column = 0; column < 3; ++column) {
+        const bool inside = column == 1 && row > 0 && row < 4;
+        lock.positions.emplace_back(0.02f * float(column), 1.6f - 0.05f * float(row), 0.12f + (inside ? bulge : 0));
+        lock.uvs.emplace_back(0.5f * float(column), 0.25f * float(row));
+      }
+    }
+    for (std::uint32_t row = 0; row < 4; ++row) {
+      for (std::uint32_t column = 0; column < 2; ++column) {
+        const std::uint32_t a = base + row * 3 + column;
+        lock.triangles.insert(lock.triangles.end(), {a, a + 3, a + 1, a + 1, a + 3, a + 4});
+      }
+    }
+  }
+  return lock;
+}
+
+TEST(HardTips, ClosedShapesHaveNoEdgeToShow) {
+  Wig wig;
+  wig.add(closed_lock());
+  EXPECT_EQ(wig.tips().open, 0u);
+  SourceMesh opened = closed_lock();
+  opened.triangles.resize(opened.triangles.size() / 2);  // One of the sheets.
+  EXPECT_EQ(hard_ends(opened), 1u);
+}
+
+TEST(HardTips, EndsUnderOtherHairDoNotShow) {
+  Wig covered;
+  covered.add(strip_at(0, 0.12f, 0.2f));
+  covered.add(strip_at(0, 0.13f));
+  EXPECT_EQ(covered.tips().patches, std::vector<std::uint32_t>{1}) << "the longer one, which lies above";
+  Wig above;
+  above.add(strip_at(0, 0.13f, 0.2f));
+  above.add(strip_at(0, 0.12f));
+  EXPECT_EQ(above.tips().patches, (std::vector<std::uint32_t>{0, 1})) << "a layer cut straight over longer hair";
+}
+
+TEST(HardTips, EndsThatOtherHairTakesUpDoNotShow) {
+  // Strands run down to y = 1.3; there a band lies across them, or far below.
+  for (const auto& [height, hard] : {std::pair{1.28f, false}, {1.1f, true}}) {
+    StripDesc band;
+    band.root = {-0.1f, height, 0.12f};
+    band.along = {0.2f, 0, 0};
+    band.across = {0, 0, 0.05f};
+    Wig wig;
+    wig.add(strip_at(0, 0.12f));
+    wig.add(make_strip(band));
+    const HardTips tips = wig.tips();
+    EXPECT_EQ(std::ranges::count(tips.patches, 0u), hard ? 1 : 0) << height;
+  }
+}
+
+TEST(HardTips, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
+  for (const std::uint32_t hard : {0u, 1u, 5u, 10u}) {
+    Wig wig;
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      StripDesc desc = kStrip;
+      desc.root.x() = 0.1f * float(i);
+      desc.tip_width = i < hard ? 1.0f : 0.1f;
+      wig.add(make_strip(desc));
+    }
+    const HardTips tips = wig.tips();
+    EXPECT_EQ(tips.patches.size(), hard);
+    ASSERT_EQ(tips.warnings.size(), hard > 1 ? 1u : 0u) << hard;
+    if (hard > 1) {
+      const std::string share = std::to_string(10 * hard) + " % of the patches (" + std::to_string(hard) + " of 10)";
+      EXPECT_EQ(tips.warnings[0].rfind(share, 0), 0u) << tips.warnings[0];
+    }
+    EXPECT_EQ(wig.tips({}, 4).patches, tips.patches) << "threads do not matter";
+  }
+}
+
+TEST(HardTips, NoHairHasNone) { EXPECT_TRUE(Wig().tips().patches.empty()); }
+
+}  // namespace
+}  // namespace coif
