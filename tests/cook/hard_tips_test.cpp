@@ -134,6 +134,15 @@ TEST(HardTips, ClosedShapesHaveNoEdgeToShow) {
   EXPECT_EQ(hard_ends(opened), 1u);
 }
 
+TEST(HardTips, AnEdgeThatAnotherPatchContinuesIsNotFree) {
+  Wig wig;
+  wig.add(strip_at(0, 0.12f, 0.25f));
+  StripDesc below = kStrip;
+  below.root = {0, 1.6f - 0.25f, 0.12f};
+  wig.add(make_strip(below));
+  EXPECT_EQ(wig.tips().patches, std::vector<std::uint32_t>{1});
+}
+
 TEST(HardTips, EndsUnderOtherHairDoNotShow) {
   Wig covered;
   covered.add(strip_at(0, 0.12f, 0.2f));
@@ -149,9 +158,9 @@ TEST(HardTips, EndsThatOtherHairTakesUpDoNotShow) {
   // Strands run down to y = 1.3; there a band lies across them, or far below.
   for (const auto& [height, hard] : {std::pair{1.28f, false}, {1.1f, true}}) {
     StripDesc band;
-    band.root = {-0.1f, height, 0.12f};
+    band.root = {-0.1f, height, 0.11f};
     band.along = {0.2f, 0, 0};
-    band.across = {0, 0, 0.05f};
+    band.across = {0, 0, 0.03f};  // Not in the way of who looks from outside.
     Wig wig;
     wig.add(strip_at(0, 0.12f));
     wig.add(make_strip(band));

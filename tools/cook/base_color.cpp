@@ -68,7 +68,7 @@ bool is_colourless(const BaseColor& color) {
 void dye(BaseColor& color) {
   color.factor.head<3>() = Eigen::Vector3f(0.13f, 0.07f, 0.035f);  // linear, a middle brown
   color.notes.emplace_back(
-      "the file has neither texture nor colour for the hair: it is brown; set \"textures.base_color\" or "
+      "neither a texture nor a colour was found for the hair: it is brown; set \"textures.base_color\" or "
       "\"material.base_color\", which multiplies it");
 }
 
