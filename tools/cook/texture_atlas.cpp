@@ -99,15 +99,8 @@ void draw_tile(const AtlasTile& tile, const Image& image, Image& atlas) {
 }
 
 std::uint32_t copy_vertex(HairMesh& hair, std::uint32_t vertex) {
-  const auto copy = std::uint32_t(hair.positions.size());
-  hair.positions.push_back(Eigen::Vector3f(hair.positions[vertex]));
-  hair.uvs.push_back(Vector2f(hair.uvs[vertex]));
-  if (!hair.normals.empty()) hair.normals.push_back(Eigen::Vector3f(hair.normals[vertex]));
-  for (std::uint32_t k = hair.influence_begin[vertex]; k < hair.influence_begin[vertex + 1]; ++k) {
-    hair.influences.push_back(SourceInfluence(hair.influences[k]));
-  }
-  hair.influence_begin.push_back(std::uint32_t(hair.influences.size()));
-  return copy;
+  hair.append_copy(vertex);
+  return std::uint32_t(hair.positions.size() - 1);
 }
 
 }  // namespace
