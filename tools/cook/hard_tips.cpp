@@ -21,11 +21,13 @@ using Eigen::Vector3f;
 // Places along a patch, 0 its first row .. 1 its last. At its very end a texture's border may be antialiased.
 constexpr std::array kBody = {0.05f, 0.15f, 0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f, 0.85f};
 constexpr std::array kTip = {0.95f, 0.97f, 0.985f};
-constexpr float kRimFrom = 0.85f;    ///< The corners of a last row need not be equally far along.
-constexpr float kBlunt = 0.5f;       ///< Of the greatest width; what narrows further ends softly enough.
-constexpr float kRimAtLeast = 0.5f;  ///< Of the width at the tip that must be free: closed shapes have none.
-constexpr int kSamples = 8;          ///< Of alpha, along the part of a row in one triangle.
-constexpr float kTiedWithin = 0.3f;  ///< Of the head's radius.
+constexpr float kRimFrom = 0.85f;      ///< The corners of a last row need not be equally far along.
+constexpr float kBlunt = 0.5f;         ///< Of the greatest width; what narrows further ends softly enough.
+constexpr float kRimAtLeast = 0.5f;    ///< Of the width at the tip that must be free: closed shapes have none.
+constexpr std::size_t kRimEdges = 16;  ///< Looked at, at most, per patch.
+constexpr std::size_t kBlock = 64;     ///< Triangles that a ray misses together.
+constexpr int kSamples = 8;            ///< Of alpha, along the part of a row in one triangle.
+constexpr float kTiedWithin = 0.3f;    ///< Of the head's radius.
 /// Some ends that are tied into other hair look the same from here: hair that has no more hard ends than those is fine.
 constexpr float kWarnShare = 0.15f;
 
@@ -61,15 +63,11 @@ class TipEnds {
  public:
   TipEnds(const HairMesh& mesh, const PatchSet& patches, const StrandField& strands, const AlphaTest& opaque)
       : mesh_(mesh), strands_(strands), opaque_(opaque), views_(view_patches(mesh, patches)) {
-    for (const PatchView& view : views_) {
-      Eigen::AlignedBox3f box;
+    for (std::uint32_t p = 0; p < views_.size(); ++p) {
       Eigen::AlignedBox1f range;
-      for (const std::uint32_t v : view.vertices) {
-        box.extend(mesh.positions[v]);
-        range.extend(Eigen::Matrix<float, 1, 1>(strands.place[v]));
-      }
-      boxes_.push_back(box);
+      for (const std::uint32_t v : views_[p].vertices) range.extend(Eigen::Matrix<float, 1, 1>(strands.place[v]));
       ranges_.push_back(range);
+      add_blocks(p);
     }
   }
 
@@ -93,12 +91,16 @@ class TipEnds {
   }
 
   [[nodiscard]] bool is_open(std::uint32_t patch, std::span<const RimEdge> rim, const FittedHead& head) const {
-    float free = 0, shown = 0;
-    for (const RimEdge& edge : rim) {
-      free += edge.across;
-      if (!goes_under(patch, edge, head)) shown += edge.across;
+    float free = 0, looked_at = 0, shown = 0;
+    for (const RimEdge& edge : rim) free += edge.across;
+    if (!(free > 0) || free < kRimAtLeast * width(patch, kTip.back(), false)) return false;
+    // A finely modelled end has no more to say than some of its edges.
+    const std::size_t step = (rim.size() + kRimEdges - 1) / kRimEdges;
+    for (std::size_t i = 0; i < rim.size(); i += step) {
+      looked_at += rim[i].across;
+      if (!goes_under(patch, rim[i], head)) shown += rim[i].across;
     }
-    return free > 0 && shown >= 0.5f * free && free >= kRimAtLeast * width(patch, kTip.back(), false);
+    return shown >= 0.5f * looked_at;
   }
 
   [[nodiscard]] bool is_blunt(std::uint32_t patch) const {
@@ -109,6 +111,24 @@ class TipEnds {
   }
 
  private:
+  /// A few triangles of one patch, which follow each other in the file and so lie near each other.
+  struct Block {
+    std::uint32_t patch = 0;
+    std::size_t first = 0, count = 0;
+    Eigen::AlignedBox3f box;
+  };
+
+  void add_blocks(std::uint32_t patch) {
+    const std::vector<std::size_t>& triangles = views_[patch].triangles;
+    for (std::size_t first = 0; first < triangles.size(); first += kBlock) {
+      Block block{patch, first, std::min(kBlock, triangles.size() - first), {}};
+      for (std::size_t i = 0; i < 3 * block.count; ++i) {
+        block.box.extend(mesh_.positions[mesh_.triangles[triangles[first + i / 3] + i % 3]]);
+      }
+      blocks_.push_back(block);
+    }
+  }
+
   [[nodiscard]] float level(std::uint32_t patch, float at) const {
     return ranges_[patch].min().x() + at * (ranges_[patch].max().x() - ranges_[patch].min().x());
   }
@@ -146,11 +166,10 @@ class TipEnds {
   }
 
   [[nodiscard]] bool meets_hair(std::uint32_t own, const Vector3f& from, const Vector3f& direction, float reach) const {
-    for (std::uint32_t p = 0; p < views_.size(); ++p) {
-      if (p == own || !may_meet(boxes_[p], from, direction)) continue;
-      if (std::ranges::any_of(views_[p].triangles, [&](std::size_t t) { return meets(t, from, direction, reach); })) {
-        return true;
-      }
+    for (const Block& block : blocks_) {
+      if (block.patch == own || !may_meet(block.box, from, direction)) continue;
+      const auto triangles = std::span(views_[block.patch].triangles).subspan(block.first, block.count);
+      if (std::ranges::any_of(triangles, [&](std::size_t t) { return meets(t, from, direction, reach); })) return true;
     }
     return false;
   }
@@ -179,7 +198,7 @@ class TipEnds {
   const StrandField& strands_;
   const AlphaTest& opaque_;
   std::vector<PatchView> views_;
-  std::vector<Eigen::AlignedBox3f> boxes_;
+  std::vector<Block> blocks_;
   std::vector<Eigen::AlignedBox1f> ranges_;  ///< Of places along the strands.
 };
 
@@ -189,14 +208,12 @@ HardTips find_hard_tips(const HairMesh& mesh, std::span<const std::uint32_t> pla
                         const StrandField& strands, const FittedHead& head, const AlphaTest& opaque, unsigned threads) {
   const TipEnds ends(mesh, patches, strands, opaque);
   const std::vector<std::vector<RimEdge>> rims = ends.find_rims(place, patches);
-  std::vector<std::uint8_t> open(patches.count, 0), hard(patches.count, 0);
+  std::vector<std::uint8_t> hard(patches.count, 0);
   parallel_for(patches.count, threads, [&](std::size_t p) {
     const auto patch = std::uint32_t(p);
-    open[p] = ends.is_open(patch, rims[p], head);
-    hard[p] = open[p] != 0 && ends.is_blunt(patch);
+    hard[p] = ends.is_blunt(patch) && ends.is_open(patch, rims[p], head);
   });
   HardTips tips;
-  tips.open = std::uint32_t(std::ranges::count(open, 1));
   for (std::uint32_t p = 0; p < patches.count; ++p) {
     if (hard[p] != 0) tips.patches.push_back(p);
   }

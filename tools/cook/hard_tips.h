@@ -12,7 +12,6 @@ namespace coif {
 /// last edge shows that it is a polygon.
 struct HardTips {
   std::vector<std::uint32_t> patches;  ///< Those that end hard, ascending.
-  std::uint32_t open = 0;              ///< Patches with a free edge at their tips that shows; no others can end hard.
   std::vector<std::string> warnings;
 };
 
