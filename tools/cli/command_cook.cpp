@@ -3,6 +3,7 @@
 #include "cli/file_bytes.h"
 #include "cli/options.h"
 #include "cli/output_file.h"
+#include "cli/progress_line.h"
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "cli/source_listing.h"
@@ -69,12 +70,15 @@ tl::expected<void, ToolError> check_outputs(const CookOptions& options, const Re
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice) {
   const auto bytes = FileBytes::read(options.source);
   if (!bytes) return tl::unexpected(bytes.error());
+  ProgressLine progress(options.source);
+  progress.show("import");
   auto source = import_source(options, choice.recipe);
   if (!source) return tl::unexpected(source.error());
   CookSettings settings;
   settings.threads = options.threads;
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes->span());
+  settings.progress = [&progress](const char* pass) { progress.show(pass); };
   auto result = cook(source->model, choice.recipe, settings);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", source->ms});
