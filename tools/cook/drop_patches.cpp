@@ -28,7 +28,7 @@ bool PatchDropper::may_go(std::uint32_t patch, std::vector<bool>& drawn) const {
   if (double(bared_ + alone) > kBaredAtMost * double(views_.covered())) return false;
   drawn[patch] = false;
   const bool near = std::ranges::all_of(
-      vertices_[patch], [&](std::uint32_t v) { return grid_.distance(mesh_.positions[v], drawn) < reach_; });
+      vertices_[patch], [&](std::uint32_t v) { return grid_.distance(mesh_.positions[v], drawn, reach_) < reach_; });
   drawn[patch] = true;
   return near;
 }

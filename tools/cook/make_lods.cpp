@@ -80,11 +80,12 @@ double LevelMaker::dropped_distance(const DetailLevel& level) const {
   for (const auto& patch : level.triangles_of) triangles.insert(triangles.end(), patch.begin(), patch.end());
   one_group.assign(triangles.size() / 3, 0);
   const TriangleGrid grid(mesh_.positions, triangles, one_group, 2 * settings_.max_error);
+  const std::vector<bool> all = {true};
   double worst = 0;
   for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
     if (drawn_[patches_.patch_of[t]]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      worst = std::max(worst, grid.distance(mesh_.positions[mesh_.triangles[3 * t + k]], {true}));
+      worst = std::max(worst, grid.distance(mesh_.positions[mesh_.triangles[3 * t + k]], all, worst));
     }
   }
   return worst;

@@ -10,6 +10,7 @@ namespace {
 
 /// A triangle that is larger than this many reaches makes the cubes larger: it must not be in millions of them.
 constexpr double kLargestInReaches = 8;
+constexpr int kHome = 13;  ///< Of the 27 cubes around a point, the one it is in.
 
 }  // namespace
 
@@ -45,17 +46,21 @@ TriangleGrid::TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span
   }
 }
 
-double TriangleGrid::distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts) const {
+double TriangleGrid::distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
+                              double enough) const {
   const auto corner = [&](std::size_t i) -> Eigen::Vector3d { return positions_[triangles_[i]].cast<double>(); };
   const Cube home = cube_of(point);
   double nearest = reach_ * reach_;
-  for (int n = 0; n < 27; ++n) {
+  for (int i = 0; i < 27; ++i) {
+    const int n = (i + kHome) % 27;
     const auto cube = cubes_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
     if (cube == cubes_.end()) continue;
     for (std::uint32_t t : cube->second) {
       if (!group_counts[group_of_[t]]) continue;
-      const std::size_t i = 3 * std::size_t(t);
-      nearest = std::min(nearest, squared_distance(point.cast<double>(), corner(i), corner(i + 1), corner(i + 2)));
+      const std::size_t first = 3 * std::size_t(t);
+      nearest = std::min(nearest,
+                         squared_distance(point.cast<double>(), corner(first), corner(first + 1), corner(first + 2)));
+      if (nearest < enough * enough) return std::sqrt(nearest);
     }
   }
   return std::sqrt(nearest);

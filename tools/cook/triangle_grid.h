@@ -18,8 +18,10 @@ class TriangleGrid {
   TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
                std::span<const std::uint32_t> group_of, double reach);
 
-  /// Metres to the nearest triangle of a group that counts; `reach` where none is nearer.
-  [[nodiscard]] double distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts) const;
+  /// Metres to the nearest triangle of a group that counts; `reach` where none is nearer. Where that is below `enough` any
+  /// distance below it may be returned: in dense hair the first triangles tell that, and all of them would take long.
+  [[nodiscard]] double distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
+                                double enough) const;
 
  private:
   using Cube = std::array<std::int32_t, 3>;
