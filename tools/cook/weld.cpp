@@ -1,12 +1,11 @@
 #include "cook/weld.h"
 
 #include "cook/disjoint_sets.h"
-#include "payload_hash.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <unordered_map>
@@ -19,17 +18,52 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const { return std::size_t(xxh64(std::as_bytes(std::span(&cell, 1)))); }
-};
-
-Cell cell_of(const Eigen::Vector3f& position, double size) {
+Cell cell_of(const Eigen::Vector3d& position, double size) {
   constexpr double kFarthest = 1.0e15;  // beyond, all is one cell, rather than overflow
-  const auto index = [&](float v) {
-    return std::int64_t(std::clamp(std::floor(double(v) / size), -kFarthest, kFarthest));
-  };
+  const auto index = [&](double v) { return std::int64_t(std::clamp(std::floor(v / size), -kFarthest, kFarthest)); };
   return {index(position.x()), index(position.y()), index(position.z())};
 }
+
+/// What lies in which cell: a linked list for each, in a table with open addressing. A cook welds every vertex several
+/// times, and most cells hold one.
+class CellTable {
+ public:
+  explicit CellTable(std::size_t vertices)
+      : slots_(std::bit_ceil(2 * vertices + 1)), next_(vertices, kNoIndex), mask_(slots_.size() - 1) {}
+
+  void add(const Cell& cell, std::uint32_t vertex) {
+    Slot& slot = slots_[slot_of(cell)];
+    slot.cell = cell;
+    next_[vertex] = slot.first;
+    slot.first = vertex;
+  }
+
+  template <typename Visit>
+  void for_each_in(const Cell& cell, const Visit& visit) const {
+    for (std::uint32_t v = slots_[slot_of(cell)].first; v != kNoIndex; v = next_[v]) visit(v);
+  }
+
+ private:
+  struct Slot {
+    Cell cell{};
+    std::uint32_t first = kNoIndex;
+  };
+
+  [[nodiscard]] std::size_t slot_of(const Cell& cell) const {
+    std::uint64_t hash = 0;
+    for (std::int64_t k : {cell.x, cell.y, cell.z}) {
+      hash = (hash ^ std::uint64_t(k)) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 32;
+    }
+    std::size_t slot = hash & mask_;
+    while (slots_[slot].first != kNoIndex && slots_[slot].cell != cell) slot = (slot + 1) & mask_;
+    return slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> next_;
+  std::size_t mask_;
+};
 
 constexpr double kWeldShare = 2.0e-5;  ///< Far above single precision, far below what an artist models.
 
@@ -73,26 +107,30 @@ void copy_vertex(const HairMesh& from, std::uint32_t v, HairMesh& to) {
 }  // namespace
 
 std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> positions, double distance) {
-  // Cells of the weld distance: neighbours within it lie in the same or an adjacent cell.
-  const double size = std::max(distance > 0 ? distance : kWeldShare * diagonal_of(positions), 1.0e-7);
-  const float limit = float(size * size);
-  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
-  cells.reserve(positions.size());
+  const double diagonal = diagonal_of(positions);
+  const double reach = std::max(distance > 0 ? distance : kWeldShare * diagonal, 1.0e-7);
+  const auto limit = float(reach * reach);
+  // Cells wide enough that what is within reach mostly lies in one, and too small to hold many vertices of a surface.
+  const double spacing = diagonal / std::sqrt(double(positions.size()) + 1);
+  const double side = std::max(reach, std::min(8 * reach, spacing / 4));
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.0001 * reach);  // more than the distance's rounding
+  CellTable cells(positions.size());
   DisjointSets sets(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    const Cell home = cell_of(positions[v], size);
-    for (int n = 0; n < 27; ++n) {
-      const auto found = cells.find({home.x + n % 3 - 1, home.y + n / 3 % 3 - 1, home.z + n / 9 - 1});
-      if (found == cells.end()) continue;
-      for (std::uint32_t other : found->second) {
-        if ((positions[v] - positions[other]).squaredNorm() <= limit) sets.unite(v, other);
+    const Eigen::Vector3d at = positions[v].cast<double>();
+    const Cell low = cell_of(at - margin, side), high = cell_of(at + margin, side);
+    bool is_copy = false;
+    const auto join = [&](std::uint32_t other) {
+      if ((positions[v] - positions[other]).squaredNorm() <= limit) sets.unite(v, other);
+      is_copy = is_copy || positions[v] == positions[other];
+    };
+    for (Cell c = low; c.x <= high.x; ++c.x) {
+      for (c.y = low.y; c.y <= high.y; ++c.y) {
+        for (c.z = low.z; c.z <= high.z; ++c.z) cells.for_each_in(c, join);
       }
     }
     // Exact copies add nothing that the first one does not: without them a cell stays small.
-    auto& mine = cells[home];
-    bool copy = false;
-    for (std::uint32_t other : mine) copy = copy || positions[other] == positions[v];
-    if (!copy) mine.push_back(v);
+    if (!is_copy) cells.add(cell_of(at, side), v);
   }
   std::vector<std::uint32_t> first(positions.size(), kNoIndex), place(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
