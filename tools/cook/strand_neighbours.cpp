@@ -64,21 +64,30 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
                                                     std::span<const Eigen::Vector3f> tangents, double reach) {
   const std::vector<Sample> samples = take_samples(views);
   const Grid grid = fill_grid(mesh, samples, reach);
-  std::vector<std::map<std::uint32_t, float>> sums(views.size());
-  std::vector<float> total(views.size(), 0.0f);
-  for (const Sample& sample : samples) {
+  std::vector<std::vector<Neighbour>> neighbours(views.size());
+  std::vector<float> sum(views.size(), 0.0f);
+  std::vector<std::uint32_t> met;
+  float total = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& sample = samples[i];
     const Eigen::Vector3f& at = mesh.positions[sample.vertex];
     for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
       if (other.patch == sample.patch || (mesh.positions[other.vertex] - at).norm() > float(reach)) return;
       const float cosine = tangents[sample.vertex].dot(tangents[other.vertex]);
       if (std::abs(cosine) < kParallel) return;
-      sums[sample.patch][other.patch] += cosine;
-      total[sample.patch] += std::abs(cosine);
+      met.push_back(other.patch);
+      sum[other.patch] += cosine;
+      total += std::abs(cosine);
     });
-  }
-  std::vector<std::vector<Neighbour>> neighbours(views.size());
-  for (std::size_t p = 0; p < views.size(); ++p) {
-    for (const auto& [patch, sum] : sums[p]) neighbours[p].push_back({patch, sum / total[p]});
+    if (i + 1 < samples.size() && samples[i + 1].patch == sample.patch) continue;
+    std::ranges::sort(met);
+    met.erase(std::ranges::unique(met).begin(), met.end());
+    for (std::uint32_t patch : met) {
+      neighbours[sample.patch].push_back({patch, sum[patch] / total});
+      sum[patch] = 0;
+    }
+    met.clear();
+    total = 0;
   }
   return neighbours;
 }
