@@ -1,5 +1,7 @@
 #include "cook/make_lods.h"
 
+#include "cook/parallel_for.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,6 +34,7 @@ class LevelMaker {
 
  private:
   [[nodiscard]] std::size_t triangles() const;
+  std::vector<float> simplify(std::size_t target);
   void drop(std::size_t excess);
   [[nodiscard]] double dropped_distance(const DetailLevel& level) const;
 
@@ -59,15 +62,32 @@ void LevelMaker::drop(std::size_t excess) {
   dropper_->drop(excess, left, drawn_);
 }
 
+/// Takes the patches towards `target`, each as far as its measured error allows. Returns the errors.
+std::vector<float> LevelMaker::simplify(std::size_t target) {
+  const std::vector<std::size_t> finer = steps_;
+  steps_ = simplified_.steps_for(target, drawn_, finer);
+  std::vector<float> errors(simplified_.count(), 0.0f);
+  parallel_for(simplified_.count(), settings_.threads, [&](std::size_t p) {
+    if (!drawn_[p]) return;
+    errors[p] = simplified_.error(p, steps_[p]);
+    while (errors[p] > settings_.max_error && steps_[p] > finer[p]) {
+      steps_[p] -= (steps_[p] - finer[p] + 3) / 4;
+      errors[p] = simplified_.error(p, steps_[p]);
+    }
+  });
+  return errors;
+}
+
 DetailLevel LevelMaker::make(std::size_t target) {
-  steps_ = simplified_.steps_for(target, drawn_, std::move(steps_));
+  const std::vector<float> errors = simplify(target);
   if (double(triangles()) > kOvershoot * double(target)) drop(triangles() - target);
   DetailLevel level;
   level.triangles_of.resize(simplified_.count());
+  parallel_for(simplified_.count(), settings_.threads, [&](std::size_t p) {
+    if (drawn_[p]) level.triangles_of[p] = simplified_.triangles(p, steps_[p]);
+  });
   for (std::size_t p = 0; p < simplified_.count(); ++p) {
-    if (!drawn_[p]) continue;
-    level.triangles_of[p] = simplified_.triangles(p, steps_[p]);
-    level.error = std::max(level.error, simplified_.error(p, steps_[p]));
+    if (drawn_[p]) level.error = std::max(level.error, errors[p]);
   }
   level.error = std::max(level.error, float(dropped_distance(level)));
   return level;

@@ -75,7 +75,7 @@ const RecipeKey kKeys[] = {
   {"lods", "ratio", &R::lod_ratio, "0.5", 0.05, 0.95, nullptr, "",
    "triangles of a level, as a share of the next finer one's"},
   {"lods", "max_error", &R::lod_max_error, "0.01", 0, 10, nullptr, "m",
-   "no level's surface is farther than this from the finest one's"},
+   "simplified hair stays this close to the finest, and dropped hair lies this close to other hair that stays"},
   {"lods", "pixel_error", &R::lod_pixel_error, "1", 0.01, 1000, nullptr, "pixels",
    "largest error on a screen of 1080 lines; decides from which size on a level is drawn"},
   {"lods", "still_pixels", &R::lod_still_pixels, "24", 0, 10000, nullptr, "pixels",

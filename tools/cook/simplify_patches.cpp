@@ -3,7 +3,6 @@
 #include "cook/parallel_for.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace coif {
@@ -29,7 +28,7 @@ std::size_t SimplifiedPatches::triangles_left(std::size_t patch, std::size_t ste
 }
 
 float SimplifiedPatches::error(std::size_t patch, std::size_t steps) const {
-  return steps == 0 ? 0.0f : patches_[patch].sequence.steps[steps - 1].error;
+  return float(collapsed_error(patches_[patch].surface, patches_[patch].sequence, steps));
 }
 
 std::vector<std::uint32_t> SimplifiedPatches::triangles(std::size_t patch, std::size_t steps) const {
@@ -60,32 +59,6 @@ std::vector<std::size_t> SimplifiedPatches::steps_for(std::size_t target, const 
     steps[n.patch] = n.step + 1;
   }
   return steps;
-}
-
-std::vector<std::uint32_t> collapsed_triangles(const PatchSurface& surface, const CollapseSequence& sequence,
-                                               std::size_t steps, std::span<const std::uint32_t> originals) {
-  std::vector<std::uint32_t> now(surface.vertex_of_corner.size()), point_of_corner(now.size());
-  std::iota(now.begin(), now.end(), 0u);
-  // Backwards: where a corner goes is known before what went into it.
-  for (std::size_t m = steps == 0 ? 0 : sequence.steps[steps - 1].moves_end; m-- > 0;) {
-    now[sequence.moves[m].from] = now[sequence.moves[m].to];
-  }
-  for (const auto& triangle : surface.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) point_of_corner[triangle.corner[k]] = triangle.point[k];
-  }
-  std::vector<std::uint32_t> triangles;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    std::array<std::uint32_t, 3> vertex{}, point{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t corner = surface.triangles[t].corner[k];
-      const bool stays = now[corner] == corner;
-      vertex[k] = stays ? originals[3 * t + k] : surface.vertex_of_corner[now[corner]];
-      point[k] = point_of_corner[now[corner]];
-    }
-    const bool has_area = point[0] != point[1] && point[1] != point[2] && point[2] != point[0];
-    if (has_area) triangles.insert(triangles.end(), vertex.begin(), vertex.end());
-  }
-  return triangles;
 }
 
 }  // namespace coif
