@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coif {
 namespace {
 
@@ -71,6 +73,35 @@ TEST_F(JoinedSurfaces, AColorWithoutAnImageBecomesATile) {
   const std::size_t last = hair_.triangle_count() - 1;
   EXPECT_EQ(shown(*color.image, hair_, 0), kRed);
   EXPECT_EQ(shown(*color.image, hair_, last), (Rgba{255, 128, 0, 255}));
+}
+
+TEST_F(JoinedSurfaces, AnAtlasIsScaledIntoTheLimitAndNotHalved) {
+  for (const std::uint32_t limit : {64u, 128u, 200u, 256u}) {
+    model_ = {};
+    add("strands", flat(256, 256, kRed), {1, 1});
+    add("band", flat(100, 30, kBlue), {1, 1});
+    hair_ = whole_hair(model_);
+    Recipe recipe = default_recipe();
+    recipe.texture_max_size = limit;
+    const auto color = find_base_color(model_, hair_, recipe, {});
+    ASSERT_TRUE(color && color->atlas) << limit;
+    const std::uint32_t side = std::max(color->image->width, color->image->height);
+    EXPECT_LE(side, limit);
+    EXPECT_GT(side, limit / 2) << "as large as halving would leave it";
+    EXPECT_EQ(shown(*color->image, hair_, 0), kRed) << limit;
+    EXPECT_EQ(shown(*color->image, hair_, hair_.triangle_count() - 1), kBlue) << limit;
+  }
+}
+
+TEST_F(JoinedSurfaces, ALimitBelowTheGuttersStillGivesAnAtlas) {
+  add("strands", flat(64, 64, kRed));
+  add("band", flat(64, 64, kBlue));
+  hair_ = whole_hair(model_);
+  Recipe recipe = default_recipe();
+  recipe.texture_max_size = 1;
+  const auto color = find_base_color(model_, hair_, recipe, {});
+  ASSERT_TRUE(color);
+  EXPECT_TRUE(color->atlas);
 }
 
 TEST_F(JoinedSurfaces, MaterialsThatLookTheSameNeedNoAtlas) {

@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coif {
 namespace {
+
+constexpr int kMostScales = 64;  ///< Tried for an atlas; a limit on size below one gutter is never met.
 
 BaseColor whole(const SurfaceLook& look) {
   BaseColor color;
@@ -20,17 +23,48 @@ BaseColor whole(const SurfaceLook& look) {
   return color;
 }
 
-tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, HairMesh& hair) {
+std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale) {
+  const auto scaled = [&](std::uint32_t texels) { return std::uint32_t(std::max(1.0, std::round(texels * scale))); };
+  std::vector<ImageSize> sizes;
+  for (const SurfaceLook& look : looks) {
+    sizes.push_back(look.image != nullptr ? ImageSize{scaled(look.image->width), scaled(look.image->height)}
+                                          : ImageSize{});
+  }
+  return sizes;
+}
+
+/// All images at the one scale at which their atlas fits `max_size`. Left to the mips, which only halve, a tile of full
+/// size would lose half of its detail to the gutter around it.
+tl::expected<AtlasLayout, std::string> lay_out(const SurfaceLooks& looks, const HairMesh& hair, std::uint32_t max_size,
+                                               std::vector<ImageSize>& sizes) {
+  double largest = max_size;
+  for (const ImageSize& size : sizes_at(looks.looks, 1))
+    largest = std::max<double>(largest, std::max(size.width, size.height));
+  double scale = max_size / largest;
+  for (int attempt = 0;; ++attempt) {
+    sizes = sizes_at(looks.looks, scale);
+    auto layout = lay_out_atlas(hair, looks.of_triangle, sizes);
+    if (!layout) return layout;
+    const std::uint32_t side = std::max(layout->width, layout->height);
+    if (side <= max_size || attempt == kMostScales) return layout;
+    // Gutters and plain tiles keep their size, so the first step may fall short.
+    scale *= std::min(0.98, double(max_size) / side);
+  }
+}
+
+Image at_size(Image image, const ImageSize& size) {
+  const bool as_is = size.width == 0 || (size.width == image.width && size.height == image.height);
+  return as_is ? image : shrink(image, size.width, size.height, TexelMeaning::kSrgbColorAlpha);
+}
+
+tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair) {
   if (hair.uvs.empty()) return tl::unexpected(std::string("no texture coordinates"));
   std::vector<ImageSize> sizes;
-  for (const SurfaceLook& look : looks.looks) {
-    sizes.push_back(look.image != nullptr ? ImageSize{look.image->width, look.image->height} : ImageSize{});
-  }
-  const auto layout = lay_out_atlas(hair, looks.of_triangle, sizes);
+  const auto layout = lay_out(looks, hair, max_size, sizes);
   if (!layout) return tl::unexpected(layout.error());
   const JointAlpha alpha = join_alpha(looks.looks);
   std::vector<Image> painted;
-  for (const SurfaceLook& look : looks.looks) painted.push_back(paint(look, alpha));
+  for (std::size_t i = 0; i < sizes.size(); ++i) painted.push_back(at_size(paint(looks.looks[i], alpha), sizes[i]));
   std::vector<const Image*> tiles;
   for (const Image& image : painted) tiles.push_back(&image);
   BaseColor color;
@@ -44,10 +78,10 @@ tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, HairMesh&
   return color;
 }
 
-BaseColor from_materials(const SourceModel& source, SourceImages& images, HairMesh& hair) {
+BaseColor from_materials(const SourceModel& source, SourceImages& images, std::uint32_t max_size, HairMesh& hair) {
   const SurfaceLooks looks = find_looks(source, images, hair);
   if (looks.looks.size() == 1) return whole(looks.looks[0]);
-  auto atlas = joined(looks, hair);
+  auto atlas = joined(looks, max_size, hair);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
   BaseColor color = whole(main);
@@ -88,7 +122,7 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
     return color;
   }
   SourceImages images(source);
-  BaseColor color = from_materials(source, images, hair);
+  BaseColor color = from_materials(source, images, recipe.texture_max_size, hair);
   if (is_colourless(color) && !says_what_it_lacks(source)) dye(color);
   append(color.warnings, images.warnings());
   append(color.notes, images.notes());
