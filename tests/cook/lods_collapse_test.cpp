@@ -1,0 +1,173 @@
+#include "cook/collapse_patch.h"
+
+#include "cook/lod_surfaces.h"
+#include "cook/triangle_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace coif {
+namespace {
+
+constexpr CollapseLimits kNoLimit{.largest_error = 1, .fewest_share = 0};
+
+struct Collapsed {
+  HairMesh mesh;
+  PatchSurface surface;
+  CollapseSequence sequence;
+
+  [[nodiscard]] std::vector<std::uint32_t> triangles(std::size_t steps) const {
+    return after(mesh, surface, sequence, steps);
+  }
+  [[nodiscard]] std::vector<std::uint32_t> coarsest() const { return triangles(sequence.steps.size()); }
+};
+
+Collapsed collapsed(const SourceMesh& source, const CollapseLimits& limits = kNoLimit) {
+  Collapsed result{hair_from(source), {}, {}};
+  const std::vector<Pose> rest = {result.mesh.positions};
+  result.surface = surface_of(result.mesh, rest);
+  result.sequence = collapse_patch(result.surface, limits);
+  return result;
+}
+
+TEST(CollapsePatch, AFlatCardBecomesTwoTrianglesWithItsOutline) {
+  const Collapsed card = collapsed(make_card({}), {.largest_error = 1.0e-6, .fewest_share = 0});
+  const auto triangles = card.coarsest();
+  EXPECT_EQ(triangles.size(), 6u);
+  for (const Eigen::Vector3f& p : card.mesh.positions) EXPECT_LT(distance_from(card.mesh, triangles, p), 1.0e-6);
+}
+
+TEST(CollapsePatch, EveryStepHasAsManyTrianglesAsItSays) {
+  const Collapsed card = collapsed(make_card({.bend_radius = 0.1f}));
+  ASSERT_GT(card.sequence.steps.size(), 20u);
+  for (std::size_t s = 1; s <= card.sequence.steps.size(); ++s) {
+    EXPECT_EQ(card.triangles(s).size(), 3 * card.sequence.steps[s - 1].triangles_left) << s;
+  }
+  EXPECT_EQ(card.triangles(0), card.mesh.triangles);
+}
+
+TEST(CollapsePatch, TheErrorIsAtLeastTheDistanceOfEveryPoint) {
+  const Collapsed card = collapsed(make_card({.columns = 6, .rows = 16, .bend_radius = 0.08f}));
+  double before = 0;
+  for (std::size_t s = 1; s <= card.sequence.steps.size(); ++s) {
+    const auto triangles = card.triangles(s);
+    const double error = collapsed_error(card.surface, card.sequence, s);
+    double worst = 0;
+    for (const Eigen::Vector3f& p : card.mesh.positions)
+      worst = std::max(worst, distance_from(card.mesh, triangles, p));
+    EXPECT_LE(worst, error + 1.0e-6) << s;
+    EXPECT_GE(card.sequence.steps[s - 1].error, before) << s;
+    before = card.sequence.steps[s - 1].error;
+  }
+  EXPECT_GT(before, 0.001);
+}
+
+TEST(CollapsePatch, NoStepIsMadeAboveTheLimit) {
+  const SourceMesh bent = make_card({.bend_radius = 0.08f});
+  const Collapsed fine = collapsed(bent, {.largest_error = 0.0005, .fewest_share = 0});
+  const Collapsed coarse = collapsed(bent, {.largest_error = 0.01, .fewest_share = 0});
+  ASSERT_FALSE(fine.sequence.steps.empty());
+  EXPECT_LE(fine.sequence.steps.back().error, 0.0005f);
+  EXPECT_LT(coarse.sequence.steps.back().triangles_left, fine.sequence.steps.back().triangles_left);
+  const Collapsed half = collapsed(bent, {.largest_error = 1, .fewest_share = 0.5});
+  EXPECT_GE(half.sequence.steps.back().triangles_left, bent.triangles.size() / 3 / 2 - 2);
+}
+
+TEST(CollapsePatch, APointedTipStays) {
+  SourceMesh strip = make_card({.columns = 2, .rows = 10, .width = 0.01f});
+  const auto tip = std::uint32_t(strip.positions.size());
+  strip.positions.emplace_back(0.0f, 1.6f - 0.36f, -0.1f);
+  strip.uvs.emplace_back(0.5f, 1.2f);
+  strip.triangles.insert(strip.triangles.end(), {tip - 3, tip, tip - 2, tip - 2, tip, tip - 1});
+  const Collapsed pointed = collapsed(strip);
+  ASSERT_LT(pointed.coarsest().size(), strip.triangles.size() / 4);
+  for (std::size_t s = 0; s <= pointed.sequence.steps.size(); ++s) {
+    const auto triangles = pointed.triangles(s);
+    EXPECT_NE(std::ranges::find(triangles, tip), triangles.end()) << s;
+  }
+}
+
+TEST(CollapsePatch, NoPieceOfAPatchVanishes) {
+  SourceMesh pieces;
+  for (int i = 0; i < 5; ++i)
+    append_card(make_card({.bend_radius = 0.05f, .root = {0.1f * float(i), 1.6f, 0}}), pieces);
+  const Collapsed result = collapsed(pieces);
+  std::set<std::size_t> left;
+  for (std::uint32_t v : result.coarsest()) left.insert(v / (pieces.positions.size() / 5));
+  EXPECT_EQ(left.size(), 5u);
+}
+
+TEST(CollapsePatch, HardEdgesDoNotTearTheSurface) {
+  const SourceMesh smooth = make_card({});
+  SourceMesh flat = smooth;
+  split_vertices(flat);
+  EXPECT_EQ(collapsed(flat).coarsest().size(), collapsed(smooth).coarsest().size());
+}
+
+/// Two halves side by side that share places, but not texture coordinates.
+TEST(CollapsePatch, NoTriangleCrossesATextureSeam) {
+  SourceMesh halves;
+  SourceMesh left = make_card({.columns = 3, .width = 0.04f, .root = {-0.02f, 1.6f, 0}});
+  SourceMesh right = make_card({.columns = 3, .width = 0.04f, .root = {0.02f, 1.6f, 0}});
+  for (Eigen::Vector2f& uv : right.uvs) uv.x() += 5;
+  append_card(left, halves);
+  append_card(right, halves);
+  const Collapsed result = collapsed(halves);
+  const auto triangles = result.coarsest();
+  EXPECT_LT(triangles.size(), halves.triangles.size() / 4);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const auto is_right = [&](std::size_t k) { return result.mesh.uvs[triangles[i + k]].x() > 2; };
+    EXPECT_TRUE(is_right(0) == is_right(1) && is_right(1) == is_right(2));
+  }
+}
+
+TEST(CollapsePatch, NoTriangleTurnsOver) {
+  const Collapsed card = collapsed(make_card({.columns = 5, .rows = 9}));
+  for (std::size_t s = 0; s <= card.sequence.steps.size(); ++s) {
+    const auto triangles = card.triangles(s);
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+      const auto& p = card.mesh.positions;
+      const Eigen::Vector3f& a = p[triangles[i]];
+      EXPECT_GT((p[triangles[i + 1]] - a).cross(p[triangles[i + 2]] - a).z(), 0) << s;
+    }
+  }
+}
+
+/// A straight strip may lose every row, unless bones bend it.
+TEST(CollapsePatch, RowsThatBonesBendStay) {
+  HairMesh mesh = hair_from(make_card({.columns = 1, .rows = 12}));
+  Pose bent = mesh.positions;
+  for (Eigen::Vector3f& p : bent) {
+    const float below = std::max(0.0f, 1.45f - p.y());  // a hinge halfway down
+    p += Eigen::Vector3f(0, 0.3f * below, 0.7f * below);
+  }
+  const CollapseLimits limits{.largest_error = 0.001, .fewest_share = 0};
+  const std::vector<Pose> rest = {mesh.positions}, both = {mesh.positions, bent};
+  EXPECT_EQ(collapse_patch(surface_of(mesh, rest), limits).steps.back().triangles_left, 2u);
+  EXPECT_EQ(collapse_patch(surface_of(mesh, both), limits).steps.back().triangles_left, 4u);
+}
+
+TEST(TriangleDistance, IsThatOfTheNearestOfManyPointsOnIt) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d p = 2 * point(), a = point(), b = point(), c = i % 10 == 0 ? Eigen::Vector3d(b) : point();
+    double nearest = INFINITY;
+    for (int u = 0; u <= 60; ++u) {
+      for (int v = 0; v + u <= 60; ++v) {
+        nearest = std::min(nearest, (a + (b - a) * u / 60.0 + (c - a) * v / 60.0 - p).norm());
+      }
+    }
+    const double distance = std::sqrt(squared_distance(p, a, b, c));
+    EXPECT_LE(distance, nearest + 1.0e-9);
+    EXPECT_GE(distance, nearest - 0.06);
+  }
+}
+
+}  // namespace
+}  // namespace coif
