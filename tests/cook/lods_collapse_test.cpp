@@ -66,6 +66,27 @@ TEST(CollapsePatch, TheErrorIsAtLeastTheDistanceOfEveryPoint) {
   EXPECT_GT(before, 0.001);
 }
 
+/// Without corners nothing is fixed, and an ear that is cut off is nobody's move.
+TEST(CollapsePatch, TheErrorCountsEveryPointOfARoundPiece) {
+  constexpr std::uint32_t kSides = 12;
+  SourceMesh disc;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const float angle = 6.2831853f * float(i) / float(kSides);
+    disc.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
+    disc.uvs.emplace_back(std::cos(angle), std::sin(angle));
+    if (i >= 2) disc.triangles.insert(disc.triangles.end(), {0, i - 1, i});
+  }
+  const Collapsed result = collapsed(disc, {.largest_error = 10, .fewest_share = 0});
+  ASSERT_GT(result.sequence.steps.size(), 4u);
+  for (std::size_t s = 0; s <= result.sequence.steps.size(); ++s) {
+    const auto triangles = result.triangles(s);
+    ASSERT_FALSE(triangles.empty());
+    double worst = 0;
+    for (const Eigen::Vector3f& p : disc.positions) worst = std::max(worst, distance_from(result.mesh, triangles, p));
+    EXPECT_LE(worst, collapsed_error(result.surface, result.sequence, s) + 1.0e-6) << s;
+  }
+}
+
 TEST(CollapsePatch, NoStepIsMadeAboveTheLimit) {
   const SourceMesh bent = make_card({.bend_radius = 0.08f});
   const Collapsed fine = collapsed(bent, {.largest_error = 0.0005, .fewest_share = 0});
@@ -77,17 +98,34 @@ TEST(CollapsePatch, NoStepIsMadeAboveTheLimit) {
   EXPECT_GE(half.sequence.steps.back().triangles_left, bent.triangles.size() / 3 / 2 - 2);
 }
 
+/// Shorter than what the bend costs at the end, so only its being a corner keeps it.
 TEST(CollapsePatch, APointedTipStays) {
-  SourceMesh strip = make_card({.columns = 2, .rows = 10, .width = 0.01f});
+  SourceMesh strip = make_card({.columns = 2, .rows = 10, .width = 0.002f, .bend_radius = 0.15f});
   const auto tip = std::uint32_t(strip.positions.size());
-  strip.positions.emplace_back(0.0f, 1.6f - 0.36f, -0.1f);
-  strip.uvs.emplace_back(0.5f, 1.2f);
+  const Eigen::Vector3f end = strip.positions[tip - 2];
+  strip.positions.push_back(end + 0.05f * (end - strip.positions[tip - 5]));
+  strip.uvs.emplace_back(0.5f, 1.05f);
   strip.triangles.insert(strip.triangles.end(), {tip - 3, tip, tip - 2, tip - 2, tip, tip - 1});
   const Collapsed pointed = collapsed(strip);
-  ASSERT_LT(pointed.coarsest().size(), strip.triangles.size() / 4);
+  ASSERT_GT(pointed.sequence.steps.back().error, 0.003f);
   for (std::size_t s = 0; s <= pointed.sequence.steps.size(); ++s) {
     const auto triangles = pointed.triangles(s);
     EXPECT_NE(std::ranges::find(triangles, tip), triangles.end()) << s;
+  }
+}
+
+/// Unrolled into its texture, a card's straight borders only ever lose points along themselves.
+TEST(CollapsePatch, BordersStayWhereTheyAre) {
+  const Collapsed card = collapsed(make_card({.columns = 6, .rows = 16, .bend_radius = 0.08f}));
+  for (std::size_t s = 0; s <= card.sequence.steps.size(); ++s) {
+    const auto triangles = card.triangles(s);
+    double area = 0;
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+      const auto& uv = card.mesh.uvs;
+      const Eigen::Vector2f b = uv[triangles[i + 1]] - uv[triangles[i]], c = uv[triangles[i + 2]] - uv[triangles[i]];
+      area += 0.5 * std::abs(double(b.x() * c.y() - b.y() * c.x()));
+    }
+    EXPECT_NEAR(area, 1, 1.0e-5) << s;
   }
 }
 
