@@ -18,15 +18,24 @@ bool flags_fit(const ColliderRecord& c) {
   return (c.flags & ~(round ? kColliderKeepsInside : 0u)) == 0;
 }
 
+/// A ball inside the other would leave no hull to speak of: that is a sphere.
+bool tapered_radii_fit(const ColliderRecord& c) {
+  const bool good = in_range(c.radii[0], kShortest, kMaxCoordinate) && in_range(c.radii[1], kShortest, kMaxCoordinate);
+  const float difference = c.radii[0] - c.radii[1];
+  const float square = c.axis[0] * c.axis[0] + c.axis[1] * c.axis[1] + c.axis[2] * c.axis[2];
+  return good && c.radii[2] == 0.0f && difference * difference < square;
+}
+
 bool radii_fit(const ColliderRecord& c) {
   if (c.shape == ColliderShape::kPlane) return all_zero(c.radii);
+  if (c.shape == ColliderShape::kTaperedCapsule) return tapered_radii_fit(c);
   const bool equal = c.radii[0] == c.radii[1] && c.radii[1] == c.radii[2];
   return all_in_range(c.radii, kShortest, kMaxCoordinate) && (equal || c.shape == ColliderShape::kEllipsoid);
 }
 
 bool axis_fits(const ColliderRecord& c) {
   if (c.shape == ColliderShape::kPlane) return is_unit(c.axis);
-  if (c.shape != ColliderShape::kCapsule) return all_zero(c.axis);
+  if (c.shape != ColliderShape::kCapsule && c.shape != ColliderShape::kTaperedCapsule) return all_zero(c.axis);
   const float square = c.axis[0] * c.axis[0] + c.axis[1] * c.axis[1] + c.axis[2] * c.axis[2];
   return all_finite(c.axis) && square >= kShortest * kShortest;
 }
@@ -55,7 +64,7 @@ LoadStatus check_colliders(const Asset& asset) {
   for (std::size_t i = 0; i < colliders.size(); ++i) {
     const ColliderRecord& c = colliders[i];
     const auto fail = [&](LoadCode code) { return LoadStatus{code, chunk::kColliders, i}; };
-    if (c.shape > ColliderShape::kPlane) return fail(LoadCode::kEnumerator);
+    if (c.shape > ColliderShape::kTaperedCapsule) return fail(LoadCode::kEnumerator);
     if (!reserved_is_zero(c) || !flags_fit(c)) return fail(LoadCode::kReserved);
     if (c.bone >= asset.bones().size() || !is_rigid(asset.bones()[c.bone])) return fail(LoadCode::kReference);
     const bool good = all_finite(c.center) && radii_fit(c) && is_unit(c.rotation) && axis_fits(c);

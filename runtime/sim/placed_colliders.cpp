@@ -14,7 +14,8 @@ constexpr float kCentre2 = 1e-12f;
 
 /// In head space, so that a particle leaves the same way however the head is turned.
 Vec3 way_out_of(const ColliderRecord& record) {
-  if (record.shape != ColliderShape::kCapsule) return rotate(to_quat(record.rotation), Vec3{0.0f, 1.0f, 0.0f});
+  const bool is_long = record.shape == ColliderShape::kCapsule || record.shape == ColliderShape::kTaperedCapsule;
+  if (!is_long) return rotate(to_quat(record.rotation), Vec3{0.0f, 1.0f, 0.0f});
   const Vec3 axis = to_vec3(record.axis);
   return any_perpendicular(axis * (1.0f / length(axis)));
 }
@@ -47,15 +48,31 @@ Vec3 inside_of_ball(const Vec3& center, float radius, const Vec3& position) {
 }
 
 /// A sphere, or the ball of a capsule that is nearest to the particle.
-Vec3 clear_of_ball(const PlacedCollider& collider, const Vec3& center, float hit_radius, const Vec3& position) {
-  const float radius = collider.radii.x;
+Vec3 clear_of_ball(const PlacedCollider& collider, const Vec3& center, float radius, float hit_radius,
+                   const Vec3& position) {
   if (!collider.keeps_inside) return outside_of_ball(center, radius + hit_radius, collider.way_out, position);
   return inside_of_ball(center, radius > hit_radius ? radius - hit_radius : 0.0f, position);
 }
 
-Vec3 nearest_on_segment(const PlacedCollider& capsule, const Vec3& position) {
+float clamp_share(float share) { return share < 0.0f ? 0.0f : share > 1.0f ? 1.0f : share; }
+
+Vec3 clear_of_capsule(const PlacedCollider& capsule, float hit_radius, const Vec3& position) {
   const float along = dot(position - capsule.center, capsule.axis) / dot(capsule.axis, capsule.axis);
-  return capsule.center + capsule.axis * (along < 0.0f ? 0.0f : along > 1.0f ? 1.0f : along);
+  const Vec3 nearest = capsule.center + capsule.axis * clamp_share(along);
+  return clear_of_ball(capsule, nearest, capsule.radii.x, hit_radius, position);
+}
+
+/// The ball whose surface is nearest is not beside the particle but where the cone's normal through it starts.
+Vec3 clear_of_tapered_capsule(const PlacedCollider& capsule, float hit_radius, const Vec3& position) {
+  const float axis_length = length(capsule.axis);
+  const Vec3 offset = position - capsule.center;
+  const Vec3 axis = capsule.axis * (1.0f / axis_length);
+  const float along = dot(offset, axis);
+  const float slope = (capsule.radii.x - capsule.radii.y) / axis_length;
+  const float beside = length(offset - axis * along);
+  const float share = clamp_share((along - beside * slope / std::sqrt(1.0f - slope * slope)) / axis_length);
+  const float radius = capsule.radii.x + (capsule.radii.y - capsule.radii.x) * share;
+  return clear_of_ball(capsule, capsule.center + capsule.axis * share, radius, hit_radius, position);
 }
 
 Vec3 clear_of_ellipsoid(const PlacedCollider& ellipsoid, float hit_radius, const Vec3& position) {
@@ -75,10 +92,11 @@ Vec3 clear_of_plane(const PlacedCollider& plane, float hit_radius, const Vec3& p
 
 Vec3 clear_of(const PlacedCollider& collider, float hit_radius, const Vec3& position) {
   switch (collider.shape) {
-    case ColliderShape::kSphere: return clear_of_ball(collider, collider.center, hit_radius, position);
+    case ColliderShape::kSphere:
+      return clear_of_ball(collider, collider.center, collider.radii.x, hit_radius, position);
     case ColliderShape::kEllipsoid: return clear_of_ellipsoid(collider, hit_radius, position);
-    case ColliderShape::kCapsule:
-      return clear_of_ball(collider, nearest_on_segment(collider, position), hit_radius, position);
+    case ColliderShape::kCapsule: return clear_of_capsule(collider, hit_radius, position);
+    case ColliderShape::kTaperedCapsule: return clear_of_tapered_capsule(collider, hit_radius, position);
     case ColliderShape::kPlane: return clear_of_plane(collider, hit_radius, position);
   }
   return position;

@@ -26,7 +26,7 @@ TEST(OpenColliders, AcceptsEveryShape) {
 }
 
 TEST(OpenColliders, RefusesUnknownShapesAndRigidlessOnes) {
-  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape(4); }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape(5); }), LoadCode::kEnumerator);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = 3; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = kNone; }), LoadCode::kReference);
 }

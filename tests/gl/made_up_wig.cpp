@@ -202,7 +202,7 @@ std::vector<std::byte> made_up_wig(const WigSettings& settings) {
   BoneRecord head{};
   head.parent = head.chain = head.name = kNone;
   out.bones.push_back(head);
-  out.dynamics.push_back({1, 0, 0, 60, 0, {}});
+  out.dynamics.push_back({.resistance = 1, .authoring_rate = 60});
 
   for (std::uint32_t i = 0; i < settings.strips; ++i) {
     const float turn = static_cast<float>(i) / static_cast<float>(settings.strips);

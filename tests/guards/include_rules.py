@@ -28,6 +28,7 @@ LAYERS = {
     "tools/cook": TOOL_BASE | {"tools/import"},
     "tools/motion": TOOL_BASE,
     "tools/animation": TOOL_BASE | {"tools/motion"},
+    "tools/report": TOOL_BASE | {"tools/animation", "tools/motion"},
     "tools/compare": TOOL_BASE | {"tools/animation", "tools/motion"},
     "tools/render": TOOL_BASE | {"tools/import", "tools/motion", "runtime/include/coif/renderer.h"},
     "tools/sample": TOOL_BASE,

@@ -1,5 +1,7 @@
 #include "sim/test_rig.h"
 
+#include "write/pose_oscillator.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,13 +11,29 @@ namespace {
 
 void store(const Vec3& v, float (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 
+DynamicsRecord dynamics_of(const TestBone& bone) {
+  constexpr float kRate = 60;
+  const PoseOscillator oscillator = oscillator_of(bone.resistance, kRate);
+  DynamicsRecord record{};
+  record.resistance = bone.resistance;
+  record.friction = bone.friction;
+  record.gravity_scale = 1;
+  record.authoring_rate = kRate;
+  record.hit_radius = bone.hit_radius;
+  record.stiffness = float(oscillator.stiffness);
+  record.damping = bone.damping >= 0 ? bone.damping : float(oscillator.damping);
+  record.torsion = bone.torsion;
+  record.angle_limit = bone.angle_limit;
+  return record;
+}
+
 }  // namespace
 
 TestRig::TestRig() {
   BoneRecord head{};
   head.parent = head.chain = head.name = kNone;
   bones.push_back(head);
-  dynamics.push_back({0, 0, 1, 60, 0, {}});
+  dynamics.push_back(dynamics_of({}));
 }
 
 std::uint32_t TestRig::add(const TestBone& bone) {
@@ -30,7 +48,7 @@ std::uint32_t TestRig::add(const TestBone& bone) {
   record.length = bone.length;
   record.colliders = ~0u;
   bones.push_back(record);
-  dynamics.push_back({bone.resistance, bone.friction, 1, 60, bone.hit_radius, {}});
+  dynamics.push_back(dynamics_of(bone));
   return std::uint32_t(bones.size() - 1);
 }
 

@@ -21,6 +21,9 @@ struct TestBone {
   float resistance = 0;
   float friction = 0;
   float hit_radius = 0;
+  float damping = -1;  ///< 1/s; negative: what the resistance is baked into.
+  float torsion = 0;
+  float angle_limit = kNoAngleLimit;
 };
 
 /// The parts of an asset that the simulation reads: a head, and chains of bones in the order they are added.

@@ -66,8 +66,9 @@ TEST(ThesisStep, FrictionBrakesTowardsTheAir) {
 }
 
 TEST(ThesisStep, FrictionFactorIsTheExponentialAndNeverNegative) {
-  const DynamicsRecord dynamics[] = {
-      {}, {0, 10 * std::log(2.0f), 1, 60, 0, {}}, {0, 1000, 1, 60, 0, {}}, {0, 0, 1, 60, 0, {}}};
+  DynamicsRecord dynamics[4] = {};
+  dynamics[1].friction = 10 * std::log(2.0f);
+  dynamics[2].friction = 1000;
   float factors[3] = {-1, -1, -1};
   compute_friction_factors(dynamics, 0.1f, factors);
   EXPECT_NEAR(factors[0], 0.5f, 1e-6f);

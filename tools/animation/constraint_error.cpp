@@ -43,6 +43,18 @@ float depth_behind_plane(const ColliderRecord& collider, const Eigen::Vector3f& 
   return -normal.dot(point - Eigen::Map<const Eigen::Vector3f>(collider.center)) / kPlaneRadius;
 }
 
+/// Of the ball that the cone's normal through the point starts from.
+float depth_in_tapered_capsule(const ColliderRecord& collider, const Eigen::Vector3f& point) {
+  const Eigen::Map<const Eigen::Vector3f> axis(collider.axis);
+  const Eigen::Vector3f offset = point - Eigen::Map<const Eigen::Vector3f>(collider.center);
+  const float slope = (collider.radii[0] - collider.radii[1]) / axis.norm();
+  const float along = offset.dot(axis) / axis.norm();
+  const float beside = (offset - axis.normalized() * along).norm();
+  const float share = std::clamp((along - beside * slope / std::sqrt(1 - slope * slope)) / axis.norm(), 0.0f, 1.0f);
+  const float radius = collider.radii[0] + (collider.radii[1] - collider.radii[0]) * share;
+  return 1.0f - (offset - share * axis).norm() / radius;
+}
+
 /// Negative where the point is on its proper side.
 float depth(const ColliderRecord& collider, const Eigen::Vector3f& point) {
   const float sign = (collider.flags & kColliderKeepsInside) != 0 ? -1.0f : 1.0f;
@@ -51,6 +63,7 @@ float depth(const ColliderRecord& collider, const Eigen::Vector3f& point) {
     case ColliderShape::kCapsule: return sign * depth_in_capsule(collider, point);
     case ColliderShape::kEllipsoid: return depth_in_ellipsoid(collider, point);
     case ColliderShape::kPlane: return depth_behind_plane(collider, point);
+    case ColliderShape::kTaperedCapsule: return depth_in_tapered_capsule(collider, point);
   }
   return 0;
 }

@@ -84,7 +84,8 @@ json hair_material(GlbFile& file, const MaterialRecord* record, std::span<const 
 
 void add_hair_mesh(GlbFile& file, const Asset& asset, std::span<const std::uint8_t> base_color_png) {
   json primitive = {{"attributes", attributes(file, unpack(asset))}, {"material", 0}};
-  primitive["indices"] = file.add(asset.lod_indices(0), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
+  primitive["indices"] =
+      file.add(asset.lod_indices(0), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
   file.document["meshes"] = json::array({{{"name", "hair"}, {"primitives", json::array({std::move(primitive)})}}});
   file.document["materials"] = json::array({hair_material(file, asset.material(), base_color_png)});
 }

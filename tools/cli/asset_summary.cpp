@@ -101,6 +101,7 @@ const char* name_of(ColliderShape shape) {
     case ColliderShape::kEllipsoid: return "ellipsoids";
     case ColliderShape::kCapsule: return "capsules";
     case ColliderShape::kPlane: return "planes";
+    case ColliderShape::kTaperedCapsule: return "tapered_capsules";
   }
   return "unknown";
 }

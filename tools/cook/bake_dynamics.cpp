@@ -1,13 +1,17 @@
 #include "cook/bake_dynamics.h"
 
 #include "cook/spring_dynamics.h"
+#include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace coif {
 namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
@@ -17,6 +21,15 @@ DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& b
   record.gravity_scale = float(recipe.gravity_scale);
   record.authoring_rate = float(recipe.authoring_rate);
   return record;
+}
+
+/// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
+void bake_oscillator(const Recipe& recipe, DynamicsRecord& record) {
+  const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
+  record.stiffness = float(oscillator.stiffness);
+  record.damping = float(oscillator.damping);
+  record.torsion = float(recipe.torsion);
+  record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
 }
 
 void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,
@@ -52,8 +65,10 @@ BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
   if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const SkeletonBone& bone = skeleton.bones[b];
-    out.records.push_back(joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length())
-                                    : dynamics_by_curve(skeleton, bone, recipe));
+    DynamicsRecord record =
+        joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length()) : dynamics_by_curve(skeleton, bone, recipe);
+    bake_oscillator(recipe, record);
+    out.records.push_back(record);
   }
   report_sources(joints, skeleton.simulated_count(), recipe, out);
   const std::vector<std::string> lost = describe_lost_settings(source, joints);

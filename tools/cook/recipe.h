@@ -54,6 +54,8 @@ struct Recipe {
   double friction = 0;
   double gravity_scale = 0;
   double authoring_rate = 0;
+  double torsion = 0;
+  double angle_limit = 0;  ///< Degrees.
   // head
   std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.

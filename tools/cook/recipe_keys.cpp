@@ -62,6 +62,10 @@ const RecipeKey kKeys[] = {
    "share of the scene's gravity that hair feels; 0 keeps the modelled pose at rest"},
   {"dynamics", "authoring_rate", &R::authoring_rate, "60", 1, 1000, nullptr, "1/s",
    "frame rate at which the resistance was tuned"},
+  {"dynamics", "torsion", &R::torsion, "20", 0, 1.0e4, nullptr, "1/s",
+   "how fast a twist of a bone against its parent goes back"},
+  {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",
+   "how far a bone may bend from its modelled direction; 180: any way"},
 
   {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},

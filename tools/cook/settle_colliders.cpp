@@ -68,9 +68,10 @@ double distance_at_least(const HeadCollider& shape, const Vector3d& point) {
   switch (shape.shape) {
     case ColliderShape::kSphere:
     case ColliderShape::kEllipsoid: return (point - shape.center).norm() - shape.radii.maxCoeff();
-    case ColliderShape::kCapsule: {
+    case ColliderShape::kCapsule:
+    case ColliderShape::kTaperedCapsule: {
       const double along = (point - shape.center).dot(shape.axis) / shape.axis.squaredNorm();
-      return (point - shape.center - shape.axis * std::clamp(along, 0.0, 1.0)).norm() - shape.radii.x();
+      return (point - shape.center - shape.axis * std::clamp(along, 0.0, 1.0)).norm() - shape.radii.maxCoeff();
     }
     case ColliderShape::kPlane: return (point - shape.center).dot(shape.axis);
   }

@@ -115,21 +115,31 @@ struct ChainRecord {
 };
 static_assert(sizeof(ChainRecord) == 16);
 
+inline constexpr float kNoAngleLimit = 3.14159274f;  ///< Half a turn: no direction is further.
+
+/// How a bone moves. `thesis` reads resistance, `coif` what it was baked into: stiffness and damping
+/// (runtime/docs/MODEL.md); both read friction, gravity and the hit radius.
 struct DynamicsRecord {
   float resistance;     ///< Pull to the default pose per step of the authoring rate, 0..1 (thesis 5.2).
   float friction;       ///< Velocity loss relative to the air, 1/s, >= 0.
   float gravity_scale;  ///< Share of the scene's gravity that this bone feels.
   float authoring_rate; ///< Steps per second at which the artist's resistance holds, > 0.
-  float hit_radius;     ///< Distance that the particle keeps from every collider's surface, metres, >= 0.
+  float hit_radius;     ///< Distance that the bone keeps from every collider's surface, metres, >= 0.
+  float stiffness;      ///< Pull to the default pose, acceleration per metre off it, 1/s^2, >= 0.
+  float damping;        ///< Velocity loss relative to the default pose's own velocity, 1/s, >= 0.
+  float torsion;        ///< Rate at which a twist against the parent decays, 1/s, >= 0.
+  float angle_limit;    ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
   float reserved[3];    ///< Zero.
 };
-static_assert(sizeof(DynamicsRecord) == 32);
+static_assert(sizeof(DynamicsRecord) == 48);
 
 enum class ColliderShape : std::uint32_t {
   kSphere = 0,
   kEllipsoid = 1,
   kCapsule = 2,  ///< All points nearer than the radius to the segment from `center` to `center + axis`.
   kPlane = 3,    ///< All points behind the plane through `center` with the normal `axis`.
+  /// The convex hull of two balls: radii[0] around `center`, radii[1] around `center + axis`, neither inside the other.
+  kTaperedCapsule = 4,
 };
 
 /// Hair stays inside the shape instead of outside of it. Spheres and capsules only.
@@ -142,10 +152,11 @@ struct ColliderRecord {
   std::uint32_t reserved;
   float center[3];  ///< Head space, metres. Capsule: one end of its segment. Plane: a point on it.
   float reserved_center;
-  float radii[3];  ///< Semi-axes, metres, > 0; all equal for spheres and capsules; 0 for a plane.
+  /// Semi-axes, metres, > 0; all equal for spheres and capsules; 0 for a plane; tapered capsule: both ends', then 0.
+  float radii[3];
   float reserved_radii;
   float rotation[4];  ///< Unit quaternion (x, y, z, w) from the ellipsoid's axes to head space.
-  float axis[3];      ///< Capsule: to the segment's other end, metres, not zero. Plane: unit normal. Others: 0.
+  float axis[3];      ///< Capsules: to the segment's other end, metres, not zero. Plane: unit normal. Others: 0.
   float reserved_axis;
 };
 static_assert(sizeof(ColliderRecord) == 80);

@@ -1,0 +1,70 @@
+#include "report/particle_solver.h"
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+Quaterniond rotation_of(const HeadPose& head) {
+  const Quat& q = head.rotation;
+  return Quaterniond(q.w, q.x, q.y, q.z).normalized();
+}
+
+bool is_finite(const HeadPose& head) {
+  return std::isfinite(head.position[0]) && std::isfinite(head.position[1]) && std::isfinite(head.position[2]) &&
+         rotation_of(head).coeffs().allFinite();
+}
+
+}  // namespace
+
+ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene) : rig_(rig), scene_(scene) {}
+
+void ParticleSolver::reset(const HeadPose& head) {
+  head_ = head;
+  positions_.assign(bone_count(), Vector3d::Zero());
+  velocities_.assign(bone_count(), Vector3d::Zero());
+  const ParticleStep still{0, rotation_of(head), Vector3d::Zero(), Vector3d::Zero()};
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    positions_[i] = start(i, still) + still.head_rotation * (bone(i).rest_direction * bone(i).length);
+  }
+  on_reset();
+  renew_ends();
+}
+
+bool ParticleSolver::step(const HeadPose& head, double dt) {
+  if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head)) return false;
+  const Vector3d way = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
+  for (Vector3d& position : positions_) position -= way;
+  head_ = head;
+  advance({dt, rotation_of(head), scene_.gravity, scene_.wind + way * (scene_.air_follow / dt)});
+  renew_ends();
+  return true;
+}
+
+Vector3d ParticleSolver::start(std::size_t i, const ParticleStep& step) const {
+  return hangs_from_head(i) ? Vector3d(step.head_rotation * bone(i).joint) : positions_[parent(i)];
+}
+
+std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& step) const {
+  std::vector<Vector3d> directions(bone_count());
+  std::vector<Quaterniond> frames(bone_count());
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    const Quaterniond& frame = hangs_from_head(i) ? step.head_rotation : frames[parent(i)];
+    directions[i] = frame * bone(i).rest_direction;
+    const Vector3d along = positions_[i] - start(i, step);
+    const bool points = along.norm() > 1.0e-12;
+    frames[i] = points ? Quaterniond::FromTwoVectors(directions[i], along) * frame : frame;
+  }
+  return directions;
+}
+
+void ParticleSolver::renew_ends() {
+  ends_.resize(bone_count());
+  const Quaterniond to_head = rotation_of(head_).conjugate();
+  for (std::size_t i = 0; i < bone_count(); ++i) ends_[i] = to_head * positions_[i];
+}
+
+}  // namespace coif
