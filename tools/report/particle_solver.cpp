@@ -18,6 +18,12 @@ bool is_finite(const HeadPose& head) {
          rotation_of(head).coeffs().allFinite();
 }
 
+/// rad/s that turn `from` into `to` the short way.
+Vector3d spin_between(const Quaterniond& from, const Quaterniond& to, double dt) {
+  const Eigen::AngleAxisd turn(to * from.conjugate());
+  return turn.axis() * (turn.angle() / dt);
+}
+
 }  // namespace
 
 ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene) : rig_(rig), scene_(scene) {}
@@ -26,7 +32,8 @@ void ParticleSolver::reset(const HeadPose& head) {
   head_ = head;
   positions_.assign(bone_count(), Vector3d::Zero());
   velocities_.assign(bone_count(), Vector3d::Zero());
-  const ParticleStep still{0, rotation_of(head), Vector3d::Zero(), Vector3d::Zero()};
+  ParticleStep still;
+  still.head_rotation = rotation_of(head);
   for (std::size_t i = 0; i < bone_count(); ++i) {
     positions_[i] = start(i, still) + still.head_rotation * (bone(i).rest_direction * bone(i).length);
   }
@@ -35,17 +42,24 @@ void ParticleSolver::reset(const HeadPose& head) {
 }
 
 bool ParticleSolver::step(const HeadPose& head, double dt) {
-  if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head)) return false;
+  if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head) || positions_.size() != bone_count()) return false;
   const Vector3d way = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
   for (Vector3d& position : positions_) position -= way;
+  const Vector3d velocity = way / dt;
+  const Vector3d spin = spin_between(rotation_of(head_), rotation_of(head), dt);
   head_ = head;
-  advance({dt, rotation_of(head), scene_.gravity, scene_.wind + way * (scene_.air_follow / dt)});
+  advance({dt, rotation_of(head), scene_.gravity, scene_.wind + velocity * scene_.air_follow, velocity, spin});
   renew_ends();
   return true;
 }
 
 Vector3d ParticleSolver::start(std::size_t i, const ParticleStep& step) const {
   return hangs_from_head(i) ? Vector3d(step.head_rotation * bone(i).joint) : positions_[parent(i)];
+}
+
+Vector3d ParticleSolver::falling_velocity(std::size_t i, const ParticleStep& step) const {
+  const Vector3d fallen = velocities_[i] + step.gravity * (bone(i).gravity_scale * step.dt);
+  return step.air_velocity + (fallen - step.air_velocity) * std::exp(-bone(i).friction * step.dt);
 }
 
 std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& step) const {

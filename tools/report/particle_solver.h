@@ -11,6 +11,13 @@ struct ParticleStep {
   Eigen::Quaterniond head_rotation;  ///< World from head space, at the end of the step.
   Eigen::Vector3d gravity;           ///< m/s^2
   Eigen::Vector3d air_velocity;      ///< m/s
+  Eigen::Vector3d head_velocity;     ///< m/s, mean over the step.
+  Eigen::Vector3d head_spin;         ///< rad/s, world axes, mean over the step.
+
+  /// Of the point of the head that is at `point` now, m/s.
+  [[nodiscard]] Eigen::Vector3d head_velocity_at(const Eigen::Vector3d& point) const {
+    return head_velocity + head_spin.cross(point);
+  }
 };
 
 /// Base of the solvers that hold a point mass at every bone's tail. They work relative to the head as the runtime does,
@@ -20,7 +27,7 @@ class ParticleSolver : public ChainSolver {
   ParticleSolver(const Rig& rig, const SolverScene& scene);
 
   void reset(const HeadPose& head) final;
-  /// Refuses what is not finite and steps that are not above zero.
+  /// Refuses what is not finite, steps that are not above zero, and to begin without reset().
   [[nodiscard]] bool step(const HeadPose& head, double dt) final;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const final { return ends_; }
 
@@ -38,6 +45,9 @@ class ParticleSolver : public ChainSolver {
   [[nodiscard]] std::size_t parent(std::size_t i) const { return std::size_t(rig_.bones[i].parent); }
   /// Where bone i starts now: its parent's particle, or its joint on the turned head.
   [[nodiscard]] Eigen::Vector3d start(std::size_t i, const ParticleStep& step) const;
+
+  /// Where velocities_[i] is after gravity and friction, which decays exactly: what follows pulls and corrects.
+  [[nodiscard]] Eigen::Vector3d falling_velocity(std::size_t i, const ParticleStep& step) const;
 
   /// Default directions, root to tip, as Algorithm 1 (5.2) has them: each bone's rest direction in its parent's present
   /// frame, the frame turned by the shortest arc from there to where the bone points now. Unit, one per bone.
