@@ -80,6 +80,7 @@ LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& 
     case chunk::kIndices: return read_chunk(file, entry, indices_);
     case chunk::kPatches: return read_chunk(file, entry, patches_);
     case chunk::kLods: return read_chunk(file, entry, lods_);
+    case chunk::kLodBones: return read_chunk(file, entry, lod_bones_);
     case chunk::kMaterial: return read_single(file, entry, material_);
     case chunk::kTextures: return read_chunk(file, entry, textures_);
     case chunk::kTexels: return read_chunk(file, entry, texels_);

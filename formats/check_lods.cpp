@@ -4,32 +4,24 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kBitsPerWord = 32;
-
-bool is_simulated(const LodRecord& lod, std::size_t bone) {
-  return (lod.simulated[bone / kBitsPerWord] >> bone % kBitsPerWord & 1) != 0;
-}
-
 LoadStatus lod_error(LoadCode code, std::size_t level, std::uint64_t expected = 0, std::uint64_t found = 0) {
   return {code, chunk::kLods, level, expected, found};
 }
 
-/// `finer` is null for level 0. Names the first bone whose bit is wrong: a level simulates less than the finer one,
-/// and never a bone whose parent is simulated in the finest level but not here.
-LoadStatus check_simulated_bones(const Asset& asset, std::size_t level, const LodRecord* finer) {
-  const LodRecord& lod = asset.lods()[level];
+/// Whatever is simulated is so in the finest level and in no level where its parent has become rigid to its own. Names the
+/// first bone that is not so, with the largest number it may have.
+LoadStatus check_lod_bones(const Asset& asset) {
+  const auto counts = asset.lod_bones();
   const auto bones = asset.bones();
-  for (std::size_t i = 0; i < kMaxBones; ++i) {
-    const bool moves = is_simulated(lod, i);
-    const bool can_move = i < bones.size() && bones[i].kind == BoneKind::kSimulated;
-    const bool must_move = can_move && finer == nullptr;
-    if (must_move && !moves) return lod_error(LoadCode::kLodBones, level, i, kNone);
-    if (!moves) continue;
-    const bool moved_before = finer == nullptr || is_simulated(*finer, i);
-    if (!can_move || !moved_before) return lod_error(LoadCode::kLodBones, level, kNone, i);
-    const BoneRecord& parent = bones[bones[i].parent];
-    const bool hangs_freely = parent.kind != BoneKind::kSimulated || is_simulated(lod, bones[i].parent);
-    if (!hangs_freely) return lod_error(LoadCode::kLodBones, level, kNone, i);
+  if (counts.size() != bones.size()) {
+    return {LoadCode::kChunkSize, chunk::kLodBones, 0, bones.size(), counts.size()};
+  }
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    const bool can_move = bones[i].kind == BoneKind::kSimulated;
+    const bool hangs_freely = can_move && bones[bones[i].parent].kind != BoneKind::kSimulated;
+    const std::size_t most = !can_move ? 0 : hangs_freely ? asset.lods().size() : counts[bones[i].parent];
+    const std::size_t least = can_move ? 1 : 0;
+    if (counts[i] < least || counts[i] > most) return {LoadCode::kLodBones, chunk::kLodBones, i, most, counts[i]};
   }
   return {};
 }
@@ -46,6 +38,9 @@ bool measures_fit(const LodRecord& lod, const LodRecord* finer, bool is_last) {
 
 LoadStatus check_lods(const Asset& asset) {
   const auto lods = asset.lods();
+  if (lods.empty() != asset.lod_bones().empty()) {
+    return {LoadCode::kChunkMissing, lods.empty() ? chunk::kLods : chunk::kLodBones};
+  }
   if (lods.empty()) return {};
   if (lods.size() > kMaxLods) return lod_error(LoadCode::kChunkSize, 0, kMaxLods, lods.size());
   const std::uint64_t total = asset.patches().size();
@@ -59,10 +54,10 @@ LoadStatus check_lods(const Asset& asset) {
       return lod_error(LoadCode::kLodCover, i, total - next, lod.patch_count);
     }
     if (!measures_fit(lod, finer, i + 1 == lods.size())) return lod_error(LoadCode::kLodOrder, i);
-    if (const LoadStatus status = check_simulated_bones(asset, i, finer); !status) return status;
     next += lod.patch_count;
   }
-  return next == total ? LoadStatus{} : lod_error(LoadCode::kLodCover, lods.size(), total, next);
+  if (next != total) return lod_error(LoadCode::kLodCover, lods.size(), total, next);
+  return check_lod_bones(asset);
 }
 
 }  // namespace coif

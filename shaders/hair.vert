@@ -2,6 +2,7 @@
 layout(std140) uniform PaletteBlock {
   vec4 palette[256 * 3];  // three rows of an affine matrix for each bone
 };
+uniform sampler2D palette_texture;  // the same for more bones, 256 to a row of texels
 
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec3 rest_normal;
@@ -19,9 +20,15 @@ out vec2 uv;
 // Two programs draw the same triangles; their depths must agree to the bit.
 invariant gl_Position;
 
+vec4 matrix_row(uint bone, int row) {
+  int place = int(bone);
+  if (ambient.w > 0.5) return texelFetch(palette_texture, ivec2(place % 256 * 3 + row, place / 256), 0);
+  return palette[place * 3 + row];
+}
+
 vec4 blended_row(int row) {
-  return weights.x * palette[int(bones.x) * 3 + row] + weights.y * palette[int(bones.y) * 3 + row] +
-         weights.z * palette[int(bones.z) * 3 + row] + weights.w * palette[int(bones.w) * 3 + row];
+  return weights.x * matrix_row(bones.x, row) + weights.y * matrix_row(bones.y, row) +
+         weights.z * matrix_row(bones.z, row) + weights.w * matrix_row(bones.w, row);
 }
 
 void main() {

@@ -22,6 +22,7 @@ struct AssetContents {
   std::vector<std::uint32_t> indices;
   std::vector<PatchRecord> patches;
   std::vector<LodRecord> lods;           ///< Empty: one level.
+  std::vector<std::uint8_t> lod_bones;   ///< One per bone, or empty where `lods` is.
   std::vector<MaterialRecord> material;  ///< None or one.
   std::vector<TextureRecord> textures;   ///< Offsets and bytes refer to `texels`.
   std::vector<std::byte> texels;

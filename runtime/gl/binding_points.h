@@ -9,5 +9,6 @@ inline constexpr GLuint kDrawIndex = 0;  // uniform buffer indices
 inline constexpr GLuint kPaletteIndex = 1;
 inline constexpr GLint kBaseUnit = 0;  // texture units
 inline constexpr GLint kShiftMaskUnit = 1;
+inline constexpr GLint kPaletteUnit = 2;
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #include "gl/draw_block.h"
 
+#include "gl/palette.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -116,7 +118,7 @@ Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, Dra
   point_to_head(frame, desc.eye, block.eye);
   block.eye[3] = desc.component == Component::kDirection ? 1.0f : 0.0f;
   for (int i = 0; i < 4; ++i) block.base_color[i] = material.base_color[i];
-  fill_rgb_and(material.ambient, 0.0f, block.ambient);
+  fill_rgb_and(material.ambient, fits_uniform_block(desc.palette) ? 0.0f : 1.0f, block.ambient);
   fill_rgb_and(material.primary_color, material.primary_exponent, block.primary);
   fill_rgb_and(material.secondary_color, material.secondary_exponent, block.secondary);
   block.shift[0] = material.primary_shift;

@@ -1,6 +1,7 @@
 #include "gl/binding_points.h"
 #include "gl/draw_block.h"
 #include "gl/gl_functions.h"
+#include "gl/palette.h"
 
 #include <coif/renderer.h>
 
@@ -9,8 +10,6 @@
 
 namespace coif {
 namespace {
-
-constexpr GLsizeiptr kPaletteBytes = kMaxBones * sizeof(Mat34);  // 12 KiB of the 16 that OpenGL ES 3.0 promises
 
 // Of everything that is hidden by hair and drawn later, a texel of alpha a should show 1 - a. Writing depth shows 0 of
 // it, not writing shows 1, so half is where one error becomes smaller than the other. Lower, the faint borders of cards
@@ -53,7 +52,7 @@ Status HairRenderer::draw(const HairModel& model, const DrawDesc& desc) {
   send_uniforms(block, desc.palette);
   bind(model);
   draw_passes(model, material, desc);
-  leave_initial_state();
+  leave_initial_state(fits_uniform_block(desc.palette));
   return Status::kOk;
 }
 
@@ -61,10 +60,8 @@ void HairRenderer::send_uniforms(const DrawBlock& block, std::span<const Mat34> 
   const GlFunctions& gl = functions();
   gl.BindBufferBase(GL_UNIFORM_BUFFER, kDrawIndex, draw_buffer_);
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
-  // Data afresh for each head: the driver gives new storage while the GPU still reads the head before.
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kPaletteIndex, palette_buffer_);
-  gl.BufferData(GL_UNIFORM_BUFFER, kPaletteBytes, nullptr, GL_STREAM_DRAW);
-  gl.BufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(palette.size_bytes()), palette.data());
+  send_palette_block(gl, palette_buffer_, palette);
+  if (!fits_uniform_block(palette)) send_palette_texture(gl, palette_texture_, palette);
 }
 
 void HairRenderer::bind(const HairModel& model) const {
@@ -114,7 +111,7 @@ void HairRenderer::draw_passes(const HairModel& model, const MaterialRecord& mat
   }
 }
 
-void HairRenderer::leave_initial_state() const {
+void HairRenderer::leave_initial_state(bool palette_was_in_block) const {
   const GlFunctions& gl = functions();
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.Disable(GL_BLEND);
@@ -124,6 +121,10 @@ void HairRenderer::leave_initial_state() const {
   gl.Disable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
   gl.DepthMask(GL_TRUE);
+  if (!palette_was_in_block) {
+    gl.ActiveTexture(GL_TEXTURE0 + kPaletteUnit);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+  }
   gl.ActiveTexture(GL_TEXTURE0 + kShiftMaskUnit);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   gl.ActiveTexture(GL_TEXTURE0 + kBaseUnit);

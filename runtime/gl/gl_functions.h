@@ -50,6 +50,7 @@
   X(LinkProgram)             \
   X(PixelStorei)             \
   X(ShaderSource)            \
+  X(TexImage2D)              \
   X(TexParameteri)           \
   X(TexStorage2D)            \
   X(TexSubImage2D)           \

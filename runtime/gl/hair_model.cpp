@@ -35,7 +35,7 @@ void describe_vertices(const GlFunctions& gl, std::size_t skin_begin) {
   gl.VertexAttribPointer(kNormal, 3, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, normal)));
   gl.VertexAttribPointer(kTangent, 4, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, tangent)));
   gl.VertexAttribPointer(kTexturePlace, 2, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(VertexRecord, uv)));
-  gl.VertexAttribIPointer(kBones, 4, GL_UNSIGNED_BYTE, sizeof(SkinRecord),
+  gl.VertexAttribIPointer(kBones, 4, GL_UNSIGNED_SHORT, sizeof(SkinRecord),
                           byte_offset(skin_begin + offsetof(SkinRecord, bone)));
   gl.VertexAttribPointer(kWeights, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SkinRecord),
                          byte_offset(skin_begin + offsetof(SkinRecord, weight)));

@@ -16,6 +16,7 @@ void bind_samplers_and_blocks(const GlFunctions& gl, GLuint program) {
   gl.UseProgram(program);  // The depth program lacks the second sampler; location -1 is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
+  gl.Uniform1i(gl.GetUniformLocation(program, "palette_texture"), kPaletteUnit);
   gl.UseProgram(0);
   gl.UniformBlockBinding(program, gl.GetUniformBlockIndex(program, "DrawBlock"), kDrawIndex);
   gl.UniformBlockBinding(program, gl.GetUniformBlockIndex(program, "PaletteBlock"), kPaletteIndex);
@@ -46,6 +47,7 @@ Status HairRenderer::create(const GlLoader& loader) {
   if (const Status status = create_programs(); status != Status::kOk) return status;
   gl->GenBuffers(1, &draw_buffer_);
   gl->GenBuffers(1, &palette_buffer_);
+  gl->GenTextures(1, &palette_texture_);
   created_ = true;
   return Status::kOk;
 }
@@ -78,7 +80,8 @@ void HairRenderer::destroy() {
   gl.DeleteProgram(depth_program_);
   gl.DeleteBuffers(1, &draw_buffer_);
   gl.DeleteBuffers(1, &palette_buffer_);
-  shaded_program_ = depth_program_ = draw_buffer_ = palette_buffer_ = 0;
+  gl.DeleteTextures(1, &palette_texture_);
+  shaded_program_ = depth_program_ = draw_buffer_ = palette_buffer_ = palette_texture_ = 0;
   created_ = false;
 }
 

@@ -143,6 +143,34 @@ TEST_F(Glb, ComesBackThroughTheImporter) {
   }
 }
 
+TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
+  AssetContents contents = small_asset();
+  const auto last = std::uint16_t(contents.bones.size() + 400);
+  contents.bones.resize(2);
+  contents.bones.resize(last + 1u, contents.bones[1]);
+  contents.bone_names.clear();
+  contents.chains.clear();
+  contents.dynamics.clear();
+  contents.lods.clear();
+  contents.lod_bones.clear();
+  contents.patches[2].head_distance = contents.patches[1].head_distance;
+  for (PatchRecord& patch : contents.patches) patch.bone = 0;
+  for (SkinRecord& skin : contents.skin) skin = {{last, 0, 0, 0}, {200, 55, 0, 0}};
+  const OpenAsset open(contents);
+  ASSERT_TRUE(open.asset().is_open());
+  const auto recording = record(open.asset(), {.motion = Motion::kNod, .seconds = 0.1});
+  ASSERT_TRUE(recording);
+  GlbReader glb;
+  ASSERT_TRUE(glb.read(to_glb(open.asset(), *recording)));
+  const auto& attributes = glb.document()["meshes"][0]["primitives"][0]["attributes"];
+  const auto& joints = glb.document()["accessors"][attributes["JOINTS_0"].get<std::size_t>()];
+  EXPECT_EQ(joints["componentType"], 5123) << "unsigned short";
+  const auto stored = glb.view(joints["bufferView"]);
+  ASSERT_EQ(stored.size(), 8 * contents.vertices.size());
+  EXPECT_EQ(std::to_integer<int>(stored[0]) + 256 * std::to_integer<int>(stored[1]), last);
+  EXPECT_EQ(glb.document()["skins"][0]["joints"].size(), contents.bones.size());
+}
+
 TEST(GlbWithoutMesh, StillHasTheMovingBones) {
   AssetContents contents = small_asset();
   contents.vertices.clear();
@@ -150,6 +178,7 @@ TEST(GlbWithoutMesh, StillHasTheMovingBones) {
   contents.indices.clear();
   contents.patches.clear();
   contents.lods.clear();
+  contents.lod_bones.clear();
   const OpenAsset open(contents);
   ASSERT_TRUE(open.asset().is_open());
   const auto recording = record(open.asset(), {.motion = Motion::kNod, .seconds = 1});

@@ -94,6 +94,7 @@ TEST(SurfaceMatch, NeedsAMesh) {
   contents.indices.clear();
   contents.patches.clear();
   contents.lods.clear();
+  contents.lod_bones.clear();
   const OpenAsset bald(contents), hairy(small_asset());
   ASSERT_TRUE(bald.asset().is_open());
   EXPECT_FALSE(match_surfaces(bald.asset(), hairy.asset()));

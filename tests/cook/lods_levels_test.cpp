@@ -141,27 +141,29 @@ Skeleton forked_chain() {
   return skeleton;
 }
 
+using Bones = std::vector<bool>;
+
 TEST(LodBones, ChainsLoseTheirTipsFirstAndShortOnesAllTheirBones) {
   const Skeleton skeleton = forked_chain();
-  EXPECT_EQ(moving_bones(skeleton, 0)[0], 0b1111100u);
-  EXPECT_EQ(moving_bones(skeleton, 0.03)[0], 0b1011100u) << "the branch is shorter";
-  EXPECT_EQ(moving_bones(skeleton, 0.06)[0], 0b0011100u) << "so is the second chain";
-  EXPECT_EQ(moving_bones(skeleton, 0.15)[0], 0b0001100u) << "the long chain's last bone";
-  EXPECT_EQ(count_bones(moving_bones(skeleton, 1)), 0);
+  EXPECT_EQ(moving_bones(skeleton, 0), Bones({0, 0, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(moving_bones(skeleton, 0.03), Bones({0, 0, 1, 1, 1, 0, 1})) << "the branch is shorter";
+  EXPECT_EQ(moving_bones(skeleton, 0.06), Bones({0, 0, 1, 1, 1, 0, 0})) << "so is the second chain";
+  EXPECT_EQ(moving_bones(skeleton, 0.15), Bones({0, 0, 1, 1, 0, 0, 0})) << "the long chain's last bone";
+  EXPECT_EQ(moving_bones(skeleton, 1), Bones(7, false));
 }
 
 TEST(LodBones, WhatMovesHasAParentThatMovesOrNeverDid) {
   const Skeleton skeleton = forked_chain();
-  BoneBits finer = moving_bones(skeleton, 0);
+  Bones finer = moving_bones(skeleton, 0);
   for (double still = 0; still < 0.4; still += 0.005) {
-    const BoneBits bits = moving_bones(skeleton, still);
-    EXPECT_EQ(bits[0] & ~finer[0], 0u) << "a coarser level moves nothing more";
+    const Bones moves = moving_bones(skeleton, still);
     for (std::uint32_t b = 0; b < skeleton.bones.size(); ++b) {
-      if ((bits[0] >> b & 1) == 0) continue;
+      if (!moves[b]) continue;
+      EXPECT_TRUE(finer[b]) << "a coarser level moves nothing more: " << b;
       const std::uint32_t parent = skeleton.bones[b].parent;
-      EXPECT_TRUE(skeleton.bones[parent].kind != BoneKind::kSimulated || (bits[0] >> parent & 1) != 0) << b;
+      EXPECT_TRUE(skeleton.bones[parent].kind != BoneKind::kSimulated || moves[parent]) << b;
     }
-    finer = bits;
+    finer = moves;
   }
 }
 

@@ -1,5 +1,5 @@
 // What open() demands of levels of detail. small_asset() has two: level 0 draws patches 0 and 1 and simulates bones 2, 3
-// (on 2) and 4; level 1 draws patch 2 and simulates bone 2.
+// (on 2) and 4; level 1 draws patch 2 and simulates bone 2 alone.
 
 #include "formats/refusal.h"
 
@@ -16,13 +16,15 @@ void make_levels(AssetContents& asset, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
     asset.indices.insert(asset.indices.end(), {0, 1, 2});
     asset.patches.push_back({3 * i, 3, 0.1f, 2});
-    asset.lods.push_back({i, 1, float(count - 1 - i), 0.001f * float(i), {0b11100}});
+    asset.lods.push_back({i, 1, float(count - 1 - i), 0.001f * float(i)});
   }
+  asset.lod_bones = {0, 0, std::uint8_t(count), std::uint8_t(count), std::uint8_t(count)};
 }
 
 TEST(OpenLods, AcceptsAnAssetWithoutLevels) {
   const auto without_levels = [](AssetContents& a) {
     a.lods.clear();
+    a.lod_bones.clear();
     a.patches[2].head_distance = a.patches[1].head_distance;
   };
   EXPECT_EQ(refusal(without_levels), LoadCode::kOk);
@@ -31,6 +33,7 @@ TEST(OpenLods, AcceptsAnAssetWithoutLevels) {
 TEST(OpenLods, WithoutLevelsAMeshIsOneLevel) {
   AssetContents contents = small_asset();
   contents.lods.clear();
+  contents.lod_bones.clear();
   contents.patches[2].head_distance = contents.patches[1].head_distance;
   AlignedBytes file(write_asset(contents));
   Asset asset;
@@ -45,7 +48,11 @@ TEST(OpenLods, WithoutLevelsAMeshIsOneLevel) {
 TEST(OpenLods, DrawOrderAscendsWithinALevelOnly) {
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0.01f; }), LoadCode::kNotFinite) << "inside level 0";
   EXPECT_EQ(refusal([](auto& a) { a.patches[2].head_distance = 0.01f; }), LoadCode::kOk) << "level 1 starts anew";
-  EXPECT_EQ(refusal([](auto& a) { a.lods.clear(); }), LoadCode::kNotFinite) << "without levels all is one order";
+  const auto without_levels = [](AssetContents& a) {
+    a.lods.clear();
+    a.lod_bones.clear();
+  };
+  EXPECT_EQ(refusal(without_levels), LoadCode::kNotFinite) << "without levels all is one order";
 }
 
 TEST(OpenLods, AcceptsAsManyLevelsAsTheFormatAllowsAndNoMore) {
@@ -64,6 +71,7 @@ TEST(OpenLods, RefusesLevelsThatDoNotCoverThePatches) {
   const auto too_few = [](AssetContents& a) {
     a.lods.pop_back();
     a.lods[0].screen_size = 0;
+    a.lod_bones[2] = 1;
   };
   EXPECT_EQ(refusal(too_few), LoadCode::kLodCover) << "the last patch is in no level";
 }
@@ -101,27 +109,30 @@ TEST(OpenLods, RefusesErrorsThatDoNotGrowFromZero) {
   EXPECT_EQ(refusal(falling), LoadCode::kLodOrder);
 }
 
-TEST(OpenLods, RefusesBonesThatALevelCannotSimulate) {
-  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b00001; }), LoadCode::kLodBones) << "the head";
-  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b00010; }), LoadCode::kLodBones) << "the scalp";
-  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] |= 0b100000; }), LoadCode::kLodBones) << "no such bone";
-  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[7] |= 1u << 31; }), LoadCode::kLodBones) << "no such bone";
+TEST(OpenLods, RefusesLevelsOrTheirBonesAlone) {
+  EXPECT_EQ(refusal([](auto& a) { a.lods.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones.push_back(0); }), LoadCode::kChunkSize) << "no such bone";
 }
 
-TEST(OpenLods, RefusesALevelThatSimulatesMoreThanTheOneBefore) {
-  const auto returning = [](AssetContents& a) {
-    make_levels(a, 3);
-    a.lods[1].simulated[0] = 0b00100;
-    a.lods[2].simulated[0] = 0b10100;
-  };
-  EXPECT_EQ(refusal(returning), LoadCode::kLodBones);
-  EXPECT_EQ(refusal([](auto& a) { a.lods[0].simulated[0] = 0b01100; }), LoadCode::kLodBones) << "level 0 moves all";
+TEST(OpenLods, RefusesBonesThatCannotBeSimulated) {
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[0] = 1; }), LoadCode::kLodBones) << "the head";
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[1] = 1; }), LoadCode::kLodBones) << "the scalp";
+}
+
+TEST(OpenLods, RefusesBonesThatLevel0DoesNotSimulateOrThatOutlastTheLevels) {
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[4] = 0; }), LoadCode::kLodBones);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[4] = 2; }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[4] = 3; }), LoadCode::kLodBones) << "there are two levels";
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones[4] = 255; }), LoadCode::kLodBones);
 }
 
 TEST(OpenLods, RefusesAMovingBoneOnABoneThatStoodStill) {
-  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0b01000; }), LoadCode::kLodBones) << "3 hangs from 2";
-  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0b10000; }), LoadCode::kOk) << "4 hangs from the head";
-  EXPECT_EQ(refusal([](auto& a) { a.lods[1].simulated[0] = 0; }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones = {0, 0, 2, 2, 1}; }), LoadCode::kOk) << "3 hangs from 2";
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones = {0, 0, 1, 2, 1}; }), LoadCode::kLodBones) << "3 hangs from 2";
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones = {0, 0, 1, 1, 2}; }), LoadCode::kOk) << "4 hangs from the head";
+  EXPECT_EQ(refusal([](auto& a) { a.lod_bones = {0, 0, 1, 1, 1}; }), LoadCode::kOk);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(Open, GivesBackWhatWasWritten) {
   EXPECT_EQ(asset.indices().size(), 9u);
   EXPECT_EQ(asset.patches()[1].first_index, 3u);
   ASSERT_EQ(asset.lods().size(), 2u);
-  EXPECT_EQ(asset.lods()[1].simulated[0], 0b100u);
+  EXPECT_EQ(asset.lod_bones()[2], 2u);
   EXPECT_EQ(asset.lod_count(), 2u);
   EXPECT_EQ(asset.lod_patches(0).size(), 2u);
   EXPECT_EQ(asset.lod_indices(0).size(), 6u);
@@ -46,6 +46,36 @@ TEST(Open, GivesBackWhatWasWritten) {
 
 TEST(Open, WritingTwiceGivesTheSameBytes) { EXPECT_EQ(write_asset(small_asset()), write_asset(small_asset())); }
 
+/// small_asset() with rigid bones of no use after its own; `count` in all.
+AssetContents with_bones(std::uint32_t count) {
+  AssetContents contents = small_asset();
+  contents.lods.clear();
+  contents.lod_bones.clear();
+  contents.patches[2].head_distance = contents.patches[1].head_distance;
+  const std::uint32_t added = count - std::uint32_t(contents.bones.size());
+  contents.bones.insert(contents.bones.begin() + 2, added, contents.bones[1]);
+  contents.bone_names.clear();
+  for (std::uint32_t i = 2 + added; i < count; ++i) {
+    if (contents.bones[i].parent > 1) contents.bones[i].parent += added;
+  }
+  for (ChainRecord& chain : contents.chains) chain.first_bone += added;
+  contents.dynamics.resize(count, contents.dynamics.front());
+  for (SkinRecord& skin : contents.skin) skin.bone[0] = std::uint16_t(count - 1);
+  return contents;
+}
+
+TEST(Open, AcceptsAsManyBonesAsTheFormatAllowsAndNoMore) {
+  EXPECT_EQ(open_written(with_bones(300)).code, LoadCode::kOk) << "more than a byte counts";
+  EXPECT_EQ(open_written(with_bones(kMaxBones)).code, LoadCode::kOk);
+  EXPECT_EQ(open_written(with_bones(kMaxBones + 1)).code, LoadCode::kChunkSize);
+}
+
+TEST(Open, RefusesSkinOnABoneThatDoesNotExist) {
+  AssetContents contents = with_bones(300);
+  contents.skin[0].bone[3] = 300;
+  EXPECT_EQ(open_written(contents).code, LoadCode::kReference);
+}
+
 TEST(Open, AcceptsASkeletonAlone) {
   AssetContents contents = small_asset();
   contents.vertices.clear();
@@ -53,6 +83,7 @@ TEST(Open, AcceptsASkeletonAlone) {
   contents.indices.clear();
   contents.patches.clear();
   contents.lods.clear();
+  contents.lod_bones.clear();
   contents.material.clear();
   contents.textures.clear();
   contents.texels.clear();

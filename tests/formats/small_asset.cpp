@@ -43,13 +43,14 @@ void add_mesh(AssetContents& asset) {
     const auto first = std::uint32_t(asset.vertices.size());
     for (int k = 0; k < 3; ++k) {
       asset.vertices.push_back(vertex(0.05f * float(k + patch), -0.1f * float(k % 2)));
-      asset.skin.push_back({{std::uint8_t(2 + patch), 0, 0, 0}, {200, 55, 0, 0}});
+      asset.skin.push_back({{std::uint16_t(2 + patch), 0, 0, 0}, {200, 55, 0, 0}});
       asset.indices.push_back(first + std::uint32_t(k));
     }
     const float head_distance = 0.1f + 0.01f * float(patch % 2);  // ascends anew in each level
     asset.patches.push_back({std::uint32_t(3 * patch), 3, head_distance, std::uint32_t(2 + patch)});
   }
-  asset.lods = {{0, 2, 0.3f, 0.0f, {0b11100}}, {2, 1, 0.0f, 0.004f, {0b00100}}};
+  asset.lods = {{0, 2, 0.3f, 0.0f}, {2, 1, 0.0f, 0.004f}};
+  asset.lod_bones = {0, 0, 2, 1, 1};
 }
 
 ColliderRecord collider(ColliderShape shape, const std::array<float, 3>& radii, const std::array<float, 3>& axis) {

@@ -48,11 +48,37 @@ TEST_F(Skinning, FourWeightsBlendTheirBones) {
   EXPECT_TRUE(near(pixel(12, 25), kWhite));
 }
 
+// 256 bones fit into a uniform block, more go into a texture of 256 bones a row.
 TEST_F(Skinning, LastOfAllBonesIsReached) {
-  std::vector<Mat34> palette(kMaxBones);
-  palette.back() = moved(-0.5f, 0.5f);
-  draw_with(small_card({{255, 0, 0, 0}, {255, 0, 0, 0}}), palette);
-  EXPECT_TRUE(near(pixel(8, 24), kWhite));
+  for (const std::uint32_t bones : {2u, 256u, 257u, 512u, 1601u, kMaxBones}) {
+    std::vector<Mat34> palette(bones);
+    palette.back() = moved(-0.5f, 0.5f);
+    clear();
+    draw_with(small_card({{std::uint16_t(bones - 1), 0, 0, 0}, {255, 0, 0, 0}}), palette);
+    EXPECT_TRUE(near(pixel(8, 24), kWhite)) << bones;
+    EXPECT_EQ(middle_pixel(), kNothing) << bones;
+  }
+}
+
+TEST_F(Skinning, EachOfManyBonesHasItsOwnMatrix) {
+  constexpr std::uint32_t kBones = 600;
+  std::vector<Mat34> palette(kBones);
+  for (std::uint32_t b = 0; b < kBones; ++b) palette[b] = moved(b % 2 == 0 ? -0.5f : 0.5f, 0);
+  for (const int bone : {0, 1, 254, 255, 256, 257, 511, 512, 599}) {
+    clear();
+    draw_with(small_card({{std::uint16_t(bone), 0, 0, 0}, {255, 0, 0, 0}}), palette);
+    EXPECT_TRUE(near(pixel(bone % 2 == 0 ? 8 : 24, 16), kWhite)) << bone;
+    EXPECT_EQ(pixel(bone % 2 == 0 ? 24 : 8, 16), kNothing) << bone;
+  }
+}
+
+TEST_F(Skinning, AHeadOfFewBonesAfterOneOfManyIsDrawnAsBefore) {
+  const Card card = small_card({{1, 0, 0, 0}, {255, 0, 0, 0}});
+  draw_with(card, std::vector<Mat34>(300));
+  clear();
+  draw_with(card, {Mat34{}, moved(0.5f, -0.5f)});
+  EXPECT_TRUE(near(pixel(24, 8), kWhite));
+  EXPECT_EQ(middle_pixel(), kNothing);
 }
 
 TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {

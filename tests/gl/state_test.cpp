@@ -137,6 +137,56 @@ TEST_F(DrawState, IsUntouchedWhereDrawDoesNotClaimIt) {
   for (std::size_t i = 0; i < kForeign.size(); ++i) EXPECT_EQ(after[i], before[i]) << std::hex << kForeign[i];
 }
 
+/// The same with so many bones that their matrices go into a texture.
+class ManyBonesState : public GlTest {
+ protected:
+  static constexpr std::uint32_t kBones = 300;
+
+  void SetUp() override {
+    GlTest::SetUp();
+    if (!context_) return;
+    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{Card{}}, kBones))), Status::kOk);
+  }
+  void TearDown() override {
+    model_.destroy();
+    GlTest::TearDown();
+  }
+
+  HairModel model_;
+};
+
+TEST_F(ManyBonesState, IsLeftAtInitialValuesWhereDrawSetsIt) {
+  set_hostile_owned_state();
+  set_unusual_foreign_state();
+  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  for (const Value& value : kOwned) EXPECT_EQ(query(value.name), value.initial) << std::hex << value.name;
+  EXPECT_EQ(query(GL_PIXEL_UNPACK_BUFFER_BINDING)[0], 0);
+  EXPECT_EQ(query(GL_UNPACK_ALIGNMENT)[0], 4);
+  for (GLuint unit = 0; unit < 3; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    EXPECT_EQ(query(GL_TEXTURE_BINDING_2D)[0], 0) << unit;
+    EXPECT_EQ(query(GL_SAMPLER_BINDING)[0], 0) << unit;
+  }
+}
+
+TEST_F(ManyBonesState, DoesNotDependOnWhatTheHostLeft) {
+  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  const Pixel expected = middle_pixel();
+  EXPECT_NE(expected, Pixel({0, 0, 0, 0}));
+  clear();
+  GLuint buffer = 0;  // empty: to read from it is an error
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 5000);
+  glPixelStorei(GL_UNPACK_SKIP_ROWS, 1);
+  GLuint sampler = 0;
+  glGenSamplers(1, &sampler);
+  glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glBindSampler(2, sampler);
+  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  EXPECT_EQ(middle_pixel(), expected);
+}
+
 TEST_F(DrawState, UploadIgnoresAndResetsTheHostsUnpackState) {
   GLuint buffer = 0;
   glGenBuffers(1, &buffer);

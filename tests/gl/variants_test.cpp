@@ -26,7 +26,8 @@ AssetContents two_levels() {
   AssetContents contents = card_contents(std::array{kRed, kGreen, kBlue});
   contents.patches[0].head_distance = 0.1f;
   contents.patches[1].head_distance = 0.1f;
-  contents.lods = {{0, 2, 0.5f, 0, {}}, {2, 1, 0, 0.01f, {}}};
+  contents.lods = {{0, 2, 0.5f, 0}, {2, 1, 0, 0.01f}};
+  contents.lod_bones = {0};
   return contents;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<LodRecord> levels(std::initializer_list<float> screen_sizes) {
   std::vector<LodRecord> lods;
-  for (const float size : screen_sizes) lods.push_back({std::uint32_t(lods.size()), 1, size, 0, {}});
+  for (const float size : screen_sizes) lods.push_back({std::uint32_t(lods.size()), 1, size, 0});
   return lods;
 }
 

@@ -12,7 +12,12 @@
 namespace coif {
 
 /// The numbers that glTF stores; the values are those of the specification.
-enum class GlbComponent : std::uint32_t { kUnsignedByte = 5121, kUnsignedInt = 5125, kFloat = 5126 };
+enum class GlbComponent : std::uint32_t {
+  kUnsignedByte = 5121,
+  kUnsignedShort = 5123,
+  kUnsignedInt = 5125,
+  kFloat = 5126
+};
 
 /// What the GPU uses a buffer view for; kNone for animation data and images.
 enum class GlbTarget : std::uint32_t { kNone = 0, kVertices = 34962, kIndices = 34963 };

@@ -10,12 +10,13 @@ namespace {
 
 using nlohmann::json;
 using Byte4 = std::array<std::uint8_t, 4>;
+using Short4 = std::array<std::uint16_t, 4>;
 
 struct VertexArrays {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector2f> uvs;
-  std::vector<Byte4> joints;
+  std::vector<Short4> joints;
   std::vector<Byte4> weights;
 };
 
@@ -33,11 +34,11 @@ VertexArrays unpack(const Asset& asset) {
     arrays.uvs.emplace_back(vertex.uv[0], vertex.uv[1]);
   }
   for (const SkinRecord& skin : asset.skin()) {
-    Byte4 joints{};
+    Short4 joints{};
     Byte4 weights{};
     for (std::size_t k = 0; k < 4; ++k) {
       weights[k] = skin.weight[k];
-      joints[k] = skin.weight[k] > 0 ? skin.bone[k] : std::uint8_t{0};  // glTF: an unused joint is joint 0
+      joints[k] = skin.weight[k] > 0 ? skin.bone[k] : std::uint16_t{0};  // glTF: an unused joint is joint 0
     }
     arrays.joints.push_back(joints);
     arrays.weights.push_back(weights);
@@ -45,7 +46,17 @@ VertexArrays unpack(const Asset& asset) {
   return arrays;
 }
 
-json attributes(GlbFile& file, const VertexArrays& arrays) {
+/// As bytes where they are wide enough: half the size.
+std::size_t add_joints(GlbFile& file, const std::vector<Short4>& joints, std::size_t bones) {
+  if (bones > 256) return file.add(joints, {GlbComponent::kUnsignedShort, "VEC4", GlbTarget::kVertices, false});
+  std::vector<Byte4> narrow;
+  for (const Short4& four : joints) {
+    narrow.push_back({std::uint8_t(four[0]), std::uint8_t(four[1]), std::uint8_t(four[2]), std::uint8_t(four[3])});
+  }
+  return file.add(narrow, {GlbComponent::kUnsignedByte, "VEC4", GlbTarget::kVertices, false});
+}
+
+json attributes(GlbFile& file, const VertexArrays& arrays, std::size_t bones) {
   const auto floats = [](const char* type) {
     return GlbArray{GlbComponent::kFloat, type, GlbTarget::kVertices, false};
   };
@@ -56,9 +67,8 @@ json attributes(GlbFile& file, const VertexArrays& arrays) {
   result["NORMAL"] = file.add(arrays.normals, floats("VEC3"));
   result["TEXCOORD_0"] = file.add(arrays.uvs, floats("VEC2"));
   if (!arrays.joints.empty()) {
-    const GlbArray bytes{GlbComponent::kUnsignedByte, "VEC4", GlbTarget::kVertices, false};
     const GlbArray shares{GlbComponent::kUnsignedByte, "VEC4", GlbTarget::kVertices, true};
-    result["JOINTS_0"] = file.add(arrays.joints, bytes);
+    result["JOINTS_0"] = add_joints(file, arrays.joints, bones);
     result["WEIGHTS_0"] = file.add(arrays.weights, shares);
   }
   return result;
@@ -83,7 +93,7 @@ json hair_material(GlbFile& file, const MaterialRecord* record, std::span<const 
 }  // namespace
 
 void add_hair_mesh(GlbFile& file, const Asset& asset, std::span<const std::uint8_t> base_color_png) {
-  json primitive = {{"attributes", attributes(file, unpack(asset))}, {"material", 0}};
+  json primitive = {{"attributes", attributes(file, unpack(asset), asset.bones().size())}, {"material", 0}};
   primitive["indices"] =
       file.add(asset.lod_indices(0), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
   file.document["meshes"] = json::array({{{"name", "hair"}, {"primitives", json::array({std::move(primitive)})}}});

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -84,8 +83,7 @@ ordered_json lod_list(const Asset& asset) {
   ordered_json list = ordered_json::array();
   for (std::uint32_t i = 0; i < asset.lods().size(); ++i) {
     const LodRecord& lod = asset.lods()[i];
-    int simulated = 0;
-    for (const std::uint32_t word : lod.simulated) simulated += std::popcount(word);
+    const auto simulated = std::ranges::count_if(asset.lod_bones(), [i](std::uint8_t levels) { return levels > i; });
     list.push_back({{"triangles", asset.lod_indices(i).size() / 3},
                     {"patches", lod.patch_count},
                     {"simulated_bones", simulated},

@@ -144,12 +144,12 @@ std::string describe(std::size_t k, const DetailLevel& level, const DetailLevel&
   return fmt::format(
       "level {}: {} of {} triangles, {} patches{}, {} moving bones, error {:.2f} mm, from screen size {:.3f}", k,
       level.triangle_count(), finest.triangle_count(), level.patch_count(),
-      dropped > 0 ? fmt::format(" ({} dropped)", dropped) : "", count_bones(level.simulated), 1000 * level.error,
-      level.screen_size);
+      dropped > 0 ? fmt::format(" ({} dropped)", dropped) : "", std::ranges::count(level.simulated, true),
+      1000 * level.error, level.screen_size);
 }
 
 std::string cost_in_bytes(std::span<const DetailLevel> levels) {
-  std::size_t bytes = levels.size() * sizeof(LodRecord);
+  std::size_t bytes = levels.size() * sizeof(LodRecord) + levels[0].simulated.size();
   for (const DetailLevel& level : levels.subspan(1)) {
     bytes += level.triangle_count() * 3 * sizeof(std::uint32_t) + level.patch_count() * sizeof(PatchRecord);
   }

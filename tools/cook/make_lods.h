@@ -14,7 +14,7 @@ struct DetailLevel {
   std::vector<std::vector<std::uint32_t>> triangles_of;  ///< Per patch, three vertices each; empty: it is not drawn.
   float error = 0;                                       ///< As LodRecord::error.
   float screen_size = 0;                                 ///< As LodRecord::screen_size.
-  BoneBits simulated{};
+  std::vector<bool> simulated;                           ///< Per bone.
 
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] std::size_t patch_count() const;

@@ -57,8 +57,7 @@ class CacheOrder {
 /// patch, across patches it would destroy the draw order.
 void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder& for_cache,
                    std::vector<std::uint32_t>& indices, AssetContents& contents) {
-  LodRecord record{std::uint32_t(contents.patches.size()), 0, level.screen_size, level.error, {}};
-  std::ranges::copy(level.simulated, record.simulated);
+  LodRecord record{std::uint32_t(contents.patches.size()), 0, level.screen_size, level.error};
   for (std::size_t i = 0; i < order.patch.size(); ++i) {
     const auto& triangles = level.triangles_of[order.patch[i]];
     if (triangles.empty()) continue;
@@ -69,6 +68,17 @@ void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder
   }
   record.patch_count = std::uint32_t(contents.patches.size()) - record.first_patch;
   contents.lods.push_back(record);
+}
+
+/// In how many of the levels each bone is simulated; each level simulates less than the one before.
+std::vector<std::uint8_t> count_levels(std::span<const DetailLevel> levels) {
+  std::vector<std::uint8_t> counts(levels.front().simulated.size(), 0);
+  for (const DetailLevel& level : levels) {
+    for (std::size_t b = 0; b < counts.size(); ++b) {
+      if (level.simulated[b]) ++counts[b];
+    }
+  }
+  return counts;
 }
 
 std::uint32_t heaviest_bone(const AssetContents& contents, const PatchRecord& patch) {
@@ -88,7 +98,11 @@ void pack_mesh(const HairMesh& mesh, std::span<const DetailLevel> levels, const 
   std::vector<std::uint32_t> indices;
   CacheOrder for_cache(mesh.positions.size());
   for (const DetailLevel& level : levels) lay_out_level(level, order, for_cache, indices, contents);
-  if (levels.size() == 1) contents.lods.clear();
+  if (levels.size() == 1) {
+    contents.lods.clear();
+  } else {
+    contents.lod_bones = count_levels(levels);
+  }
   const std::vector<SkinRecord> skin = quantize_skin(weights);
   const Eigen::Vector3f origin = head_joint.cast<float>();
   std::vector<std::uint32_t> new_place(mesh.positions.size());

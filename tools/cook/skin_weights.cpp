@@ -24,7 +24,7 @@ SkinRecord quantize(const std::vector<BoneWeight>& bones) {
   int left = 255;
   for (std::size_t k = 0; k < bones.size(); ++k) {
     const double exact = bones[k].weight * 255;
-    record.bone[k] = std::uint8_t(bones[k].bone);
+    record.bone[k] = std::uint16_t(bones[k].bone);
     record.weight[k] = std::uint8_t(std::min(255.0, std::floor(exact)));
     remainder[k] = exact - record.weight[k];
     left -= record.weight[k];

@@ -45,6 +45,8 @@ class Asset {
   [[nodiscard]] std::span<const PatchRecord> patches() const { return patches_; }
   /// Levels of detail, finest first; empty where the asset has one level: all patches, all bones simulated.
   [[nodiscard]] std::span<const LodRecord> lods() const { return lods_; }
+  /// In how many levels each bone is simulated, from the finest on; 0 for rigid bones. Empty where lods() is.
+  [[nodiscard]] std::span<const std::uint8_t> lod_bones() const { return lod_bones_; }
   /// 0 without a mesh, 1 for a mesh without LODS.
   [[nodiscard]] std::uint32_t lod_count() const;
   /// What one level draws, with or without LODS; empty where there is no such level.
@@ -77,6 +79,7 @@ class Asset {
   std::span<const std::uint32_t> indices_;
   std::span<const PatchRecord> patches_;
   std::span<const LodRecord> lods_;
+  std::span<const std::uint8_t> lod_bones_;
   const MaterialRecord* material_ = nullptr;
   std::span<const TextureRecord> textures_;
   std::span<const std::byte> texels_;

@@ -18,7 +18,7 @@ inline constexpr std::uint16_t kAssetMajor = 1;
 inline constexpr std::uint16_t kAssetMinor = 0;
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
-inline constexpr std::uint32_t kMaxBones = 256;      ///< Skin indices are one byte.
+inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has one value per bone stays small.
 inline constexpr std::uint32_t kMaxChunks = 64;
 inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
 inline constexpr std::uint32_t kMaxLods = 8;
@@ -40,6 +40,7 @@ inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord
 inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
 inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order, inner first.
 inline constexpr std::uint32_t kLods = chunk_id("LODS");         ///< LodRecord[], finest first; absent: one level.
+inline constexpr std::uint32_t kLodBones = chunk_id("LODB");     ///< uint8[], one per bone; see LodRecord.
 inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One MaterialRecord.
 inline constexpr std::uint32_t kTextures = chunk_id("TEXR");     ///< TextureRecord[].
 inline constexpr std::uint32_t kTexels = chunk_id("TEXD");       ///< Bytes that TextureRecord points into.
@@ -170,10 +171,10 @@ struct VertexRecord {
 static_assert(sizeof(VertexRecord) == 36);
 
 struct SkinRecord {
-  std::uint8_t bone[4];
+  std::uint16_t bone[4];
   std::uint8_t weight[4];  ///< unorm8; the four add up to 255.
 };
-static_assert(sizeof(SkinRecord) == 8);
+static_assert(sizeof(SkinRecord) == 12);
 
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
@@ -183,7 +184,8 @@ struct PatchRecord {
 };
 static_assert(sizeof(PatchRecord) == 16);
 
-/// A level of detail: consecutive patches, drawn in their order, and the bones that still move on their own.
+/// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for each
+/// bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
 struct LodRecord {
   std::uint32_t first_patch;  ///< Into PTCH; levels follow each other without gap.
   std::uint32_t patch_count;  ///< > 0.
@@ -191,9 +193,8 @@ struct LodRecord {
   /// 0 for the last.
   float screen_size;
   float error;                ///< Largest distance of the surface from level 0's, metres; grows from level to level.
-  std::uint32_t simulated[8]; ///< Bit b of the 256: bone b is simulated; a bone whose bit is 0 is rigid to its parent.
 };
-static_assert(sizeof(LodRecord) == 48);
+static_assert(sizeof(LodRecord) == 16);
 
 /// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
 inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;

@@ -31,7 +31,7 @@ enum class LoadCode : std::uint8_t {
   kPatchCover,        ///< Patches do not cover the index list exactly once, in order.
   kLodCover,          ///< Levels of detail do not cover the patches exactly once, in order.
   kLodOrder,          ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.
-  kLodBones,          ///< A level simulates a bone that it cannot, or level 0 leaves one out.
+  kLodBones,          ///< A bone is simulated in levels where it cannot be, or not in level 0.
   kWeightSum,         ///< Skin weights of a vertex do not add up to one.
   kName,              ///< Names do not end with a zero byte.
 };

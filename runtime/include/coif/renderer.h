@@ -79,7 +79,8 @@ class HairRenderer {
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit, 2D textures and samplers
   /// of units 0 and 1, uniform buffer binding and its indices 0 and 1; GL_BLEND, blend function and equation;
-  /// GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front face; colour mask.
+  /// GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front face; colour mask. With more than 256 bones,
+  /// whose matrices go into a texture, also 2D texture and sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters.
   /// Nothing else changes. Scissor, stencil, polygon offset, alpha to coverage and the like apply as the host left
   /// them. Never calls glGetError.
   Status draw(const HairModel& model, const DrawDesc& desc);
@@ -97,7 +98,7 @@ class HairRenderer {
   void send_uniforms(const DrawBlock& block, std::span<const Mat34> palette) const;
   void bind(const HairModel& model) const;
   void draw_passes(const HairModel& model, const MaterialRecord& material, const DrawDesc& desc) const;
-  void leave_initial_state() const;
+  void leave_initial_state(bool palette_was_in_block) const;
 
   /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
   alignas(void*) std::byte functions_[kFunctionBytes] = {};
@@ -108,6 +109,7 @@ class HairRenderer {
   std::int32_t depth_alpha_range_ = -1;
   std::uint32_t draw_buffer_ = 0;
   std::uint32_t palette_buffer_ = 0;
+  std::uint32_t palette_texture_ = 0;
   bool created_ = false;
 };
 
