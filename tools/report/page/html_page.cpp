@@ -1,0 +1,97 @@
+#include "report/page/html_page.h"
+
+#include "report/page/clean_text.h"
+#include "report/page/page_style.h"
+#include "report/page/svg_ids.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : clean_text(text)) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      case '\'': result += "&#39;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+const char* class_of(CellLook look) {
+  switch (look) {
+    case CellLook::kPlain: return "";
+    case CellLook::kGood: return "good";
+    case CellLook::kNeutral: return "neutral";
+    case CellLook::kWarning: return "warning";
+    case CellLook::kBad: return "bad";
+  }
+  return "";
+}
+
+std::string cell_tag(const Column& column, const Cell& cell) {
+  if (!column.numeric && cell.look == CellLook::kPlain) return "<td>";
+  const char* const space = column.numeric && cell.look != CellLook::kPlain ? " " : "";
+  return fmt::format("<td class=\"{}{}{}\">", column.numeric ? "number" : "", space, class_of(cell.look));
+}
+
+std::string head_row(const std::vector<Column>& columns) {
+  std::string html = "<tr>";
+  for (const Column& column : columns) {
+    html +=
+        fmt::format("<th scope=\"col\"{}>{}</th>", column.numeric ? " class=\"number\"" : "", escaped(column.title));
+  }
+  return html + "</tr>";
+}
+
+std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>& cells) {
+  std::string html = "<tr>";
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Cell cell = i < cells.size() ? cells[i] : Cell{};
+    html += cell_tag(columns[i], cell) + escaped(cell.text) + "</td>";
+  }
+  return html + "</tr>\n";
+}
+
+}  // namespace
+
+HtmlPage::HtmlPage(std::string_view title) : title_(escaped(title)) {}
+
+void HtmlPage::element(std::string_view tag, std::string_view text) {
+  const std::string_view name = tag.substr(0, tag.find(' '));
+  body_ += fmt::format("<{}>{}</{}>\n", tag, escaped(text), name);
+}
+
+void HtmlPage::heading(std::string_view text) { element("h2", text); }
+void HtmlPage::summary(std::string_view text) { element("p class=\"summary\"", text); }
+void HtmlPage::paragraph(std::string_view text) { element("p", text); }
+
+void HtmlPage::table(const Table& table) {
+  body_ += "<div class=\"table\"><table>\n<thead>" + head_row(table.columns) + "</thead>\n<tbody>\n";
+  for (const auto& row : table.rows) body_ += body_row(table.columns, row);
+  body_ += "</tbody></table></div>\n";
+}
+
+void HtmlPage::figure(std::string_view svg, std::string_view caption) {
+  body_ += "<figure>\n" + scope_svg_ids(svg, fmt::format("figure{}_", ++figures_));
+  body_ += "\n";
+  element("figcaption", caption);
+  body_ += "</figure>\n";
+}
+
+std::string HtmlPage::text() const {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
+      title_, kPageStyle, body_);
+}
+
+}  // namespace coif

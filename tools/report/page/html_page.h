@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+/// How a cell is coloured. The text must say the same: colours do not survive every printer and every eye.
+enum class CellLook { kPlain, kGood, kNeutral, kWarning, kBad };
+
+struct Cell {
+  std::string text;
+  CellLook look = CellLook::kPlain;
+};
+
+struct Column {
+  std::string title;
+  bool numeric = false;  ///< Right-aligned, digits of equal width.
+};
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;  ///< Short rows are filled up with empty cells.
+};
+
+/// One HTML document that needs nothing but itself: no script, no file beside it, no network; its own policy forbids a
+/// browser to fetch any. Readable on light and dark screens and on paper. Every text that comes in is escaped.
+class HtmlPage {
+ public:
+  explicit HtmlPage(std::string_view title);
+
+  void heading(std::string_view text);
+  /// The sentence that a hurried reader should see.
+  void summary(std::string_view text);
+  void paragraph(std::string_view text);
+  void table(const Table& table);
+  /// `svg`: an element as draw() returns it, put in as it is but for its ids, which become unique in this page.
+  void figure(std::string_view svg, std::string_view caption);
+
+  /// The whole document.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  void element(std::string_view tag, std::string_view text);
+
+  std::string title_;
+  std::string body_;
+  unsigned figures_ = 0;
+};
+
+}  // namespace coif
