@@ -30,14 +30,14 @@ ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene) : rig_(
 
 void ParticleSolver::reset(const HeadPose& head) {
   head_ = head;
-  positions_.assign(bone_count(), Vector3d::Zero());
-  velocities_.assign(bone_count(), Vector3d::Zero());
-  ParticleStep still;
-  still.head_rotation = rotation_of(head);
+  const Vector3d zero = Vector3d::Zero();
+  positions_.assign(bone_count(), zero);
+  velocities_.assign(bone_count(), zero);
+  const ParticleStep still{0, rotation_of(head), zero, zero, zero, zero};
   for (std::size_t i = 0; i < bone_count(); ++i) {
     positions_[i] = start(i, still) + still.head_rotation * (bone(i).rest_direction * bone(i).length);
   }
-  on_reset();
+  on_reset(still);
   renew_ends();
 }
 

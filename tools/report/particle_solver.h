@@ -35,8 +35,8 @@ class ParticleSolver : public ChainSolver {
   /// Advances positions and velocities. When it is called the positions have been moved against the head's way, so they
   /// are where the particles were, seen from where the head now is; velocities are the world's.
   virtual void advance(const ParticleStep& step) = 0;
-  /// Called after reset(): positions are the rest pose, velocities zero.
-  virtual void on_reset() {}
+  /// Called after reset(): positions are the rest pose, velocities zero, and `still` says how the head is turned.
+  virtual void on_reset(const ParticleStep& still) { static_cast<void>(still); }
 
   [[nodiscard]] const Rig& rig() const { return rig_; }
   [[nodiscard]] std::size_t bone_count() const { return rig_.bones.size(); }

@@ -1,0 +1,22 @@
+#include "report/solvers/posed_solver.h"
+
+namespace coif {
+
+using Eigen::Vector3d;
+
+void PosedSolver::renew_default_pose(const ParticleStep& step) {
+  std::vector<Vector3d> directions = default_directions(step);
+  turns_.resize(bone_count());
+  for (std::size_t i = 0; i < bone_count(); ++i) turns_[i] = (directions[i] - directions_[i]) / step.dt;
+  directions_ = std::move(directions);
+}
+
+Vector3d PosedSolver::pulled_velocity(std::size_t i, const Vector3d& velocity, const Vector3d& default_velocity,
+                                      const ParticleStep& step) const {
+  const double spring = bone(i).stiffness * step.dt;
+  const double damper = bone(i).damping * step.dt;
+  const Vector3d pull = (default_position(i, step) - positions_[i]) * spring + default_velocity * damper;
+  return (velocity + pull) / (1 + spring * step.dt + damper);
+}
+
+}  // namespace coif

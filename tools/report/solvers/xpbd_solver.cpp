@@ -1,0 +1,42 @@
+#include "report/solvers/xpbd_solver.h"
+
+#include "report/solvers/point_collisions.h"
+
+namespace coif {
+
+using Eigen::Vector3d;
+
+void XpbdSolver::advance(const ParticleStep& step) {
+  renew_default_pose(step);
+  before_ = positions_;
+  for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] += falling_velocity(i, step) * step.dt;
+  keep_pose(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) keep_length(i, step);
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    positions_[i] = clear_of_colliders(rig(), i, step.head_rotation, positions_[i]);
+  }
+  for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = (positions_[i] - before_[i]) / step.dt;
+}
+
+void XpbdSolver::keep_pose(const ParticleStep& step) {
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    const double spring = bone(i).stiffness * step.dt * step.dt;
+    const double damper = bone(i).damping * step.dt;
+    const Vector3d off = positions_[i] - default_position(i, step);
+    const Vector3d slid = positions_[i] - before_[i] - default_velocity(i, step) * step.dt;
+    positions_[i] -= (off * spring + slid * damper) / (1 + spring + damper);
+  }
+}
+
+void XpbdSolver::keep_length(std::size_t i, const ParticleStep& step) {
+  const Vector3d along = positions_[i] - start(i, step);
+  const Vector3d error = along.normalized() * (along.norm() - bone(i).length);
+  if (hangs_from_head(i)) {
+    positions_[i] -= error;
+  } else {
+    positions_[i] -= error * 0.5;
+    positions_[parent(i)] += error * 0.5;
+  }
+}
+
+}  // namespace coif
