@@ -122,7 +122,7 @@ LoadStatus check_dynamics(const Asset& asset) {
                       in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
                       in_range(d.hit_radius, 0.0f, kMaxCoordinate) && in_range(d.stiffness, 0.0f, 1.0e12f) &&
                       in_range(d.damping, 0.0f, 1.0e6f) && in_range(d.torsion, 0.0f, 1.0e6f) &&
-                      in_range(d.angle_limit, 0.0f, kNoAngleLimit);
+                      in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f);
     if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
   }
   return {};

@@ -24,6 +24,7 @@ DynamicsRecord dynamics_of(const TestBone& bone) {
   record.damping = bone.damping >= 0 ? bone.damping : float(oscillator.damping);
   record.torsion = bone.torsion;
   record.angle_limit = bone.angle_limit;
+  record.parent_share = bone.parent_share;
   return record;
 }
 

@@ -24,6 +24,7 @@ struct TestBone {
   float damping = -1;  ///< 1/s; negative: what the resistance is baked into.
   float torsion = 0;
   float angle_limit = kNoAngleLimit;
+  float parent_share = 1;
 };
 
 /// The parts of an asset that the simulation reads: a head, and chains of bones in the order they are added.

@@ -30,6 +30,7 @@ void bake_oscillator(const Recipe& recipe, DynamicsRecord& record) {
   record.damping = float(oscillator.damping);
   record.torsion = float(recipe.torsion);
   record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
+  record.parent_share = float(recipe.parent_share);
 }
 
 void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,

@@ -56,6 +56,7 @@ struct Recipe {
   double authoring_rate = 0;
   double torsion = 0;
   double angle_limit = 0;  ///< Degrees.
+  double parent_share = 0;
   // head
   std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.

@@ -66,6 +66,8 @@ const RecipeKey kKeys[] = {
    "how fast a twist of a bone against its parent goes back"},
   {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",
    "how far a bone may bend from its modelled direction; 180: any way"},
+  {"dynamics", "parent_share", &R::parent_share, "1", 0, 1, nullptr, "",
+   "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
   {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},

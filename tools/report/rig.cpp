@@ -18,6 +18,7 @@ RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uin
   out.hit_radius = dynamics.hit_radius;
   out.torsion = dynamics.torsion;
   out.angle_limit = dynamics.angle_limit;
+  out.parent_share = dynamics.parent_share;
   out.colliders = bone.colliders;
   return out;
 }

@@ -24,6 +24,7 @@ struct RigBone {
   double hit_radius = 0;
   double torsion = 0;      ///< 1/s
   double angle_limit = 0;  ///< Radians.
+  double parent_share = 1;
   std::uint32_t colliders = 0;
 };
 

@@ -130,7 +130,8 @@ struct DynamicsRecord {
   float damping;        ///< Velocity loss relative to the default pose's own velocity, 1/s, >= 0.
   float torsion;        ///< Rate at which a twist against the parent decays, 1/s, >= 0.
   float angle_limit;    ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
-  float reserved[3];    ///< Zero.
+  float parent_share;   ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
+  float reserved[2];    ///< Zero.
 };
 static_assert(sizeof(DynamicsRecord) == 48);
 
