@@ -1,0 +1,93 @@
+#include "report/page/accuracy_summary.h"
+
+#include "report/page/accuracy_means.h"
+#include "report/page/number_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr const char* kPublished = "thesis";
+
+const SettingMean* least_wrong(const std::vector<SettingMean>& means, const std::string& solver = "") {
+  const SettingMean* best = nullptr;
+  for (const SettingMean& mean : means) {
+    if (!std::isfinite(mean.rms_error_pct) || (!solver.empty() && mean.solver != solver)) continue;
+    if (best == nullptr || mean.rms_error_pct < best->rms_error_pct) best = &mean;
+  }
+  return best;
+}
+
+std::string steps_text(std::uint32_t substeps) {
+  return substeps == 1 ? "one step a frame" : fmt::format("{} sub-steps a frame", substeps);
+}
+
+std::string chosen_sentence(const AccuracyReport& report) {
+  const ChosenSolver& chosen = *report.chosen;
+  const std::string budget =
+      std::isfinite(report.budget_rms_pct) ? fmt::format("within {}", percent_text(report.budget_rms_pct)) : "chosen";
+  return fmt::format(
+      "The cheapest setting {} of the exact motion is {} with {}: the tips of the hair are {} of their chain's length "
+      "away from it (RMS over the motions), for {} ns a bone and frame.",
+      budget, chosen.solver, steps_text(chosen.substeps), percent_text(chosen.rms_error_pct),
+      number_text(chosen.ns_per_bone_frame));
+}
+
+std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingMean* best, double fps) {
+  const std::string nothing =
+      std::isfinite(report.budget_rms_pct)
+          ? fmt::format("No setting stays within {} of the exact motion.", percent_text(report.budget_rms_pct))
+          : std::string("No setting was chosen.");
+  if (best == nullptr) return nothing;
+  return fmt::format("{} The least wrong at {} frames per second is {} with {}: {} (RMS over the motions).", nothing,
+                     number_text(fps), best->solver, steps_text(best->substeps), percent_text(best->rms_error_pct));
+}
+
+std::string published_sentence(const std::vector<SettingMean>& means, double fps) {
+  const SettingMean* const published = least_wrong(means, kPublished);
+  if (published == nullptr) return "";
+  return fmt::format(" The method as published in 2011 is {} away at {} frames per second, for {} ns.",
+                     percent_text(published->rms_error_pct), number_text(fps),
+                     number_text(published->ns_per_bone_frame));
+}
+
+}  // namespace
+
+std::string accuracy_summary(const AccuracyReport& report) {
+  const double fps = main_frame_rate(report);
+  const std::vector<SettingMean> means = means_over_motions(report, fps);
+  const SettingMean* const best = least_wrong(means);
+  const std::string first = report.chosen ? chosen_sentence(report) : nothing_chosen_sentence(report, best, fps);
+  const bool is_published = report.chosen && report.chosen->solver == kPublished;
+  return is_published ? first : first + published_sentence(means, fps);
+}
+
+std::string reference_summary(const AccuracyReport& report) {
+  // Where no budget says what matters, a percent of the hair's length is about what an eye notices.
+  const double limit = std::isfinite(report.budget_rms_pct) ? report.budget_rms_pct : 1.0;
+  std::vector<std::string> unsure;
+  double worst = 0;
+  for (const ReferenceRow& row : report.reference) {
+    if (!(row.self_difference_pct <= limit)) unsure.push_back(row.motion);
+    worst = std::isnan(row.self_difference_pct) ? worst : std::max(worst, row.self_difference_pct);
+  }
+  if (report.reference.empty()) return "There is no reference: errors were not measured.";
+  if (unsure.empty()) {
+    return fmt::format(
+        "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
+        "it agrees with itself to {} in every motion; errors above that are the solvers'.",
+        percent_text(worst));
+  }
+  return fmt::format(
+      "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "
+      "hair that is damped this little amplifies every rounding, and there errors below the self-difference say "
+      "nothing. More damping in the recipe makes the motion repeatable.",
+      fmt::join(unsure, ", "), percent_text(limit));
+}
+
+}  // namespace coif

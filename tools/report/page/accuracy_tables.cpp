@@ -1,0 +1,115 @@
+#include "report/page/accuracy_tables.h"
+
+#include "report/page/accuracy_means.h"
+#include "report/page/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+// Ten times the budget is not a matter of taste any more.
+constexpr double kFarOver = 10;
+
+CellLook look_of(double error_pct, double budget_pct) {
+  if (!std::isfinite(budget_pct)) return CellLook::kPlain;
+  if (error_pct <= budget_pct) return CellLook::kGood;
+  return error_pct <= kFarOver * budget_pct ? CellLook::kWarning : CellLook::kBad;
+}
+
+Cell error_cell(double error_pct, double budget_pct) {
+  return {number_text(error_pct), look_of(error_pct, budget_pct)};
+}
+
+Cell front_cell(bool pareto) { return {pareto ? "front" : ""}; }
+
+}  // namespace
+
+Table settings_table(const AccuracyReport& report) {
+  Table table;
+  table.columns = {
+      {"solver"},          {"sub-steps", true},     {"ns/bone", true}, {"RMS error %", true}, {"max error %", true},
+      {"stretch %", true}, {"penetration %", true}, {"Pareto"}};
+  for (const SettingMean& mean : means_over_motions(report, main_frame_rate(report))) {
+    table.rows.push_back({{mean.solver},
+                          {std::to_string(mean.substeps)},
+                          {number_text(mean.ns_per_bone_frame)},
+                          error_cell(mean.rms_error_pct, report.budget_rms_pct),
+                          {number_text(mean.max_error_pct)},
+                          {number_text(mean.stretch_max_pct)},
+                          {number_text(mean.penetration_max_pct)},
+                          front_cell(mean.pareto)});
+  }
+  return table;
+}
+
+Table spread_table(const AccuracyReport& report) {
+  Table table;
+  table.columns = {{"solver"}};
+  std::vector<std::string> motions, settings;
+  for (const SpreadRow& row : report.spread) {
+    const std::string setting = setting_text(row.solver, row.substeps);
+    if (std::ranges::find(motions, row.motion) == motions.end()) {
+      motions.push_back(row.motion);
+      table.columns.push_back({row.motion, true});
+    }
+    if (std::ranges::find(settings, setting) == settings.end()) {
+      settings.push_back(setting);
+      table.rows.push_back({{setting}});
+    }
+    const auto column = std::size_t(std::ranges::find(motions, row.motion) - motions.begin()) + 1;
+    auto& cells = table.rows[std::size_t(std::ranges::find(settings, setting) - settings.begin())];
+    if (cells.size() <= column) cells.resize(column + 1, {"-"});
+    cells[column] = error_cell(row.frame_rate_spread_pct, report.budget_rms_pct);
+  }
+  return table;
+}
+
+Table reference_table(const AccuracyReport& report) {
+  Table table{{{"motion"}, {"self-difference %", true}, {"steps per second", true}}, {}};
+  for (const ReferenceRow& row : report.reference) {
+    table.rows.push_back({{row.motion},
+                          error_cell(row.self_difference_pct, report.budget_rms_pct),
+                          {number_text(row.steps_per_second)}});
+  }
+  return table;
+}
+
+Table settle_table(const AccuracyReport& report) {
+  Table table{{{"solver"}, {"distance to the exact rest %", true}}, {}};
+  for (const SettleRow& row : report.settle) {
+    table.rows.push_back({{row.solver}, error_cell(row.settle_error_pct, report.budget_rms_pct)});
+  }
+  return table;
+}
+
+Table rows_table(const AccuracyReport& report) {
+  Table table;
+  table.columns = {{"motion"},
+                   {"solver"},
+                   {"fps", true},
+                   {"sub-steps", true},
+                   {"ns/bone", true},
+                   {"RMS error %", true},
+                   {"max error %", true},
+                   {"stretch %", true},
+                   {"penetration %", true},
+                   {"Pareto"}};
+  for (const AccuracyRow& row : report.rows) {
+    table.rows.push_back({{row.motion},
+                          {row.solver},
+                          {number_text(row.fps)},
+                          {std::to_string(row.substeps)},
+                          {number_text(row.ns_per_bone_frame)},
+                          error_cell(row.rms_error_pct, report.budget_rms_pct),
+                          {number_text(row.max_error_pct)},
+                          {number_text(row.stretch_max_pct)},
+                          {number_text(row.penetration_max_pct)},
+                          front_cell(row.pareto)});
+  }
+  return table;
+}
+
+}  // namespace coif
