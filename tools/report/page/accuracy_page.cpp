@@ -5,8 +5,9 @@
 #include "report/page/accuracy_summary.h"
 #include "report/page/accuracy_tables.h"
 #include "report/page/html_page.h"
-#include "report/page/number_text.h"
 #include "report/page/report_frame.h"
+
+#include <fmt/format.h>
 
 namespace coif {
 namespace {
@@ -24,10 +25,11 @@ class AccuracyPage {
     page_.heading("What each solver costs and gets right");
     figure(work_precision_figure(report_));
     page_.table(settings_table(report_));
-    page_.paragraph(
-        "All motions at " + number_text(main_frame_rate(report_)) +
-        " frames per second. Errors are distances of chain tips, seen from the head, in % of the chain's length; "
-        "stretch is in % of a bone's length, penetration in % of the head's radius. Time is of one core.");
+    page_.paragraph(fmt::format(
+        "All motions at {} frames per second. Errors are distances of chain tips, seen from the head, in % of the "
+        "chain's length; stretch is in % of a bone's length, penetration in % of the head's radius. Time is of one "
+        "core.",
+        main_frame_rate(report_)));
   }
 
   void add_frame_rates() {

@@ -135,7 +135,7 @@ Figure work_precision_figure(const AccuracyReport& report) {
   const auto means = means_over_motions(report, fps);
   Figure figure;
   Plot& plot = figure.plot;
-  plot.title = fmt::format("Error against cost at {} frames per second", number_text(fps));
+  plot.title = fmt::format("Error against cost at {} frames per second", fps);
   plot.x_label = "ns per bone and frame, one core";
   plot.y_label = "RMS error, % of the chain's length";
   plot.log_x = plot.log_y = true;

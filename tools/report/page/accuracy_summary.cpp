@@ -45,15 +45,14 @@ std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingM
           : std::string("No setting was chosen.");
   if (best == nullptr) return nothing;
   return fmt::format("{} The least wrong at {} frames per second is {} with {}: {} (RMS over the motions).", nothing,
-                     number_text(fps), best->solver, steps_text(best->substeps), percent_text(best->rms_error_pct));
+                     fps, best->solver, steps_text(best->substeps), percent_text(best->rms_error_pct));
 }
 
 std::string published_sentence(const std::vector<SettingMean>& means, double fps) {
   const SettingMean* const published = least_wrong(means, kPublished);
   if (published == nullptr) return "";
   return fmt::format(" The method as published in 2011 is {} away at {} frames per second, for {} ns.",
-                     percent_text(published->rms_error_pct), number_text(fps),
-                     number_text(published->ns_per_bone_frame));
+                     percent_text(published->rms_error_pct), fps, number_text(published->ns_per_bone_frame));
 }
 
 }  // namespace

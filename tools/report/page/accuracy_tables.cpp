@@ -3,6 +3,8 @@
 #include "report/page/accuracy_means.h"
 #include "report/page/number_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -100,7 +102,7 @@ Table rows_table(const AccuracyReport& report) {
   for (const AccuracyRow& row : report.rows) {
     table.rows.push_back({{row.motion},
                           {row.solver},
-                          {number_text(row.fps)},
+                          {fmt::format("{}", row.fps)},
                           {std::to_string(row.substeps)},
                           {number_text(row.ns_per_bone_frame)},
                           error_cell(row.rms_error_pct, report.budget_rms_pct),

@@ -36,8 +36,8 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
   for (const SettingMean& mean : means) {
     if (mean.pareto || is_least_wrong(mean, means)) text += line(mean);
   }
-  text += fmt::format("  at {} per second, over {} motion{}; *: nothing is both cheaper and more exact\n",
-                      number_text(fps), motions_of(report).size(), motions_of(report).size() == 1 ? "" : "s");
+  text += fmt::format("  at {} per second, over {} motion{}; *: nothing is both cheaper and more exact\n", fps,
+                      motions_of(report).size(), motions_of(report).size() == 1 ? "" : "s");
   return text + accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
 }
 
