@@ -34,6 +34,9 @@ class AccuracyPage {
 
   void add_frame_rates() {
     page_.heading("Does it look the same at every frame rate?");
+    page_.paragraph(
+        "A solver whose error is large and changes with the frame rate makes hair that looks different on every "
+        "machine; one whose error is small everywhere looks the same everywhere.");
     for (const std::string& motion : motions_of(report_)) figure(frame_rate_figure(report_, motion));
     figure(stretch_figure(report_));
     page_.paragraph("Frame-rate spread: the largest RMS difference between any two frame rates, in % of the length.");

@@ -179,7 +179,8 @@ Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion
     plot.series.push_back(series);
   }
   mark_self_difference(report, motion, plot);
-  figure.caption = fmt::format("{}: a flat line looks the same on every machine.", motion);
+  figure.caption =
+      fmt::format("{}: how far the tips are from the exact motion, one step a frame where possible.", motion);
   finish(figure);
   return figure;
 }

@@ -14,14 +14,17 @@ namespace {
 
 constexpr const char* kPublished = "thesis";
 
-const SettingMean* least_wrong(const std::vector<SettingMean>& means, const std::string& solver = "") {
+const SettingMean* least_wrong(const std::vector<SettingMean>& means) {
   const SettingMean* best = nullptr;
   for (const SettingMean& mean : means) {
-    if (!std::isfinite(mean.rms_error_pct) || (!solver.empty() && mean.solver != solver)) continue;
+    if (!std::isfinite(mean.rms_error_pct)) continue;
     if (best == nullptr || mean.rms_error_pct < best->rms_error_pct) best = &mean;
   }
   return best;
 }
+
+// As the user wrote it: "2 %", not "2.00 %".
+std::string budget_text(double percent) { return fmt::format("{} %", percent); }
 
 std::string steps_text(std::uint32_t substeps) {
   return substeps == 1 ? "one step a frame" : fmt::format("{} sub-steps a frame", substeps);
@@ -30,7 +33,7 @@ std::string steps_text(std::uint32_t substeps) {
 std::string chosen_sentence(const AccuracyReport& report) {
   const ChosenSolver& chosen = *report.chosen;
   const std::string budget =
-      std::isfinite(report.budget_rms_pct) ? fmt::format("within {}", percent_text(report.budget_rms_pct)) : "chosen";
+      std::isfinite(report.budget_rms_pct) ? fmt::format("within {}", budget_text(report.budget_rms_pct)) : "chosen";
   return fmt::format(
       "The cheapest setting {} of the exact motion is {} with {}: the tips of the hair are {} of their chain's length "
       "away from it (RMS over the motions), for {} ns a bone and frame.",
@@ -41,7 +44,7 @@ std::string chosen_sentence(const AccuracyReport& report) {
 std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingMean* best, double fps) {
   const std::string nothing =
       std::isfinite(report.budget_rms_pct)
-          ? fmt::format("No setting stays within {} of the exact motion.", percent_text(report.budget_rms_pct))
+          ? fmt::format("No setting stays within {} of the exact motion.", budget_text(report.budget_rms_pct))
           : std::string("No setting was chosen.");
   if (best == nullptr) return nothing;
   return fmt::format("{} The least wrong at {} frames per second is {} with {}: {} (RMS over the motions).", nothing,
@@ -49,8 +52,10 @@ std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingM
 }
 
 std::string published_sentence(const std::vector<SettingMean>& means, double fps) {
-  const SettingMean* const published = least_wrong(means, kPublished);
-  if (published == nullptr) return "";
+  const auto published = std::ranges::find_if(
+      means, [](const SettingMean& mean) { return mean.solver == kPublished && mean.substeps == 1; });
+  if (published == means.end()) return "";
+  if (!std::isfinite(published->rms_error_pct)) return " The method as published in 2011 breaks down.";
   return fmt::format(" The method as published in 2011 is {} away at {} frames per second, for {} ns.",
                      percent_text(published->rms_error_pct), fps, number_text(published->ns_per_bone_frame));
 }
@@ -86,7 +91,7 @@ std::string reference_summary(const AccuracyReport& report) {
       "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "
       "hair that is damped this little amplifies every rounding, and there errors below the self-difference say "
       "nothing. More damping in the recipe makes the motion repeatable.",
-      fmt::join(unsure, ", "), percent_text(limit));
+      fmt::join(unsure, ", "), budget_text(limit));
 }
 
 }  // namespace coif

@@ -23,8 +23,9 @@ p { max-width: 52rem; }
 .summary { font-size: 1.1rem; background: var(--raised); border-left: 4px solid #2f8fd8; padding: 0.7rem 1rem; }
 .table { overflow: auto; max-height: 44rem; margin: 1rem 0; }
 table { border-collapse: collapse; }
-th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap; }
+th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 th { position: sticky; top: 0; background: var(--raised); }
+th, .number { white-space: nowrap; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .good { background: var(--good); }
 .neutral { background: var(--neutral); }
@@ -41,7 +42,8 @@ figcaption { font-size: 0.9rem; max-width: 52rem; }
   th { position: static; }
   thead { display: table-header-group; }
   tr { break-inside: avoid; }
-  th, td { white-space: normal; print-color-adjust: exact; }
+  th, .number { white-space: normal; }
+  th, td { print-color-adjust: exact; }
 }
 )";
 

@@ -101,7 +101,7 @@ std::string marker_line(const PlotMarker& marker) {
   const std::string ends = marker.vertical ? fmt::format("first {0}, graph 0 to first {0}, graph 1", at)
                                            : fmt::format("graph 0, first {0} to graph 1, first {0}", at);
   const std::string place = marker.vertical ? fmt::format("first {}, graph 0.97 offset 0.5,0", at)
-                                            : fmt::format("graph 0.01, first {} offset 0,0.5", at);
+                                            : fmt::format("graph 0.99, first {} right offset 0,0.5", at);
   return fmt::format("set arrow from {} nohead back lc rgb '#8a93a3' lw 1.2 dt 2\nset label {} at {} font ',11'\n",
                      ends, quoted(marker.label), place);
 }

@@ -1,0 +1,122 @@
+#include "cli/asset_file.h"
+#include "cli/command.h"
+#include "cli/json_text.h"
+#include "cli/motion_choice.h"
+#include "cli/output_file.h"
+#include "cli/progress_line.h"
+#include "cli/report_options.h"
+#include "cli/results.h"
+#include "report/page/accuracy_json.h"
+#include "report/page/accuracy_page.h"
+#include "report/page/accuracy_text.h"
+#include "report/page/draw_plot.h"
+#include "report/page/stability_json.h"
+#include "report/page/stability_page.h"
+#include "report/page/stability_text.h"
+
+#include <chrono>
+#include <memory>
+
+namespace coif {
+namespace {
+
+constexpr const char* kPageSuffix = ".html";
+
+/// A report in the forms that somebody asked for.
+struct Rendered {
+  std::string printed;  ///< For the standard output.
+  std::string file;     ///< For the output file; empty where there is none.
+};
+
+/// Shows what is measured while it is, and writes the time it took into the heading.
+template <typename Measure>
+auto timed(const std::string& file, ReportHeading& heading, Measure measure) {
+  ProgressLine line(file);
+  const auto begin = std::chrono::steady_clock::now();
+  auto report = measure([&line](const std::string& step) { line.show(step.c_str()); });
+  heading.seconds_taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+template <typename Page>
+tl::expected<Rendered, ToolError> render(const ReportOptions& options, const std::string& suffix,
+                                         const std::string& text, const nlohmann::ordered_json& json, Page page) {
+  const std::string numbers = json_text(json);
+  const bool as_json = options.format == OutputFormat::kJson;
+  Rendered rendered{as_json ? numbers : text, ""};
+  if (suffix.empty()) return rendered;
+  if (!as_json) rendered.printed += options.output + ": written\n";
+  tl::expected<std::string, ToolError> content = suffix == kPageSuffix ? page() : numbers;
+  if (!content) return tl::unexpected(content.error());
+  rendered.file = std::move(*content);
+  return rendered;
+}
+
+tl::expected<Rendered, ToolError> report_accuracy(const ReportOptions& options, const std::string& suffix,
+                                                  const Asset& asset) {
+  ReportHeading heading = heading_of(asset, options.file);
+  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
+    return measure_accuracy(asset, options.accuracy, progress);
+  });
+  if (!report) return tl::unexpected(report.error());
+  return render(options, suffix, accuracy_text(heading, *report), accuracy_json(heading, *report),
+                [&] { return accuracy_page(heading, *report); });
+}
+
+tl::expected<Rendered, ToolError> report_stability(const ReportOptions& options, const std::string& suffix,
+                                                   const Asset& asset) {
+  ReportHeading heading = heading_of(asset, options.file);
+  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
+    return measure_stability(asset, options.stability, progress);
+  });
+  if (!report) return tl::unexpected(report.error());
+  return render(options, suffix, stability_text(heading, *report), stability_json(heading, *report),
+                [&] { return tl::expected<std::string, ToolError>(stability_page(heading, *report)); });
+}
+
+/// What would make the minutes of measuring useless.
+tl::expected<void, ToolError> check_before(const ReportOptions& options, const std::string& suffix) {
+  if (options.output.empty()) return {};
+  if (auto checked = check_output(options.output, {options.file}); !checked) return checked;
+  const bool draws = suffix == kPageSuffix && options.subject == ReportSubject::kAccuracy;
+  return draws ? check_plotter() : tl::expected<void, ToolError>{};
+}
+
+tl::expected<Exit, ToolError> run_report(const ReportOptions& options) {
+  if (auto checked = check_subject(options); !checked) return tl::unexpected(checked.error());
+  std::string suffix;
+  if (!options.output.empty()) {
+    const auto chosen = choose_suffix(options.output, {kPageSuffix, ".json"});
+    if (!chosen) return tl::unexpected(chosen.error());
+    suffix = *chosen;
+  }
+  const auto file = AssetFile::open(options.file);
+  if (!file) return tl::unexpected(file.error());
+  if (auto checked = check_before(options, suffix); !checked) return tl::unexpected(checked.error());
+
+  const bool accuracy = options.subject == ReportSubject::kAccuracy;
+  const auto rendered =
+      accuracy ? report_accuracy(options, suffix, file->asset()) : report_stability(options, suffix, file->asset());
+  if (!rendered) {
+    return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
+  }
+  if (!options.output.empty()) {
+    const auto written = write_output(options.output, std::as_bytes(std::span(rendered->file)));
+    if (!written) return tl::unexpected(written.error());
+  }
+  print_result(rendered->printed);
+  return Exit::kOk;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "report", "Measure what every way to run an asset costs and how wrong it is, or what it survives");
+  app->description(app->get_description() + "\n\n" + motion_help());
+  const auto options = std::make_shared<ReportOptions>();
+  add_report_options(*app, *options);
+  return {app, [options](const Messages&) { return run_report(*options); }};
+}
+
+}  // namespace coif

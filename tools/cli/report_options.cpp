@@ -1,0 +1,109 @@
+#include "cli/report_options.h"
+
+#include "cli/motion_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccuracy},
+                                               {"stability", ReportSubject::kStability}};
+
+/// An option that may stand several times, with one value or several between commas each time.
+template <typename Value>
+CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>& values, const std::string& help) {
+  return app.add_option(name, values, help)
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+ClipNode parse_clip(const std::string& word) {
+  const std::size_t split = word.rfind(':');
+  if (split == std::string::npos) return {word, ""};
+  return {word.substr(0, split), word.substr(split + 1)};
+}
+
+bool looks_like_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
+
+void take_motion(const std::string& word, AccuracySettings& settings) {
+  if (const auto motion = find_motion(word)) {
+    settings.motions.push_back(*motion);
+    return;
+  }
+  if (!looks_like_file(word)) {
+    throw CLI::ValidationError("--motion", fmt::format("'{}' is neither a motion nor a file; see --help", word));
+  }
+  if (settings.clip) throw CLI::ValidationError("--motion", fmt::format("'{}': one clip at a time", word));
+  settings.clip = parse_clip(word);
+}
+
+CLI::Option* add_motions(CLI::App& app, AccuracySettings& settings) {
+  const auto parse = [&settings](const std::vector<std::string>& words) {
+    for (const std::string& word : words) take_motion(word, settings);
+  };
+  return app
+      .add_option_function<std::vector<std::string>>("--motion", parse,
+                                                     "How the head moves, repeatable (default: all built-in motions)")
+      ->type_name("NAME|CLIP[:NODE]")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_solvers(CLI::App& app, ReportOptions& options) {
+  const auto parse = [&options](const std::vector<std::string>& words) {
+    const std::vector<std::string> known = report_solvers();
+    for (const std::string& word : words) {
+      if (std::ranges::find(known, word) != known.end()) continue;
+      throw CLI::ValidationError("--solver", fmt::format("'{}' is not one of {}", word, fmt::join(known, ", ")));
+    }
+    options.accuracy.solvers = options.stability.solvers = words;
+  };
+  app.add_option_function<std::vector<std::string>>("--solver", parse, "Which methods, repeatable (default: all)")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+}  // namespace
+
+void add_report_options(CLI::App& app, ReportOptions& options) {
+  AccuracySettings& accuracy = options.accuracy;
+  app.add_option("FILE", options.file, "A cooked asset")->required();
+  add_choice<ReportSubject>(app, "SUBJECT", options.subject, kSubjects, "What about (default accuracy)");
+  app.add_option("-o,--output", options.output, "A page with plots and tables, or the numbers")
+      ->type_name("OUT.html|OUT.json");
+  add_solvers(app, options);
+  options.accuracy_only = {
+      add_motions(app, accuracy),
+      add_list(app, "--fps", accuracy.fps, "Frame rates, repeatable")
+          ->check(CLI::Range(10.0, 1000.0))
+          ->capture_default_str(),
+      add_list(app, "--substeps", accuracy.substeps, "Sub-steps of a frame, for solvers that have them, repeatable")
+          ->check(CLI::Range(1u, 64u))
+          ->capture_default_str(),
+      app.add_option("--seconds", accuracy.seconds, "Length of each motion")
+          ->check(CLI::Range(0.1, 60.0))
+          ->capture_default_str(),
+      app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
+          ->check(CLI::Range(0.001, 1000.0))
+          ->capture_default_str()};
+  add_format(app, options.format);
+}
+
+tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
+  if (options.subject == ReportSubject::kAccuracy) return {};
+  for (const CLI::Option* option : options.accuracy_only) {
+    if (option->count() == 0) continue;
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kUsage,
+                  fmt::format("{} is for 'coif report FILE.coif accuracy' only; leave it out", option->get_name())});
+  }
+  return {};
+}
+
+}  // namespace coif
