@@ -33,7 +33,7 @@ void ParticleSolver::reset(const HeadPose& head) {
   const Vector3d zero = Vector3d::Zero();
   positions_.assign(bone_count(), zero);
   velocities_.assign(bone_count(), zero);
-  const ParticleStep still{0, rotation_of(head), zero, zero, zero, zero};
+  const ParticleStep still{0, rotation_of(head), rotation_of(head), zero, zero, zero, zero};
   for (std::size_t i = 0; i < bone_count(); ++i) {
     positions_[i] = start(i, still) + still.head_rotation * (bone(i).rest_direction * bone(i).length);
   }
@@ -46,15 +46,27 @@ bool ParticleSolver::step(const HeadPose& head, double dt) {
   const Vector3d way = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
   for (Vector3d& position : positions_) position -= way;
   const Vector3d velocity = way / dt;
-  const Vector3d spin = spin_between(rotation_of(head_), rotation_of(head), dt);
+  const Quaterniond before = rotation_of(head_);
+  const Vector3d spin = spin_between(before, rotation_of(head), dt);
   head_ = head;
-  advance({dt, rotation_of(head), scene_.gravity, scene_.wind + velocity * scene_.air_follow, velocity, spin});
+  advance({dt, rotation_of(head), before, scene_.gravity, scene_.wind + velocity * scene_.air_follow, velocity, spin});
   renew_ends();
   return true;
 }
 
 Vector3d ParticleSolver::start(std::size_t i, const ParticleStep& step) const {
   return hangs_from_head(i) ? Vector3d(step.head_rotation * bone(i).joint) : positions_[parent(i)];
+}
+
+ParticleStep ParticleSolver::look_back(const ParticleStep& step) {
+  for (Vector3d& position : positions_) position += step.head_velocity * step.dt;
+  ParticleStep begun = step;
+  begun.head_rotation = step.rotation_before;
+  return begun;
+}
+
+void ParticleSolver::look_ahead(const ParticleStep& step) {
+  for (Vector3d& position : positions_) position -= step.head_velocity * step.dt;
 }
 
 Vector3d ParticleSolver::falling_velocity(std::size_t i, const ParticleStep& step) const {

@@ -8,11 +8,12 @@ namespace coif {
 /// One step as a solver of particles sees it. Metres from the head's position at the end of the step, world axes.
 struct ParticleStep {
   double dt = 0;
-  Eigen::Quaterniond head_rotation;  ///< World from head space, at the end of the step.
-  Eigen::Vector3d gravity;           ///< m/s^2
-  Eigen::Vector3d air_velocity;      ///< m/s
-  Eigen::Vector3d head_velocity;     ///< m/s, mean over the step.
-  Eigen::Vector3d head_spin;         ///< rad/s, world axes, mean over the step.
+  Eigen::Quaterniond head_rotation;    ///< World from head space, at the end of the step.
+  Eigen::Quaterniond rotation_before;  ///< At its start.
+  Eigen::Vector3d gravity;             ///< m/s^2
+  Eigen::Vector3d air_velocity;        ///< m/s
+  Eigen::Vector3d head_velocity;       ///< m/s, mean over the step.
+  Eigen::Vector3d head_spin;           ///< rad/s, world axes, mean over the step.
 
   /// Of the point of the head that is at `point` now, m/s.
   [[nodiscard]] Eigen::Vector3d head_velocity_at(const Eigen::Vector3d& point) const {
@@ -45,6 +46,13 @@ class ParticleSolver : public ChainSolver {
   [[nodiscard]] std::size_t parent(std::size_t i) const { return std::size_t(rig_.bones[i].parent); }
   /// Where bone i starts now: its parent's particle, or its joint on the turned head.
   [[nodiscard]] Eigen::Vector3d start(std::size_t i, const ParticleStep& step) const;
+
+  /// For what is judged by how things stood when the step began: moves the positions to where they are seen from the
+  /// head as it was then, and returns a step with that head's rotation. Without it a head at 8 m/s seems to have left
+  /// its hair behind by a step's way.
+  [[nodiscard]] ParticleStep look_back(const ParticleStep& step);
+  /// Moves the positions back to where the end of the step sees them.
+  void look_ahead(const ParticleStep& step);
 
   /// Where velocities_[i] is after gravity and friction, which decays exactly: what follows pulls and corrects.
   [[nodiscard]] Eigen::Vector3d falling_velocity(std::size_t i, const ParticleStep& step) const;

@@ -20,23 +20,22 @@ FollowLeaderSolver::FollowLeaderSolver(const Rig& rig, const SolverScene& scene)
 }
 
 void FollowLeaderSolver::advance(const ParticleStep& step) {
-  renew_default_pose(step);
   before_ = positions_;
-  follow(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] += falling_velocity(i, step) * step.dt;
+  renew_default_pose(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) follow(i, step);
   renew_velocities(step);
 }
 
-void FollowLeaderSolver::follow(const ParticleStep& step) {
-  for (std::size_t i = 0; i < bone_count(); ++i) {
-    const Vector3d leader = start(i, step);
-    // How the leader really moved: its velocity also holds what it was given back, which at rest is not zero.
-    const Vector3d leader_velocity =
-        hangs_from_head(i) ? step.head_velocity_at(leader) : Vector3d((leader - before_[parent(i)]) / step.dt);
-    const Vector3d velocity = pulled_velocity(i, falling_velocity(i, step), leader_velocity + swing_velocity(i), step);
-    const Vector3d foreseen = positions_[i] + velocity * step.dt;
-    positions_[i] = clear_of_colliders_at_length(rig(), i, step.head_rotation, leader, foreseen);
-    corrections_[i] = positions_[i] - foreseen;
-  }
+void FollowLeaderSolver::follow(std::size_t i, const ParticleStep& step) {
+  const Vector3d leader = start(i, step);
+  // How the leader really moved: its velocity also holds what it was given back, which at rest is not zero.
+  const Vector3d leader_velocity =
+      hangs_from_head(i) ? step.head_velocity_at(leader) : Vector3d((leader - before_[parent(i)]) / step.dt);
+  const Vector3d foreseen =
+      positions_[i] + pull(i, positions_[i] - before_[i], leader_velocity + swing_velocity(i), step);
+  positions_[i] = clear_of_colliders_at_length(rig(), i, step.head_rotation, leader, foreseen);
+  corrections_[i] = positions_[i] - foreseen;
 }
 
 void FollowLeaderSolver::renew_velocities(const ParticleStep& step) {

@@ -8,7 +8,7 @@ namespace coif {
 /// from root to tip puts each particle at its length behind its parent, which never moves for the child; the velocity
 /// that this one-sidedness steals is given back in part, by the correction of the next particle (the mean of them where
 /// a strand forks). The paper
-/// has no pose: stiffness and damping act as a force taken at the end of the step (pulled_velocity()), so that what is
+/// has no pose: stiffness and damping act as a force taken at the end of the step (PosedSolver::pull()), so that what is
 /// measured is the method and not an explicit spring.
 class FollowLeaderSolver final : public PosedSolver {
  public:
@@ -16,7 +16,7 @@ class FollowLeaderSolver final : public PosedSolver {
 
  private:
   void advance(const ParticleStep& step) override;
-  void follow(const ParticleStep& step);
+  void follow(std::size_t i, const ParticleStep& step);
   void renew_velocities(const ParticleStep& step);
 
   std::vector<double> given_back_;  ///< Share of bone i's correction that goes to its parent's velocity.

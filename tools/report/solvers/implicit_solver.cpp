@@ -11,39 +11,33 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 ImplicitSolver::ImplicitSolver(const Rig& rig, const SolverScene& scene)
-    : PosedSolver(rig, scene),
-      springs_(segment_springs(rig)),
-      rows_(rig.bones.size()),
-      damped_to_(rig.bones.size()),
-      changes_(rig.bones.size()) {}
+    : PosedSolver(rig, scene), springs_(segment_springs(rig)), rows_(rig.bones.size()), changes_(rig.bones.size()) {}
 
 void ImplicitSolver::advance(const ParticleStep& step) {
+  for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = falling_velocity(i, step);
+  for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] += velocities_[i] * step.dt;
   renew_default_pose(step);
-  for (std::size_t i = 0; i < bone_count(); ++i) damped_to_[i] = default_velocity(i, step);
   begin_rows(step);
   add_springs(step);
   solve();
   for (std::size_t i = 0; i < bone_count(); ++i) {
     velocities_[i] += changes_[i];
-    positions_[i] += velocities_[i] * step.dt;
+    positions_[i] += changes_[i] * step.dt;
     push_out(rig(), i, step, positions_[i], velocities_[i]);
   }
 }
 
-/// Masses and the pose's pull; gravity and friction go into the velocities.
+/// Masses and the pose's pull, which follows the parent.
 void ImplicitSolver::begin_rows(const ParticleStep& step) {
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const double spring = bone(i).stiffness * step.dt;
     const double damper = bone(i).damping * step.dt;
-    velocities_[i] = falling_velocity(i, step);
-    const Vector3d off = default_position(i, step) - positions_[i];
-    rows_[i].diagonal = Matrix3d::Identity() * (1 + damper + spring * step.dt);
-    rows_[i].by_parent.setZero();
+    const double change = spring * step.dt + damper;
+    rows_[i].diagonal = Matrix3d::Identity() * (1 + change);
+    rows_[i].by_parent = Matrix3d::Identity() * (hangs_from_head(i) ? 0 : -change);
     rows_[i].on_parent.setZero();
-    rows_[i].right = off * spring + damped_to_[i] * damper - velocities_[i] * (damper + spring * step.dt);
-    if (hangs_from_head(i)) continue;  // The head already is where it will be.
-    rows_[i].by_parent = Matrix3d::Identity() * (-spring * step.dt);
-    rows_[i].right += velocities_[parent(i)] * (spring * step.dt);
+    rows_[i].right =
+        (default_position(i, step) - positions_[i]) * spring + (default_velocity(i, step) - velocities_[i]) * damper;
   }
 }
 
@@ -56,8 +50,7 @@ void ImplicitSolver::add_springs(const ParticleStep& step) {
     // A compressed spring would push sideways and make the system indefinite; Baraff and Witkin drop that part too.
     const double sideways = length > 0 ? std::max(0.0, 1 - bone(i).length / length) : 0.0;
     const Matrix3d stiffness = (axial + (Matrix3d::Identity() - axial) * sideways) * (springs_[i] * step.dt * step.dt);
-    const Vector3d approach = hangs_from_head(i) ? velocities_[i] : Vector3d(velocities_[i] - velocities_[parent(i)]);
-    const Vector3d impulse = direction * ((length - bone(i).length) * springs_[i] * step.dt) + stiffness * approach;
+    const Vector3d impulse = direction * ((length - bone(i).length) * springs_[i] * step.dt);
     rows_[i].diagonal += stiffness;
     rows_[i].right -= impulse;
     if (hangs_from_head(i)) continue;

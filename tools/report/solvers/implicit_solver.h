@@ -9,8 +9,8 @@ namespace coif {
 /// The mass-spring system of MassSpringSolver by backward Euler, linearised once per step: thesis 3.1, after Baraff and
 /// Witkin, "Large Steps in Cloth Simulation", 1998. Stable at any step, at the price of one linear system of three
 /// equations per particle. Hair is a tree, so elimination from the tips to the roots solves it without fill-in, in time
-/// linear in the bones. The pose's pull follows the parent to where it will be (its direction and its own velocity are
-/// those of the step's start), which makes the matrix unsymmetric.
+/// linear in the bones. It is set up where gravity and inertia take the particles by the end of the step, so that a
+/// head that moves evenly changes nothing. The pose's pull follows the parent too, which makes the matrix unsymmetric.
 class ImplicitSolver final : public PosedSolver {
  public:
   ImplicitSolver(const Rig& rig, const SolverScene& scene);
@@ -32,8 +32,7 @@ class ImplicitSolver final : public PosedSolver {
 
   std::vector<double> springs_;
   std::vector<Block> rows_;
-  std::vector<Eigen::Vector3d> damped_to_;  ///< The default pose's velocity, m/s.
-  std::vector<Eigen::Vector3d> changes_;    ///< Of velocity, m/s.
+  std::vector<Eigen::Vector3d> changes_;  ///< Of velocity, m/s.
 };
 
 }  // namespace coif

@@ -12,7 +12,8 @@ ImpulseSolver::ImpulseSolver(const Rig& rig, const SolverScene& scene, int itera
 
 void ImpulseSolver::advance(const ParticleStep& step) {
   for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = falling_velocity(i, step);
-  pull_to_default(step);
+  pull_to_default(look_back(step));
+  look_ahead(step);
   for (int pass = 0; pass < iterations_; ++pass) {
     keep_lengths(step);
     keep_clear(step);
@@ -20,10 +21,10 @@ void ImpulseSolver::advance(const ParticleStep& step) {
   for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] = foreseen(i, step);
 }
 
-void ImpulseSolver::pull_to_default(const ParticleStep& step) {
-  const std::vector<Vector3d> directions = default_directions(step);
+void ImpulseSolver::pull_to_default(const ParticleStep& begun) {
+  const std::vector<Vector3d> directions = default_directions(begun);
   for (std::size_t i = 0; i < bone_count(); ++i) {
-    const Vector3d off = start(i, step) + directions[i] * bone(i).length - positions_[i];
+    const Vector3d off = start(i, begun) + directions[i] * bone(i).length - positions_[i];
     velocities_[i] += off.normalized() * constant_pull(bone(i));
   }
 }

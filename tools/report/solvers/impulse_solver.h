@@ -14,7 +14,7 @@ class ImpulseSolver final : public ParticleSolver {
 
  private:
   void advance(const ParticleStep& step) override;
-  void pull_to_default(const ParticleStep& step);
+  void pull_to_default(const ParticleStep& begun);
   void keep_lengths(const ParticleStep& step);
   void keep_clear(const ParticleStep& step);
   [[nodiscard]] Eigen::Vector3d foreseen(std::size_t i, const ParticleStep& step) const {

@@ -11,9 +11,11 @@ MassSpringSolver::MassSpringSolver(const Rig& rig, const SolverScene& scene)
     : PosedSolver(rig, scene), springs_(segment_springs(rig)), forces_(rig.bones.size()) {}
 
 void MassSpringSolver::advance(const ParticleStep& step) {
-  renew_default_pose(step);
-  add_pose_forces(step);
-  add_springs(step);
+  const ParticleStep begun = look_back(step);
+  renew_default_pose(begun);
+  add_pose_forces(begun);
+  add_springs(begun);
+  look_ahead(step);
   for (std::size_t i = 0; i < bone_count(); ++i) {
     velocities_[i] += forces_[i] * step.dt;
     velocities_[i] = falling_velocity(i, step);

@@ -11,12 +11,12 @@ void PosedSolver::renew_default_pose(const ParticleStep& step) {
   directions_ = std::move(directions);
 }
 
-Vector3d PosedSolver::pulled_velocity(std::size_t i, const Vector3d& velocity, const Vector3d& default_velocity,
-                                      const ParticleStep& step) const {
-  const double spring = bone(i).stiffness * step.dt;
+Vector3d PosedSolver::pull(std::size_t i, const Vector3d& way, const Vector3d& default_velocity,
+                           const ParticleStep& step) const {
+  const double spring = bone(i).stiffness * step.dt * step.dt;
   const double damper = bone(i).damping * step.dt;
-  const Vector3d pull = (default_position(i, step) - positions_[i]) * spring + default_velocity * damper;
-  return (velocity + pull) / (1 + spring * step.dt + damper);
+  const Vector3d off = default_position(i, step) - positions_[i];
+  return (off * spring + (default_velocity * step.dt - way) * damper) / (1 + spring + damper);
 }
 
 }  // namespace coif

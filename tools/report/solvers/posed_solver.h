@@ -29,11 +29,10 @@ class PosedSolver : public ParticleSolver {
     return hangs_from_head(i) ? step.head_velocity_at(start(i, step)) : velocities_[parent(i)];
   }
 
-  /// The velocity that stiffness and damping make of `velocity` during the step, both taken at its end: no step is so
-  /// long that the pull overshoots. One particle by itself, so this is one division.
-  [[nodiscard]] Eigen::Vector3d pulled_velocity(std::size_t i, const Eigen::Vector3d& velocity,
-                                                const Eigen::Vector3d& default_velocity,
-                                                const ParticleStep& step) const;
+  /// Metres by which stiffness and damping move particle i, which inertia has just moved by `way` to where it is: both
+  /// taken at the end of the step, so that no step is so long that the pull overshoots.
+  [[nodiscard]] Eigen::Vector3d pull(std::size_t i, const Eigen::Vector3d& way, const Eigen::Vector3d& default_velocity,
+                                     const ParticleStep& step) const;
 
   void on_reset(const ParticleStep& still) override { directions_ = default_directions(still); }
 

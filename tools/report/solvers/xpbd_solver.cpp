@@ -7,25 +7,23 @@ namespace coif {
 using Eigen::Vector3d;
 
 void XpbdSolver::advance(const ParticleStep& step) {
-  renew_default_pose(step);
   before_ = positions_;
   for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] += falling_velocity(i, step) * step.dt;
-  keep_pose(step);
-  for (std::size_t i = 0; i < bone_count(); ++i) keep_length(i, step);
+  renew_default_pose(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    keep_pose(i, step);
+    keep_length(i, step);
+  }
   for (std::size_t i = 0; i < bone_count(); ++i) {
     positions_[i] = clear_of_colliders(rig(), i, step.head_rotation, positions_[i]);
   }
   for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = (positions_[i] - before_[i]) / step.dt;
 }
 
-void XpbdSolver::keep_pose(const ParticleStep& step) {
-  for (std::size_t i = 0; i < bone_count(); ++i) {
-    const double spring = bone(i).stiffness * step.dt * step.dt;
-    const double damper = bone(i).damping * step.dt;
-    const Vector3d off = positions_[i] - default_position(i, step);
-    const Vector3d slid = positions_[i] - before_[i] - default_velocity(i, step) * step.dt;
-    positions_[i] -= (off * spring + slid * damper) / (1 + spring + damper);
-  }
+void XpbdSolver::keep_pose(std::size_t i, const ParticleStep& step) {
+  const Vector3d start_velocity = hangs_from_head(i) ? step.head_velocity_at(start(i, step))
+                                                     : Vector3d((positions_[parent(i)] - before_[parent(i)]) / step.dt);
+  positions_[i] += pull(i, positions_[i] - before_[i], start_velocity + swing_velocity(i), step);
 }
 
 void XpbdSolver::keep_length(std::size_t i, const ParticleStep& step) {

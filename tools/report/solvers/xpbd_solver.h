@@ -15,7 +15,7 @@ class XpbdSolver final : public PosedSolver {
 
  private:
   void advance(const ParticleStep& step) override;
-  void keep_pose(const ParticleStep& step);
+  void keep_pose(std::size_t i, const ParticleStep& step);
   void keep_length(std::size_t i, const ParticleStep& step);
 
   std::vector<Eigen::Vector3d> before_;
