@@ -3,9 +3,11 @@
 #include "head_pose.h"
 #include "memory_carver.h"
 #include "rest_pose.h"
+#include "rotation_vector.h"
 #include "vector_math.h"
 
 #include <coif/palette_job.h>
+#include <coif/thesis_step_job.h>
 
 #include <cmath>
 #include <cstdint>
@@ -19,14 +21,39 @@ Status check_create(const Asset& asset, const HairDesc& desc) {
   return Status::kOk;
 }
 
+bool in_range(float value, float low, float high) { return value >= low && value <= high; }
+
+Status check_environment(const Environment& environment) {
+  if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
+  return in_range(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
+}
+
+/// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
+constexpr float kMostScale = 1e6f;
+
 Status check_settings(const StepSettings& settings) {
   if (!(settings.dt > 0.0f && settings.dt <= kMaxTimeStep)) return Status::kBadTimeStep;
-  if (settings.solver != Solver::kThesis) return Status::kBadArgument;
+  if (settings.solver != Solver::kThesis && settings.solver != Solver::kCoif) return Status::kBadArgument;
   if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
-  const Environment& environment = settings.environment;
-  if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
-  if (!(environment.air_follow >= 0.0f && environment.air_follow <= 1.0f)) return Status::kBadArgument;
-  return Status::kOk;
+  if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
+  const DynamicsScale& scale = settings.dynamics;
+  const bool scales_fit = in_range(scale.stiffness, 0.0f, kMostScale) && in_range(scale.damping, 0.0f, kMostScale) &&
+                          in_range(scale.friction, 0.0f, kMostScale);
+  if (!scales_fit || !in_range(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
+  if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
+  return check_environment(settings.environment);
+}
+
+/// What hair feels of a head's move when it feels a share of it. The rest is taken out of the move and turns the hair by
+/// the rotation returned.
+Quat share_move(HeadMove& move, float inertia) {
+  const Vec3 turn = vector_of(move.rotation * conjugate(move.rotation_before));
+  const Quat carried = rotation_by(turn * (1.0f - inertia));
+  move.rotation_before = renormalised(carried * move.rotation_before);
+  move.displacement = move.displacement * inertia;
+  move.velocity = move.velocity * inertia;
+  move.angular_velocity = move.angular_velocity * inertia;
+  return carried;
 }
 
 bool any_bone_collides(std::span<const BoneRecord> bones) {
@@ -46,13 +73,18 @@ Hair::Storage Hair::carve(MemoryCarver& carver, const SkeletonRecord& skeleton, 
   const std::uint64_t bones = std::uint64_t(instances) * skeleton.bone_count;
   const std::uint64_t simulated = std::uint64_t(instances) * skeleton.simulated_count;
   Storage storage;
-  storage.heads = carver.take<HeadTrack>(instances);
+  storage.instances = carver.take<Instance>(instances);
   storage.particles = carver.take<Particle>(simulated);
+  storage.swings = carver.take<BoneSwing>(simulated);
   storage.palettes = carver.take<Mat34>(bones);
   storage.bone_ends = carver.take<Vec3>(bones);
   storage.friction_factors = carver.take<float>(skeleton.simulated_count);
   storage.scratch = carver.take<BoneScratch>(skeleton.simulated_count);
+  storage.responses = carver.take<PoseResponse>(skeleton.simulated_count);
   storage.frames = carver.take<Quat>(skeleton.simulated_count);
+  storage.world_frames = carver.take<Quat>(skeleton.simulated_count);
+  storage.angular_velocities = carver.take<Vec3>(skeleton.simulated_count);
+  storage.positions_before = carver.take<Vec3>(skeleton.simulated_count);
   return storage;
 }
 
@@ -73,6 +105,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   MemoryCarver carver(memory.data());
   storage_ = carve(carver, asset.skeleton(), desc.instances);
   instances_ = desc.instances;
+  responses_for_ = {};
   simulated_count_ = asset.skeleton().simulated_count;
   bones_ = asset.bones();
   dynamics_ = asset.dynamics();
@@ -84,7 +117,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
 Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
   if (instances_ == 0) return Status::kNotCreated;
   if (instance >= instances_) return Status::kBadIndex;
-  return normalise_pose(pose, storage_.heads[instance].next);
+  return storage_.instances[instance].head.set_next(pose);
 }
 
 Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
@@ -93,11 +126,21 @@ Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
   return Status::kOk;
 }
 
+Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
+  if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
+  Instance& state = storage_.instances[instance];
+  if (!state.swings_known) learn_swings(instance);
+  carry(instance, state.head.jump());
+  return Status::kOk;
+}
+
 Status Hair::step(const StepSettings& settings) {
   if (instances_ == 0) return Status::kNotCreated;
   if (const Status status = check_settings(settings); status != Status::kOk) return status;
-  compute_friction_factors(dynamics_, settings.dt, storage_.friction_factors);
-  for (std::uint32_t instance = 0; instance < instances_; ++instance) advance(instance, settings);
+  const bool in_parts = settings.solver == Solver::kCoif && settings.substeps > 1;
+  const std::uint32_t substeps = in_parts ? settings.substeps : 1;
+  prepare(settings, settings.dt / float(substeps));
+  for (std::uint32_t instance = 0; instance < instances_; ++instance) advance(instance, settings, substeps);
   return Status::kOk;
 }
 
@@ -115,41 +158,123 @@ std::span<Particle> Hair::particles_of(std::uint32_t instance) const {
   return storage_.particles.subspan(std::size_t(instance) * simulated_count_, simulated_count_);
 }
 
-void Hair::advance(std::uint32_t instance, const StepSettings& settings) {
-  HeadTrack& head = storage_.heads[instance];
-  ThesisStepJob job;
-  if (!displacement(head.now, head.next, job.head_displacement)) return put_to_rest(instance);
+std::span<BoneSwing> Hair::swings_of(std::uint32_t instance) const {
+  return storage_.swings.subspan(std::size_t(instance) * simulated_count_, simulated_count_);
+}
+
+/// What depends on the step's length and not on the head; nothing where it is the last step's.
+void Hair::prepare(const StepSettings& settings, float substep) {
+  if (settings.solver == Solver::kThesis) {
+    compute_friction_factors(dynamics_, substep, storage_.friction_factors);
+    return;
+  }
+  const DynamicsScale& scale = settings.dynamics;
+  const DynamicsScale& known = responses_for_.scale;
+  const bool same = responses_for_.dt == substep && known.stiffness == scale.stiffness &&
+                    known.damping == scale.damping && known.friction == scale.friction;
+  if (same) return;
+  compute_pose_responses(dynamics_, substep, scale, storage_.responses);
+  responses_for_ = {substep, scale};
+}
+
+void Hair::advance(std::uint32_t instance, const StepSettings& settings, std::uint32_t substeps) {
+  Instance& state = storage_.instances[instance];
+  const bool is_coif = settings.solver == Solver::kCoif;
+  if (is_coif && !state.swings_known) learn_swings(instance);
+  const bool is_teleport =
+      state.head.distance() > settings.teleport_distance || state.head.angle() > settings.teleport_angle;
+  if (is_teleport) carry(instance, state.head.jump());
+  if (!state.head.can_move()) return put_to_rest(instance);
+
+  const float dt = settings.dt / float(substeps);
+  state.head.begin(settings.dt);
+  Status status = Status::kOk;
+  for (std::uint32_t part = 0; part < substeps && status == Status::kOk; ++part) {
+    HeadMove move = state.head.move(part, substeps);
+    if (settings.inertia < 1.0f) carry(instance, share_move(move, settings.inertia));
+    status = is_coif ? run_coif(instance, settings, move, dt) : run_thesis(instance, settings, move, dt);
+  }
+  // The settings were checked, so a job can only be refused for air that overflowed; that is an explosion as well.
+  if (status != Status::kOk || !all_finite(particles_of(instance))) return put_to_rest(instance);
+  state.head.finish();
+  state.swings_known = is_coif;
+  renew_palette(instance, is_coif);
+}
+
+Status Hair::run_thesis(std::uint32_t instance, const StepSettings& settings, const HeadMove& move, float dt) {
   const Environment& environment = settings.environment;
-  job.dt = settings.dt;
+  ThesisStepJob job;
+  job.dt = dt;
   job.iterations = settings.iterations;
   job.gravity = environment.gravity;
-  job.air_velocity = environment.wind + job.head_displacement * (environment.air_follow / settings.dt);
-  job.head_rotation = head.next.rotation;
+  job.air_velocity = environment.wind + move.displacement * (environment.air_follow / dt);
+  job.head_displacement = move.displacement;
+  job.head_rotation = move.rotation;
   job.bones = bones_;
   job.dynamics = dynamics_;
   job.colliders = colliders_;
   job.friction_factors = storage_.friction_factors;
   job.scratch = storage_.scratch;
   job.particles = particles_of(instance);
-  // The settings were checked, so a job can only be refused for air that overflowed; that is an explosion as well.
-  if (job.run() != Status::kOk || !all_finite(job.particles)) return put_to_rest(instance);
-  head.now = head.next;
-  renew_palette(instance);
+  return job.run();
+}
+
+Status Hair::run_coif(std::uint32_t instance, const StepSettings& settings, const HeadMove& move, float dt) {
+  const Environment& environment = settings.environment;
+  CoifStepJob job;
+  job.dt = dt;
+  job.gravity = environment.gravity;
+  job.air_velocity = environment.wind + move.displacement * (environment.air_follow / dt);
+  job.head = move;
+  job.friction_scale = settings.dynamics.friction;
+  job.bones = bones_;
+  job.dynamics = dynamics_;
+  job.colliders = colliders_;
+  job.responses = storage_.responses;
+  job.particles = particles_of(instance);
+  job.swings = swings_of(instance);
+  job.frames = storage_.world_frames;
+  job.angular_velocities = storage_.angular_velocities;
+  job.positions_before = storage_.positions_before;
+  return job.run();
+}
+
+void Hair::learn_swings(std::uint32_t instance) {
+  Instance& state = storage_.instances[instance];
+  swings_from_particles(bones_, dynamics_, state.head.here(), particles_of(instance), swings_of(instance),
+                        storage_.world_frames, storage_.angular_velocities);
+  state.swings_known = true;
+}
+
+/// Turns everything about the head that is kept in world axes.
+void Hair::carry(std::uint32_t instance, const Quat& turn) {
+  for (Particle& particle : particles_of(instance)) {
+    particle.position = rotate(turn, particle.position);
+    particle.velocity = rotate(turn, particle.velocity);
+  }
+  for (BoneSwing& swing : swings_of(instance)) {
+    swing.offset = rotate(turn, swing.offset);
+    swing.target_velocity = rotate(turn, swing.target_velocity);
+  }
 }
 
 void Hair::put_to_rest(std::uint32_t instance) {
-  HeadTrack& head = storage_.heads[instance];
-  head.now = head.next;
-  place_at_rest(bones_, head.now.rotation, particles_of(instance));
-  renew_palette(instance);
+  Instance& state = storage_.instances[instance];
+  (void)state.head.jump();
+  const HeadPose pose = state.head.pose();
+  (void)state.head.reset(pose);
+  place_at_rest(bones_, pose.rotation, particles_of(instance));
+  state.swings_known = false;
+  renew_palette(instance, false);
 }
 
-void Hair::renew_palette(std::uint32_t instance) {
+void Hair::renew_palette(std::uint32_t instance, bool has_world_frames) {
   const std::size_t first = std::size_t(instance) * bones_.size();
   PaletteJob job;
-  job.head_rotation = storage_.heads[instance].now.rotation;
+  job.head_rotation = storage_.instances[instance].head.pose().rotation;
   job.bones = bones_;
   job.particles = particles_of(instance);
+  if (has_world_frames) job.world_frames = storage_.world_frames;
   job.frames = storage_.frames;
   job.palette = storage_.palettes.subspan(first, bones_.size());
   job.bone_ends = storage_.bone_ends.subspan(first, bones_.size());

@@ -42,7 +42,9 @@ void write_simulated_bones(const PaletteJob& job) {
     const Quat parent_frame = is_first ? Quat{} : job.frames[bones.parent(i)];
     ends[i] = rotate(to_head, job.particles[i].position);
     const Vec3 from = rotate(parent_frame, rest_direction);
-    job.frames[i] = bend_frame(parent_frame, rest_direction, from, direction_or(ends[i] - start, from));
+    job.frames[i] = job.world_frames.empty()
+                        ? bend_frame(parent_frame, rest_direction, from, direction_or(ends[i] - start, from))
+                        : to_head * job.world_frames[i];
     palette[i] = skinning_matrix(job.frames[i], joint, start);
   }
 }
@@ -52,7 +54,8 @@ void write_simulated_bones(const PaletteJob& job) {
 Status PaletteJob::validate() const {
   if (!is_unit(head_rotation)) return Status::kBadPose;
   const bool sizes_match = particles.size() <= bones.size() && frames.size() == particles.size() &&
-                           palette.size() == bones.size() && bone_ends.size() == bones.size();
+                           palette.size() == bones.size() && bone_ends.size() == bones.size() &&
+                           (world_frames.empty() || world_frames.size() == particles.size());
   if (!sizes_match) return Status::kSizeMismatch;
   return SimulatedBones(bones, particles.size()).parents_come_first() ? Status::kOk : Status::kBadIndex;
 }

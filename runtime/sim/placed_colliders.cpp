@@ -3,7 +3,6 @@
 #include "bone_frame.h"
 #include "vector_math.h"
 
-#include <bit>
 #include <new>
 
 namespace coif {
@@ -54,25 +53,9 @@ Vec3 clear_of_ball(const PlacedCollider& collider, const Vec3& center, float rad
   return inside_of_ball(center, radius > hit_radius ? radius - hit_radius : 0.0f, position);
 }
 
-float clamp_share(float share) { return share < 0.0f ? 0.0f : share > 1.0f ? 1.0f : share; }
-
 Vec3 clear_of_capsule(const PlacedCollider& capsule, float hit_radius, const Vec3& position) {
-  const float along = dot(position - capsule.center, capsule.axis) / dot(capsule.axis, capsule.axis);
-  const Vec3 nearest = capsule.center + capsule.axis * clamp_share(along);
-  return clear_of_ball(capsule, nearest, capsule.radii.x, hit_radius, position);
-}
-
-/// The ball whose surface is nearest is not beside the particle but where the cone's normal through it starts.
-Vec3 clear_of_tapered_capsule(const PlacedCollider& capsule, float hit_radius, const Vec3& position) {
-  const float axis_length = length(capsule.axis);
-  const Vec3 offset = position - capsule.center;
-  const Vec3 axis = capsule.axis * (1.0f / axis_length);
-  const float along = dot(offset, axis);
-  const float slope = (capsule.radii.x - capsule.radii.y) / axis_length;
-  const float beside = length(offset - axis * along);
-  const float share = clamp_share((along - beside * slope / std::sqrt(1.0f - slope * slope)) / axis_length);
-  const float radius = capsule.radii.x + (capsule.radii.y - capsule.radii.x) * share;
-  return clear_of_ball(capsule, capsule.center + capsule.axis * share, radius, hit_radius, position);
+  const CapsuleBall ball = nearest_ball(capsule, position);
+  return clear_of_ball(capsule, ball.center, ball.radius, hit_radius, position);
 }
 
 Vec3 clear_of_ellipsoid(const PlacedCollider& ellipsoid, float hit_radius, const Vec3& position) {
@@ -95,14 +78,28 @@ Vec3 clear_of(const PlacedCollider& collider, float hit_radius, const Vec3& posi
     case ColliderShape::kSphere:
       return clear_of_ball(collider, collider.center, collider.radii.x, hit_radius, position);
     case ColliderShape::kEllipsoid: return clear_of_ellipsoid(collider, hit_radius, position);
-    case ColliderShape::kCapsule: return clear_of_capsule(collider, hit_radius, position);
-    case ColliderShape::kTaperedCapsule: return clear_of_tapered_capsule(collider, hit_radius, position);
+    case ColliderShape::kCapsule:
+    case ColliderShape::kTaperedCapsule: return clear_of_capsule(collider, hit_radius, position);
     case ColliderShape::kPlane: return clear_of_plane(collider, hit_radius, position);
   }
   return position;
 }
 
 }  // namespace
+
+CapsuleBall nearest_ball(const PlacedCollider& capsule, const Vec3& point) {
+  const float length2 = dot(capsule.axis, capsule.axis);
+  const Vec3 offset = point - capsule.center;
+  float share = dot(offset, capsule.axis) / length2;
+  const float taper = capsule.shape == ColliderShape::kTaperedCapsule ? capsule.radii.x - capsule.radii.y : 0.0f;
+  if (taper != 0.0f) {
+    // Its surface is nearest not beside the point but where the cone's normal through the point starts.
+    const float beside = length(offset - capsule.axis * share);
+    share -= beside * taper / std::sqrt(length2 * (length2 - taper * taper));
+  }
+  share = share < 0.0f ? 0.0f : share > 1.0f ? 1.0f : share;
+  return {capsule.center + capsule.axis * share, capsule.radii.x - taper * share};
+}
 
 PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders, const Quat& head_rotation) {
   for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {
@@ -113,9 +110,7 @@ PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders, cons
 
 Vec3 PlacedColliders::clear(std::uint32_t set, float hit_radius, const Vec3& position) const {
   Vec3 cleared = position;
-  for (std::uint32_t left = set & existing_; left != 0; left &= left - 1) {
-    cleared = clear_of(placed_[std::countr_zero(left)], hit_radius, cleared);
-  }
+  for_each(set, [&](const PlacedCollider& collider) { cleared = clear_of(collider, hit_radius, cleared); });
   return cleared;
 }
 

@@ -3,6 +3,7 @@
 #include <coif/asset_records.h>
 #include <coif/math.h>
 
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -13,11 +14,20 @@ struct PlacedCollider {
   ColliderShape shape = ColliderShape::kSphere;
   bool keeps_inside = false;
   Vec3 center;
-  Vec3 axis;  ///< Capsule: to the segment's other end. Plane: unit normal.
+  Vec3 axis;  ///< Capsules: to the segment's other end. Plane: unit normal.
   Vec3 radii;
   Vec3 way_out;   ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
   Quat rotation;  ///< Ellipsoid: world from its own axes.
 };
+
+/// The ball out of which a capsule is made that is nearest to a point.
+struct CapsuleBall {
+  Vec3 center;
+  float radius;
+};
+
+/// Of a plain or tapered capsule, for a point that is not on its segment.
+[[nodiscard]] CapsuleBall nearest_ball(const PlacedCollider& capsule, const Vec3& point);
 
 /// The colliders of one instance for one step. Small enough for the stack.
 class PlacedColliders {
@@ -33,6 +43,12 @@ class PlacedColliders {
   /// hit_radius is added to the semi-axes: the distance kept is exact where they end and a little less in between.
   /// A hit_radius beyond the radius of a shape that keeps hair inside leaves its centre or segment.
   [[nodiscard]] Vec3 clear(std::uint32_t set, float hit_radius, const Vec3& position) const;
+
+  /// Calls `visit(collider)` for each collider of `set`.
+  template <typename Visit>
+  void for_each(std::uint32_t set, const Visit& visit) const {
+    for (std::uint32_t left = set & existing_; left != 0; left &= left - 1) visit(placed_[std::countr_zero(left)]);
+  }
 
  private:
   /// Not initialised: clearing room for all would cost more than the one collider that most hair has.

@@ -16,6 +16,9 @@ struct PaletteJob {
   Quat head_rotation;                   ///< World from head space, unit.
   std::span<const BoneRecord> bones;    ///< All bones of the asset, the simulated ones last.
   std::span<const Particle> particles;  ///< Per simulated bone.
+  /// Per simulated bone: rotation from rest, world axes, of a solver that follows the bones' twist. Empty: the shortest
+  /// arcs, as said above.
+  std::span<const Quat> world_frames;
 
   std::span<Quat> frames;     ///< Out, per simulated bone: rotation from rest, head space.
   std::span<Mat34> palette;   ///< Out, per bone: rest pose in head space -> present pose in head space.
