@@ -1,0 +1,46 @@
+# What `coif report` takes, refuses and says.
+coif_cli_case(report_absent EXIT 2 STDERR "coif report: error: nope.coif: cannot open: No such file or directory"
+  ARGS report nope.coif accuracy)
+coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: not a cooked hair asset"
+  TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
+coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
+coif_cli_case(report_unknown_subject EXIT 1
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability" ARGS report a.coif speed)
+coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
+  ARGS report a.coif accuracy -o out.pdf)
+coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
+  ARGS report a.coif accuracy --solver thesis,magic)
+coif_cli_case(report_unknown_motion EXIT 1
+  STDERR "coif report: error: --motion: 'walk' is neither a motion nor a file; see --help"
+  ARGS report a.coif accuracy --motion nod --motion walk)
+coif_cli_case(report_two_clips EXIT 1 STDERR "coif report: error: --motion: 'b.glb:head': one clip at a time"
+  ARGS report a.coif accuracy --motion a.glb --motion b.glb:head)
+coif_cli_case(report_slow_rate EXIT 1 STDERR "coif report: error: --fps" ARGS report a.coif accuracy --fps 60,5)
+coif_cli_case(report_no_substeps EXIT 1 STDERR "coif report: error: --substeps"
+  ARGS report a.coif accuracy --substeps 0)
+coif_cli_case(report_no_budget EXIT 1 STDERR "coif report: error: --budget" ARGS report a.coif accuracy --budget 0)
+coif_cli_case(report_rates_for_stability EXIT 1
+  STDERR "coif report: error: --fps is for 'coif report FILE.coif accuracy' only; leave it out"
+  ARGS report a.coif stability --fps 30)
+coif_cli_case(report_absent_folder EXIT 2 SAMPLE STDERR "coif report: error: no/out.html: cannot write: no folder 'no'"
+  ARGS report ${COIF_COOKED_SAMPLE} stability -o no/out.html)
+
+set(short --motion nod --fps 30,60 --substeps 1 --seconds 0.5 --solver thesis)
+coif_cli_case(report_accuracy_page EXIT 0 SAMPLE WRITES out.HTML
+  STDOUT "bob.coif: [0-9]+ bones, .*\n  thesis +1 .*at 60 per second, over 1 motion;.*out.HTML: written"
+  TIMEOUT 300 ARGS report ${COIF_COOKED_SAMPLE} accuracy ${short} -o out.HTML)
+coif_cli_case(report_accuracy_json EXIT 0 SAMPLE WRITES out.json TIMEOUT 300
+  JSON asset bones chains chain_length_m,median machine seconds_taken rows,1,motion rows,1,solver rows,1,fps
+       rows,1,substeps rows,1,ns_per_bone_frame rows,1,rms_error_pct rows,1,max_error_pct rows,1,stretch_max_pct
+       rows,1,penetration_max_pct rows,1,pareto spread,0,frame_rate_spread_pct reference,0,motion
+       reference,0,self_difference_pct settle,0,settle_error_pct chosen
+  ARGS report ${COIF_COOKED_SAMPLE} ${short} -o out.json --format json)
+coif_cli_case(report_stability_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
+  STDOUT "bob.coif: [0-9]+ bones, .*\n  thesis +[0-9]+ .*cases of stress.*out.html: written"
+  ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis -o out.html)
+coif_cli_case(report_stability_json EXIT 0 SAMPLE TIMEOUT 300
+  JSON asset cases,0,case cases,0,solver cases,0,outcome cases,0,stretch_max_pct cases,0,penetration_max_pct
+       cases,0,max_speed cases,0,settle_error_pct descriptions,0,description
+  ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis --format json)
+
+coif_cli_script(report_needs_gnuplot SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
