@@ -58,17 +58,6 @@ Vector3d ParticleSolver::start(std::size_t i, const ParticleStep& step) const {
   return hangs_from_head(i) ? Vector3d(step.head_rotation * bone(i).joint) : positions_[parent(i)];
 }
 
-ParticleStep ParticleSolver::look_back(const ParticleStep& step) {
-  for (Vector3d& position : positions_) position += step.head_velocity * step.dt;
-  ParticleStep begun = step;
-  begun.head_rotation = step.rotation_before;
-  return begun;
-}
-
-void ParticleSolver::look_ahead(const ParticleStep& step) {
-  for (Vector3d& position : positions_) position -= step.head_velocity * step.dt;
-}
-
 Vector3d ParticleSolver::falling_velocity(std::size_t i, const ParticleStep& step) const {
   const Vector3d fallen = velocities_[i] + step.gravity * (bone(i).gravity_scale * step.dt);
   return step.air_velocity + (fallen - step.air_velocity) * std::exp(-bone(i).friction * step.dt);
@@ -83,6 +72,15 @@ std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& ste
     const Vector3d along = positions_[i] - start(i, step);
     const bool points = along.norm() > 1.0e-12;
     frames[i] = points ? Quaterniond::FromTwoVectors(directions[i], along) * frame : frame;
+  }
+  return directions;
+}
+
+std::vector<Vector3d> ParticleSolver::shared_directions(const ParticleStep& step) const {
+  std::vector<Vector3d> directions = default_directions(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    const double share = bone(i).parent_share;
+    if (share < 1) directions[i] = directions[i] * share + step.head_rotation * bone(i).rest_direction * (1 - share);
   }
   return directions;
 }

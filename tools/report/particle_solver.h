@@ -47,19 +47,16 @@ class ParticleSolver : public ChainSolver {
   /// Where bone i starts now: its parent's particle, or its joint on the turned head.
   [[nodiscard]] Eigen::Vector3d start(std::size_t i, const ParticleStep& step) const;
 
-  /// For what is judged by how things stood when the step began: moves the positions to where they are seen from the
-  /// head as it was then, and returns a step with that head's rotation. Without it a head at 8 m/s seems to have left
-  /// its hair behind by a step's way.
-  [[nodiscard]] ParticleStep look_back(const ParticleStep& step);
-  /// Moves the positions back to where the end of the step sees them.
-  void look_ahead(const ParticleStep& step);
-
   /// Where velocities_[i] is after gravity and friction, which decays exactly: what follows pulls and corrects.
   [[nodiscard]] Eigen::Vector3d falling_velocity(std::size_t i, const ParticleStep& step) const;
 
   /// Default directions, root to tip, as Algorithm 1 (5.2) has them: each bone's rest direction in its parent's present
   /// frame, the frame turned by the shortest arc from there to where the bone points now. Unit, one per bone.
   [[nodiscard]] std::vector<Eigen::Vector3d> default_directions(const ParticleStep& step) const;
+
+  /// Where the pose pulls to when only RigBone::parent_share of it turns with the parent and the rest with the head: the
+  /// mean of both directions, which is shorter than unit where they disagree.
+  [[nodiscard]] std::vector<Eigen::Vector3d> shared_directions(const ParticleStep& step) const;
 
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Eigen::Vector3d> velocities_;

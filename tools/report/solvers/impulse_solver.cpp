@@ -11,9 +11,9 @@ ImpulseSolver::ImpulseSolver(const Rig& rig, const SolverScene& scene, int itera
     : ParticleSolver(rig, scene), iterations_(iterations) {}
 
 void ImpulseSolver::advance(const ParticleStep& step) {
+  before_ = positions_;
   for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = falling_velocity(i, step);
-  pull_to_default(look_back(step));
-  look_ahead(step);
+  pull_to_default(step);
   for (int pass = 0; pass < iterations_; ++pass) {
     keep_lengths(step);
     keep_clear(step);
@@ -21,11 +21,13 @@ void ImpulseSolver::advance(const ParticleStep& step) {
   for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] = foreseen(i, step);
 }
 
-void ImpulseSolver::pull_to_default(const ParticleStep& begun) {
-  const std::vector<Vector3d> directions = default_directions(begun);
+void ImpulseSolver::pull_to_default(const ParticleStep& step) {
+  for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] = foreseen(i, step);
+  const std::vector<Vector3d> directions = default_directions(step);
   for (std::size_t i = 0; i < bone_count(); ++i) {
-    const Vector3d off = start(i, begun) + directions[i] * bone(i).length - positions_[i];
-    velocities_[i] += off.normalized() * constant_pull(bone(i));
+    const Vector3d off = start(i, step) + directions[i] * bone(i).length - positions_[i];
+    velocities_[i] += constant_pull(bone(i), off, step.dt);
+    positions_[i] = foreseen(i, step);
   }
 }
 

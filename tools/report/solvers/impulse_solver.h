@@ -14,14 +14,16 @@ class ImpulseSolver final : public ParticleSolver {
 
  private:
   void advance(const ParticleStep& step) override;
-  void pull_to_default(const ParticleStep& begun);
+  void pull_to_default(const ParticleStep& step);
   void keep_lengths(const ParticleStep& step);
   void keep_clear(const ParticleStep& step);
+  /// Where the velocity of now takes particle i by the end of the step.
   [[nodiscard]] Eigen::Vector3d foreseen(std::size_t i, const ParticleStep& step) const {
-    return positions_[i] + velocities_[i] * step.dt;
+    return before_[i] + velocities_[i] * step.dt;
   }
 
   int iterations_;
+  std::vector<Eigen::Vector3d> before_;
 };
 
 }  // namespace coif

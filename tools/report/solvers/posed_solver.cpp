@@ -5,7 +5,7 @@ namespace coif {
 using Eigen::Vector3d;
 
 void PosedSolver::renew_default_pose(const ParticleStep& step) {
-  std::vector<Vector3d> directions = default_directions(step);
+  std::vector<Vector3d> directions = shared_directions(step);
   turns_.resize(bone_count());
   for (std::size_t i = 0; i < bone_count(); ++i) turns_[i] = (directions[i] - directions_[i]) / step.dt;
   directions_ = std::move(directions);

@@ -11,7 +11,7 @@ class PosedSolver : public ParticleSolver {
  protected:
   using ParticleSolver::ParticleSolver;
 
-  /// Default directions at where the particles are now, and how fast they turn: the way since the last call.
+  /// Default directions (with parent_share) at where the particles are now, and how fast they turn: the way since the last call.
   void renew_default_pose(const ParticleStep& step);
 
   [[nodiscard]] const Eigen::Vector3d& default_direction(std::size_t i) const { return directions_[i]; }
@@ -34,7 +34,7 @@ class PosedSolver : public ParticleSolver {
   [[nodiscard]] Eigen::Vector3d pull(std::size_t i, const Eigen::Vector3d& way, const Eigen::Vector3d& default_velocity,
                                      const ParticleStep& step) const;
 
-  void on_reset(const ParticleStep& still) override { directions_ = default_directions(still); }
+  void on_reset(const ParticleStep& still) override { directions_ = shared_directions(still); }
 
  private:
   std::vector<Eigen::Vector3d> directions_;

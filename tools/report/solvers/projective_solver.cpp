@@ -74,7 +74,7 @@ void ProjectiveSolver::advance(const ParticleStep& step) {
 
 void ProjectiveSolver::swing(std::size_t i, const ParticleStep& step) {
   const double length = bone(i).length;
-  Angles angles(default_direction(i), step.head_rotation);
+  Angles angles(default_direction(i).normalized(), step.head_rotation);
   angles.point_along(pointing_[i]);
   const Vector3d zenith_way = angles.along_zenith() * length;
   const Vector3d azimuth_way = angles.along_azimuth() * (length * angles.azimuth_radius());

@@ -19,15 +19,15 @@ void SeparateSolver::advance(const ParticleStep& step) {
 }
 
 void SeparateSolver::move(const ParticleStep& step) {
-  const ParticleStep begun = look_back(step);
-  const std::vector<Vector3d> directions = default_directions(begun);
-  for (std::size_t i = 0; i < bone_count(); ++i) {
-    const Vector3d off = start(i, begun) + directions[i] * bone(i).length - positions_[i];
-    velocities_[i] = falling_velocity(i, step) + off.normalized() * constant_pull(bone(i));
-  }
-  look_ahead(step);
-  // Not in the loop above: defaults are taken from where the parents are, not from where they go.
+  for (std::size_t i = 0; i < bone_count(); ++i) velocities_[i] = falling_velocity(i, step);
   for (std::size_t i = 0; i < bone_count(); ++i) positions_[i] += velocities_[i] * step.dt;
+  const std::vector<Vector3d> directions = default_directions(step);
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    const Vector3d off = start(i, step) + directions[i] * bone(i).length - positions_[i];
+    const Vector3d pull = constant_pull(bone(i), off, step.dt);
+    velocities_[i] += pull;
+    positions_[i] += pull * step.dt;
+  }
 }
 
 void SeparateSolver::keep_length(std::size_t i, const ParticleStep& step) {

@@ -48,7 +48,7 @@ void TridiagonalSolver::advance(const ParticleStep& step) {
 }
 
 void TridiagonalSolver::pull_to_default(const ParticleStep& step) {
-  const std::vector<Vector3d> directions = default_directions(step);
+  const std::vector<Vector3d> directions = shared_directions(step);
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const Vector3d off = start(i, step) + directions[i] * bone(i).length - positions_[i];
     positions_[i] += off * bone(i).resistance;
