@@ -47,11 +47,18 @@ TEST(HtmlPage, NeedsNothingBesideItself) {
 
 TEST(HtmlPage, NumbersAreRightAlignedAndLooksAreClasses) {
   HtmlPage page("title");
-  page.table({{{"name"}, {"value", true}}, {{{"a", CellLook::kGood}, {"1.5", CellLook::kBad}}, {{"b"}, {"2"}}}});
+  page.table({{{"name"}, {"value", Column::Kind::kNumbers}},
+              {{{"a", CellLook::kGood}, {"1.5", CellLook::kBad}}, {{"b"}, {"2"}}}});
   const std::string html = page.text();
   EXPECT_NE(html.find("<th scope=\"col\" class=\"number\">value</th>"), std::string::npos);
   EXPECT_NE(html.find("<td class=\"good\">a</td><td class=\"number bad\">1.5</td>"), std::string::npos);
   EXPECT_NE(html.find("<td>b</td><td class=\"number\">2</td>"), std::string::npos);
+}
+
+TEST(HtmlPage, LineFeedsInCellsAreLines) {
+  HtmlPage page("title");
+  page.table({{{"a", Column::Kind::kProse}}, {{{"one\n<two>\n"}}}});
+  EXPECT_NE(page.text().find("<td class=\"prose\">one<br>&lt;two&gt;<br></td>"), std::string::npos);
 }
 
 TEST(HtmlPage, ShortRowsAreFilledUp) {

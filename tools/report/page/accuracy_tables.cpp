@@ -12,6 +12,8 @@
 namespace coif {
 namespace {
 
+constexpr auto kNumbers = Column::Kind::kNumbers;
+
 // Ten times the budget is not a matter of taste any more.
 constexpr double kFarOver = 10;
 
@@ -31,9 +33,14 @@ Cell front_cell(bool pareto) { return {pareto ? "front" : ""}; }
 
 Table settings_table(const AccuracyReport& report) {
   Table table;
-  table.columns = {
-      {"solver"},          {"sub-steps", true},     {"ns/bone", true}, {"RMS error %", true}, {"max error %", true},
-      {"stretch %", true}, {"penetration %", true}, {"Pareto"}};
+  table.columns = {{"solver"},
+                   {"sub-steps", kNumbers},
+                   {"ns/bone", kNumbers},
+                   {"RMS error %", kNumbers},
+                   {"max error %", kNumbers},
+                   {"stretch %", kNumbers},
+                   {"penetration %", kNumbers},
+                   {"Pareto"}};
   for (const SettingMean& mean : means_over_motions(report, main_frame_rate(report))) {
     table.rows.push_back({{mean.solver},
                           {std::to_string(mean.substeps)},
@@ -55,7 +62,7 @@ Table spread_table(const AccuracyReport& report) {
     const std::string setting = setting_text(row.solver, row.substeps);
     if (std::ranges::find(motions, row.motion) == motions.end()) {
       motions.push_back(row.motion);
-      table.columns.push_back({row.motion, true});
+      table.columns.push_back({row.motion, kNumbers});
     }
     if (std::ranges::find(settings, setting) == settings.end()) {
       settings.push_back(setting);
@@ -70,7 +77,7 @@ Table spread_table(const AccuracyReport& report) {
 }
 
 Table reference_table(const AccuracyReport& report) {
-  Table table{{{"motion"}, {"self-difference %", true}, {"steps per second", true}}, {}};
+  Table table{{{"motion"}, {"self-difference %", kNumbers}, {"steps per second", kNumbers}}, {}};
   for (const ReferenceRow& row : report.reference) {
     table.rows.push_back({{row.motion},
                           error_cell(row.self_difference_pct, report.budget_rms_pct),
@@ -80,7 +87,7 @@ Table reference_table(const AccuracyReport& report) {
 }
 
 Table settle_table(const AccuracyReport& report) {
-  Table table{{{"solver"}, {"distance to the exact rest %", true}}, {}};
+  Table table{{{"solver"}, {"distance to the exact rest %", kNumbers}}, {}};
   for (const SettleRow& row : report.settle) {
     table.rows.push_back({{row.solver}, error_cell(row.settle_error_pct, report.budget_rms_pct)});
   }
@@ -91,13 +98,13 @@ Table rows_table(const AccuracyReport& report) {
   Table table;
   table.columns = {{"motion"},
                    {"solver"},
-                   {"fps", true},
-                   {"sub-steps", true},
-                   {"ns/bone", true},
-                   {"RMS error %", true},
-                   {"max error %", true},
-                   {"stretch %", true},
-                   {"penetration %", true},
+                   {"fps", kNumbers},
+                   {"sub-steps", kNumbers},
+                   {"ns/bone", kNumbers},
+                   {"RMS error %", kNumbers},
+                   {"max error %", kNumbers},
+                   {"stretch %", kNumbers},
+                   {"penetration %", kNumbers},
                    {"Pareto"}};
   for (const AccuracyRow& row : report.rows) {
     table.rows.push_back({{row.motion},

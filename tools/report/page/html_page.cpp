@@ -35,17 +35,35 @@ const char* class_of(CellLook look) {
   return "";
 }
 
-std::string cell_tag(const Column& column, const Cell& cell) {
-  if (!column.numeric && cell.look == CellLook::kPlain) return "<td>";
-  const char* const space = column.numeric && cell.look != CellLook::kPlain ? " " : "";
-  return fmt::format("<td class=\"{}{}{}\">", column.numeric ? "number" : "", space, class_of(cell.look));
+const char* class_of(Column::Kind kind) {
+  switch (kind) {
+    case Column::Kind::kWords: return "";
+    case Column::Kind::kNumbers: return "number";
+    case Column::Kind::kProse: return "prose";
+  }
+  return "";
+}
+
+std::string class_attribute(std::string_view first, std::string_view second = "") {
+  if (first.empty() && second.empty()) return "";
+  return fmt::format(" class=\"{}{}{}\"", first, first.empty() || second.empty() ? "" : " ", second);
+}
+
+std::string escaped_lines(std::string_view text) {
+  std::string html;
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    html += escaped(text.substr(0, end));
+    if (end == std::string_view::npos) return html;
+    html += "<br>";
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string head_row(const std::vector<Column>& columns) {
   std::string html = "<tr>";
   for (const Column& column : columns) {
-    html +=
-        fmt::format("<th scope=\"col\"{}>{}</th>", column.numeric ? " class=\"number\"" : "", escaped(column.title));
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(class_of(column.kind)), escaped(column.title));
   }
   return html + "</tr>";
 }
@@ -54,7 +72,8 @@ std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>
   std::string html = "<tr>";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Cell cell = i < cells.size() ? cells[i] : Cell{};
-    html += cell_tag(columns[i], cell) + escaped(cell.text) + "</td>";
+    html += fmt::format("<td{}>{}</td>", class_attribute(class_of(columns[i].kind), class_of(cell.look)),
+                        escaped_lines(cell.text));
   }
   return html + "</tr>\n";
 }

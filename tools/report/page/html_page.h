@@ -10,13 +10,18 @@ namespace coif {
 enum class CellLook { kPlain, kGood, kNeutral, kWarning, kBad };
 
 struct Cell {
-  std::string text;
+  std::string text;  ///< Line feeds start new lines.
   CellLook look = CellLook::kPlain;
 };
 
 struct Column {
+  enum class Kind {
+    kWords,    ///< Never broken into lines.
+    kNumbers,  ///< Right-aligned, digits of equal width.
+    kProse,    ///< Broken into lines where it is long.
+  };
   std::string title;
-  bool numeric = false;  ///< Right-aligned, digits of equal width.
+  Kind kind = Kind::kWords;
 };
 
 struct Table {

@@ -16,16 +16,17 @@ inline constexpr char kPageStyle[] = R"(:root {
   }
 }
 body { color: var(--text); background: var(--ground); font: 15px/1.5 system-ui, sans-serif;
-  max-width: 72rem; margin: 2rem auto; padding: 0 1.5rem; }
+  max-width: 82rem; margin: 2rem auto; padding: 0 1.5rem; }
 h1 { font-size: 1.6rem; }
-h2 { font-size: 1.2rem; margin-top: 2.2rem; border-bottom: 1px solid var(--line); }
+h2 { font-size: 1.2rem; margin-top: 2.2rem; break-after: avoid; border-bottom: 1px solid var(--line); }
 p { max-width: 52rem; }
 .summary { font-size: 1.1rem; background: var(--raised); border-left: 4px solid #2f8fd8; padding: 0.7rem 1rem; }
 .table { overflow: auto; max-height: 44rem; margin: 1rem 0; }
 table { border-collapse: collapse; }
-th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top;
+  white-space: nowrap; }
 th { position: sticky; top: 0; background: var(--raised); }
-th, .number { white-space: nowrap; }
+.prose { white-space: normal; min-width: 11rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .good { background: var(--good); }
 .neutral { background: var(--neutral); }
@@ -42,8 +43,10 @@ figcaption { font-size: 0.9rem; max-width: 52rem; }
   th { position: static; }
   thead { display: table-header-group; }
   tr { break-inside: avoid; }
-  th, .number { white-space: normal; }
-  th, td { print-color-adjust: exact; }
+  table { font-size: 8pt; }
+  th { white-space: normal; }
+  th, td { padding: 0.1rem 0.4rem; print-color-adjust: exact; }
+  .prose { min-width: 6rem; }
 }
 )";
 

@@ -10,6 +10,8 @@
 namespace coif {
 namespace {
 
+constexpr auto kNumbers = Column::Kind::kNumbers;
+
 CellLook look_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::kOk: return CellLook::kGood;
@@ -23,9 +25,9 @@ CellLook look_of(Outcome outcome) {
 Table totals_table(const StabilityReport& report) {
   Table table;
   table.columns = {{"solver"}};
-  for (const Outcome outcome : kOutcomes) table.columns.push_back({name_of(outcome), true});
+  for (const Outcome outcome : kOutcomes) table.columns.push_back({name_of(outcome), kNumbers});
   for (const char* title : {"worst stretch", "worst penetration", "worst settle error"}) {
-    table.columns.push_back({title, true});
+    table.columns.push_back({title, kNumbers});
   }
   for (const StabilityTotal& total : stability_totals(report)) {
     std::vector<Cell> cells{{total.solver}};
@@ -51,8 +53,8 @@ Table legend_table() {
 
 Cell outcome_cell(const StabilityRow& row) {
   std::string text = name_of(row.outcome);
-  if (std::isfinite(row.stretch_max_pct)) text += ", stretch " + percent_text(row.stretch_max_pct);
-  if (std::isfinite(row.penetration_max_pct)) text += ", inside " + percent_text(row.penetration_max_pct);
+  if (std::isfinite(row.stretch_max_pct)) text += "\nstretch " + percent_text(row.stretch_max_pct);
+  if (std::isfinite(row.penetration_max_pct)) text += "\ninside " + percent_text(row.penetration_max_pct);
   return {text, look_of(row.outcome)};
 }
 
@@ -66,7 +68,7 @@ const StabilityRow* find(const StabilityReport& report, const std::string& stres
 Table cases_table(const StabilityReport& report) {
   const std::vector<StabilityTotal> totals = stability_totals(report);
   Table table;
-  table.columns = {{"case"}, {"what happens"}};
+  table.columns = {{"case"}, {"what happens", Column::Kind::kProse}};
   for (const StabilityTotal& total : totals) table.columns.push_back({total.solver});
   for (const StressCase& stress : report.stress_cases) {
     std::vector<Cell> cells{{stress.name}, {stress.description}};
@@ -84,10 +86,10 @@ Table rows_table(const StabilityReport& report) {
   table.columns = {{"case"},
                    {"solver"},
                    {"outcome"},
-                   {"stretch %", true},
-                   {"penetration %", true},
-                   {"fastest m/s", true},
-                   {"settle error %", true}};
+                   {"stretch %", kNumbers},
+                   {"penetration %", kNumbers},
+                   {"fastest m/s", kNumbers},
+                   {"settle error %", kNumbers}};
   for (const StabilityRow& row : report.rows) {
     table.rows.push_back({{row.stress_case},
                           {row.solver},
