@@ -1,0 +1,208 @@
+#include "report/reference_solver.h"
+
+#include "report/reference/reference_tree.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+/// A time at which a step has to end.
+struct Stop {
+  double seconds = 0;
+  bool is_sample = false;
+  bool jumps = false;  ///< Before the sample is taken, as a game sees a teleport in the frame in which it happens.
+};
+
+/// Samples and the path's breaks, merged.
+std::vector<Stop> stops_of(const HeadPath& path, std::span<const double> samples) {
+  std::vector<Stop> stops;
+  for (const double seconds : samples) stops.push_back({seconds, true, false});
+  const double until = samples.empty() ? 0.0 : samples.back();
+  for (const PathBreak& end : path.breaks(until)) {
+    const double same = end.jumps ? 0.0 : 1.0e-9;  // Seconds: a step of rounding errors is none.
+    const auto at = std::ranges::lower_bound(stops, end.seconds - same, {}, &Stop::seconds);
+    if (at != stops.end() && at->seconds <= end.seconds + same) {
+      at->jumps = end.jumps;
+    } else {
+      stops.insert(at, {end.seconds, false, end.jumps});
+    }
+  }
+  return stops;
+}
+
+/// The tips of one tree.
+struct TreeTips {
+  std::vector<std::size_t> entries;  ///< Of ReferenceRun::tips.
+  std::vector<std::size_t> members;  ///< Of the tree's bones.
+  std::vector<double> lengths;       ///< Of their chains, metres.
+};
+
+/// One path after the other, each with all samples.
+using TipPaths = std::vector<Vector3d>;
+
+/// Follows one tree through all stops.
+class TreeRun {
+ public:
+  TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops)
+      : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
+
+  TipPaths run(const TreeTips& tips, std::size_t samples, double steps_per_second) {
+    TipPaths paths(tips.members.size() * samples);
+    tree_.reset(path_.at(0));
+    double now = 0;
+    std::size_t sample = 0;
+    for (const Stop& stop : stops_) {
+      go(now, stop, steps_per_second);
+      now = stop.seconds;
+      if (!stop.is_sample) continue;
+      tree_.bone_ends(path_.at(now).rotation, ends_);
+      for (std::size_t i = 0; i < tips.members.size(); ++i) paths[i * samples + sample] = ends_[tips.members[i]];
+      ++sample;
+    }
+    return paths;
+  }
+
+ private:
+  void go(double from, const Stop& stop, double steps_per_second) {
+    const double span = stop.seconds - from;
+    const auto count = span > 0 ? std::max(1L, std::lround(std::ceil(span * steps_per_second - 1.0e-6))) : 0L;
+    const double dt = count > 0 ? span / double(count) : 0.0, inside = from + span / 2;
+    HeadStep step{dt, {}, {}, path_.at(from, inside)};
+    for (long i = 0; i < count; ++i) {
+      const double begin = from + span * double(i) / double(count);
+      step.start = step.end;
+      step.middle = path_.at(begin + dt / 2, inside);
+      step.end = path_.at(begin + dt, inside);
+      tree_.step(step);
+    }
+    if (stop.jumps) {
+      const auto before = path_.at(stop.seconds, inside).rotation;
+      tree_.jump(path_.at(stop.seconds).rotation * before.conjugate());
+    }
+  }
+
+  ReferenceTree& tree_;
+  const HeadPath& path_;
+  std::span<const Stop> stops_;
+  std::vector<Vector3d> ends_;
+};
+
+TipAgreement agreement_of(std::span<const Vector3d> fine, std::span<const Vector3d> coarse, double length) {
+  double sum = 0, most = 0;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const double apart = (fine[i] - coarse[i]).squaredNorm();
+    sum += apart;
+    if (!(apart <= most)) most = apart;  // a NaN wins
+  }
+  const double percent = 100 / length;
+  return {percent * std::sqrt(sum / double(fine.size())), percent * std::sqrt(most), 0};
+}
+
+double root_mean_square(std::span<const TipAgreement> tips) {
+  double sum = 0;
+  for (const TipAgreement& tip : tips) sum += tip.rms_pct * tip.rms_pct;
+  return tips.empty() ? 0.0 : std::sqrt(sum / double(tips.size()));
+}
+
+/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`.
+void solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
+                const ReferenceSettings& settings, ReferenceRun& result) {
+  const std::size_t samples = result.times.size();
+  TreeRun runner(tree, path, stops);
+  double rate = settings.steps_per_second;
+  while (rate < tree.least_steps_per_second()) rate *= 2;
+  TipPaths coarse = runner.run(tips, samples, rate), fine;
+  std::vector<TipAgreement> agreement(tips.entries.size());
+  do {
+    rate *= 2;
+    if (!fine.empty()) coarse = std::move(fine);
+    fine = runner.run(tips, samples, rate);
+    for (std::size_t i = 0; i < agreement.size(); ++i) {
+      const auto part = [&](const TipPaths& paths) { return std::span(paths).subspan(i * samples, samples); };
+      agreement[i] = agreement_of(part(fine), part(coarse), tips.lengths[i]);
+      agreement[i].steps_per_second = rate;
+    }
+  } while (!(root_mean_square(agreement) <= settings.wanted_self_difference_pct) &&
+           2 * rate <= settings.most_steps_per_second);
+  for (std::size_t i = 0; i < agreement.size(); ++i) {
+    result.agreement[tips.entries[i]] = agreement[i];
+    std::copy_n(fine.begin() + std::ptrdiff_t(i * samples), samples,
+                result.places.begin() + std::ptrdiff_t(tips.entries[i] * samples));
+  }
+}
+
+std::vector<std::vector<std::uint32_t>> chosen_trees(const Rig& rig, std::uint32_t most) {
+  std::vector<std::vector<std::uint32_t>> all = trees_of(rig);
+  if (most == 0 || all.size() <= most) return all;
+  std::vector<std::vector<std::uint32_t>> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
+  return chosen;
+}
+
+/// The tree's tips, entered into `result`.
+TreeTips enter_tips(const Rig& rig, std::span<const std::uint32_t> members, ReferenceRun& result) {
+  TreeTips tips;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const auto at = std::ranges::lower_bound(rig.tips, members[m]);
+    if (at == rig.tips.end() || *at != members[m]) continue;
+    const auto tip = std::size_t(at - rig.tips.begin());
+    tips.entries.push_back(result.tips.size());
+    tips.members.push_back(m);
+    tips.lengths.push_back(rig.tip_length[tip]);
+    result.tips.push_back(std::uint32_t(tip));
+  }
+  return tips;
+}
+
+}  // namespace
+
+double ReferenceRun::self_difference_pct() const { return root_mean_square(agreement); }
+
+double ReferenceRun::worst_difference_pct() const {
+  double worst = 0;
+  for (const TipAgreement& tip : agreement) {
+    if (!(tip.max_pct <= worst)) worst = tip.max_pct;
+  }
+  return worst;
+}
+
+double ReferenceRun::steps_per_second() const {
+  double least = agreement.empty() ? kNever : agreement.front().steps_per_second;
+  for (const TipAgreement& tip : agreement) least = std::min(least, tip.steps_per_second);
+  return least;
+}
+
+ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+                             const ReferenceSettings& settings) {
+  const std::vector<std::vector<std::uint32_t>> trees = chosen_trees(rig, settings.most_trees);
+  const std::vector<Stop> stops = stops_of(path, settings.sample_times);
+  ReferenceRun result;
+  result.times = settings.sample_times;
+  std::vector<TreeTips> tips;
+  for (const auto& members : trees) tips.push_back(enter_tips(rig, members, result));
+  result.agreement.resize(result.tips.size());
+  result.places.resize(result.tips.size() * result.times.size());
+
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < trees.size(); i = next++) {
+      solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < settings.threads && i < trees.size(); ++i) others.emplace_back(work);
+  work();
+  others.clear();
+  return result;
+}
+
+}  // namespace coif

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "motion/head_path.h"
+#include "report/chain_solver.h"
+#include "report/rig.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+struct ReferenceSettings {
+  std::vector<double> sample_times;          ///< Seconds, ascending, >= 0. Steps end there: nothing is interpolated.
+  double steps_per_second = 1440;            ///< At least; bones that are too stiff for it get more.
+  double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
+  double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
+  std::uint32_t most_trees = 0;  ///< Of bones that hang from the head, evenly chosen; 0: all. For quick looks.
+  unsigned threads = 1;
+};
+
+/// How well a tip's path is known: the finest run against the one with steps of twice the length.
+struct TipAgreement {
+  double rms_pct = 0;  ///< Distance in % of the chain's length, over the samples. NaN where a run exploded.
+  double max_pct = 0;
+  double steps_per_second = 0;  ///< Of the finest run.
+};
+
+/// Tips of the converged solution along one path.
+struct ReferenceRun {
+  std::vector<double> times;
+  std::vector<std::uint32_t> tips;      ///< Indices into Rig::tips: all, or those of the chosen trees.
+  std::vector<TipAgreement> agreement;  ///< One per entry of `tips`.
+  std::vector<Eigen::Vector3d> places;  ///< Head space, metres; times.size() for each entry of `tips`.
+
+  [[nodiscard]] std::span<const Eigen::Vector3d> path_of_tip(std::size_t entry) const {
+    return std::span(places).subspan(entry * times.size(), times.size());
+  }
+  /// Over all tips.
+  [[nodiscard]] double self_difference_pct() const;
+  [[nodiscard]] double worst_difference_pct() const;
+  [[nodiscard]] double steps_per_second() const;  ///< Of the coarsest tree's finest run.
+};
+
+/// Solves the continuous model along `path` from the rest pose at time 0. Never fails: where the model is chaotic or
+/// stiff beyond the steps allowed, the agreement says so.
+[[nodiscard]] ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+                                           const ReferenceSettings& settings);
+
+}  // namespace coif
