@@ -70,11 +70,12 @@ const ListedSolver& solver_named(std::string_view name) {
 HeadPose still(double /*seconds*/) { return {}; }
 
 HeadPose walking(double seconds) {
-  const double nod = 0.5 * std::sin(5 * seconds), turn = 0.4 * std::sin(3 * seconds);
+  const double begun = 1 - std::exp(-4 * seconds);  // From rest: a jolt would ring in springs for long.
+  const double nod = 0.5 * begun * std::sin(5 * seconds), turn = 0.4 * begun * std::sin(3 * seconds);
   const Quaterniond rotation = Eigen::AngleAxisd(turn, Vector3d::UnitY()) * Eigen::AngleAxisd(nod, Vector3d::UnitX());
   HeadPose head;
-  head.position[0] = 0.05 * std::sin(4 * seconds);
-  head.position[2] = 1.5 * seconds;
+  head.position[0] = 0.05 * begun * std::sin(4 * seconds);
+  head.position[2] = 1.5 * (seconds - begun / 4);
   head.rotation = {float(rotation.x()), float(rotation.y()), float(rotation.z()), float(rotation.w())};
   return head;
 }

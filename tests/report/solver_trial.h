@@ -3,6 +3,8 @@
 #include "report/solvers/solver_list.h"
 
 #include <functional>
+#include <ostream>
+#include <string>
 
 namespace coif {
 
@@ -23,7 +25,7 @@ namespace coif {
 
 using HeadMotion = std::function<HeadPose(double seconds)>;
 [[nodiscard]] HeadPose still(double seconds);
-/// Nods by 0.5 rad, turns by 0.4 and walks forward: nothing about it is symmetric.
+/// Nods by 0.5 rad, turns by 0.4 and walks forward, from rest: nothing about it is symmetric.
 [[nodiscard]] HeadPose walking(double seconds);
 [[nodiscard]] HeadPose mirrored(const HeadPose& head);
 
@@ -36,6 +38,9 @@ bool run(
 [[nodiscard]] double worst_stretch(const Rig& rig, std::span<const Eigen::Vector3d> ends);
 /// Largest distance of equal entries, metres.
 [[nodiscard]] double worst_distance(std::span<const Eigen::Vector3d> a, std::span<const Eigen::Vector3d> b);
+
+/// For GoogleTest, which otherwise prints the bytes.
+inline void PrintTo(const ListedSolver& listed, std::ostream* out) { *out << listed.name; }
 
 /// For tests of every solver: "mass-spring" is no name for a test.
 [[nodiscard]] std::string test_name(std::string_view solver);

@@ -2,7 +2,6 @@
 
 #include "report/solvers/point_collisions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -56,10 +55,9 @@ void TridiagonalSolver::pull_to_default(const ParticleStep& step) {
 }
 
 void TridiagonalSolver::keep_lengths(const Strand& strand, const ParticleStep& step) {
-  constexpr double kNoHarm = 0.01;  // Below this a Newton step may add what it likes.
-  const double found = worst_error(strand, step);
+  constexpr double kFailed = 0.1;  // Share of the length.
   for (int i = 0; i < iterations_; ++i) newton(strand, step);
-  if (!(worst_error(strand, step) <= std::max(found, kNoHarm))) follow(strand, step);
+  if (!(worst_error(strand, step) <= kFailed)) follow(strand, step);
 }
 
 void TridiagonalSolver::newton(const Strand& strand, const ParticleStep& step) {

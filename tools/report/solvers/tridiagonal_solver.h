@@ -10,8 +10,8 @@ namespace coif {
 /// that Algorithm 1 calls resistance and Han and Harada's "Real-time Hair Simulation with Efficient Hair Style
 /// Preservation", 2012, a shape constraint, so its strength depends on the frame rate as theirs does.
 ///
-/// Newton's method fails where a step stretches hair far: a strand that it leaves longer than it found it, or not
-/// finite, is put behind its leaders from root to tip instead. Where strands fork, the first child goes on and the others
+/// Newton's method fails where a step stretches hair far: a strand that it leaves more than a tenth off, or not finite,
+/// is put behind its leaders from root to tip instead. Where strands fork, the first child goes on and the others
 /// hang from a particle that is fixed for them; the paper has no forks.
 class TridiagonalSolver final : public ParticleSolver {
  public:
