@@ -158,7 +158,7 @@ void turn_outwards(const Deepest& at, float overshoot, const Vec3& way_out, Bone
   }
   const float turn = (overshoot - at.gap) / (at.along * size);
   const float angle = turn < kLargestTurn ? turn : kLargestTurn;
-  const Vec3 turned = direction + side * (std::tan(angle) / size);
+  const Vec3 turned = direction + side * (angle * (1.0f + angle * angle * (1.0f / 3.0f)) / size);
   segment.direction = turned * (1.0f / length(turned));
 }
 

@@ -161,7 +161,7 @@ TEST(Open, RefusesBrokenDynamics) {
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].friction = -1.0f; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].hit_radius = -0.001f; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].hit_radius = std::nanf(""); }), LoadCode::kNotFinite);
-  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[2] = 1.0f; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[1] = 1.0f; }), LoadCode::kReserved);
 }
 
 TEST(Open, RefusesBrokenMeshes) {

@@ -1,5 +1,7 @@
 #include "gl/made_up_wig.h"
 
+#include "write/pose_oscillator.h"
+
 #include "write/asset_writer.h"
 
 #include <Eigen/Geometry>
@@ -11,6 +13,21 @@
 
 namespace coif {
 namespace {
+
+DynamicsRecord swinging(float resistance) {
+  constexpr float kRate = 60;
+  const PoseOscillator oscillator = oscillator_of(resistance, kRate);
+  DynamicsRecord record{};
+  record.resistance = resistance;
+  record.friction = 2;
+  record.gravity_scale = 1;
+  record.authoring_rate = kRate;
+  record.stiffness = float(oscillator.stiffness);
+  record.damping = float(oscillator.damping);
+  record.angle_limit = kNoAngleLimit;
+  record.parent_share = 1;
+  return record;
+}
 
 using Eigen::Vector3f;
 
@@ -111,7 +128,7 @@ void add_chain(AssetContents& out, const WigSettings& settings, const Strip& str
       bone.rest_direction[k] = direction[k];
     }
     out.bones.push_back(bone);
-    out.dynamics.push_back({0.6f / static_cast<float>(i + 1), 2.0f, 1.0f, 60.0f, 0.0f, {}});
+    out.dynamics.push_back(swinging(0.6f / static_cast<float>(i + 1)));
   }
   out.chains.push_back({first, settings.bones_per_chain, 0, 0});
 }
@@ -202,7 +219,7 @@ std::vector<std::byte> made_up_wig(const WigSettings& settings) {
   BoneRecord head{};
   head.parent = head.chain = head.name = kNone;
   out.bones.push_back(head);
-  out.dynamics.push_back({.resistance = 1, .authoring_rate = 60});
+  out.dynamics.push_back(swinging(1));
 
   for (std::uint32_t i = 0; i < settings.strips; ++i) {
     const float turn = static_cast<float>(i) / static_cast<float>(settings.strips);

@@ -55,7 +55,7 @@ void for_each_end(const TestRig& rig, const std::function<void(const Vec3&)>& ch
     const HeadPose pose{{0.2 * std::sin(9 * t), 0.1 * std::sin(13 * t), 0.1 * t},
                         turned_about({0.6f, 0, 0.8f}, 2 * std::sin(5 * t))};
     ASSERT_EQ(test.hair.set_head(0, pose), Status::kOk);
-    ASSERT_EQ(test.hair.step({.iterations = 2}), Status::kOk);
+    ASSERT_EQ(test.hair.step({.solver = Solver::kThesis, .iterations = 2}), Status::kOk);
     for (const Vec3& end : test.ends()) check(end);
   }
 }

@@ -13,7 +13,7 @@
 namespace coif {
 namespace {
 
-constexpr Choice<Solver> kSolvers[] = {{"thesis", Solver::kThesis}};
+constexpr Choice<Solver> kSolvers[] = {{"coif", Solver::kCoif}, {"thesis", Solver::kThesis}};
 
 struct SimulateOptions {
   std::string file;
@@ -114,7 +114,10 @@ Command add_simulate(CLI::App& program) {
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();
   add_choice<Solver>(*app, "--solver", recording.step.solver, kSolvers, "Which method moves the bones");
-  app->add_option("--iterations", recording.step.iterations, "Passes over the length and head constraints")
+  app->add_option("--substeps", recording.step.substeps, "coif: parts of a step; 0: as the asset was tuned")
+      ->check(CLI::Range(0u, 64u))
+      ->capture_default_str();
+  app->add_option("--iterations", recording.step.iterations, "thesis: passes over the length and head constraints")
       ->check(CLI::Range(1u, 64u))
       ->capture_default_str();
   add_format(*app, options->format);

@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace coif {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr double kGravity = 9.81;  // m/s^2
 
 DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
@@ -23,11 +25,18 @@ DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& b
   return record;
 }
 
+/// The least damping that, with the friction, brings a bone of `length` metres to this share of critical damping. Gravity
+/// stiffens a hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+double damping_for(double ratio, double length, const DynamicsRecord& record) {
+  const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
+  return 2 * ratio * std::sqrt(record.stiffness + pendulum) - record.friction;
+}
+
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
-void bake_oscillator(const Recipe& recipe, DynamicsRecord& record) {
+void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
   record.stiffness = float(oscillator.stiffness);
-  record.damping = float(oscillator.damping);
+  record.damping = float(std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record)));
   record.torsion = float(recipe.torsion);
   record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
   record.parent_share = float(recipe.parent_share);
@@ -68,7 +77,7 @@ BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
     const SkeletonBone& bone = skeleton.bones[b];
     DynamicsRecord record =
         joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length()) : dynamics_by_curve(skeleton, bone, recipe);
-    bake_oscillator(recipe, record);
+    bake_oscillator(recipe, bone.length(), record);
     out.records.push_back(record);
   }
   report_sources(joints, skeleton.simulated_count(), recipe, out);

@@ -54,6 +54,7 @@ struct Recipe {
   double friction = 0;
   double gravity_scale = 0;
   double authoring_rate = 0;
+  double damping_ratio = 0;
   double torsion = 0;
   double angle_limit = 0;  ///< Degrees.
   double parent_share = 0;

@@ -62,6 +62,8 @@ const RecipeKey kKeys[] = {
    "share of the scene's gravity that hair feels; 0 keeps the modelled pose at rest"},
   {"dynamics", "authoring_rate", &R::authoring_rate, "60", 1, 1000, nullptr, "1/s",
    "frame rate at which the resistance was tuned"},
+  {"dynamics", "damping_ratio", &R::damping_ratio, "1", 0, 10, nullptr, "",
+   "at least this much of what would keep a bone from swinging past its pose; 0: only what the resistance brings"},
   {"dynamics", "torsion", &R::torsion, "20", 0, 1.0e4, nullptr, "1/s",
    "how fast a twist of a bone against its parent goes back"},
   {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double kSmallestShare = 0.5;  ///< A head that has to shrink further was not the head.
 constexpr double kTouching = 1.0e-5;    ///< Metres: a fitted head ends where the first particle is.
-constexpr double kStretch = 0.5;        ///< Algorithm 1 stretches up to this on hard motion (NUMERICS: 25 to 50 %).
+constexpr double kStretch = 0.02;       ///< The default solver's is none; this is for rounding and blended poses.
 
 /// Smallest share of the head's size at which some particle would be on its surface; 1 or more: none is inside.
 double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton) {
