@@ -11,7 +11,7 @@ namespace coif {
 
 struct ReferenceSettings {
   std::vector<double> sample_times;          ///< Seconds, ascending, >= 0. Steps end there: nothing is interpolated.
-  double steps_per_second = 1440;            ///< At least; bones that are too stiff for it get more.
+  double steps_per_second = 720;             ///< At least; bones that are too stiff for it get more.
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
   std::uint32_t most_trees = 0;  ///< Of bones that hang from the head, evenly chosen; 0: all. For quick looks.

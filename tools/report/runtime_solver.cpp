@@ -1,0 +1,52 @@
+#include "report/runtime_solver.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace coif {
+namespace {
+
+Vec3 vec3_of(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+
+std::byte* aligned_memory(const MemoryNeed& need) {
+  void* memory = nullptr;
+  if (posix_memalign(&memory, need.alignment, need.bytes) != 0) throw std::bad_alloc();
+  return static_cast<std::byte*>(memory);
+}
+
+}  // namespace
+
+void RuntimeSolver::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
+
+RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, Solver solver, int effort)
+    : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
+  const MemoryNeed need = Hair::memory_need(asset, {});
+  memory_.reset(aligned_memory(need));
+  // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
+  (void)hair_.create(asset, {}, {memory_.get(), need.bytes});
+  settings_.solver = solver;
+  if (solver == Solver::kThesis) settings_.iterations = std::uint32_t(effort);
+  if (solver == Solver::kCoif) settings_.substeps = std::uint32_t(effort);
+  settings_.environment.gravity = vec3_of(scene.gravity);
+  settings_.environment.wind = vec3_of(scene.wind);
+  settings_.environment.air_follow = float(scene.air_follow);
+  ends_.resize(asset.skeleton().simulated_count);
+}
+
+void RuntimeSolver::reset(const HeadPose& head) { (void)hair_.reset(0, head); }
+
+bool RuntimeSolver::step(const HeadPose& head, double dt) {
+  settings_.dt = float(dt);
+  return hair_.set_head(0, head) == Status::kOk && hair_.step(settings_) == Status::kOk;
+}
+
+std::span<const Eigen::Vector3d> RuntimeSolver::bone_ends() const {
+  const std::span<const Vec3> ends = hair_.bone_ends(0);
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const Vec3& end = ends[rigid_count_ + i];
+    ends_[i] = {double(end.x), double(end.y), double(end.z)};
+  }
+  return ends_;
+}
+
+}  // namespace coif

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "report/chain_solver.h"
+
+#include <coif/hair.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace coif {
+
+/// What a game runs: one head with the asset's hair, bone matrices included. Single precision.
+class RuntimeSolver final : public ChainSolver {
+ public:
+  /// `asset` is open and must outlive the solver. `effort`: sub-steps of kCoif, 0 for as many as the asset asks for;
+  /// iterations of kThesis.
+  RuntimeSolver(const Asset& asset, const SolverScene& scene, Solver solver, int effort);
+
+  void reset(const HeadPose& head) override;
+  [[nodiscard]] bool step(const HeadPose& head, double dt) override;
+  [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override;
+
+ private:
+  struct FreeMemory {
+    void operator()(std::byte* bytes) const;
+  };
+
+  std::unique_ptr<std::byte[], FreeMemory> memory_;
+  Hair hair_;
+  StepSettings settings_;
+  std::uint32_t rigid_count_;
+  mutable std::vector<Eigen::Vector3d> ends_;
+};
+
+}  // namespace coif
