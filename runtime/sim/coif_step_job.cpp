@@ -1,5 +1,6 @@
 #include <coif/coif_step_job.h>
 
+#include "bone_carrier.h"
 #include "bone_frame.h"
 #include "head_pose.h"
 #include "placed_colliders.h"
@@ -16,53 +17,11 @@
 namespace coif {
 namespace {
 
-/// What a bone hangs from, at the end of the step: its parent's tail, or its joint on the head.
-struct Carrier {
-  Vec3 position;
-  Vec3 position_before;  ///< At the start of the step.
-  Vec3 velocity;
-  Quat frame;
-  Vec3 angular_velocity;
-};
-
-/// The default position and its velocity, and the directions it is made of.
-struct Target {
-  Vec3 by_parent;  ///< Unit: the rest direction in the parent's frame.
-  Vec3 position;
-  Vec3 velocity;
-};
-
 /// One bone on its way through the step.
 struct BoneState {
   Vec3 direction;  ///< Unit.
   Vec3 velocity;   ///< Of the tail, relative to the carrier's.
 };
-
-Carrier carrier_of(const HeadMove& head, const Vec3& joint) {
-  Carrier carrier;
-  carrier.position = rotate(head.rotation, joint);
-  carrier.position_before = rotate(head.rotation_before, joint) - head.displacement;
-  carrier.velocity = head.velocity + cross(head.angular_velocity, carrier.position);
-  carrier.frame = head.rotation;
-  carrier.angular_velocity = head.angular_velocity;
-  return carrier;
-}
-
-Target target_of(const HeadMove& head, const Carrier& carrier, const BoneRecord& bone, float parent_share) {
-  const Vec3 rest = to_vec3(bone.rest_direction);
-  Target target;
-  target.by_parent = rotate(carrier.frame, rest);
-  Vec3 arm = target.by_parent, swing = cross(carrier.angular_velocity, arm);
-  if (parent_share != 1.0f) {
-    const Vec3 by_head = rotate(head.rotation, rest);
-    arm = by_head + (arm - by_head) * parent_share;
-    const Vec3 with_head = cross(head.angular_velocity, by_head);
-    swing = with_head + (swing - with_head) * parent_share;
-  }
-  target.position = carrier.position + arm * bone.length;
-  target.velocity = carrier.velocity + swing * bone.length;
-  return target;
-}
 
 /// Where the force along the bone brings the tail, `free` metres from the carrier without it, and the distance that
 /// takes. The force has the mean direction of the bone over the step: with either end's the method is of first order.
@@ -72,22 +31,27 @@ struct Constrained {
 };
 
 Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bone_length) {
-  const Vec3 now = direction_or(free, direction_before);
-  const Vec3 sum = now + direction_before;
-  const float size = length(sum);
-  const Vec3 mean = size > 0.1f ? sum * (1.0f / size) : now;
+  const float per_length = 1.0f / bone_length;
+  const Vec3 mean = free * per_length + direction_before;  // no need of unit length: the root below is homogeneous
+  const float mean2 = dot(mean, mean);
   const float along = dot(free, mean);
   const float excess = dot(free, free) - bone_length * bone_length;
-  const float root2 = along * along - excess;
+  const float root2 = along * along - mean2 * excess;
   // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead.
-  if (!(along > 0.3f * bone_length && root2 > 0.0f)) return {now, now * bone_length - free};
+  if (!(along * along > 0.1f * mean2 * bone_length * bone_length && along > 0.0f && root2 > 0.0f)) {
+    const Vec3 now = direction_or(free, direction_before);
+    return {now, now * bone_length - free};
+  }
   const Vec3 way = mean * (-excess / (along + std::sqrt(root2)));
-  const Vec3 kept = free + way;
-  return {kept * (1.0f / length(kept)), way};
+  const Vec3 kept = (free + way) * per_length;
+  return {kept * (1.5f - 0.5f * dot(kept, kept)), way};  // unit but for rounding: one step of Newton's method
 }
 
-/// Takes away what of `velocity` (of the tail, relative to the carrier) would stretch the bone.
-Vec3 across(const Vec3& velocity, const Vec3& direction) { return velocity - direction * dot(velocity, direction); }
+/// Undoes what rounding does to the length of a product of unit quaternions.
+Quat nearly_unit(const Quat& q) {
+  const float scale = 1.5f - 0.5f * (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
+}
 
 /// The velocity of the contact's point into the collider, which turns with the head, is lost.
 void stop_at_contact(const SegmentContact& contact, const HeadMove& head, const Carrier& carrier, float bone_length,
@@ -132,7 +96,7 @@ class Step {
     BoneSwing& swing = job_.swings[i];
     const Carrier from = carrier(i);
     const Vec3 position_before = particle.position - job_.head.displacement;
-    const Vec3 direction_before = direction_or(position_before - from.position_before, swing.direction);
+    const Vec3 direction_before = (position_before - from.position_before) * (1.0f / record.length);
     const Target target = target_of(job_.head, from, record, dynamics.parent_share);
 
     BoneState bone = move_freely(i, dynamics, from, target, position_before, direction_before);
@@ -231,7 +195,7 @@ class Step {
     const Vec3& d = bone.direction;
     const Quat twist{d.x * swing.twist_sin, d.y * swing.twist_sin, d.z * swing.twist_sin, swing.twist_cos};
     const Quat arc = bend_frame(from.frame, rest, target.by_parent, d);
-    job_.frames[i] = renormalised(twist * arc);
+    job_.frames[i] = nearly_unit(twist * arc);
     const float unwinding = torsion * fold * 2.0f * swing.twist_sin * swing.twist_cos;
     job_.angular_velocities[i] =
         cross(d, bone.velocity) * (1.0f / bones_[i].length) + d * (dot(d, from.angular_velocity) - unwinding);
@@ -271,33 +235,6 @@ Status CoifStepJob::run() const {
   if (const Status status = validate(); status != Status::kOk) return status;
   Step(*this).run();
   return Status::kOk;
-}
-
-void swings_from_particles(std::span<const BoneRecord> bones, std::span<const DynamicsRecord> dynamics,
-                           const HeadMove& head, std::span<const Particle> particles, std::span<BoneSwing> swings,
-                           std::span<Quat> frames, std::span<Vec3> angular_velocities) {
-  const SimulatedBones simulated(bones, particles.size());
-  const auto moving = dynamics.last(particles.size());
-  for (std::size_t i = 0; i < simulated.count(); ++i) {
-    const BoneRecord& bone = simulated[i];
-    const Vec3 rest = to_vec3(bone.rest_direction);
-    Carrier from = carrier_of(head, to_vec3(bone.joint));
-    if (!simulated.hangs_from_rigid(i)) {
-      const std::size_t parent = simulated.parent(i);
-      const Particle& particle = particles[parent];
-      from = {particle.position, particle.position, particle.velocity, frames[parent], angular_velocities[parent]};
-    }
-    const Target target = target_of(head, from, bone, moving[i].parent_share);
-    const Vec3 direction = direction_or(particles[i].position - from.position, target.by_parent);
-    const Vec3 relative = across(particles[i].velocity - from.velocity, direction);
-    frames[i] = bend_frame(from.frame, rest, target.by_parent, direction);
-    angular_velocities[i] =
-        cross(direction, relative) * (1.0f / bone.length) + direction * dot(direction, from.angular_velocity);
-    swings[i] = BoneSwing{};
-    swings[i].offset = particles[i].position - target.position;
-    swings[i].target_velocity = target.velocity;
-    swings[i].direction = rotate(conjugate(from.frame), direction);
-  }
 }
 
 }  // namespace coif

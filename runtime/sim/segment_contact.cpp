@@ -62,10 +62,11 @@ Deepest deepest_in_capsule(const PlacedCollider& capsule, const BoneSegment& seg
 /// space's, brought back along the gradient: exact on the surface, which is what Newton's method needs.
 Deepest deepest_in_ellipsoid(const PlacedCollider& ellipsoid, const BoneSegment& segment) {
   const Vec3 radii = ellipsoid.radii + Vec3{segment.radius, segment.radius, segment.radius};
+  const Vec3 per_radius{1.0f / radii.x, 1.0f / radii.y, 1.0f / radii.z};
   const Quat to_axes = conjugate(ellipsoid.rotation);
   const auto shrunk = [&](const Vec3& v) {
     const Vec3 own = rotate(to_axes, v);
-    return Vec3{own.x / radii.x, own.y / radii.y, own.z / radii.z};
+    return Vec3{own.x * per_radius.x, own.y * per_radius.y, own.z * per_radius.z};
   };
   const Vec3 from = shrunk(segment.start - ellipsoid.center);
   const Vec3 way = shrunk(segment.direction);
