@@ -24,9 +24,29 @@ Vector3d spin_between(const Quaterniond& from, const Quaterniond& to, double dt)
   return turn.axis() * (turn.angle() / dt);
 }
 
+/// `frame` turned by the shortest arc from `direction` (unit) to where `along` points.
+Quaterniond bent_frame(const Quaterniond& frame, const Vector3d& direction, const Vector3d& along) {
+  const double length = along.norm();
+  if (!(length > 1.0e-12)) return frame;
+  const Vector3d to = along / length;
+  const double cosine = direction.dot(to);
+  // Half a turn has no shortest arc: Eigen finds some axis, at a price.
+  if (cosine < -1 + 1.0e-9) return Quaterniond::FromTwoVectors(direction, to) * frame;
+  Quaterniond arc;
+  arc.w() = 1 + cosine;
+  arc.vec() = direction.cross(to);
+  return arc.normalized() * frame;
+}
+
 }  // namespace
 
-ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene) : rig_(rig), scene_(scene) {}
+ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene)
+    : rig_(rig), scene_(scene), has_children_(rig.bones.size()) {
+  for (const RigBone& bone : rig.bones) {
+    if (bone.parent >= 0) has_children_[std::size_t(bone.parent)] = true;
+    if (bone.parent_share > 0) turns_with_parents_ = true;
+  }
+}
 
 void ParticleSolver::reset(const HeadPose& head) {
   head_ = head;
@@ -69,15 +89,14 @@ std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& ste
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const Quaterniond& frame = hangs_from_head(i) ? step.head_rotation : frames[parent(i)];
     directions[i] = frame * bone(i).rest_direction;
-    const Vector3d along = positions_[i] - start(i, step);
-    const bool points = along.norm() > 1.0e-12;
-    frames[i] = points ? Quaterniond::FromTwoVectors(directions[i], along) * frame : frame;
+    if (has_children_[i]) frames[i] = bent_frame(frame, directions[i], positions_[i] - start(i, step));
   }
   return directions;
 }
 
 std::vector<Vector3d> ParticleSolver::shared_directions(const ParticleStep& step) const {
-  std::vector<Vector3d> directions = default_directions(step);
+  std::vector<Vector3d> directions =
+      turns_with_parents_ ? default_directions(step) : std::vector<Vector3d>(bone_count(), Vector3d::Zero());
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const double share = bone(i).parent_share;
     if (share < 1) directions[i] = directions[i] * share + step.head_rotation * bone(i).rest_direction * (1 - share);

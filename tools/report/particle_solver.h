@@ -67,6 +67,8 @@ class ParticleSolver : public ChainSolver {
   Rig rig_;
   SolverScene scene_;
   HeadPose head_;
+  std::vector<bool> has_children_;
+  bool turns_with_parents_ = false;  ///< Whether any bone has a parent_share.
   std::vector<Eigen::Vector3d> ends_;
 };
 
