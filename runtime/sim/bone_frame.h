@@ -8,10 +8,10 @@ namespace coif {
 /// Directions from shorter offsets than this are noise, metres.
 inline constexpr float kShortestDirection = 1e-9f;
 
-/// `offset` made unit; `fallback` where it has no direction.
+/// `offset` made unit; `fallback` where it has no direction, or is so long that its square overflows.
 inline Vec3 direction_or(const Vec3& offset, const Vec3& fallback) {
   const float distance = length(offset);
-  return distance > kShortestDirection ? offset * (1.0f / distance) : fallback;
+  return distance > kShortestDirection && std::isfinite(distance) ? offset * (1.0f / distance) : fallback;
 }
 
 /// A unit vector at a right angle to the unit vector `v`.

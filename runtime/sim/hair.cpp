@@ -63,6 +63,17 @@ bool any_bone_collides(std::span<const BoneRecord> bones) {
   return false;
 }
 
+/// Faster than light, m/s: an explosion that happened to fit a float, and that damping would take a minute to calm.
+constexpr float kFastest = 3e8f;
+
+bool has_exploded(std::span<const Particle> particles) {
+  if (!all_finite(particles)) return true;
+  for (const Particle& particle : particles) {
+    if (!(dot(particle.velocity, particle.velocity) < kFastest * kFastest)) return true;
+  }
+  return false;
+}
+
 bool is_aligned(const std::byte* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % MemoryCarver::kAlignment == 0;
 }
@@ -195,7 +206,7 @@ void Hair::advance(std::uint32_t instance, const StepSettings& settings, std::ui
     status = is_coif ? run_coif(instance, settings, move, dt) : run_thesis(instance, settings, move, dt);
   }
   // The settings were checked, so a job can only be refused for air that overflowed; that is an explosion as well.
-  if (status != Status::kOk || !all_finite(particles_of(instance))) return put_to_rest(instance);
+  if (status != Status::kOk || has_exploded(particles_of(instance))) return put_to_rest(instance);
   state.head.finish();
   state.swings_known = is_coif;
   renew_palette(instance, is_coif);

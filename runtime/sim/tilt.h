@@ -21,7 +21,10 @@ inline Vec3 tilted(const Vec3& direction, const Vec3& axis, float cosine, const 
     side = any_perpendicular(axis);
     size2 = 1.0f;
   }
-  return axis * cosine + side * std::sqrt((1.0f - cosine * cosine) / size2);
+  side = side * (1.0f / std::sqrt(size2));
+  // Nearly along the axis, what is left of it in `side` after the cancellation is no longer small.
+  side = side - axis * dot(side, axis);
+  return axis * cosine + side * std::sqrt((1.0f - cosine * cosine) / dot(side, side));
 }
 
 }  // namespace coif

@@ -192,7 +192,7 @@ TEST(ColliderReach, BonesThatCannotGetThereAreNeverTested) {
   drop_colliders_out_of_reach(skeleton, far);
   for (const std::uint32_t set : far.of_bone) EXPECT_EQ(set, 0u);
   // Halfway: the chain's end gets there, its first bone does not.
-  head.center.x() = 0.28;
+  head.center.x() = 0.22;
   Colliders between = head_colliders(head, skeleton, default_recipe());
   drop_colliders_out_of_reach(skeleton, between);
   EXPECT_EQ(between.of_bone.at(2), 0u);
