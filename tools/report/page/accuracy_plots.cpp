@@ -96,7 +96,6 @@ PlotSeries front_of(const std::vector<SettingMean>& means) {
   PlotSeries front;
   front.name = "Pareto front";
   front.style = PlotSeries::Style::kDashedLine;
-  front.color = 7;  // the palette's grey
   for (const SettingMean& mean : means) {
     if (mean.pareto) front.points.push_back({mean.ns_per_bone_frame, mean.rms_error_pct});
   }

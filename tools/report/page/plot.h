@@ -11,7 +11,12 @@ struct PlotPoint {
 };
 
 struct PlotSeries {
-  enum class Style { kLine, kDashedLine, kPoints, kLinePoints };
+  enum class Style {
+    kLine,
+    kDashedLine,  ///< Grey: joins others' points.
+    kPoints,
+    kLinePoints,
+  };
 
   std::string name;  ///< In the legend; empty: not there.
   std::vector<PlotPoint> points;

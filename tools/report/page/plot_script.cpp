@@ -14,8 +14,12 @@ namespace coif {
 namespace {
 
 // Bright enough for a dark page, dark enough for a light one; told apart by the shape of the points as well.
-constexpr std::array kColors{"#2f8fd8", "#e0662f", "#2aa876", "#c05fb5", "#c79a1e", "#d9486e", "#4fb3c8", "#8a93a3"};
-constexpr std::array kPointShapes{7, 5, 9, 13, 11, 15, 4, 6};
+constexpr std::array kColors{"#2f8fd8", "#e0662f", "#2aa876", "#c05fb5", "#c79a1e", "#d9486e",
+                             "#4fb3c8", "#8f7be0", "#a5744a", "#7fa832", "#d98cae", "#5d86a8"};
+constexpr std::array kPointShapes{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14};
+
+// Of whatever is not data.
+constexpr const char* kGrey = "#8a93a3";
 
 constexpr const char* kTerminal =
     "set terminal svg size 900,480 dynamic noenhanced font 'sans-serif,13' linewidth 1.2\n"
@@ -132,10 +136,10 @@ class Curves {
  private:
   void add(const PlotSeries& series, const std::vector<PlotPoint>& points, const std::vector<PlotPoint>& marked) {
     const std::string title = series.name.empty() ? "notitle" : "title " + quoted(series.name);
-    const char* const color = kColors[series.color % kColors.size()];
+    const bool dashed = series.style == PlotSeries::Style::kDashedLine;
+    const char* const color = dashed ? kGrey : kColors[series.color % kColors.size()];
     add_block(points, fmt::format("with {} lc rgb '{}' lw 1.6 dt {} pt {} ps 0.7 {}", style_of(series.style), color,
-                                  series.style == PlotSeries::Style::kDashedLine ? 2 : 1,
-                                  kPointShapes[series.color % kPointShapes.size()], title));
+                                  dashed ? 2 : 1, kPointShapes[series.color % kPointShapes.size()], title));
     add_block(marked, fmt::format("with points lc rgb '{}' lw 1.6 pt 6 ps 1.7 notitle", color));
   }
 
