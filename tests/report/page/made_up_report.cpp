@@ -22,6 +22,7 @@ AccuracyRow made_up_row(const char* motion, const MadeUpSolver& solver, double f
   row.max_error_pct = 4 * row.rms_error_pct;
   row.stretch_max_pct = solver.stretch_pct * 60 / fps;
   row.penetration_max_pct = 0.5;
+  row.segment_penetration_max_pct = 0.75;
   return row;
 }
 

@@ -64,6 +64,7 @@ std::vector<SettingMean> means_over_motions(const AccuracyReport& report, double
     mean.max_error_pct = worse(mean.max_error_pct, row.max_error_pct);
     mean.stretch_max_pct = worse(mean.stretch_max_pct, row.stretch_max_pct);
     mean.penetration_max_pct = worse(mean.penetration_max_pct, row.penetration_max_pct);
+    mean.segment_penetration_max_pct = worse(mean.segment_penetration_max_pct, row.segment_penetration_max_pct);
   }
   for (std::size_t i = 0; i < means.size(); ++i) {
     means[i].ns_per_bone_frame /= counts[i];

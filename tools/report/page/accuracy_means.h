@@ -13,9 +13,10 @@ struct SettingMean {
   std::uint32_t substeps = 1;
   double ns_per_bone_frame = 0;  ///< Mean.
   double rms_error_pct = 0;      ///< Root of the mean square; NaN where one of the motions has none.
-  double max_error_pct = 0;      ///< Worst, as are the next two; NaN as above.
+  double max_error_pct = 0;      ///< Worst, as are the next three; NaN as above.
   double stretch_max_pct = 0;
   double penetration_max_pct = 0;
+  double segment_penetration_max_pct = 0;
   bool pareto = false;  ///< No other setting is at most as dear and at most as wrong, and better in one of them.
 };
 
@@ -29,7 +30,7 @@ struct SettingMean {
 [[nodiscard]] std::vector<std::string> solvers_of(const AccuracyReport& report);
 [[nodiscard]] std::vector<std::string> motions_of(const AccuracyReport& report);
 
-/// "coif", or "coif x2" for two sub-steps per frame.
+/// "coif", or "coif x2" for two sub-steps or iterations of a frame.
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
 }  // namespace coif

@@ -26,9 +26,11 @@ class AccuracyPage {
     figure(work_precision_figure(report_));
     page_.table(settings_table(report_));
     page_.paragraph(fmt::format(
-        "All motions at {} frames per second. Errors are distances of chain tips, seen from the head, in % of the "
-        "chain's length; stretch is in % of a bone's length, penetration in % of the head's radius. Time is of one "
-        "core.",
+        "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat "
+        "their constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
+        "length; stretch is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of "
+        "the "
+        "collider's radius, and beside it the same of whole bones. Time is of one core.",
         main_frame_rate(report_)));
   }
 

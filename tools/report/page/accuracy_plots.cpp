@@ -155,7 +155,8 @@ Figure work_precision_figure(const AccuracyReport& report) {
     plot.markers.push_back({false, report.budget_rms_pct, "budget"});
   }
   figure.caption =
-      "Every point is one solver with one number of sub-steps, over all motions; further left is cheaper, further down "
+      "Every point is one solver with one number of sub-steps or iterations, over all motions; further left is "
+      "cheaper, further down "
       "more exact. Ringed points are the Pareto front: whatever is not on it is beaten in both by something that is.";
   finish(figure);
   return figure;

@@ -34,12 +34,13 @@ Cell front_cell(bool pareto) { return {pareto ? "front" : ""}; }
 Table settings_table(const AccuracyReport& report) {
   Table table;
   table.columns = {{"solver"},
-                   {"sub-steps", kNumbers},
+                   {"steps", kNumbers},
                    {"ns/bone", kNumbers},
                    {"RMS error %", kNumbers},
                    {"max error %", kNumbers},
                    {"stretch %", kNumbers},
                    {"penetration %", kNumbers},
+                   {"between ends %", kNumbers},
                    {"Pareto"}};
   for (const SettingMean& mean : means_over_motions(report, main_frame_rate(report))) {
     table.rows.push_back({{mean.solver},
@@ -49,6 +50,7 @@ Table settings_table(const AccuracyReport& report) {
                           {number_text(mean.max_error_pct)},
                           {number_text(mean.stretch_max_pct)},
                           {number_text(mean.penetration_max_pct)},
+                          {number_text(mean.segment_penetration_max_pct)},
                           front_cell(mean.pareto)});
   }
   return table;
@@ -99,12 +101,13 @@ Table rows_table(const AccuracyReport& report) {
   table.columns = {{"motion"},
                    {"solver"},
                    {"fps", kNumbers},
-                   {"sub-steps", kNumbers},
+                   {"steps", kNumbers},
                    {"ns/bone", kNumbers},
                    {"RMS error %", kNumbers},
                    {"max error %", kNumbers},
                    {"stretch %", kNumbers},
                    {"penetration %", kNumbers},
+                   {"between ends %", kNumbers},
                    {"Pareto"}};
   for (const AccuracyRow& row : report.rows) {
     table.rows.push_back({{row.motion},
@@ -116,6 +119,7 @@ Table rows_table(const AccuracyReport& report) {
                           {number_text(row.max_error_pct)},
                           {number_text(row.stretch_max_pct)},
                           {number_text(row.penetration_max_pct)},
+                          {number_text(row.segment_penetration_max_pct)},
                           front_cell(row.pareto)});
   }
   return table;

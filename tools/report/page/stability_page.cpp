@@ -112,8 +112,8 @@ std::string stability_page(const ReportHeading& heading, const StabilityReport& 
   page.table(legend_table());
   page.heading("Case by case");
   page.paragraph(
-      "Stretch is the worst of a bone, in % of its length; inside is the worst depth of a bone's end in the head, in % "
-      "of the head's radius.");
+      "Stretch is the worst of a bone, in % of its length; inside is the worst depth of a bone's end in a collider, in "
+      "% of the collider's radius.");
   page.table(cases_table(report));
   page.heading("Every measurement");
   page.paragraph(
