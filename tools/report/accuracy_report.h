@@ -23,8 +23,10 @@ struct AccuracyRow {
   /// Distance of chain tips to the converged solution of the same model, head space, in % of the chain's length.
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
-  double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
-  double penetration_max_pct = kNoNumber;  ///< Worst depth in % of the head's radius.
+  double stretch_max_pct = kNoNumber;  ///< Worst |length / rest - 1|.
+  /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
+  double penetration_max_pct = kNoNumber;
+  double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
   /// No other row of this motion and frame rate is at most as dear and at most as wrong, and better in one of them.
   bool pareto = false;
 };

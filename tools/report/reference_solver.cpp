@@ -41,7 +41,7 @@ std::vector<Stop> stops_of(const HeadPath& path, std::span<const double> samples
 
 /// The tips of one tree.
 struct TreeTips {
-  std::vector<std::size_t> entries;  ///< Of ReferenceRun::tips.
+  std::vector<std::size_t> entries;  ///< Of Rig::tips.
   std::vector<std::size_t> members;  ///< Of the tree's bones.
   std::vector<double> lengths;       ///< Of their chains, metres.
 };
@@ -140,25 +140,15 @@ void solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, 
   }
 }
 
-std::vector<std::vector<std::uint32_t>> chosen_trees(const Rig& rig, std::uint32_t most) {
-  std::vector<std::vector<std::uint32_t>> all = trees_of(rig);
-  if (most == 0 || all.size() <= most) return all;
-  std::vector<std::vector<std::uint32_t>> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(std::move(all[i * all.size() / most]));
-  return chosen;
-}
-
-/// The tree's tips, entered into `result`.
-TreeTips enter_tips(const Rig& rig, std::span<const std::uint32_t> members, ReferenceRun& result) {
+TreeTips tips_of(const Rig& rig, std::span<const std::uint32_t> members) {
   TreeTips tips;
   for (std::size_t m = 0; m < members.size(); ++m) {
     const auto at = std::ranges::lower_bound(rig.tips, members[m]);
     if (at == rig.tips.end() || *at != members[m]) continue;
     const auto tip = std::size_t(at - rig.tips.begin());
-    tips.entries.push_back(result.tips.size());
+    tips.entries.push_back(tip);
     tips.members.push_back(m);
     tips.lengths.push_back(rig.tip_length[tip]);
-    result.tips.push_back(std::uint32_t(tip));
   }
   return tips;
 }
@@ -183,14 +173,14 @@ double ReferenceRun::steps_per_second() const {
 
 ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
                              const ReferenceSettings& settings) {
-  const std::vector<std::vector<std::uint32_t>> trees = chosen_trees(rig, settings.most_trees);
+  const std::vector<std::vector<std::uint32_t>> trees = trees_of(rig);
   const std::vector<Stop> stops = stops_of(path, settings.sample_times);
   ReferenceRun result;
   result.times = settings.sample_times;
   std::vector<TreeTips> tips;
-  for (const auto& members : trees) tips.push_back(enter_tips(rig, members, result));
-  result.agreement.resize(result.tips.size());
-  result.places.resize(result.tips.size() * result.times.size());
+  for (const auto& members : trees) tips.push_back(tips_of(rig, members));
+  result.agreement.resize(rig.tips.size());
+  result.places.resize(rig.tips.size() * result.times.size());
 
   std::atomic<std::size_t> next{0};
   const auto work = [&] {

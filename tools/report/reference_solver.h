@@ -14,7 +14,6 @@ struct ReferenceSettings {
   double steps_per_second = 720;             ///< At least; bones that are too stiff for it get more.
   double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
   double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
-  std::uint32_t most_trees = 0;  ///< Of bones that hang from the head, evenly chosen; 0: all. For quick looks.
   unsigned threads = 1;
 };
 
@@ -28,12 +27,11 @@ struct TipAgreement {
 /// Tips of the converged solution along one path.
 struct ReferenceRun {
   std::vector<double> times;
-  std::vector<std::uint32_t> tips;      ///< Indices into Rig::tips: all, or those of the chosen trees.
-  std::vector<TipAgreement> agreement;  ///< One per entry of `tips`.
-  std::vector<Eigen::Vector3d> places;  ///< Head space, metres; times.size() for each entry of `tips`.
+  std::vector<TipAgreement> agreement;  ///< One per entry of Rig::tips.
+  std::vector<Eigen::Vector3d> places;  ///< Head space, metres; times.size() for each tip.
 
-  [[nodiscard]] std::span<const Eigen::Vector3d> path_of_tip(std::size_t entry) const {
-    return std::span(places).subspan(entry * times.size(), times.size());
+  [[nodiscard]] std::span<const Eigen::Vector3d> path_of_tip(std::size_t tip) const {
+    return std::span(places).subspan(tip * times.size(), times.size());
   }
   /// Over all tips.
   [[nodiscard]] double self_difference_pct() const;

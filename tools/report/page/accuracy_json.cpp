@@ -18,6 +18,7 @@ ordered_json to_json(const AccuracyRow& row) {
           {"max_error_pct", number_json(row.max_error_pct)},
           {"stretch_max_pct", number_json(row.stretch_max_pct)},
           {"penetration_max_pct", number_json(row.penetration_max_pct)},
+          {"segment_penetration_max_pct", number_json(row.segment_penetration_max_pct)},
           {"pareto", row.pareto}};
 }
 

@@ -169,12 +169,14 @@ bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& con
   return turned;
 }
 
-double avoidable_depth(const SolidShape& solid, const HairSegment& segment) {
-  const double depth = -nearest_contact(solid, segment).gap;
+double avoidable_depth(const SolidShape& solid, const HairSegment& segment, HairPart part) {
+  const auto point_at = [&segment](double along) {
+    return HairSegment{segment.start + segment.direction * along, segment.direction, 0, segment.radius};
+  };
+  const HairSegment& looked_at = part == HairPart::kWhole ? segment : point_at(segment.length);
+  const double depth = -nearest_contact(solid, looked_at).gap;
   if (!(depth > 0)) return 0;
-  HairSegment start = segment;
-  start.length = 0;
-  const double reach = nearest_contact(solid, start).gap + segment.length;
+  const double reach = nearest_contact(solid, point_at(0)).gap + segment.length;
   return std::max(0.0, depth - std::max(0.0, -reach));
 }
 

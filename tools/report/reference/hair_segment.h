@@ -50,8 +50,10 @@ struct SolidContact {
 /// short to come out it points straight out.
 bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& contact);
 
-/// Metres by which a segment is inside the collider although it could be outside: without what the place of its start
-/// and its length make unavoidable.
-[[nodiscard]] double avoidable_depth(const SolidShape& solid, const HairSegment& segment);
+enum class HairPart { kEnd, kWhole };
+
+/// Metres by which a part of the segment is inside the collider although it could be outside: without what the place of
+/// its start and its length make unavoidable.
+[[nodiscard]] double avoidable_depth(const SolidShape& solid, const HairSegment& segment, HairPart part);
 
 }  // namespace coif

@@ -1,0 +1,87 @@
+#include "report/measured_solvers.h"
+
+#include "report/measure_accuracy.h"
+#include "report/runtime_solver.h"
+#include "report/solvers/solver_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace coif {
+namespace {
+
+constexpr std::string_view kCoif = "coif";
+constexpr std::string_view kThesis = "thesis";
+constexpr int kRuntimeEfforts[] = {1, 2, 4, 8};
+
+/// The sample's bones of a solver that moves all.
+class SampledSolver final : public ChainSolver {
+ public:
+  SampledSolver(std::unique_ptr<ChainSolver> whole, std::vector<std::uint32_t> bones)
+      : whole_(std::move(whole)), bones_(std::move(bones)), ends_(bones_.size()) {}
+
+  void reset(const HeadPose& head) override { whole_->reset(head); }
+  [[nodiscard]] bool step(const HeadPose& head, double dt) override { return whole_->step(head, dt); }
+  [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override {
+    const auto all = whole_->bone_ends();
+    for (std::size_t i = 0; i < bones_.size(); ++i) ends_[i] = all[bones_[i]];
+    return ends_;
+  }
+
+ private:
+  std::unique_ptr<ChainSolver> whole_;
+  std::vector<std::uint32_t> bones_;
+  mutable std::vector<Eigen::Vector3d> ends_;
+};
+
+std::vector<MeasuredSolver> list_solvers() {
+  std::vector<MeasuredSolver> all{{kCoif, kRuntimeEfforts, true}, {kThesis, kRuntimeEfforts, true}};
+  for (const ListedSolver& listed : historical_solvers()) all.push_back({listed.name, listed.efforts, false});
+  return all;
+}
+
+}  // namespace
+
+std::span<const MeasuredSolver> measured_solvers() {
+  static const std::vector<MeasuredSolver> kAll = list_solvers();
+  return kAll;
+}
+
+std::vector<std::string> report_solvers() {
+  std::vector<std::string> names;
+  for (const MeasuredSolver& solver : measured_solvers()) names.emplace_back(solver.name);
+  return names;
+}
+
+const MeasuredSolver* find_measured_solver(std::string_view name) {
+  const auto found = std::ranges::find(measured_solvers(), name, &MeasuredSolver::name);
+  return found == measured_solvers().end() ? nullptr : &*found;
+}
+
+tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const std::vector<std::string>& names) {
+  std::vector<const MeasuredSolver*> solvers;
+  for (const std::string& name : names.empty() ? report_solvers() : names) {
+    solvers.push_back(find_measured_solver(name));
+    if (solvers.back() == nullptr) {
+      return tl::unexpected(ToolError{ToolError::Kind::kUsage, fmt::format("'{}' is not a solver; there are {}", name,
+                                                                           fmt::join(report_solvers(), ", "))});
+    }
+  }
+  return solvers;
+}
+
+SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
+                         const SolverScene& scene, int effort) {
+  if (measured.is_runtime) {
+    const Solver solver = measured.name == kCoif ? Solver::kCoif : Solver::kThesis;
+    auto whole = std::make_unique<RuntimeSolver>(asset, scene, solver, effort);
+    return {std::make_unique<SampledSolver>(std::move(whole), sample.bones), asset.skeleton().simulated_count};
+  }
+  const auto listed = std::ranges::find(historical_solvers(), measured.name, &ListedSolver::name);
+  return {listed->create(sample.rig, scene, effort), sample.rig.bones.size()};
+}
+
+}  // namespace coif
