@@ -25,7 +25,7 @@ LAYERS = {
     "runtime/examples": SIM | {"runtime/include/coif/renderer.h"},
     "tools": set(),
     "tools/import": TOOL_BASE,
-    "tools/cook": TOOL_BASE | {"tools/import"},
+    "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/report"},
     "tools/motion": TOOL_BASE,
     "tools/animation": TOOL_BASE | {"tools/motion"},
     "tools/report": TOOL_BASE | {"tools/animation", "tools/motion"},

@@ -51,9 +51,6 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   pack_skeleton(parts.skeleton, parts.colliders, contents);
   pack_mesh(mesh, parts.lods.levels, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = parts.dynamics.records;
-  for (std::size_t b = 0; b < parts.colliders.hit_radius.size() && b < contents.dynamics.size(); ++b) {
-    contents.dynamics[b].hit_radius = float(parts.colliders.hit_radius[b]);
-  }
   contents.material = {pack_material(parts.base_color, parts.textures.transparency, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);

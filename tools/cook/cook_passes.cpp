@@ -1,8 +1,10 @@
 #include "cook/cook_passes.h"
 
 #include "cook/build_skeleton.h"
+#include "cook/condition_chains.h"
 #include "cook/fit_chains.h"
 #include "cook/hard_tips.h"
+#include "cook/pack_skeleton.h"
 #include "cook/smooth_normals.h"
 #include "cook/spring_colliders.h"
 #include "cook/weld.h"
@@ -155,7 +157,24 @@ class CookRun {
     parts_.dynamics = timed("dynamics", [&] { return bake_dynamics(source_, parts_.skeleton, recipe_); });
     append(report_.notes, parts_.dynamics.notes);
     append(report_.warnings, parts_.dynamics.warnings);
+    settle_dynamics();
     return {};
+  }
+
+  /// Makes each chain's equation one that has a solution, where the recipe does not forbid it.
+  void settle_dynamics() {
+    std::vector<DynamicsRecord>& dynamics = parts_.dynamics.records;
+    for (std::size_t b = 0; b < parts_.colliders.hit_radius.size() && b < dynamics.size(); ++b) {
+      dynamics[b].hit_radius = float(parts_.colliders.hit_radius[b]);
+    }
+    if (parts_.skeleton.chains.empty() || recipe_.conditioning == "off") return;
+    AssetContents rig;
+    pack_skeleton(parts_.skeleton, parts_.colliders, rig);
+    rig.dynamics = dynamics;
+    ConditionedChains settled = timed("conditioning", [&] { return condition_chains(rig, settings_.threads); });
+    dynamics = std::move(settled.dynamics);
+    append(report_.notes, settled.notes);
+    append(report_.warnings, settled.warnings);
   }
 
   /// The file's own colliders where its springs use any that the head carries, else the head as fitted.

@@ -55,6 +55,7 @@ struct Recipe {
   double gravity_scale = 0;
   double authoring_rate = 0;
   double damping_ratio = 0;
+  std::string conditioning;  ///< "auto" or "off".
   double torsion = 0;
   double angle_limit = 0;  ///< Degrees.
   double parent_share = 0;

@@ -64,6 +64,8 @@ const RecipeKey kKeys[] = {
    "frame rate at which the resistance was tuned"},
   {"dynamics", "damping_ratio", &R::damping_ratio, "1", 0, 10, nullptr, "",
    "at least this much of what would keep a bone from swinging past its pose; 0: only what the resistance brings"},
+  {"dynamics", "conditioning", &R::conditioning, "\"auto\"", 0, 0, "auto|off", "",
+   "auto: where a chain's motion would not be the same twice, damps it and says so; off: never"},
   {"dynamics", "torsion", &R::torsion, "20", 0, 1.0e4, nullptr, "1/s",
    "how fast a twist of a bone against its parent goes back"},
   {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",

@@ -1,0 +1,214 @@
+#include "cook/condition_chains.h"
+
+#include "cook/chain_sample.h"
+#include "cook/parallel_for.h"
+#include "cook/tip_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace coif {
+namespace {
+
+constexpr double kSeconds = 2;
+constexpr double kMostSelfDifferencePct = 0.1;
+constexpr double kMostRuntimeError = 0.02;  ///< Share of the chain's length.
+constexpr std::uint32_t kRate = 60, kSubsteps = 4;
+constexpr double kGravity = 9.81;
+
+/// From what most easily parts two computations to what least does; still and nod never did so alone.
+constexpr Motion kMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge, Motion::kJump};
+
+/// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's and
+/// its acceleration's included; both at 1 are half of critical each.
+struct Conditioning {
+  double damping = 0;
+  double friction = 0;
+  double parent_share = 1;
+};
+
+/// Ordered by how much they change. Damping alone helps short chains; friction takes the energy out of long ones; and only
+/// a share of the pull that does not follow the parent bounds the gain of very long ones.
+constexpr Conditioning kLadder[] = {{0, 0, 1},   {2, 0, 1},     {3, 0, 1},   {2, 0.7, 0.8}, {2, 1, 0.6},
+                                    {2, 1, 0.4}, {2, 1.4, 0.3}, {3, 2, 0.2}, {4, 3, 0.1},   {4, 4, 0}};
+
+/// How a chain failed.
+struct Finding {
+  bool is_good = true;
+  Motion motion = Motion::kStill;
+  double self_difference_pct = 0;
+  double runtime_error = 0;
+};
+
+/// Chains that are treated alike, and those of them that are computed.
+struct Group {
+  std::vector<std::uint32_t> chains;
+  std::vector<std::uint32_t> computed;
+};
+
+struct Outcome {
+  std::size_t rung = 0;
+  std::uint32_t worst_chain = 0;  ///< Which made the last climb necessary.
+  Finding first;                  ///< On the ground.
+  bool is_good = true;
+};
+
+double softness(const AssetContents& contents, std::uint32_t chain) {
+  const ChainRecord& record = contents.chains[chain];
+  double sum = 0;
+  for (std::uint32_t b = record.first_bone; b < record.first_bone + record.bone_count; ++b) {
+    sum += 1 / std::sqrt(contents.dynamics[b].stiffness + kGravity / contents.bones[b].length);
+  }
+  return sum;
+}
+
+double total_length(const AssetContents& contents, std::uint32_t chain) {
+  const ChainRecord& record = contents.chains[chain];
+  double sum = 0;
+  for (std::uint32_t b = record.first_bone; b < record.first_bone + record.bone_count; ++b) {
+    sum += contents.bones[b].length;
+  }
+  return sum;
+}
+
+std::vector<Group> group_chains(const AssetContents& contents) {
+  std::map<std::uint32_t, Group> by_bones;
+  for (std::uint32_t c = 0; c < contents.chains.size(); ++c) by_bones[contents.chains[c].bone_count].chains.push_back(c);
+  std::vector<Group> groups;
+  for (auto& [bones, group] : by_bones) {
+    const auto by = [&](auto measure) {
+      return *std::ranges::max_element(group.chains, {}, [&](std::uint32_t c) { return measure(contents, c); });
+    };
+    group.computed = {by(softness), by(total_length)};
+    if (group.computed[0] == group.computed[1]) group.computed.pop_back();
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+void apply(const Conditioning& rung, const BoneRecord& bone, DynamicsRecord& dynamics) {
+  const double pendulum = 2 * kGravity * std::abs(dynamics.gravity_scale) / bone.length;
+  const double root = std::sqrt(dynamics.stiffness + pendulum);
+  dynamics.damping = std::max(dynamics.damping, float(rung.damping * root));
+  dynamics.friction = std::max(dynamics.friction, float(rung.friction * root));
+  dynamics.parent_share = std::min(dynamics.parent_share, float(rung.parent_share));
+}
+
+void apply(const Conditioning& rung, AssetContents& contents, std::uint32_t chain) {
+  const ChainRecord& record = contents.chains[chain];
+  for (std::uint32_t b = record.first_bone; b < record.first_bone + record.bone_count; ++b) {
+    apply(rung, contents.bones[b], contents.dynamics[b]);
+  }
+}
+
+Finding examine_motion(const OpenedAsset& opened, const Rig& rig, Motion motion) {
+  constexpr std::uint32_t kSampled[] = {kRate / 2};
+  ReferenceSettings settings;
+  settings.sample_times = common_times(kSampled, kSeconds);
+  settings.most_steps_per_second = 5760;
+  settings.wanted_self_difference_pct = kMostSelfDifferencePct;
+  KnownMotion known{motion, solve_reference(rig, {}, *path_of(motion), settings)};
+  Finding finding{true, motion, known.reference.self_difference_pct(), 0};
+  finding.is_good = finding.self_difference_pct <= kMostSelfDifferencePct;  // false for NaN
+  if (!finding.is_good) return finding;
+  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kRate, kSubsteps).rms;
+  finding.is_good = finding.runtime_error <= kMostRuntimeError;
+  return finding;
+}
+
+Finding examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& rung) {
+  AssetContents alone = chains_alone(contents, std::array{chain});
+  apply(rung, alone, 0);
+  const OpenedAsset opened(alone);
+  const Rig rig = rig_of(opened.asset());
+  for (const Motion motion : kMotions) {
+    const Finding finding = examine_motion(opened, rig, motion);
+    if (!finding.is_good) return finding;
+  }
+  return {};
+}
+
+Outcome climb(const AssetContents& contents, const Group& group) {
+  Outcome outcome;
+  outcome.worst_chain = group.computed[0];
+  for (const std::uint32_t chain : group.computed) {
+    for (;;) {
+      const Finding finding = examine(contents, chain, kLadder[outcome.rung]);
+      if (finding.is_good) break;
+      if (outcome.rung == 0) outcome.first = finding;
+      outcome.worst_chain = chain;
+      if (outcome.rung + 1 == std::size(kLadder)) {
+        outcome.is_good = false;
+        return outcome;
+      }
+      ++outcome.rung;
+    }
+  }
+  return outcome;
+}
+
+std::string name_of(const AssetContents& contents, std::uint32_t chain) {
+  const std::uint32_t bone = contents.chains[chain].first_bone;
+  const bool named = bone < contents.bone_names.size() && !contents.bone_names[bone].empty();
+  return named ? fmt::format("'{}'", contents.bone_names[bone]) : fmt::format("{}", chain);
+}
+
+const char* name_of(Motion motion) {
+  for (const MotionInfo& info : all_motions()) {
+    if (info.motion == motion) return info.name;
+  }
+  return "";
+}
+
+std::string what_failed(const Finding& finding) {
+  if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
+    return std::isfinite(finding.self_difference_pct)
+               ? fmt::format("two computations of motion {} differed by {:.2g} % of its length", name_of(finding.motion),
+                             finding.self_difference_pct)
+               : fmt::format("two computations of motion {} had nothing in common", name_of(finding.motion));
+  }
+  return fmt::format("240 steps a second were off by {:.2g} % of its length in motion {}", 100 * finding.runtime_error,
+                     name_of(finding.motion));
+}
+
+void report(const AssetContents& contents, const Group& group, const Outcome& outcome, ConditionedChains& out) {
+  if (outcome.rung == 0 && outcome.is_good) return;
+  const Conditioning& rung = kLadder[outcome.rung];
+  const std::string which = group.chains.size() == 1
+                                ? fmt::format("chain {}", name_of(contents, outcome.worst_chain))
+                                : fmt::format("chain {} and {} like it", name_of(contents, outcome.worst_chain),
+                                              group.chains.size() - 1);
+  const std::string done = fmt::format("damping {:g}, friction {:g} (of the root of the stiffness), parent_share {:g}",
+                                       rung.damping, rung.friction, rung.parent_share);
+  if (outcome.is_good) {
+    out.notes.push_back(fmt::format("{}: {}; raised to {}", which, what_failed(outcome.first), done));
+  } else {
+    out.warnings.push_back(
+        fmt::format("{}: {}, and with {} as well; its motion will depend on the frame rate; raise dynamics.resistance "
+                    "or use fewer bones",
+                    which, what_failed(outcome.first), done));
+  }
+}
+
+}  // namespace
+
+ConditionedChains condition_chains(const AssetContents& contents, unsigned threads) {
+  const std::vector<Group> groups = group_chains(contents);
+  std::vector<Outcome> outcomes(groups.size());
+  parallel_for(groups.size(), threads, [&](std::size_t g) { outcomes[g] = climb(contents, groups[g]); });
+
+  AssetContents conditioned = contents;
+  ConditionedChains out;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const std::uint32_t chain : groups[g].chains) apply(kLadder[outcomes[g].rung], conditioned, chain);
+    report(contents, groups[g], outcomes[g], out);
+  }
+  out.dynamics = std::move(conditioned.dynamics);
+  return out;
+}
+
+}  // namespace coif
