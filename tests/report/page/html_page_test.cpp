@@ -104,7 +104,7 @@ TEST(NumberText, IsADashWhereThereIsNoNumber) {
 }
 
 TEST(NumberText, IsNearTheNumberAtEverySize) {
-  for (double number = 1.3e-9; number < 1.0e12; number *= 7.7) {
+  for (double number = 1.3e-4; number < 1.0e12; number *= 7.7) {
     for (const double signed_number : {number, -number}) {
       EXPECT_NEAR(std::stod(number_text(signed_number)), signed_number, 0.04 * number) << number_text(signed_number);
     }
@@ -113,6 +113,7 @@ TEST(NumberText, IsNearTheNumberAtEverySize) {
     }
   }
   EXPECT_EQ(number_text(0), "0");
+  EXPECT_EQ(number_text(1.0e-14), "<0.0001");
 }
 
 }  // namespace

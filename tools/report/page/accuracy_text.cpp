@@ -31,8 +31,8 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
   const double fps = main_frame_rate(report);
   const std::vector<SettingMean> means = means_over_motions(report, fps);
   std::string text = heading_text(heading) + "\n";
-  text += fmt::format("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>11}{:>15}\n", "solver", "sub-steps", "ns/bone", "rms %",
-                      "max %", "stretch %", "penetration %");
+  text += fmt::format("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>11}{:>15}\n", "solver", "steps", "ns/bone", "rms %", "max %",
+                      "stretch %", "penetration %");
   for (const SettingMean& mean : means) {
     if (mean.pareto || is_least_wrong(mean, means)) text += line(mean);
   }

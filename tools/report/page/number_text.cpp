@@ -10,6 +10,7 @@ std::string number_text(double number) {
   if (!std::isfinite(number)) return "-";
   const double size = std::abs(number);
   if (size == 0) return "0";
+  if (size < 1.0e-4) return "<0.0001";
   if (size >= 1.0e6 || size < 1.0e-3) return fmt::format("{:.1e}", number);
   if (size >= 100) return fmt::format("{:.0f}", number);
   if (size >= 10) return fmt::format("{:.1f}", number);

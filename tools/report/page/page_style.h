@@ -21,7 +21,7 @@ h1 { font-size: 1.6rem; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem; break-after: avoid; border-bottom: 1px solid var(--line); }
 p { max-width: 52rem; }
 .summary { font-size: 1.1rem; background: var(--raised); border-left: 4px solid #2f8fd8; padding: 0.7rem 1rem; }
-.table { overflow: auto; max-height: 44rem; margin: 1rem 0; }
+.table { overflow: auto; max-height: 90vh; margin: 1rem 0; }
 table { border-collapse: collapse; }
 th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top;
   white-space: nowrap; }

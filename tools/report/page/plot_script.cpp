@@ -26,6 +26,7 @@ constexpr const char* kTerminal =
     "set encoding utf8\n"
     "set key outside right top noenhanced\n"
     "set border lw 0.8\n"
+    "set format '%g'\n"
     "set grid lc rgb '#8a93a3' lw 0.5 dt 3\n";
 
 // In single quotes gnuplot expands nothing: no macro, no command, no escape. Its rule for a quote within them does not
