@@ -5,72 +5,89 @@
 namespace coif {
 namespace {
 
-/// Values at one time of the free oscillator y'' + damping y' + stiffness y = 0, in double precision since the
-/// differences below would cancel in single.
-struct FreeOscillator {
-  double cosine_like;  ///< y for y(0) = 1, y'(0) = 0.
-  double sine_like;    ///< y for y(0) = 0, y'(0) = 1; seconds.
+/// What the oscillator y'' + damping y' + stiffness y = f(t) does in one step, in double precision since differences of
+/// these would cancel in single.
+struct Answers {
+  double cosine_like;  ///< y for y(0) = 1, y'(0) = 0, f = 0.
+  double sine_like;    ///< y for y(0) = 0, y'(0) = 1, f = 0; seconds. Also y' for f = 1 from rest.
+  double load;         ///< y for f = 1 from rest; s^2. Also y' for f = t from rest.
+  double ramp;         ///< y for f = t from rest; s^3.
 };
 
-/// Two real decay rates; the slow one is their quotient, since their difference would cancel.
-FreeOscillator overdamped(double stiffness, double half_damping, double root, double dt) {
-  const double fast = half_damping + root;
-  const double slow = stiffness / fast;
-  const double fast_left = std::exp(-fast * dt), slow_left = std::exp(-slow * dt);
-  return {(fast * slow_left - slow * fast_left) / (fast - slow), (slow_left - fast_left) / (fast - slow)};
+/// Integrals of exp(-rate t) from 0 to `dt`, once and twice, exact for a rate of 0 as well.
+double once_integrated(double rate, double dt) { return rate > 0 ? -std::expm1(-rate * dt) / rate : dt; }
+
+double twice_integrated(double rate, double dt) {
+  const double x = rate * dt;
+  if (x > 1e-2) return (dt - once_integrated(rate, dt)) / rate;
+  return dt * dt * (1.0 / 2 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720)))));
 }
 
-FreeOscillator free_oscillator(double stiffness, double damping, double dt) {
+/// Two real decay rates; the slow one is their quotient, since their difference would cancel.
+Answers overdamped(double stiffness, double half_damping, double root, double dt) {
+  const double fast = half_damping + root, slow = stiffness / fast, apart = 2 * root;
+  Answers answers;
+  answers.sine_like = (std::exp(-slow * dt) - std::exp(-fast * dt)) / apart;
+  answers.load = (once_integrated(slow, dt) - once_integrated(fast, dt)) / apart;
+  answers.ramp = (twice_integrated(slow, dt) - twice_integrated(fast, dt)) / apart;
+  answers.cosine_like = 1 - stiffness * answers.load;
+  return answers;
+}
+
+/// Underdamped, or nearly critical: there both closed forms divide zero by zero, and the series of sin(x)/x and cos(x)
+/// in x^2 join them.
+Answers oscillating(double stiffness, double damping, double phase2, double dt) {
+  const double half = 0.5 * damping, left = std::exp(-half * dt);
+  double sine = dt * (1 - phase2 / 6 * (1 - phase2 / 20));
+  double cosine = 1 - phase2 / 2 * (1 - phase2 / 12);
+  if (phase2 > 1e-4) {
+    const double phase = std::sqrt(phase2);
+    sine = std::sin(phase) * dt / phase;
+    cosine = std::cos(phase);
+  }
+  Answers answers;
+  answers.cosine_like = left * (cosine + half * sine);
+  answers.sine_like = left * sine;
+  // With a soft spring the integrals are what is left after most has cancelled: their own series in time instead.
+  const double d = damping * dt, k = stiffness * dt * dt;
+  if (d + k < 0.025) {
+    const double c1 = -d, c2 = -d * c1 - k, c3 = -d * c2 - k * c1, c4 = -d * c3 - k * c2;
+    answers.load = dt * dt * (1.0 / 2 + c1 / 6 + c2 / 24 + c3 / 120 + c4 / 720);
+    answers.ramp = dt * dt * dt * (1.0 / 6 + c1 / 24 + c2 / 120 + c3 / 720 + c4 / 5040);
+    return answers;
+  }
+  answers.load = (1 - answers.cosine_like) / stiffness;
+  answers.ramp = (dt - answers.sine_like - damping * answers.load) / stiffness;
+  return answers;
+}
+
+Answers answers_of(double stiffness, double damping, double dt) {
   const double half = 0.5 * damping;
   const double square = stiffness - half * half;  // of the angular frequency
   const double phase2 = square * dt * dt;
-  const double left = std::exp(-half * dt);
-  if (phase2 > 1e-4) {
-    const double frequency = std::sqrt(square);
-    const double sine = std::sin(frequency * dt) / frequency;
-    return {left * (std::cos(frequency * dt) + half * sine), left * sine};
-  }
   if (phase2 < -1e-4) return overdamped(stiffness, half, std::sqrt(-square), dt);
-  // Around critical damping both forms divide zero by zero; sin(x)/x and cos(x) by their series in x^2.
-  const double sine = dt * (1 - phase2 / 6 * (1 - phase2 / 20));
-  const double cosine = 1 - phase2 / 2 * (1 - phase2 / 12);
-  return {left * (cosine + half * sine), left * sine};
+  return oscillating(stiffness, damping, phase2, dt);
+}
+
+/// A constant force moves an undamped particle by nothing in a whole period: no more than without a spring.
+double velocity_per_offset(const Answers& answers, double dt) {
+  const double free = 2 / dt;
+  const double per_offset = answers.load > 0 ? answers.sine_like / answers.load : 0;
+  return per_offset < -free ? -free : per_offset > free ? free : per_offset;
 }
 
 PoseResponse response_of(double stiffness, double damping, double dt) {
-  const FreeOscillator free = free_oscillator(stiffness, damping, dt);
-  const double half2 = 0.5 * dt * dt;
-  // Step and ramp response of the position. With a soft spring they are what is left after most has cancelled, so there
-  // the series of the undamped start takes over.
-  double load, bend, bend_velocity;
-  const double softness = (stiffness * dt + damping) * dt;
-  if (softness > 1e-3 && stiffness * dt * dt > 1e-7) {
-    load = (1 - free.cosine_like) / stiffness;
-    const double ramp = (dt - free.sine_like - damping * load) / stiffness;
-    bend = -6 / (dt * dt) * (2 * ramp / dt - load);
-    bend_velocity = -6 / (dt * dt) * (2 * load / dt - free.sine_like);
-  } else if (softness > 1e-3) {
-    // A spring that does nothing in a step, damping that does: the velocity decays, the position integrates it.
-    const double x = damping * dt;
-    const double sine = -std::expm1(-x) / damping;
-    load = (dt - sine) / damping;
-    const double ramp = (half2 - load) / damping;
-    bend = -6 / (dt * dt) * (2 * ramp / dt - load);
-    bend_velocity = -6 / (dt * dt) * (2 * load / dt - sine);
-  } else {
-    load = half2 * (1 - damping * dt / 3);
-    bend = 1 - damping * dt / 2;
-    bend_velocity = -damping;
-  }
+  const Answers free = answers_of(stiffness, damping, dt);
+  const double six = 6 / (dt * dt);
   PoseResponse out;
   out.offset_from_offset = float(free.cosine_like);
   out.offset_from_velocity = float(free.sine_like);
-  out.offset_from_load = float(load);
-  out.offset_from_bend = float(bend);
+  out.offset_from_load = float(free.load);
+  out.offset_from_bend = float(six * (free.load - 2 * free.ramp / dt));
   out.velocity_from_offset = float(-stiffness * free.sine_like);
   out.velocity_from_velocity = float(free.cosine_like - damping * free.sine_like);
-  out.velocity_from_bend = float(bend_velocity);
-  out.velocity_per_offset = float(free.sine_like / load);
+  out.velocity_from_bend = float(six * (free.sine_like - 2 * free.load / dt));
+  out.velocity_per_offset = float(velocity_per_offset(free, dt));
   return out;
 }
 

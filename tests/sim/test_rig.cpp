@@ -20,7 +20,7 @@ DynamicsRecord dynamics_of(const TestBone& bone) {
   record.gravity_scale = 1;
   record.authoring_rate = kRate;
   record.hit_radius = bone.hit_radius;
-  record.stiffness = float(oscillator.stiffness);
+  record.stiffness = bone.stiffness >= 0 ? bone.stiffness : float(oscillator.stiffness);
   record.damping = bone.damping >= 0 ? bone.damping : float(oscillator.damping);
   record.torsion = bone.torsion;
   record.angle_limit = bone.angle_limit;
@@ -74,6 +74,12 @@ void TestRig::add_capsule(const Vec3& from, const Vec3& to, float radius) {
   store({to.x - from.x, to.y - from.y, to.z - from.z}, colliders.back().axis);
 }
 
+void TestRig::add_tapered_capsule(const Vec3& from, float from_radius, const Vec3& to, float to_radius) {
+  add_capsule(from, to, from_radius);
+  colliders.back().shape = ColliderShape::kTaperedCapsule;
+  store({from_radius, to_radius, 0}, colliders.back().radii);
+}
+
 void TestRig::add_plane(const Vec3& point, const Vec3& normal) {
   add_sphere(point, 0);
   colliders.back().shape = ColliderShape::kPlane;
@@ -116,6 +122,23 @@ TestRig nine_bone_rig() {
       parent =
           rig.add({.parent = parent, .joint = {side, 0.02f, -0.12f}, .length = 0.1f, .resistance = r, .friction = 1});
     }
+  }
+  return rig;
+}
+
+TestRig calm_strand(int count, float length) {
+  TestRig rig;
+  std::uint32_t parent = 0;
+  for (int i = 0; i < count; ++i) {
+    const float share = count > 1 ? float(i) / float(count - 1) : 0;
+    const float stiffness = 1200 * std::pow(0.25f, share);
+    parent = rig.add({.parent = parent,
+                      .joint = {0, 0.02f, -0.12f},
+                      .rest_direction = {0, -0.8f, -0.6f},
+                      .length = length / float(count),
+                      .stiffness = stiffness,
+                      .damping = 2 * std::sqrt(stiffness),
+                      .torsion = 20});
   }
   return rig;
 }
@@ -177,6 +200,21 @@ float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 Quat turned_about(const Vec3& axis, double radians) {
   const float s = float(std::sin(radians / 2));
   return {axis.x * s, axis.y * s, axis.z * s, float(std::cos(radians / 2))};
+}
+
+Quat product(const Quat& a, const Quat& b) {
+  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+
+Vec3 rotated(const Quat& q, const Vec3& v) {
+  const Quat turned = product(product(q, {v.x, v.y, v.z, 0}), {-q.x, -q.y, -q.z, q.w});
+  return {turned.x, turned.y, turned.z};
+}
+
+double angle_between(const Quat& a, const Quat& b) {
+  const Quat apart = product(a, {-b.x, -b.y, -b.z, b.w});
+  return 2 * std::atan2(std::hypot(apart.x, apart.y, apart.z), std::fabs(apart.w));
 }
 
 Vec3 transformed(const Mat34& matrix, const Vec3& p) {

@@ -21,7 +21,8 @@ struct TestBone {
   float resistance = 0;
   float friction = 0;
   float hit_radius = 0;
-  float damping = -1;  ///< 1/s; negative: what the resistance is baked into.
+  float stiffness = -1;  ///< 1/s^2; negative: what the resistance is baked into.
+  float damping = -1;    ///< 1/s; negative: likewise.
   float torsion = 0;
   float angle_limit = kNoAngleLimit;
   float parent_share = 1;
@@ -37,6 +38,7 @@ class TestRig {
   void add_sphere(const Vec3& center, float radius);
   void add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation = {});
   void add_capsule(const Vec3& from, const Vec3& to, float radius);
+  void add_tapered_capsule(const Vec3& from, float from_radius, const Vec3& to, float to_radius);
   void add_plane(const Vec3& point, const Vec3& normal);  ///< `normal` unit.
 
   [[nodiscard]] std::size_t simulated_count() const { return bones.size() - 1; }
@@ -51,6 +53,10 @@ class TestRig {
 
 /// Three chains of three bones behind and beside a head sphere, as a small hair style has.
 [[nodiscard]] TestRig nine_bone_rig();
+
+/// `count` bones of `length` metres in all, from the back of the head down and backwards, stiff at the root and soft at
+/// the tip, critically damped: hair whose motion does not depend on the last digit of anything.
+[[nodiscard]] TestRig calm_strand(int count, float length);
 
 /// One step of one instance: the rig, its particles at rest, and everything else of a ThesisStepJob.
 class TestStep {
@@ -84,6 +90,11 @@ class TestHair {
 [[nodiscard]] float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 /// Unit quaternion; `axis` unit.
 [[nodiscard]] Quat turned_about(const Vec3& axis, double radians);
+[[nodiscard]] Vec3 rotated(const Quat& rotation, const Vec3& v);
+/// First b, then a.
+[[nodiscard]] Quat product(const Quat& a, const Quat& b);
+/// By which one is turned against the other, radians, 0..pi.
+[[nodiscard]] double angle_between(const Quat& a, const Quat& b);
 [[nodiscard]] Vec3 transformed(const Mat34& matrix, const Vec3& point);
 
 }  // namespace coif

@@ -30,7 +30,7 @@ struct PoseResponse {
   float velocity_from_offset;    ///< 1/s
   float velocity_from_velocity;  ///< 1
   float velocity_from_bend;      ///< 1/s
-  float velocity_per_offset;     ///< 1/s: what a constant force that moves the particle by 1 m leaves behind.
+  float velocity_per_offset;     ///< 1/s: what a constant force that moves the particle by 1 m leaves behind; within 2/dt.
 };
 
 /// Advances the particles of one instance by one step of the model in runtime/docs/MODEL.md: one pass from root to tip,
