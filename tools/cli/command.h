@@ -25,5 +25,6 @@ Command add_info(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_compare(CLI::App& program);
+Command add_report(CLI::App& program);
 
 }  // namespace coif
