@@ -39,7 +39,9 @@ Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bo
   const float root2 = along * along - mean2 * excess;
   // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead.
   if (!(along * along > 0.1f * mean2 * bone_length * bone_length && along > 0.0f && root2 > 0.0f)) {
-    const Vec3 now = direction_or(free, direction_before);
+    // Straight back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
+    const Vec3 straight = direction_or(free, direction_before);
+    const Vec3 now = dot(straight, direction_before) < -0.9999f ? direction_before : straight;
     return {now, now * bone_length - free};
   }
   const Vec3 way = mean * (-excess / (along + std::sqrt(root2)));

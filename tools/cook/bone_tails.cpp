@@ -42,13 +42,26 @@ std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32
   return std::nullopt;
 }
 
-/// The end of the vertices that follow `node` more than all others, along the line from `start` to their middle.
+/// Half, or half of what the bone's heaviest vertex has, where it shares all of them.
+float carrying_weight(const HairMesh& hair, std::uint32_t node) {
+  float heaviest = 0;
+  for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
+    for (const SourceInfluence& influence : hair.influences_of(v)) {
+      if (influence.node == node) heaviest = std::max(heaviest, influence.weight);
+    }
+  }
+  return heaviest >= 0.5f ? 0.5f : 0.5f * heaviest;
+}
+
+/// The end of the vertices that `node` carries, along the line from `start` to their middle.
 std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start) {
+  const float least = carrying_weight(hair, node);
+  if (!(least > 0)) return std::nullopt;
   std::vector<Eigen::Vector3d> carried;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
     for (const SourceInfluence& influence : hair.influences_of(v)) {
-      if (influence.node != node || influence.weight < 0.5f) continue;
+      if (influence.node != node || influence.weight < least) continue;
       carried.push_back(hair.positions[v].cast<double>());
       sum += carried.back();
     }
@@ -74,10 +87,11 @@ Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, 
     tail = end_of_vertices(hair, node, start);
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
-  const double length = parent.length() >= kShortestBone ? parent.length() : kShortestBone;
-  const Eigen::Vector3d direction = parent.length() >= kShortestBone
-                                        ? Eigen::Vector3d((parent.tail - parent.start).normalized())
-                                        : -Eigen::Vector3d::UnitY();
+  // A rigid parent has no length of its own, but a joint that this bone leads away from.
+  const Eigen::Vector3d above = parent.length() >= kShortestBone ? parent.tail - parent.start : start - parent.start;
+  const double length = above.norm() >= kShortestBone ? above.norm() : kShortestBone;
+  const Eigen::Vector3d direction =
+      above.norm() >= kShortestBone ? Eigen::Vector3d(above.normalized()) : -Eigen::Vector3d::UnitY();
   // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.
   return start + direction * (tail ? kShortestBone : length);
 }
