@@ -85,6 +85,8 @@ LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& 
     case chunk::kTextures: return read_chunk(file, entry, textures_);
     case chunk::kTexels: return read_chunk(file, entry, texels_);
     case chunk::kProvenance: return read_single(file, entry, provenance_);
+    case chunk::kTuning: return read_single(file, entry, tuning_);
+    case chunk::kQuality: return read_chunk(file, entry, quality_);
     default: break;
   }
   if ((entry.flags & kChunkRequired) != 0) return {LoadCode::kChunkUnknown, entry.id};
@@ -102,6 +104,7 @@ LoadStatus Asset::check_content() const {
   if (const LoadStatus status = check_mesh(*this); !status) return status;
   if (const LoadStatus status = check_material(*this); !status) return status;
   if (const LoadStatus status = check_textures(*this, texels_.size()); !status) return status;
+  if (const LoadStatus status = check_tuning(*this); !status) return status;
   return check_provenance(*this);
 }
 

@@ -16,5 +16,6 @@ LoadStatus check_mesh(const Asset& asset);
 LoadStatus check_material(const Asset& asset);
 LoadStatus check_textures(const Asset& asset, std::size_t texel_bytes);
 LoadStatus check_provenance(const Asset& asset);
+LoadStatus check_tuning(const Asset& asset);
 
 }  // namespace coif

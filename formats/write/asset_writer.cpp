@@ -93,6 +93,8 @@ std::vector<std::byte> write_asset(const AssetContents& contents) {
   add_chunk(chunks, chunk::kLodBones, contents.lod_bones);
   add_chunk(chunks, chunk::kMaterial, contents.material);
   add_chunk(chunks, chunk::kProvenance, contents.provenance);
+  add_chunk(chunks, chunk::kTuning, contents.tuning);
+  add_chunk(chunks, chunk::kQuality, contents.quality);
   add_chunk(chunks, chunk::kTextures, contents.textures);
   add_chunk(chunks, chunk::kVertices, contents.vertices);
   add_chunk(chunks, chunk::kSkin, contents.skin);

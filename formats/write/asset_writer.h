@@ -27,6 +27,8 @@ struct AssetContents {
   std::vector<TextureRecord> textures;   ///< Offsets and bytes refer to `texels`.
   std::vector<std::byte> texels;
   std::vector<ProvenanceRecord> provenance;  ///< None or one.
+  std::vector<TuningRecord> tuning;          ///< None or one.
+  std::vector<QualityRecord> quality;
 };
 
 /// The file's bytes. Deterministic: equal contents give equal bytes. Contents that the reader would refuse are

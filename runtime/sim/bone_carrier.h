@@ -11,7 +11,7 @@ namespace coif {
 /// What a bone hangs from, at the end of the step: its parent's tail, or its joint on the head.
 struct Carrier {
   Vec3 position;
-  Vec3 position_before;  ///< At the start of the step.
+  Vec3 position_before;  ///< At the start of the step, from where the head was then.
   Vec3 velocity;
   Quat frame;
   Vec3 angular_velocity;
@@ -27,7 +27,7 @@ struct Target {
 inline Carrier carrier_of(const HeadMove& head, const Vec3& joint) {
   Carrier carrier;
   carrier.position = rotate(head.rotation, joint);
-  carrier.position_before = rotate(head.rotation_before, joint) - head.displacement;
+  carrier.position_before = rotate(head.rotation_before, joint);
   carrier.velocity = head.velocity + cross(head.angular_velocity, carrier.position);
   carrier.frame = head.rotation;
   carrier.angular_velocity = head.angular_velocity;

@@ -37,8 +37,9 @@ Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bo
   const float along = dot(free, mean);
   const float excess = dot(free, free) - bone_length * bone_length;
   const float root2 = along * along - mean2 * excess;
-  // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead.
-  if (!(along * along > 0.1f * mean2 * bone_length * bone_length && along > 0.0f && root2 > 0.0f)) {
+  const float length2 = bone_length * bone_length;
+  // A free end far to the side, behind the start or far away has no sensible mean: straight to the length instead.
+  if (!(along * along > 0.1f * mean2 * length2 && along > 0.0f && root2 > 0.0f && excess < 100.0f * length2)) {
     // Straight back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
     const Vec3 straight = direction_or(free, direction_before);
     const Vec3 now = dot(straight, direction_before) < -0.9999f ? direction_before : straight;
@@ -97,11 +98,11 @@ class Step {
     Particle& particle = job_.particles[i];
     BoneSwing& swing = job_.swings[i];
     const Carrier from = carrier(i);
-    const Vec3 position_before = particle.position - job_.head.displacement;
+    const Vec3 position_before = particle.position;
     const Vec3 direction_before = (position_before - from.position_before) * (1.0f / record.length);
     const Target target = target_of(job_.head, from, record, dynamics.parent_share);
 
-    BoneState bone = move_freely(i, dynamics, from, target, position_before, direction_before);
+    BoneState bone = move_freely(i, dynamics, from, target, direction_before);
     if (dynamics.angle_limit < kNoAngleLimit) keep_in_limit(dynamics.angle_limit, from, target, bone);
     if (record.colliders != 0) keep_clear(record, dynamics.hit_radius, from, rotate(turn_, direction_before), bone);
 
@@ -115,12 +116,12 @@ class Step {
 
   /// The exact answer of the oscillator about the moving default position, then the force that keeps the length.
   BoneState move_freely(std::size_t i, const DynamicsRecord& dynamics, const Carrier& from, const Target& target,
-                        const Vec3& position_before, const Vec3& direction_before) const {
+                        const Vec3& direction_before) const {
     const PoseResponse& r = job_.responses[i];
     const BoneSwing& swing = job_.swings[i];
     const float dt = job_.dt;
     const float friction = dynamics.friction * job_.friction_scale;
-    const Vec3 target_before = position_before - swing.offset;
+    const Vec3 target_before = job_.particles[i].position - swing.offset - job_.head.displacement;
     const Vec3 mean_velocity = (swing.target_velocity + target.velocity) * 0.5f;
     const Vec3 gain = target.velocity - swing.target_velocity;
     // How far the default position's path is from one of constant acceleration; the drag's own change counts with it.

@@ -117,6 +117,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   storage_ = carve(carver, asset.skeleton(), desc.instances);
   instances_ = desc.instances;
   responses_for_ = {};
+  substep_rate_ = asset.tuning() != nullptr ? asset.tuning()->substep_rate : 0.0f;
   simulated_count_ = asset.skeleton().simulated_count;
   bones_ = asset.bones();
   dynamics_ = asset.dynamics();
@@ -148,8 +149,7 @@ Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
 Status Hair::step(const StepSettings& settings) {
   if (instances_ == 0) return Status::kNotCreated;
   if (const Status status = check_settings(settings); status != Status::kOk) return status;
-  const bool in_parts = settings.solver == Solver::kCoif && settings.substeps > 1;
-  const std::uint32_t substeps = in_parts ? settings.substeps : 1;
+  const std::uint32_t substeps = substeps_for(settings);
   prepare(settings, settings.dt / float(substeps));
   for (std::uint32_t instance = 0; instance < instances_; ++instance) advance(instance, settings, substeps);
   return Status::kOk;
@@ -171,6 +171,14 @@ std::span<Particle> Hair::particles_of(std::uint32_t instance) const {
 
 std::span<BoneSwing> Hair::swings_of(std::uint32_t instance) const {
   return storage_.swings.subspan(std::size_t(instance) * simulated_count_, simulated_count_);
+}
+
+std::uint32_t Hair::substeps_for(const StepSettings& settings) const {
+  if (settings.solver != Solver::kCoif) return 1;
+  if (settings.substeps != 0) return settings.substeps;
+  // A frame that is longer by rounding is not worth another part.
+  const float parts = std::ceil(settings.dt * substep_rate_ - 1e-3f);
+  return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
 }
 
 /// What depends on the step's length and not on the head; nothing where it is the last step's.

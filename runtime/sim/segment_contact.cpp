@@ -10,6 +10,7 @@ constexpr int kNewtonSteps = 8;
 constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: further the linear model says nothing.
 constexpr float kTolerance = 1e-6f;   ///< Depth that counts as clear, share of the collider's size.
 constexpr float kOvershoot = 1e-6f;   ///< So that Newton ends outside instead of creeping up from inside.
+constexpr float kSkin = 1e-3f;        ///< A start no deeper than this, share of the size, is on the surface.
 
 /// The deepest point of a segment in a collider.
 struct Deepest {
@@ -31,31 +32,44 @@ Deepest in_ball(const Vec3& offset, float radius, float along, const Vec3& way_o
 Deepest deepest_in_sphere(const PlacedCollider& sphere, const BoneSegment& segment) {
   const Vec3 from = segment.start - sphere.center;
   const float radius = sphere.radii.x + segment.radius;
-  const bool starts_inside = dot(from, from) < radius * radius;
-  const float along = starts_inside ? segment.length : clamped(-dot(from, segment.direction), 0.0f, segment.length);
+  const float deep = radius * (1.0f - kSkin);
+  const float along =
+      dot(from, from) < deep * deep ? segment.length : clamped(-dot(from, segment.direction), 0.0f, segment.length);
   return in_ball(from + segment.direction * along, radius, along, sphere.way_out);
 }
 
-/// Alternates between the segment's nearest point and the capsule's nearest ball; for two segments that converges at
-/// once when the nearest points are ends, and quickly otherwise.
+/// The ball of the capsule and the point of the segment that come nearest to each other. The distance less the ball's
+/// radius is convex in both places, so where the segment's whole line would be nearest beyond its end, the end is.
+Deepest nearest_of_capsule(const PlacedCollider& capsule, const BoneSegment& segment) {
+  const Vec3& direction = segment.direction;
+  const Vec3 from = segment.start - capsule.center;
+  const Vec3 beside = from - direction * dot(from, direction);
+  const Vec3 slope = capsule.axis - direction * dot(capsule.axis, direction);
+  const float taper = capsule.radii.x - capsule.radii.y;
+  const float slope2 = dot(slope, slope), spread = slope2 - taper * taper;
+  // Nearly parallel, the thicker end is nearest.
+  float share = taper > 0.0f ? 0.0f : 1.0f;
+  if (spread > 1e-6f * dot(capsule.axis, capsule.axis)) {
+    share = dot(beside, slope) / slope2;
+    const Vec3 apart = beside - slope * share;
+    share = clamped(share - length(apart) * taper / std::sqrt(slope2 * spread), 0.0f, 1.0f);
+  }
+  CapsuleBall ball{capsule.center + capsule.axis * share, capsule.radii.x - taper * share};
+  const float nearest = dot(ball.center - segment.start, direction);
+  const float along = clamped(nearest, 0.0f, segment.length);
+  const Vec3 point = point_at(segment, along);
+  if (along != nearest) ball = nearest_ball(capsule, point);
+  return in_ball(point - ball.center, ball.radius + segment.radius, along, capsule.way_out);
+}
+
 Deepest deepest_in_capsule(const PlacedCollider& capsule, const BoneSegment& segment) {
   const CapsuleBall at_start = nearest_ball(capsule, segment.start);
   const Vec3 from = segment.start - at_start.center;
-  const float start_radius = at_start.radius + segment.radius;
-  float along = segment.length;
-  if (!(dot(from, from) < start_radius * start_radius)) {
-    along = 0.5f * segment.length;
-    for (int i = 0; i < 12; ++i) {
-      const CapsuleBall ball = nearest_ball(capsule, point_at(segment, along));
-      const float next = clamped(dot(ball.center - segment.start, segment.direction), 0.0f, segment.length);
-      const bool settled = std::fabs(next - along) < 1e-4f * segment.length;
-      along = next;
-      if (settled) break;
-    }
-  }
-  const Vec3 point = point_at(segment, along);
-  const CapsuleBall ball = nearest_ball(capsule, point);
-  return in_ball(point - ball.center, ball.radius + segment.radius, along, capsule.way_out);
+  const float deep = (at_start.radius + segment.radius) * (1.0f - kSkin);
+  if (!(dot(from, from) < deep * deep)) return nearest_of_capsule(capsule, segment);
+  const Vec3 end = point_at(segment, segment.length);
+  const CapsuleBall ball = nearest_ball(capsule, end);
+  return in_ball(end - ball.center, ball.radius + segment.radius, segment.length, capsule.way_out);
 }
 
 /// In the space where the ellipsoid, with the hair's radius added to its axes, is the unit sphere. The gap is that
@@ -71,7 +85,8 @@ Deepest deepest_in_ellipsoid(const PlacedCollider& ellipsoid, const BoneSegment&
   const Vec3 from = shrunk(segment.start - ellipsoid.center);
   const Vec3 way = shrunk(segment.direction);
   const float nearest = -dot(from, way) / dot(way, way);
-  const float along = dot(from, from) < 1.0f ? segment.length : clamped(nearest, 0.0f, segment.length);
+  const float along =
+      dot(from, from) < (1.0f - kSkin) * (1.0f - kSkin) ? segment.length : clamped(nearest, 0.0f, segment.length);
   const Vec3 unit = from + way * along;
   const float distance = length(unit);
   if (!(distance > 1e-6f)) return {-radii.y, ellipsoid.way_out, along};
@@ -111,8 +126,10 @@ SegmentContact clear_of_sphere(const PlacedCollider& sphere, BoneSegment& segmen
   if (!(distance > 1e-6f * radius)) return {false, {}, 0};  // every direction is as good
   const Vec3 inward = from * (-1.0f / distance);
   const bool ends_before = reach * reach <= tangent2 || tangent2 <= 0.0f;
-  const float cosine = ends_before ? (distance2 + reach * reach - radius * radius) / (2.0f * distance * reach)
-                                   : std::sqrt(tangent2) / distance;
+  float cosine = ends_before ? (distance2 + reach * reach - radius * radius) / (2.0f * distance * reach)
+                             : std::sqrt(tangent2) / distance;
+  // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
+  if (tangent2 <= 0.0f && distance > radius * (1.0f - kSkin) && cosine > 0.0f) cosine = 0.0f;
   segment.direction = tilted(segment.direction, inward, cosine, sphere.way_out);
   const float along = ends_before ? reach : std::sqrt(tangent2);
   return contact_of(in_ball(point_at(segment, along) - sphere.center, radius, along, sphere.way_out));

@@ -12,7 +12,7 @@ from pathlib import Path
 ALLOWED = {
     "memcmp", "memcpy", "memmove", "memset", "strlen", "strcmp", "strncmp", "snprintf",
     "sqrt", "sqrtf", "exp", "expf", "exp2f", "fabs", "fmodf", "pow", "powf", "sin", "sinf", "cos", "cosf", "sincosf",
-    "atan2f", "acosf", "expm1", "sincos", "atan2",
+    "atan2f", "acosf", "expm1", "sincos", "atan2", "ceilf",
     # Put in by the compiler, at the distribution's hardening level.
     "_GLOBAL_OFFSET_TABLE_", "__stack_chk_fail", "__memcpy_chk", "__memset_chk", "__snprintf_chk",
 }

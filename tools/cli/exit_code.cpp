@@ -11,6 +11,7 @@ Exit exit_code(ToolError::Kind kind) {
     case ToolError::Kind::kUsage: return Exit::kUsage;
     case ToolError::Kind::kFileAccess: return Exit::kFileAccess;
     case ToolError::Kind::kBadInput: return Exit::kBadInput;
+    case ToolError::Kind::kOverBudget: return Exit::kOverBudget;
     case ToolError::Kind::kUnsupported: return Exit::kUnsupported;
     case ToolError::Kind::kInternal: return Exit::kInternal;
   }

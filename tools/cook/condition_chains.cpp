@@ -1,5 +1,6 @@
 #include "cook/condition_chains.h"
 
+#include "cook/chain_groups.h"
 #include "cook/chain_sample.h"
 #include "cook/parallel_for.h"
 #include "cook/tip_error.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace coif {
 namespace {
@@ -44,51 +44,12 @@ struct Finding {
   double runtime_error = 0;
 };
 
-/// Chains that are treated alike, and those of them that are computed.
-struct Group {
-  std::vector<std::uint32_t> chains;
-  std::vector<std::uint32_t> computed;
-};
-
 struct Outcome {
   std::size_t rung = 0;
   std::uint32_t worst_chain = 0;  ///< Which made the last climb necessary.
   Finding first;                  ///< On the ground.
   bool is_good = true;
 };
-
-double softness(const AssetContents& contents, std::uint32_t chain) {
-  const ChainRecord& record = contents.chains[chain];
-  double sum = 0;
-  for (std::uint32_t b = record.first_bone; b < record.first_bone + record.bone_count; ++b) {
-    sum += 1 / std::sqrt(contents.dynamics[b].stiffness + kGravity / contents.bones[b].length);
-  }
-  return sum;
-}
-
-double total_length(const AssetContents& contents, std::uint32_t chain) {
-  const ChainRecord& record = contents.chains[chain];
-  double sum = 0;
-  for (std::uint32_t b = record.first_bone; b < record.first_bone + record.bone_count; ++b) {
-    sum += contents.bones[b].length;
-  }
-  return sum;
-}
-
-std::vector<Group> group_chains(const AssetContents& contents) {
-  std::map<std::uint32_t, Group> by_bones;
-  for (std::uint32_t c = 0; c < contents.chains.size(); ++c) by_bones[contents.chains[c].bone_count].chains.push_back(c);
-  std::vector<Group> groups;
-  for (auto& [bones, group] : by_bones) {
-    const auto by = [&](auto measure) {
-      return *std::ranges::max_element(group.chains, {}, [&](std::uint32_t c) { return measure(contents, c); });
-    };
-    group.computed = {by(softness), by(total_length)};
-    if (group.computed[0] == group.computed[1]) group.computed.pop_back();
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
 
 void apply(const Conditioning& rung, const BoneRecord& bone, DynamicsRecord& dynamics) {
   const double pendulum = 2 * kGravity * std::abs(dynamics.gravity_scale) / bone.length;
@@ -132,10 +93,10 @@ Finding examine(const AssetContents& contents, std::uint32_t chain, const Condit
   return {};
 }
 
-Outcome climb(const AssetContents& contents, const Group& group) {
+Outcome climb(const AssetContents& contents, const ChainGroup& group) {
   Outcome outcome;
-  outcome.worst_chain = group.computed[0];
-  for (const std::uint32_t chain : group.computed) {
+  outcome.worst_chain = group.telling[0];
+  for (const std::uint32_t chain : group.telling) {
     for (;;) {
       const Finding finding = examine(contents, chain, kLadder[outcome.rung]);
       if (finding.is_good) break;
@@ -167,21 +128,21 @@ const char* name_of(Motion motion) {
 std::string what_failed(const Finding& finding) {
   if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
     return std::isfinite(finding.self_difference_pct)
-               ? fmt::format("two computations of motion {} differed by {:.2g} % of its length", name_of(finding.motion),
-                             finding.self_difference_pct)
+               ? fmt::format("two computations of motion {} differed by {:.2g} % of its length",
+                             name_of(finding.motion), finding.self_difference_pct)
                : fmt::format("two computations of motion {} had nothing in common", name_of(finding.motion));
   }
   return fmt::format("240 steps a second were off by {:.2g} % of its length in motion {}", 100 * finding.runtime_error,
                      name_of(finding.motion));
 }
 
-void report(const AssetContents& contents, const Group& group, const Outcome& outcome, ConditionedChains& out) {
+void report(const AssetContents& contents, const ChainGroup& group, const Outcome& outcome, ConditionedChains& out) {
   if (outcome.rung == 0 && outcome.is_good) return;
   const Conditioning& rung = kLadder[outcome.rung];
-  const std::string which = group.chains.size() == 1
-                                ? fmt::format("chain {}", name_of(contents, outcome.worst_chain))
-                                : fmt::format("chain {} and {} like it", name_of(contents, outcome.worst_chain),
-                                              group.chains.size() - 1);
+  const std::string which =
+      group.chains.size() == 1
+          ? fmt::format("chain {}", name_of(contents, outcome.worst_chain))
+          : fmt::format("chain {} and {} like it", name_of(contents, outcome.worst_chain), group.chains.size() - 1);
   const std::string done = fmt::format("damping {:g}, friction {:g} (of the root of the stiffness), parent_share {:g}",
                                        rung.damping, rung.friction, rung.parent_share);
   if (outcome.is_good) {
@@ -197,7 +158,7 @@ void report(const AssetContents& contents, const Group& group, const Outcome& ou
 }  // namespace
 
 ConditionedChains condition_chains(const AssetContents& contents, unsigned threads) {
-  const std::vector<Group> groups = group_chains(contents);
+  const std::vector<ChainGroup> groups = group_chains(contents);
   std::vector<Outcome> outcomes(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) { outcomes[g] = climb(contents, groups[g]); });
 

@@ -51,6 +51,8 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   pack_skeleton(parts.skeleton, parts.colliders, contents);
   pack_mesh(mesh, parts.lods.levels, parts.order, parts.strands, parts.head_bone.joint, parts.weights, contents);
   contents.dynamics = parts.dynamics.records;
+  contents.tuning = parts.tuned.tuning;
+  contents.quality = parts.tuned.quality;
   contents.material = {pack_material(parts.base_color, parts.textures.transparency, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);

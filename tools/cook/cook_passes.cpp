@@ -157,24 +157,30 @@ class CookRun {
     parts_.dynamics = timed("dynamics", [&] { return bake_dynamics(source_, parts_.skeleton, recipe_); });
     append(report_.notes, parts_.dynamics.notes);
     append(report_.warnings, parts_.dynamics.warnings);
-    settle_dynamics();
-    return {};
+    return settle_dynamics();
   }
 
-  /// Makes each chain's equation one that has a solution, where the recipe does not forbid it.
-  void settle_dynamics() {
+  /// Makes each chain's equation one that has a solution, then looks for the cheapest way to solve it.
+  Done settle_dynamics() {
     std::vector<DynamicsRecord>& dynamics = parts_.dynamics.records;
     for (std::size_t b = 0; b < parts_.colliders.hit_radius.size() && b < dynamics.size(); ++b) {
       dynamics[b].hit_radius = float(parts_.colliders.hit_radius[b]);
     }
-    if (parts_.skeleton.chains.empty() || recipe_.conditioning == "off") return;
+    if (parts_.skeleton.chains.empty()) return {};
     AssetContents rig;
     pack_skeleton(parts_.skeleton, parts_.colliders, rig);
     rig.dynamics = dynamics;
-    ConditionedChains settled = timed("conditioning", [&] { return condition_chains(rig, settings_.threads); });
-    dynamics = std::move(settled.dynamics);
-    append(report_.notes, settled.notes);
-    append(report_.warnings, settled.warnings);
+    if (recipe_.conditioning != "off") {
+      ConditionedChains settled = timed("conditioning", [&] { return condition_chains(rig, settings_.threads); });
+      append(report_.notes, settled.notes);
+      append(report_.warnings, settled.warnings);
+      rig.dynamics = dynamics = std::move(settled.dynamics);
+    }
+    auto tuned = timed("tuning", [&] { return tune_solver(rig, recipe_, settings_.threads); });
+    if (!tuned) return tl::unexpected(ToolError{tuned.error().kind, source_.path + ": " + tuned.error().message});
+    parts_.tuned = std::move(*tuned);
+    append(report_.notes, parts_.tuned.notes);
+    return {};
   }
 
   /// The file's own colliders where its springs use any that the head carries, else the head as fitted.

@@ -10,6 +10,7 @@
 #include "cook/skin_weights.h"
 #include "cook/sort_patches.h"
 #include "cook/split_shells.h"
+#include "cook/tune_solver.h"
 
 #include <chrono>
 
@@ -28,6 +29,7 @@ struct CookedParts {
   SkinWeights weights;
   Colliders colliders;
   BakedDynamics dynamics;
+  TunedSolver tuned;
   PatchOrder order;
   BakedTextures textures;
   DetailLevels lods;

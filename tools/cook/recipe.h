@@ -59,6 +59,12 @@ struct Recipe {
   double torsion = 0;
   double angle_limit = 0;  ///< Degrees.
   double parent_share = 0;
+  // budget
+  double budget_error = 0;     ///< Percent of the chain's length.
+  double budget_error_mm = 0;
+  double budget_cost = 0;      ///< Nominal nanoseconds per head and frame.
+  double slowest_rate = 0;
+  double fastest_rate = 0;
   // head
   std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.

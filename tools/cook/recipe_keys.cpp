@@ -73,6 +73,17 @@ const RecipeKey kKeys[] = {
   {"dynamics", "parent_share", &R::parent_share, "1", 0, 1, nullptr, "",
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
+  {"budget", "error", &R::budget_error, "0", 0, 100, nullptr, "% of length",
+   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it; 0: not asked"},
+  {"budget", "error_mm", &R::budget_error_mm, "0", 0, 1000, nullptr, "mm",
+   "the same as a length; with both, both are kept"},
+  {"budget", "ns_per_frame", &R::budget_cost, "0", 0, 1.0e9, nullptr, "ns",
+   "most that a head may cost per frame, in nominal nanoseconds; 0: any"},
+  {"budget", "slowest_rate", &R::slowest_rate, "30", 10, 1000, nullptr, "1/s",
+   "lowest frame rate at which the budget holds"},
+  {"budget", "fastest_rate", &R::fastest_rate, "120", 10, 1000, nullptr, "1/s",
+   "highest frame rate at which the budget holds"},
+
   {"head", "shape", &R::head_shape, "\"auto\"", 0, 0, "auto|ellipsoid|sphere|capsule|none", "",
    "what hair stays out of; auto: the file's spring colliders on the head, else an ellipsoid"},
   {"head", "center", &R::head_center, "null", -1000, 1000, nullptr, "m",

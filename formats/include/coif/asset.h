@@ -61,6 +61,8 @@ class Asset {
   [[nodiscard]] std::span<const std::byte> texels(const TextureRecord& texture, std::uint32_t mip) const;
 
   [[nodiscard]] const ProvenanceRecord* provenance() const { return provenance_; }  ///< Null where absent.
+  [[nodiscard]] const TuningRecord* tuning() const { return tuning_; }              ///< Null where absent.
+  [[nodiscard]] std::span<const QualityRecord> quality() const { return quality_; }
 
  private:
   LoadStatus read_chunk_into_view(const std::byte* file, const ChunkEntry& entry);
@@ -84,6 +86,8 @@ class Asset {
   std::span<const TextureRecord> textures_;
   std::span<const std::byte> texels_;
   const ProvenanceRecord* provenance_ = nullptr;
+  const TuningRecord* tuning_ = nullptr;
+  std::span<const QualityRecord> quality_;
 };
 
 }  // namespace coif

@@ -45,6 +45,8 @@ inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One Materi
 inline constexpr std::uint32_t kTextures = chunk_id("TEXR");     ///< TextureRecord[].
 inline constexpr std::uint32_t kTexels = chunk_id("TEXD");       ///< Bytes that TextureRecord points into.
 inline constexpr std::uint32_t kProvenance = chunk_id("PROV");   ///< One ProvenanceRecord.
+inline constexpr std::uint32_t kTuning = chunk_id("TUNE");       ///< One TuningRecord.
+inline constexpr std::uint32_t kQuality = chunk_id("QUAL");      ///< QualityRecord[]: what TUNE was chosen from.
 }  // namespace chunk
 
 /// A reader that does not know a chunk with this flag must refuse the file.
@@ -244,6 +246,32 @@ struct ProvenanceRecord {
   std::uint32_t reserved;
 };
 static_assert(sizeof(ProvenanceRecord) == 32);
+
+/// How the asset wants to be simulated: the cheapest way that met the error asked for when it was cooked.
+struct TuningRecord {
+  float substep_rate;   ///< A step of dt is made of ceil(dt * substep_rate) parts, at least one. Hz, >= 0.
+  float asked_error;    ///< RMS of the tips, share of the chain's length; 0: only a cost was asked for.
+  float reached_error;  ///< At the worst of the frame rates and motions measured.
+  float asked_cost;     ///< Nanoseconds per head and frame; 0: any.
+  float cost;           ///< Nominal, at the worst of the frame rates; see QualityRecord.
+  float slowest_rate;   ///< Frames per second that were asked for, > 0.
+  float fastest_rate;   ///< At least slowest_rate.
+  std::uint32_t met;    ///< 1 where what was asked was reached, else 0.
+};
+static_assert(sizeof(TuningRecord) == 32);
+
+/// What one way to simulate the asset costs and how wrong it is, over the motions of the suite.
+struct QualityRecord {
+  float frame_rate;         ///< Frames per second, > 0.
+  std::uint32_t substeps;   ///< Of each frame, > 0.
+  float rms_error;          ///< Of the worst motion: tips against the converged solution, share of the chain's length.
+  float max_error;          ///< Largest of all.
+  float stretch;            ///< Worst |length / rest - 1|.
+  float penetration;        ///< Worst depth over the collider's radius.
+  float cost;               ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
+  std::uint32_t worst_motion;  ///< Index in the suite: still nod turn charge run jump tumble teleport.
+};
+static_assert(sizeof(QualityRecord) == 32);
 
 /// Bytes of one mip of a texture with these dimensions; 0 for an unknown format.
 constexpr std::uint64_t mip_bytes(TexelFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t mip) {

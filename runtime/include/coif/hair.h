@@ -129,6 +129,7 @@ class Hair {
   static Storage carve(MemoryCarver& carver, const SkeletonRecord& skeleton, std::uint32_t instances);
   [[nodiscard]] std::span<Particle> particles_of(std::uint32_t instance) const;
   [[nodiscard]] std::span<BoneSwing> swings_of(std::uint32_t instance) const;
+  [[nodiscard]] std::uint32_t substeps_for(const StepSettings& settings) const;
   void prepare(const StepSettings& settings, float substep);
   void advance(std::uint32_t instance, const StepSettings& settings, std::uint32_t substeps);
   [[nodiscard]] Status run_thesis(std::uint32_t instance, const StepSettings& settings, const HeadMove& move, float dt);
@@ -150,6 +151,7 @@ class Hair {
   std::span<const DynamicsRecord> dynamics_;
   std::span<const ColliderRecord> colliders_;  ///< Empty where no bone can touch any.
   ResponsesFor responses_for_;
+  float substep_rate_ = 0;  ///< Of the asset's tuning, Hz.
   Storage storage_;
 };
 
