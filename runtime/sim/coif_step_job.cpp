@@ -47,7 +47,11 @@ Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bo
   }
   const Vec3 way = mean * (-excess / (along + std::sqrt(root2)));
   const Vec3 kept = (free + way) * per_length;
-  return {kept * (1.5f - 0.5f * dot(kept, kept)), way};  // unit but for rounding: one step of Newton's method
+  const float size2 = dot(kept, kept);
+  // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
+  if (std::fabs(size2 - 1.0f) < 1e-3f) return {kept * (1.5f - 0.5f * size2), way};
+  const Vec3 straight = direction_or(kept, direction_before);
+  return {straight, straight * bone_length - free};
 }
 
 /// Undoes what rounding does to the length of a product of unit quaternions.
