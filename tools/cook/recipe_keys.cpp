@@ -74,7 +74,7 @@ const RecipeKey kKeys[] = {
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
   {"budget", "error", &R::budget_error, "0", 0, 100, nullptr, "% of length",
-   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it; 0: not asked"},
+   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it, exit code 4 where none do; 0: 0.7 if it can be had"},
   {"budget", "error_mm", &R::budget_error_mm, "0", 0, 1000, nullptr, "mm",
    "the same as a length; with both, both are kept"},
   {"budget", "ns_per_frame", &R::budget_cost, "0", 0, 1.0e9, nullptr, "ns",

@@ -17,6 +17,7 @@ namespace coif {
 namespace {
 
 constexpr double kSeconds = 3;
+constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 constexpr std::size_t kFewBones = 64;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -163,11 +164,11 @@ std::string describe(const TuningRecord& tuning) {
 
 tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe,
                                                  unsigned threads) {
+  if (contents.chains.empty()) return TunedSolver{};
   const bool asked = recipe.budget_error > 0 || recipe.budget_error_mm > 0 || recipe.budget_cost > 0;
-  if (!asked || contents.chains.empty()) return TunedSolver{};
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   Bench bench(contents, rates, threads);
-  const Budget budget = budget_of(recipe, bench.longest());
+  const Budget budget = asked ? budget_of(recipe, bench.longest()) : Budget{kUsualError, 0};
 
   TuningRecord best{};
   for (const std::uint32_t parts : kParts) {
@@ -181,7 +182,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
     best.met = affordable && (budget.error <= 0 || best.reached_error <= budget.error);
     if (best.met == 1 || !affordable) break;
   }
-  if (best.met == 0) return tl::unexpected(over_budget(budget, best));
+  if (best.met == 0 && asked) return tl::unexpected(over_budget(budget, best));
   return TunedSolver{{best}, bench.table(), {describe(best)}};
 }
 
