@@ -1,0 +1,95 @@
+// The default solver's promise: hair moves the same at every frame rate.
+
+#include "sim/playback.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr float kLength = 0.3f;
+constexpr double kSeconds = 5;
+
+struct NamedMotion {
+  const char* name;
+  HeadMotion motion;
+};
+
+const NamedMotion kMotions[] = {{"nod", nod}, {"turn", turn}, {"run", run}};
+
+TEST(FrameRate, PathsDifferByLessThanOnePercentOfTheLength) {
+  const TestRig rig = calm_strand(4, kLength);
+  for (const NamedMotion& head : kMotions) {
+    std::vector<Playback> takes;
+    for (const double fps : {24.0, 30.0, 60.0, 90.0, 120.0, 144.0, 240.0})
+      takes.push_back(play(rig, head.motion, even_frames(fps, kSeconds)));
+    takes.push_back(play(rig, head.motion, uneven_frames(1.0 / 240, 1.0 / 20, kSeconds)));
+    double spread = 0;
+    for (const Playback& a : takes) {
+      for (const Playback& b : takes) spread = std::max(spread, rms_tip_difference(a, b));
+    }
+    EXPECT_LT(spread, 0.01 * kLength) << head.name;
+    // And there was something to differ in: the tip moved by more than that.
+    EXPECT_GT(rms_tip_difference(takes[0], play(rig, still, even_frames(24, kSeconds))), 0.03 * kLength) << head.name;
+  }
+}
+
+TEST(FrameRate, ThesisSolverDiffersTenTimesAsMuch) {
+  const TestRig rig = calm_strand(3, kLength);
+  const auto spread = [&](Solver solver) {
+    const StepSettings settings{.solver = solver};
+    return rms_tip_difference(play(rig, nod, even_frames(30, kSeconds), settings),
+                              play(rig, nod, even_frames(144, kSeconds), settings));
+  };
+  EXPECT_GT(spread(Solver::kThesis), 10 * spread(Solver::kCoif));
+}
+
+TEST(FrameRate, HalvingTheStepQuartersTheErrorOfFreeMotion) {
+  const TestRig rig = calm_strand(3, kLength);
+  for (const NamedMotion& head : kMotions) {
+    const Playback fine = play(rig, head.motion, even_frames(1920, kSeconds));
+    const auto error = [&](double fps) {
+      return rms_tip_difference(play(rig, head.motion, even_frames(fps, kSeconds)), fine);
+    };
+    for (const double fps : {60.0, 120.0}) EXPECT_LT(3 * error(2 * fps), error(fps)) << head.name << ", " << fps;
+  }
+}
+
+TEST(FrameRate, SubStepsReduceTheError) {
+  const TestRig rig = calm_strand(4, kLength);
+  for (const NamedMotion& head : kMotions) {
+    const Playback fine = play(rig, head.motion, even_frames(960, kSeconds));
+    const auto error = [&](std::uint32_t substeps) {
+      return rms_tip_difference(play(rig, head.motion, even_frames(30, kSeconds), {.substeps = substeps}), fine);
+    };
+    const double one = error(1), two = error(2), four = error(4);
+    EXPECT_LT(two, 0.5 * one) << head.name;
+    EXPECT_LT(four, 0.6 * two) << head.name;
+  }
+}
+
+TEST(FrameRate, SubStepsOfASteadyHeadAreSmallerFrames) {
+  // Nothing to interpolate: four parts of a frame are four frames.
+  const TestRig rig = calm_strand(4, kLength);
+  StepSettings sideways, in_parts;
+  sideways.environment.gravity = in_parts.environment.gravity = {5, -5, 0};
+  in_parts.substeps = 4;
+  EXPECT_LT(rms_tip_difference(play(rig, still, even_frames(30, 2), in_parts),
+                               play(rig, still, even_frames(120, 2), sideways)),
+            1e-6);
+}
+
+TEST(FrameRate, ContactsAreTheSameAtEveryFrameRate) {
+  TestRig rig = calm_strand(4, kLength);
+  rig.add_ellipsoid({0, 0, 0}, {0.09f, 0.13f, 0.11f});
+  rig.add_plane({0, -0.18f, 0}, {0, 1, 0});
+  const Playback fine = play(rig, nod, even_frames(960, kSeconds));
+  for (const double fps : {24.0, 30.0, 60.0, 144.0})
+    EXPECT_LT(rms_tip_difference(play(rig, nod, even_frames(fps, kSeconds)), fine), 0.02 * kLength) << fps;
+}
+
+}  // namespace
+}  // namespace coif
