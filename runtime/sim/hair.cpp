@@ -140,9 +140,7 @@ Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
 
 Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
   if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
-  Instance& state = storage_.instances[instance];
-  if (!state.swings_known) learn_swings(instance);
-  carry(instance, state.head.jump());
+  storage_.instances[instance].teleports = true;
   return Status::kOk;
 }
 
@@ -200,9 +198,10 @@ void Hair::advance(std::uint32_t instance, const StepSettings& settings, std::ui
   Instance& state = storage_.instances[instance];
   const bool is_coif = settings.solver == Solver::kCoif;
   if (is_coif && !state.swings_known) learn_swings(instance);
-  const bool is_teleport =
-      state.head.distance() > settings.teleport_distance || state.head.angle() > settings.teleport_angle;
-  if (is_teleport) carry(instance, state.head.jump());
+  state.teleports = state.teleports || state.head.distance() > settings.teleport_distance ||
+                    state.head.angle() > settings.teleport_angle;
+  if (state.teleports) carry(instance, state.head.jump(settings.dt));
+  state.teleports = false;
   if (!state.head.can_move()) return put_to_rest(instance);
 
   const float dt = settings.dt / float(substeps);
@@ -279,10 +278,11 @@ void Hair::carry(std::uint32_t instance, const Quat& turn) {
 
 void Hair::put_to_rest(std::uint32_t instance) {
   Instance& state = storage_.instances[instance];
-  (void)state.head.jump();
+  (void)state.head.jump(0);
   const HeadPose pose = state.head.pose();
   (void)state.head.reset(pose);
   place_at_rest(bones_, pose.rotation, particles_of(instance));
+  state.teleports = false;
   state.swings_known = false;
   renew_palette(instance, false);
 }

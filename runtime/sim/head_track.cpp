@@ -112,13 +112,18 @@ void HeadTrack::finish() {
   angular_velocity_ = next_angular_velocity_;
 }
 
-Quat HeadTrack::jump() {
-  const Quat turn = renormalised(next_.rotation * conjugate(now_.rotation));
+Quat HeadTrack::jump(float dt) {
+  const Quat expected = rotation_by(angular_velocity_ * dt) * now_.rotation;
+  const Quat turn = renormalised(next_.rotation * conjugate(expected));
+  const Vec3 way = rotate(turn, velocity_ * dt);
   velocity_ = rotate(turn, velocity_);
   angular_velocity_ = rotate(turn, angular_velocity_);
   mean_velocity_ = rotate(turn, mean_velocity_);
   mean_angular_velocity_ = rotate(turn, mean_angular_velocity_);
-  now_ = next_;
+  now_.rotation = renormalised(turn * now_.rotation);
+  now_.position[0] = next_.position[0] - double(way.x);
+  now_.position[1] = next_.position[1] - double(way.y);
+  now_.position[2] = next_.position[2] - double(way.z);
   return turn;
 }
 

@@ -90,7 +90,8 @@ class Hair {
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
   Status reset(std::uint32_t instance, const HeadPose& pose);
 
-  /// Puts the head at `pose` and takes the hair along: its shape and its motion, relative to the head, stay as they are.
+  /// As set_head(), without a way there: during the next step the head goes on as it did, in its own new directions, and
+  /// ends at `pose`. The hair keeps its shape and its motion relative to the head.
   Status teleport(std::uint32_t instance, const HeadPose& pose);
 
   /// Advances every instance by settings.dt and renews the matrices. An instance whose numbers overflow (a head that
@@ -107,6 +108,7 @@ class Hair {
  private:
   struct Instance {
     HeadTrack head;
+    bool teleports = false;     ///< In the next step, as the host says.
     bool swings_known = false;  ///< False where something but kCoif has moved the particles.
   };
 

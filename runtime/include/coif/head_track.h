@@ -41,9 +41,9 @@ class HeadTrack {
   [[nodiscard]] HeadMove move(std::uint32_t index, std::uint32_t count) const;
   void finish();
 
-  /// Puts the head at its next pose without a way there: what it did before, it goes on doing in its own new direction.
-  /// Returns the rotation that the hair has to be carried by.
-  Quat jump();
+  /// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds (>= 0) if it goes
+  /// on as it did, in its own new directions. Returns the rotation that the hair has to be carried by.
+  Quat jump(float dt);
 
   /// At the present pose, as a step of no length.
   [[nodiscard]] HeadMove here() const;
