@@ -21,6 +21,13 @@ coif_cli_case(cook_finds_recipe_beside EXIT 3
   STDERR "note: braid.recipe.json: used, as it lies beside the source.*error: braid.recipe.json: "
   TEXT braid.obj "v 0 0 0\n" braid.recipe.json "{" ARGS cook braid.obj -o out.coif)
 coif_cli_case(print_recipe EXIT 0 STDOUT "\"dynamics\".*friction.*//|//.*\"dynamics\".*friction" ARGS cook --print-recipe)
+coif_cli_case(print_recipe_has_solver_keys EXIT 0
+  STDOUT "\"damping_ratio\": 1.*\"conditioning\": \"auto\".*\"torsion\": .*\"angle_limit\": 180.*\"parent_share\": 1.*\"budget\".*\"error\": 0.*\"error_mm\": 0.*\"ns_per_frame\": 0.*\"slowest_rate\": 30.*\"fastest_rate\": 120"
+  ARGS cook --print-recipe)
+coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
+  STDERR "bob.glb: \"budget\": an error of 1e-05 % .* was asked for and [0-9.]+ % reached, where 2000 ns .*allowed, with [1-9][0-9]* ns"
+  TEXT r.json "{\"budget\": {\"error\": 1e-5, \"ns_per_frame\": 2000}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif --report report.json)
 
 coif_cli_case(cook_text EXIT 0 STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*next: coif render out.coif"
   WRITES out.coif ARGS cook ${sample} -o out.coif)

@@ -17,6 +17,17 @@ coif_cli_case(info_json EXIT 0 SAMPLE
   JSON format,major format,minor bytes chunks,0,id chunks,0,bytes triangles vertices patches chains bones
        simulated_bones settings collider_shapes colliding_bones lods textures,0,format sides
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
+coif_cli_case(info_text_shows_tuning EXIT 0 SAMPLE
+  STDOUT "stiffness.*damping.*torsion.*angle_limit .*180 [.][.] 180.*parent_share.*tuning [(]met[)].*30 [.][.] 120 .*Hz.*asked: 0.7 %.*ns per head.*quality .*worst motion\n +30 .* +[1-9][0-9]*  [a-z]+\n +"
+  ARGS info ${COIF_COOKED_SAMPLE})
+coif_cli_case(info_json_shows_tuning EXIT 0 SAMPLE
+  JSON settings,resistance,1 settings,stiffness,1 settings,damping,1 settings,torsion,1 settings,angle_limit,1
+       settings,parent_share,1 settings,tuning,substep_rate settings,tuning,asked_error_pct
+       settings,tuning,reached_error_pct settings,tuning,asked_ns settings,tuning,nominal_ns
+       settings,tuning,slowest_rate settings,tuning,fastest_rate settings,tuning,met
+       quality,0,frame_rate quality,0,substeps quality,0,rms_error_pct quality,0,max_error_pct quality,0,stretch_pct
+       quality,0,penetration_pct quality,0,nominal_ns quality,0,worst_motion quality,2,frame_rate
+  ARGS info ${COIF_COOKED_SAMPLE} --format json)
 coif_cli_case(info_text_file EXIT 3 STDERR "coif info: error: notes.coif: not a cooked hair asset; give a file written by"
   TEXT notes.coif "this text is long enough for a header" ARGS info notes.coif)
 

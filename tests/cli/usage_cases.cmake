@@ -23,6 +23,8 @@ coif_cli_case(render_unknown_suffix EXIT 1 STDERR "coif render: error: out.jpg: 
   ARGS render a.coif -o out.jpg)
 coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
+coif_cli_case(simulate_too_many_substeps EXIT 1 STDERR "coif simulate: error: --substeps"
+  ARGS simulate a.coif --motion nod --substeps 65 -o out.csv)
 coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"
   ARGS render a.coif --size 4x4 -o out.png)
 coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)

@@ -1,12 +1,14 @@
 #include "cli/asset_summary.h"
 
 #include "cli/json_text.h"
+#include "cli/tuning_summary.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace coif {
 namespace {
@@ -32,27 +34,43 @@ struct Range {
   }
 };
 
+struct BoneSetting {
+  const char* name;
+  float DynamicsRecord::*value;
+  double scale = 1;  ///< To the unit that is shown: the recipe's.
+};
+
+constexpr BoneSetting kBoneSettings[] = {
+    {"resistance", &DynamicsRecord::resistance},
+    {"friction", &DynamicsRecord::friction},
+    {"gravity_scale", &DynamicsRecord::gravity_scale},
+    {"authoring_rate", &DynamicsRecord::authoring_rate},
+    {"hit_radius", &DynamicsRecord::hit_radius},
+    {"stiffness", &DynamicsRecord::stiffness},
+    {"damping", &DynamicsRecord::damping},
+    {"torsion", &DynamicsRecord::torsion},
+    {"angle_limit", &DynamicsRecord::angle_limit, 180 / std::numbers::pi},
+    {"parent_share", &DynamicsRecord::parent_share},
+};
+
 /// Smallest and largest value over the simulated bones: an artist sets curves and scalars, the asset has numbers.
 ordered_json dynamics_ranges(const Asset& asset) {
-  Range resistance, friction, gravity_scale, authoring_rate, hit_radius;
-  for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
-    if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
-    const DynamicsRecord& bone = asset.dynamics()[i];
-    resistance.add(bone.resistance);
-    friction.add(bone.friction);
-    gravity_scale.add(bone.gravity_scale);
-    authoring_rate.add(bone.authoring_rate);
-    hit_radius.add(bone.hit_radius);
-  }
   ordered_json settings = ordered_json::object();
-  const auto put = [&settings](const char* key, const Range& range) {
-    if (range.low <= range.high) settings[key] = {range.low, range.high};
-  };
-  put("resistance", resistance);
-  put("friction", friction);
-  put("gravity_scale", gravity_scale);
-  put("authoring_rate", authoring_rate);
-  put("hit_radius", hit_radius);
+  for (const BoneSetting& setting : kBoneSettings) {
+    Range range;
+    for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
+      if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
+      range.add(float(asset.dynamics()[i].*setting.value * setting.scale));
+    }
+    if (range.low <= range.high) settings[setting.name] = {range.low, range.high};
+  }
+  return settings;
+}
+
+/// With how the asset was tuned, where it was.
+ordered_json all_settings(const Asset& asset) {
+  ordered_json settings = dynamics_ranges(asset);
+  if (asset.tuning() != nullptr) settings["tuning"] = tuning_json(asset);
   return settings;
 }
 
@@ -150,7 +168,8 @@ ordered_json summarize(const Asset& asset) {
                           {"colliding_bones", colliding_bones(asset)},
                           {"lods", lod_list(asset)},
                           {"textures", texture_list(asset)},
-                          {"settings", dynamics_ranges(asset)}};
+                          {"settings", all_settings(asset)},
+                          {"quality", quality_json(asset)}};
   if (asset.material() != nullptr) summary["sides"] = sides(*asset.material());
   if (asset.provenance()) summary["provenance"] = provenance(*asset.provenance());
   return summary;
@@ -195,9 +214,11 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   if (asset.material() != nullptr) text += fmt::format("  {:<16}{:>12}\n", "sides", sides(*asset.material()));
   text += lod_table(summary["lods"]);
   text += "settings (smallest .. largest over the simulated bones)\n";
-  for (const auto& [key, range] : summary["settings"].items()) {
+  const ordered_json ranges = dynamics_ranges(asset);
+  for (const auto& [key, range] : ranges.items()) {
     text += fmt::format("  {:<16}{:>12.4g} .. {:.4g}\n", key, range[0].get<float>(), range[1].get<float>());
   }
+  text += tuning_text(asset);
   text += "chunks (bytes)\n";
   for (const auto& chunk : summary["chunks"]) text += count_line(chunk["id"].get<std::string>(), chunk["bytes"]);
   if (!summary.contains("provenance")) return text;
