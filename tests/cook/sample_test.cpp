@@ -1,3 +1,4 @@
+#include "cook/sample_meshes.h"
 #include "sample/bob.h"
 #include "sample/bob_skeleton.h"
 #include "sample/bob_style.h"
@@ -6,16 +7,12 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,41 +20,6 @@ namespace coif::sample {
 namespace {
 
 using Eigen::Vector3d;
-
-std::vector<std::uint8_t> read_bytes(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-Vector3d corner(const SurfaceMesh& mesh, std::size_t triangle, std::size_t k) {
-  return mesh.positions[mesh.triangles[3 * triangle + k]];
-}
-
-/// Vertices and triangle centres.
-std::vector<Vector3d> points_of(const SurfaceMesh& mesh) {
-  std::vector<Vector3d> points = mesh.positions;
-  for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t)
-    points.push_back((corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3.0);
-  return points;
-}
-
-/// One number per vertex: the smallest vertex that triangles connect it to.
-std::vector<std::uint32_t> connected_groups(const SurfaceMesh& mesh) {
-  std::vector<std::uint32_t> group(mesh.positions.size());
-  std::iota(group.begin(), group.end(), 0u);
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-      const std::uint32_t* t = &mesh.triangles[i];
-      const std::uint32_t low = std::min({group[t[0]], group[t[1]], group[t[2]]});
-      for (int k = 0; k < 3; ++k) {
-        changed |= group[t[k]] != low;
-        group[t[k]] = low;
-      }
-    }
-  }
-  return group;
-}
 
 TEST(Sample, IsTheCommittedFile) {
   const std::vector<std::uint8_t> committed = read_bytes(COIF_SAMPLE_ASSETS "/bob/bob.glb");
@@ -74,34 +36,19 @@ TEST(Sample, HairHas2870TrianglesIn25ConnectedGroups) {
   EXPECT_EQ(std::set<std::uint32_t>(group.begin(), group.end()).size(), 25u);
 }
 
-TEST(Sample, NoTwoGroupsShareAPosition) {
-  const SurfaceMesh hair = make_bob_hair();
-  const std::vector<std::uint32_t> group = connected_groups(hair);
-  std::map<std::tuple<double, double, double>, std::uint32_t> owner;
-  for (std::size_t i = 0; i < hair.positions.size(); ++i) {
-    const Vector3d& p = hair.positions[i];
-    const auto [found, added] = owner.try_emplace({p.x(), p.y(), p.z()}, group[i]);
-    EXPECT_EQ(found->second, group[i]) << "vertex " << i;
-  }
-}
+TEST(Sample, NoTwoGroupsShareAPosition) { EXPECT_EQ(groups_that_touch(make_bob_hair()), 0u); }
 
 TEST(Sample, HairStaysOutsideTheHead) {
   for (const Vector3d& p : points_of(make_bob_hair())) EXPECT_GT(head_distance(p), 0.001) << p.transpose();
 }
 
 TEST(Sample, DeclaredHeadLiesInsideTheHair) {
-  std::ifstream in(COIF_SAMPLE_ASSETS "/bob/bob.recipe.json");
-  const nlohmann::json head = nlohmann::json::parse(in, nullptr, true, true).at("head");
-  const auto vector = [&head](const char* key) {
-    const nlohmann::json& v = head.at(key);
-    return Vector3d(v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>());
-  };
-  for (const Vector3d& p : points_of(make_bob_hair()))
-    EXPECT_GT((p - vector("center")).cwiseQuotient(vector("radii")).norm(), 1.0) << p.transpose();
+  const DeclaredHead head(COIF_SAMPLE_ASSETS "/bob/bob.recipe.json");
+  for (const Vector3d& p : points_of(make_bob_hair())) EXPECT_GT(head.level(p), 1.0) << p.transpose();
 }
 
 TEST(Sample, TrianglesTurnTheSameWayAsTheirNormals) {
-  for (const SurfaceMesh& mesh : {make_bob_hair(), make_bust(), make_scalp_cap()}) {
+  for (const SurfaceMesh& mesh : {make_bob_hair(), make_bust(), make_bare_head(), make_scalp_cap()}) {
     for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
       const Vector3d turn = (corner(mesh, t, 1) - corner(mesh, t, 0)).cross(corner(mesh, t, 2) - corner(mesh, t, 0));
       Vector3d normal = Vector3d::Zero();
@@ -121,15 +68,16 @@ TEST(Sample, HairFacesAwayFromTheHead) {
   }
 }
 
-TEST(Sample, BustIsClosed) {
-  const SurfaceMesh bust = make_bust();
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
-  for (std::size_t i = 0; i < bust.triangles.size(); i += 3)
-    for (std::size_t k = 0; k < 3; ++k) ++uses[{bust.triangles[i + k], bust.triangles[i + (k + 1) % 3]}];
-  ASSERT_FALSE(uses.empty());
-  for (const auto& [edge, count] : uses) {
-    const auto opposite = uses.find({edge.second, edge.first});
-    EXPECT_TRUE(opposite != uses.end() && opposite->second == count) << edge.first << " to " << edge.second;
+TEST(Sample, HeadsAreClosed) {
+  for (const SurfaceMesh& head : {make_bust(), make_bare_head()}) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (std::size_t i = 0; i < head.triangles.size(); i += 3)
+      for (std::size_t k = 0; k < 3; ++k) ++uses[{head.triangles[i + k], head.triangles[i + (k + 1) % 3]}];
+    ASSERT_FALSE(uses.empty());
+    for (const auto& [edge, count] : uses) {
+      const auto opposite = uses.find({edge.second, edge.first});
+      EXPECT_TRUE(opposite != uses.end() && opposite->second == count) << edge.first << " to " << edge.second;
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "sample/bob_skeleton.h"
 
 #include "sample/hair_flow.h"
+#include "sample/rounded_influences.h"
 #include "sample/smooth_step.h"
 
 #include <algorithm>
@@ -59,23 +60,6 @@ double position_along_chain(double height) {
   return level;
 }
 
-/// Rounds weights to 1/256 such that they add up to exactly one and the largest come first.
-SkinInfluences rounded(std::array<std::pair<int, double>, 4> shares) {
-  constexpr double kSteps = 256.0;
-  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  SkinInfluences skin;
-  double rest = 1.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double weight = std::round(shares[i].second * kSteps) / kSteps;
-    if (weight <= 0.0) continue;
-    skin.joints[i] = static_cast<std::uint8_t>(shares[i].first);
-    skin.weights[i] = weight;
-    rest -= weight;
-  }
-  skin.weights[0] += rest;
-  return skin;
-}
-
 }  // namespace
 
 std::vector<Joint> make_bob_skeleton() {
@@ -106,16 +90,17 @@ SkinInfluences hair_influences(const Vector3d& point) {
   const int a = kFirstScalp + share.chain_a * kJointsPerChain + upper;
   const int b = kFirstScalp + share.chain_b * kJointsPerChain + upper;
   const double weight_b = share.weight_b, weight_a = 1.0 - weight_b;
-  return rounded({{{a, weight_a * (1.0 - lower_weight)},
-                   {a + 1, weight_a * lower_weight},
-                   {b, weight_b * (1.0 - lower_weight)},
-                   {b + 1, weight_b * lower_weight}}});
+  return rounded_influences({{{a, weight_a * (1.0 - lower_weight)},
+                              {a + 1, weight_a * lower_weight},
+                              {b, weight_b * (1.0 - lower_weight)},
+                              {b + 1, weight_b * lower_weight}}});
 }
 
 SkinInfluences bust_influences(const Vector3d& point) {
   const double head = smooth_step(1.440, 1.490, point.y() + 0.35 * std::max(point.z(), 0.0));
   const double body = smooth_step(1.430, 1.370, point.y());
-  return rounded({{{kHead, head}, {kRoot, (1.0 - head) * body}, {kNeck, (1.0 - head) * (1.0 - body)}, {kRoot, 0.0}}});
+  return rounded_influences(
+      {{{kHead, head}, {kRoot, (1.0 - head) * body}, {kNeck, (1.0 - head) * (1.0 - body)}, {kRoot, 0.0}}});
 }
 
 }  // namespace coif::sample

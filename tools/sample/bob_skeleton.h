@@ -1,20 +1,13 @@
 #pragma once
 
+#include "sample/joint.h"
 #include "sample/surface_mesh.h"
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace coif::sample {
-
-/// A joint in the rest pose. Joints have no rotation: their axes are the model's.
-struct Joint {
-  std::string name;
-  int parent = -1;           ///< An earlier joint; -1 for the root.
-  Eigen::Vector3d position;  ///< Model space, metres.
-};
 
 /// root > neck > Head > scalp_{left,back,right} > hair_*_1 > _2 > _3 > _3_end. Parents first.
 [[nodiscard]] std::vector<Joint> make_bob_skeleton();

@@ -43,7 +43,8 @@ GltfDocument::GltfDocument() {
   json_["scenes"] = {{{"nodes", Json::array()}}};
 }
 
-void GltfDocument::set_skeleton(const std::vector<Joint>& joints) {
+void GltfDocument::set_skeleton(const std::vector<Joint>& joints, double per_metre) {
+  const auto stored = [per_metre](double metres) { return std::round(metres * per_metre) / per_metre; };
   Json indices = Json::array();
   std::vector<float> inverse_binds;
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -51,15 +52,15 @@ void GltfDocument::set_skeleton(const std::vector<Joint>& joints) {
     const bool is_root = joint.parent < 0;
     const Eigen::Vector3d parent =
         is_root ? Eigen::Vector3d::Zero() : joints[static_cast<std::size_t>(joint.parent)].position;
-    json_["nodes"].push_back({{"name", joint.name}, {"translation", as_json(joint.position - parent)}});
+    const Eigen::Vector3d offset = (joint.position - parent).unaryExpr(stored);
+    json_["nodes"].push_back({{"name", joint.name}, {"translation", {offset.x(), offset.y(), offset.z()}}});
     if (is_root)
       json_["scenes"][0]["nodes"].push_back(i);
     else
       json_["nodes"][static_cast<std::size_t>(joint.parent)]["children"].push_back(i);
     indices.push_back(i);
-    const Eigen::Vector3d& p = joint.position;
-    inverse_binds.insert(inverse_binds.end(),
-                         {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, rounded(-p.x()), rounded(-p.y()), rounded(-p.z()), 1});
+    const Eigen::Vector3f p = -joint.position.unaryExpr(stored).cast<float>();
+    inverse_binds.insert(inverse_binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, p.x(), p.y(), p.z(), 1});
   }
   const std::size_t view = add_view(inverse_binds.data(), inverse_binds.size() * sizeof(float), kNoTarget);
   const std::size_t matrices = add_accessor(view, kFloat, "MAT4", joints.size());
@@ -140,16 +141,25 @@ std::size_t GltfDocument::add_vectors(const std::vector<Eigen::Vector3d>& vector
 }
 
 void GltfDocument::add_skin_attributes(const std::vector<SkinInfluences>& skin, Json& attributes) {
-  std::vector<std::uint8_t> joints;
   std::vector<float> weights;
   for (const SkinInfluences& vertex : skin) {
-    joints.insert(joints.end(), vertex.joints.begin(), vertex.joints.end());
     for (const double weight : vertex.weights) weights.push_back(static_cast<float>(weight));
   }
-  const std::size_t joint_view = add_view(joints.data(), joints.size(), kVertexTarget);
-  attributes["JOINTS_0"] = add_accessor(joint_view, kUnsignedByte, "VEC4", skin.size());
+  attributes["JOINTS_0"] = add_joints(skin);
   const std::size_t weight_view = add_view(weights.data(), weights.size() * sizeof(float), kVertexTarget);
   attributes["WEIGHTS_0"] = add_accessor(weight_view, kFloat, "VEC4", skin.size());
+}
+
+std::size_t GltfDocument::add_joints(const std::vector<SkinInfluences>& skin) {
+  std::vector<std::uint16_t> wide;
+  for (const SkinInfluences& vertex : skin) wide.insert(wide.end(), vertex.joints.begin(), vertex.joints.end());
+  if (std::ranges::max(wide) > 0xFF) {
+    const std::size_t view = add_view(wide.data(), wide.size() * sizeof(std::uint16_t), kVertexTarget);
+    return add_accessor(view, kUnsignedShort, "VEC4", skin.size());
+  }
+  std::vector<std::uint8_t> bytes;
+  for (const std::uint16_t joint : wide) bytes.push_back(static_cast<std::uint8_t>(joint));
+  return add_accessor(add_view(bytes.data(), bytes.size(), kVertexTarget), kUnsignedByte, "VEC4", skin.size());
 }
 
 std::size_t GltfDocument::add_triangles(const std::vector<std::uint32_t>& triangles) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sample/bob_skeleton.h"
+#include "sample/joint.h"
 #include "sample/surface_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -24,8 +24,9 @@ class GltfDocument {
  public:
   GltfDocument();
 
-  /// Before the first mesh. Adds a node per joint.
-  void set_skeleton(const std::vector<Joint>& joints);
+  /// Before the first mesh. Adds a node per joint. Places are rounded to 1/`per_metre`; decimal ones take fewer digits,
+  /// which shows with many joints.
+  void set_skeleton(const std::vector<Joint>& joints, double per_metre = 65536.0);
   /// Before the first hair material.
   void set_image(const std::string& name, const std::vector<std::uint8_t>& png);
   /// Adds material, mesh and node of one name. The mesh has a skin.
@@ -38,6 +39,7 @@ class GltfDocument {
   std::size_t add_accessor(std::size_t view, int component, const char* type, std::size_t count);
   std::size_t add_vectors(const std::vector<Eigen::Vector3d>& vectors, bool with_bounds);
   void add_skin_attributes(const std::vector<SkinInfluences>& skin, nlohmann::ordered_json& attributes);
+  std::size_t add_joints(const std::vector<SkinInfluences>& skin);
   std::size_t add_triangles(const std::vector<std::uint32_t>& triangles);
   std::size_t add_material(const GltfMaterial& material);
 

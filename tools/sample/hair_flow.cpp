@@ -1,6 +1,7 @@
 #include "sample/hair_flow.h"
 
 #include "sample/head_shape.h"
+#include "sample/skull_paths.h"
 #include "sample/smooth_step.h"
 
 #include <algorithm>
@@ -15,27 +16,12 @@ using Eigen::Vector3d;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kRootLift = 0.0035;  // Metres; roots lie close to the scalp, outer layers above inner ones.
 
-/// Unit direction on a quadratic Bezier curve, seen from the middle of the skull. `t` outside 0..1 goes on along it.
-Vector3d along_curve(const Vector3d& from, const Vector3d& control, const Vector3d& to, double t) {
-  return ((1 - t) * (1 - t) * from + 2 * t * (1 - t) * control + t * t * to).normalized();
-}
-
 /// A side parting on the model's left, from the forehead to the crown.
 Vector3d parting_direction(double t) {
   static const Vector3d kForehead = Vector3d(0.30, 0.66, 0.70).normalized();
   static const Vector3d kCrown = Vector3d(0.06, 0.88, -0.46).normalized();
   static const Vector3d kTop = kForehead + kCrown;
-  return along_curve(kForehead, 0.6 * kTop, kCrown, t);
-}
-
-/// Keeps hair that hangs over cheeks, neck and shoulders outside of them.
-Vector3d pushed_clear(Vector3d point, double clearance) {
-  for (int i = 0; i < 6; ++i) {
-    const double distance = head_distance(point);
-    if (distance >= clearance) break;
-    point += (clearance - distance) * head_normal(point);
-  }
-  return point;
+  return direction_on_curve(kForehead, 0.6 * kTop, kCrown, t);
 }
 
 }  // namespace
@@ -51,7 +37,7 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
   const double on_skull = std::min(travelled / arc, 1.0);
   // Straight above its end, so that hair arrives there hanging.
   const Vector3d control = widest + 0.75 * Vector3d::UnitY();
-  const Vector3d direction = along_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
+  const Vector3d direction = direction_on_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
   const double root_lift = kRootLift + 0.45 * course.lift;
   const double lift = root_lift + (course.lift - root_lift) * smooth_step(0.0, 0.06, travelled);
   Vector3d point = kCraniumCenter + (kCraniumRadii.array() + lift).matrix().cwiseProduct(direction);
@@ -62,7 +48,7 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
     point.y() -= fallen;
     point += (course.flare * smooth_step(0.0, 0.75, share) - course.curl * smooth_step(0.55, 1.15, share)) * widest;
   }
-  return pushed_clear(point, 0.003 + 0.5 * course.lift);
+  return pushed_clear(point, 0.003 + 0.5 * course.lift, head_distance, head_normal);
 }
 
 double azimuth_of(const Vector3d& point) {

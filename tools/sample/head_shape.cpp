@@ -35,14 +35,16 @@ double join(double a, double b, double blend) {
 /// `a` without `b`, the edge rounded over `blend` metres.
 double carve(double a, double b, double blend) { return -join(-a, b, blend); }
 
+double neck(const Vector3d& p) { return rod(p, {0, 1.520, -0.028}, {0, 1.380, -0.040}, 0.047, 0.052); }
+
+double throat(const Vector3d& p) { return rod(p, {0, 1.480, 0.012}, {0, 1.395, 0.004}, 0.022, 0.020); }
+
 double neck_and_shoulders(const Vector3d& p) {
-  const double neck = rod(p, {0, 1.520, -0.028}, {0, 1.380, -0.040}, 0.047, 0.052);
   const double trapezius = rod(p, {0.020, 1.413, -0.040}, {0.150, 1.350, -0.036}, 0.040, 0.050);
   const double chest = ellipsoid(p, {0, 1.270, -0.022}, {0.195, 0.132, 0.094});
   const double collar_bone = rod(p, {0.018, 1.368, 0.028}, {0.125, 1.380, -0.006}, 0.008, 0.009);
-  const double throat = rod(p, {0, 1.480, 0.012}, {0, 1.395, 0.004}, 0.022, 0.020);
-  double body = join(neck, join(trapezius, chest, 0.060), 0.050);
-  body = join(body, throat, 0.030);
+  double body = join(neck(p), join(trapezius, chest, 0.060), 0.050);
+  body = join(body, throat(p), 0.030);
   return join(body, collar_bone, 0.022);
 }
 
@@ -80,25 +82,37 @@ double with_nose_and_mouth(double head, const Vector3d& p) {
   return join(head, join(upper_lip, lower_lip, 0.0010), 0.006);
 }
 
-}  // namespace
+double face(const Vector3d& p) { return with_nose_and_mouth(with_eyes(skull(p), p), p); }
 
-double head_distance(const Vector3d& point) {
-  const Vector3d p{std::abs(point.x()), point.y(), point.z()};
-  const double head = with_nose_and_mouth(with_eyes(skull(p), p), p);
-  const double bust = join(head, neck_and_shoulders(p), 0.030);
-  constexpr double kBase = 1.280;  // The bust stands on a flat base here.
-  return carve(bust, p.y() - kBase, 0.012);
-}
-
-Vector3d head_normal(const Vector3d& point) {
+Vector3d gradient(double (*distance)(const Vector3d&), const Vector3d& point) {
   constexpr double kStep = 2e-4;
   Vector3d gradient;
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d offset = kStep * Vector3d::Unit(axis);
-    gradient[axis] = head_distance(point + offset) - head_distance(point - offset);
+    gradient[axis] = distance(point + offset) - distance(point - offset);
   }
   return gradient.normalized();
 }
+
+}  // namespace
+
+double head_distance(const Vector3d& point) {
+  const Vector3d p{std::abs(point.x()), point.y(), point.z()};
+  const double bust = join(face(p), neck_and_shoulders(p), 0.030);
+  constexpr double kBase = 1.280;  // The bust stands on a flat base here.
+  return carve(bust, p.y() - kBase, 0.012);
+}
+
+Vector3d head_normal(const Vector3d& point) { return gradient(head_distance, point); }
+
+double bare_head_distance(const Vector3d& point) {
+  const Vector3d p{std::abs(point.x()), point.y(), point.z()};
+  const double head = join(face(p), join(neck(p), throat(p), 0.030), 0.030);
+  constexpr double kBase = 1.400;  // The neck stands on a flat base here.
+  return carve(head, p.y() - kBase, 0.030);
+}
+
+Vector3d bare_head_normal(const Vector3d& point) { return gradient(bare_head_distance, point); }
 
 SurfaceMesh make_bust() {
   // Finest at the face.
@@ -106,6 +120,13 @@ SurfaceMesh make_bust() {
                           graded_axis(1.258, 1.735, 0.0150, 1.505, 1.608, 0.0036),
                           graded_axis(-0.150, 0.120, 0.0140, 0.066, 0.120, 0.0038)};
   return extract_surface(grid, head_distance, head_normal);
+}
+
+SurfaceMesh make_bare_head() {
+  const SamplingGrid grid{graded_axis(-0.118, 0.118, 0.0200, -0.032, 0.032, 0.0046),
+                          graded_axis(1.380, 1.735, 0.0180, 1.505, 1.608, 0.0046),
+                          graded_axis(-0.150, 0.120, 0.0180, 0.066, 0.120, 0.0048)};
+  return extract_surface(grid, bare_head_distance, bare_head_normal);
 }
 
 SurfaceMesh make_scalp_cap() {

@@ -20,6 +20,15 @@ inline const Eigen::Vector3d kCraniumRadii{0.0765, 0.092, 0.0965};
 /// The whole bust, closed, with smooth normals.
 [[nodiscard]] SurfaceMesh make_bust();
 
+/// The same head on a neck without shoulders, for hair that would rest on them.
+[[nodiscard]] double bare_head_distance(const Eigen::Vector3d& point);
+
+/// Unit gradient of bare_head_distance(): outwards.
+[[nodiscard]] Eigen::Vector3d bare_head_normal(const Eigen::Vector3d& point);
+
+/// The whole bare head, closed, with smooth normals.
+[[nodiscard]] SurfaceMesh make_bare_head();
+
 /// A hair-coloured cap just above the scalp, so that no skin shows between two strips.
 [[nodiscard]] SurfaceMesh make_scalp_cap();
 

@@ -3,8 +3,6 @@
 #include "sample/seeded_noise.h"
 #include "sample/smooth_step.h"
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,8 +28,8 @@ constexpr double kTexelsPerLock = 6.0;
 constexpr double kTexelsPerStrand = 1.15;  // Dense enough that strands overlap about three deep.
 
 /// sRGB 0..1 of the mean hair at `v`: darker roots, lighter tips.
-Vector3d hair_color(double v) {
-  const Vector3d root{0.230, 0.148, 0.098}, length{0.410, 0.275, 0.182}, tip{0.560, 0.405, 0.280};
+Vector3d hair_color(const StrandColors& colors, double v) {
+  const auto& [root, length, tip] = colors;
   return root + smooth_step(-0.05, 0.35, v) * (length - root) + smooth_step(0.35, 1.0, v) * (tip - length);
 }
 
@@ -51,9 +49,10 @@ struct Texel {
 
 class StrandPainter {
  public:
-  StrandPainter() : texels_(static_cast<std::size_t>(kWidth) * kHeight) {
+  explicit StrandPainter(const StrandColors& colors)
+      : colors_(colors), texels_(static_cast<std::size_t>(kWidth) * kHeight) {
     for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) at(x, y) = {0.72 * hair_color((y + 0.5) / kHeight), 0.0};
+      for (int x = 0; x < kWidth; ++x) at(x, y) = {0.72 * hair_color(colors_, (y + 0.5) / kHeight), 0.0};
   }
 
   /// `tone` brightens or darkens the whole clump, so that neighbouring strips stand apart.
@@ -146,7 +145,7 @@ class StrandPainter {
     const int first =
         std::max(static_cast<int>(std::floor(center - half - 0.5)), static_cast<int>(std::ceil(from)) + 1);
     const int last = std::min(static_cast<int>(std::ceil(center + half)), static_cast<int>(to) - 2);
-    const Vector3d color = hair_color(v).cwiseProduct(
+    const Vector3d color = hair_color(colors_, v).cwiseProduct(
         Vector3d{strand.brightness + strand.warmth, strand.brightness, strand.brightness - strand.warmth});
     for (int x = first; x <= last; ++x) {
       const double off = std::abs(x + 0.5 - center);
@@ -159,14 +158,15 @@ class StrandPainter {
     }
   }
 
+  StrandColors colors_;
   std::vector<Texel> texels_;
 };
 
 }  // namespace
 
-StrandTexture make_strand_texture() {
+StrandTexture make_strand_texture(const StrandColors& colors) {
   SeededNoise noise(2011);
-  StrandPainter painter;
+  StrandPainter painter(colors);
   constexpr std::array<double, kClumpWindows.size()> kTones{1.00, 0.92, 1.06, 0.97};
   for (std::size_t i = 0; i < kClumpWindows.size(); ++i) painter.paint_window(kClumpWindows[i], kTones[i], noise);
   painter.paint_window(kBroadWindow, 0.82, noise);  // The inner layer lies in the others' shadow.

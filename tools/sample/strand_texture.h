@@ -2,6 +2,8 @@
 
 #include "sample/strip.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,7 +24,14 @@ struct StrandTexture {
   std::vector<std::uint8_t> rgba;
 };
 
-[[nodiscard]] StrandTexture make_strand_texture();
+/// Mean colour of the hair along a strand, sRGB 0..1. The defaults are the bob's brown.
+struct StrandColors {
+  Eigen::Vector3d root{0.230, 0.148, 0.098};
+  Eigen::Vector3d length{0.410, 0.275, 0.182};
+  Eigen::Vector3d tip{0.560, 0.405, 0.280};
+};
+
+[[nodiscard]] StrandTexture make_strand_texture(const StrandColors& colors = {});
 
 /// PNG bytes of the texture; empty only when out of memory.
 [[nodiscard]] std::vector<std::uint8_t> encode_png(const StrandTexture& texture);

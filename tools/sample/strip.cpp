@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace coif::sample {
 namespace {
@@ -45,36 +46,42 @@ Vector3d point_on_strip(const StripStyle& style, const Irregularity& odd, double
   return point_on_hair(course, along);
 }
 
-Vector3d normal_on_strip(const StripStyle& style, const Irregularity& odd, double across, double along) {
+Vector3d normal_on(const StripSurface& surface, double across, double along) {
   constexpr double kStep = 0.02;
-  const Vector3d u =
-      point_on_strip(style, odd, across + kStep, along) - point_on_strip(style, odd, across - kStep, along);
+  const Vector3d u = surface(across + kStep, along) - surface(across - kStep, along);
   const double from = std::max(along - kStep, 0.0), to = std::min(along + kStep, 1.0);
-  const Vector3d v = point_on_strip(style, odd, across, to) - point_on_strip(style, odd, across, from);
+  const Vector3d v = surface(across, to) - surface(across, from);
   return v.cross(u).normalized();
 }
 
 }  // namespace
 
-void append_strip(const StripStyle& style, unsigned seed, SurfaceMesh& mesh) {
-  const Irregularity odd(seed);
+void append_grid(int columns, std::span<const double> places, const TextureWindow& window, const StripSurface& surface,
+                 SurfaceMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const auto stride = static_cast<std::uint32_t>(style.columns + 1);
-  for (int row = 0; row <= style.rows; ++row) {
-    for (int column = 0; column <= style.columns; ++column) {
-      const double u = static_cast<double>(column) / style.columns;
-      const double v = static_cast<double>(row) / style.rows;
-      mesh.positions.push_back(point_on_strip(style, odd, 2.0 * u - 1.0, v));
-      mesh.normals.push_back(normal_on_strip(style, odd, 2.0 * u - 1.0, v));
-      mesh.uvs.emplace_back(style.window.from + u * (style.window.to - style.window.from), v);
+  const auto stride = static_cast<std::uint32_t>(columns + 1);
+  for (const double v : places) {
+    for (int column = 0; column <= columns; ++column) {
+      const double u = static_cast<double>(column) / columns;
+      mesh.positions.push_back(surface(2.0 * u - 1.0, v));
+      mesh.normals.push_back(normal_on(surface, 2.0 * u - 1.0, v));
+      mesh.uvs.emplace_back(window.from + u * (window.to - window.from), v);
     }
   }
-  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(style.rows); ++row) {
+  for (std::uint32_t row = 0; row + 1 < places.size(); ++row) {
     for (std::uint32_t column = 0; column + 1 < stride; ++column) {
       const std::uint32_t a = first + row * stride + column, b = a + 1, c = a + stride, d = c + 1;
       mesh.triangles.insert(mesh.triangles.end(), {a, c, b, b, c, d});
     }
   }
+}
+
+void append_strip(const StripStyle& style, unsigned seed, SurfaceMesh& mesh) {
+  const Irregularity odd(seed);
+  const auto surface = [&](double across, double along) { return point_on_strip(style, odd, across, along); };
+  std::vector<double> places;
+  for (int row = 0; row <= style.rows; ++row) places.push_back(static_cast<double>(row) / style.rows);
+  append_grid(style.columns, places, style.window, surface, mesh);
 }
 
 }  // namespace coif::sample

@@ -2,6 +2,9 @@
 
 #include "sample/surface_mesh.h"
 
+#include <functional>
+#include <span>
+
 namespace coif::sample {
 
 /// A vertical window of the texture, U from..to.
@@ -28,6 +31,14 @@ struct StripStyle {
   double taper = 0.5;  ///< Share of the width lost at the tip.
   TextureWindow window;
 };
+
+/// A point of a strip: `across` -1..1, `along` 0 root .. 1 tip, and a little beyond.
+using StripSurface = std::function<Eigen::Vector3d(double across, double along)>;
+
+/// Appends a grid of quads with its own vertices and normals outwards, U across, V 0 at the root and 1 at the tip. Each row of
+/// vertices lies at one of `places` along the strip, ascending.
+void append_grid(int columns, std::span<const double> places, const TextureWindow& window, const StripSurface& surface,
+                 SurfaceMesh& mesh);
 
 /// Appends the strip to `mesh`: a grid with its own vertices, U across, V 0 at the root and 1 at the tip. `seed` picks
 /// the slight irregularity of length, wave and twist.

@@ -11,7 +11,7 @@ namespace coif::sample {
 
 /// Up to four joints of one vertex. Unused places have weight zero; the weights add up to one.
 struct SkinInfluences {
-  std::array<std::uint8_t, 4> joints{};
+  std::array<std::uint16_t, 4> joints{};
   std::array<double, 4> weights{};
 };
 

@@ -1,0 +1,72 @@
+// coif_make_sample [bob|long] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, the bob unless told otherwise; with
+// numbers, a bob of another density.
+
+#include "sample/bob.h"
+#include "sample/long.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace {
+
+/// Beside the target first, then renamed: a reader never sees half a file.
+bool write_file(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+  const std::filesystem::path draft = path.string() + ".tmp";
+  std::ofstream out(draft, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(draft, path, error);
+  const bool written = out && !error;
+  if (!written) std::filesystem::remove(draft, error);
+  return written;
+}
+
+struct Order {
+  const char* path = nullptr;
+  bool is_long = false;
+  coif::sample::BobDensity density;
+};
+
+std::optional<Order> read_order(int argc, char** argv) {
+  Order order;
+  if (argc > 1) order.is_long = std::string_view(argv[1]) == "long";
+  const bool names_style = order.is_long || (argc > 1 && std::string_view(argv[1]) == "bob");
+  const int path = names_style ? 2 : 1;
+  const int most = order.is_long ? path + 1 : path + 3;
+  if (argc <= path || argc > most) return std::nullopt;
+  order.path = argv[path];
+  if (argc > path + 1) order.density.quads = std::atof(argv[path + 1]);
+  if (argc > path + 2) order.density.copies = std::atoi(argv[path + 2]);
+  const coif::sample::BobDensity& d = order.density;
+  if (!(d.quads > 0 && d.quads <= 100 && d.copies >= 1 && d.copies <= 1000)) return std::nullopt;
+  return order;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto order = read_order(argc, argv);
+  if (!order) {
+    std::fputs(
+        "usage: coif_make_sample [bob] OUT.glb [QUADS [COPIES]]\n"
+        "       coif_make_sample long OUT.glb\n"
+        "  QUADS   rows and columns of each strip, as a share of the sample's, up to 100\n"
+        "  COPIES  strips in place of each, 1 to 1000\n",
+        stderr);
+    return 1;
+  }
+  const std::vector<std::uint8_t> bytes =
+      order->is_long ? coif::sample::make_long() : coif::sample::make_bob(order->density);
+  if (!write_file(order->path, bytes)) {
+    std::fprintf(stderr, "coif_make_sample: error: %s: cannot write; check that the folder exists and is writable\n",
+                 order->path);
+    return 2;
+  }
+  std::printf("%s: %zu bytes\n", order->path, bytes.size());
+  return 0;
+}
