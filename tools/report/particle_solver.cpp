@@ -1,5 +1,7 @@
 #include "report/particle_solver.h"
 
+#include <coif/hair.h>
+
 #include <cmath>
 
 namespace coif {
@@ -38,6 +40,14 @@ Quaterniond bent_frame(const Quaterniond& frame, const Vector3d& direction, cons
   return arc.normalized() * frame;
 }
 
+/// Beyond what the runtime takes for a movement (StepSettings::teleport_distance and teleport_angle).
+bool jumps(const HeadPose& from, const HeadPose& to) {
+  const Vector3d way = Eigen::Map<const Vector3d>(to.position) - Eigen::Map<const Vector3d>(from.position);
+  const StepSettings runtime;
+  return way.norm() > double(runtime.teleport_distance) ||
+         rotation_of(from).angularDistance(rotation_of(to)) > double(runtime.teleport_angle);
+}
+
 }  // namespace
 
 ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene)
@@ -63,6 +73,7 @@ void ParticleSolver::reset(const HeadPose& head) {
 
 bool ParticleSolver::step(const HeadPose& head, double dt) {
   if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head) || positions_.size() != bone_count()) return false;
+  if (jumps(head_, head)) reset(head);
   const Vector3d way = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
   for (Vector3d& position : positions_) position -= way;
   const Vector3d velocity = way / dt;

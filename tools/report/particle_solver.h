@@ -29,6 +29,7 @@ class ParticleSolver : public ChainSolver {
 
   void reset(const HeadPose& head) final;
   /// Refuses what is not finite, steps that are not above zero, and to begin without reset().
+  /// A head that jumps is taken as the runtime takes it; as these methods know no better, the hair starts again from rest.
   [[nodiscard]] bool step(const HeadPose& head, double dt) final;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const final { return ends_; }
 

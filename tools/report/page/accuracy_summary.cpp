@@ -84,7 +84,11 @@ std::string reference_summary(const AccuracyReport& report) {
   if (unsure.empty()) {
     return fmt::format(
         "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
-        "it agrees with itself to {} in every motion; errors above that are the solvers'.",
+        "it agrees with itself to {} in every motion; errors above that are the solvers'. In that model bones do not "
+        "pull "
+        "on their parents; the methods whose bones do (all but coif and projective) solve another equation, and a part "
+        "of "
+        "their distance is that difference, whatever their steps.",
         percent_text(worst));
   }
   return fmt::format(
