@@ -29,9 +29,16 @@ double touch_everything(const Asset& asset) {
   for (const ChainRecord& chain : asset.chains()) {
     for (std::uint32_t i = 0; i < chain.bone_count; ++i) sum += asset.bones()[chain.first_bone + i].joint[1];
   }
-  for (const DynamicsRecord& d : asset.dynamics()) sum += d.resistance + d.friction + d.gravity_scale + d.hit_radius;
+  for (const DynamicsRecord& d : asset.dynamics()) {
+    sum += d.resistance + d.friction + d.gravity_scale + d.hit_radius;
+    sum += d.stiffness + d.damping + d.torsion + d.angle_limit + d.parent_share;
+  }
   for (const ColliderRecord& c : asset.colliders())
     sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3] + c.axis[1];
+  if (const TuningRecord* t = asset.tuning(); t != nullptr) sum += t->substep_rate + t->reached_error + t->cost;
+  for (const QualityRecord& q : asset.quality()) {
+    sum += q.frame_rate + q.rms_error + q.max_error + q.stretch + q.penetration + q.cost + float(q.worst_motion);
+  }
   for (const LodRecord& lod : asset.lods()) {
     sum += asset.patches()[lod.first_patch + lod.patch_count - 1].head_distance + lod.screen_size + lod.error;
   }

@@ -1,5 +1,5 @@
 // What open() demands of colliders and of the bones' sets of them. small_asset() has an ellipsoid, a capsule that keeps
-// hair inside, and a plane; bone 2 may touch all, bone 3 the capsule.
+// hair inside, a plane and a tapered capsule; bone 2 may touch all, bone 3 the capsule.
 
 #include "formats/refusal.h"
 
@@ -51,6 +51,47 @@ TEST(OpenColliders, RefusesFlagsWhereTheShapeHasNone) {
   EXPECT_EQ(refusal([](auto& a) { a.colliders[0].flags = kColliderKeepsInside; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[2].flags = kColliderKeepsInside; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].flags = kColliderKeepsInside | 2u; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[3].flags = kColliderKeepsInside; }), LoadCode::kReserved);
+}
+
+TEST(OpenColliders, ATaperedCapsuleHasTwoRadii) {
+  const auto with_radii = [](float from, float to, float third) {
+    return refusal([=](auto& a) {
+      a.colliders[3].radii[0] = from;
+      a.colliders[3].radii[1] = to;
+      a.colliders[3].radii[2] = third;
+    });
+  };
+  EXPECT_EQ(with_radii(0.05f, 0.05f, 0), LoadCode::kOk) << "both ends may be alike";
+  EXPECT_EQ(with_radii(1.0e-6f, 0.05f, 0), LoadCode::kOk);
+  EXPECT_EQ(with_radii(0, 0.05f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 0, 0), LoadCode::kNotFinite) << "a point has no direction to push along";
+  EXPECT_EQ(with_radii(0.05f, -0.03f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(kNan, 0.05f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, kNan, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 2.0e5f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 0.03f, 0.03f), LoadCode::kNotFinite) << "there is no third end";
+  EXPECT_EQ(with_radii(0.05f, 0.03f, kNan), LoadCode::kNotFinite);
+}
+
+TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
+  const auto with_axis = [](float x, float y) {
+    return refusal([=](auto& a) {
+      a.colliders[3].axis[0] = x;
+      a.colliders[3].axis[1] = y;
+    });
+  };
+  EXPECT_EQ(with_axis(0, -0.021f), LoadCode::kOk) << "the radii differ by 0.02";
+  EXPECT_EQ(with_axis(0, -0.019f), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(0, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(kNan, -0.2f), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(INFINITY, -0.2f), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) {
+              a.colliders[3].radii[1] = a.colliders[3].radii[0];
+              a.colliders[3].axis[1] = -1.0e-7f;
+            }),
+            LoadCode::kNotFinite)
+      << "too short to have a direction";
 }
 
 TEST(OpenColliders, RefusesReservedFieldsInUse) {
@@ -61,7 +102,7 @@ TEST(OpenColliders, RefusesReservedFieldsInUse) {
 }
 
 TEST(OpenColliders, RefusesSetsThatNameNoCollider) {
-  EXPECT_EQ(refusal([](auto& a) { a.bones[2].colliders = 0b1000; }), LoadCode::kColliderSet);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].colliders = 0b10000; }), LoadCode::kColliderSet);
   EXPECT_EQ(refusal([](auto& a) { a.bones[2].colliders = 1u << 31; }), LoadCode::kColliderSet);
   EXPECT_EQ(refusal([](auto& a) { a.colliders.pop_back(); }), LoadCode::kColliderSet);
   EXPECT_EQ(refusal([](auto& a) { a.colliders.clear(); }), LoadCode::kColliderSet);

@@ -65,10 +65,17 @@ ColliderRecord collider(ColliderShape shape, const std::array<float, 3>& radii, 
 void add_colliders(AssetContents& asset) {
   asset.colliders = {collider(ColliderShape::kEllipsoid, {0.08f, 0.12f, 0.1f}, {}),
                      collider(ColliderShape::kCapsule, {0.05f, 0.05f, 0.05f}, {0.0f, -0.2f, 0.0f}),
-                     collider(ColliderShape::kPlane, {}, {0.0f, 0.0f, 1.0f})};
+                     collider(ColliderShape::kPlane, {}, {0.0f, 0.0f, 1.0f}),
+                     collider(ColliderShape::kTaperedCapsule, {0.05f, 0.03f, 0.0f}, {0.0f, -0.2f, 0.0f})};
   asset.colliders[1].flags = kColliderKeepsInside;
-  asset.bones[2].colliders = 0b111;
+  asset.colliders[3].center[2] = -0.3f;  // where no hair is
+  asset.bones[2].colliders = 0b1111;
   asset.bones[3].colliders = 0b010;
+}
+
+void add_tuning(AssetContents& asset) {
+  asset.tuning = {{60.0f, 0.007f, 0.005f, 2000.0f, 1315.0f, 30.0f, 120.0f, 1}};
+  asset.quality = {{30.0f, 2, 0.005f, 0.012f, 1.0e-6f, 0.0f, 1315.0f, 6}, {120.0f, 1, 0.001f, 0.003f, 0, 0, 875.0f, 4}};
 }
 
 void add_textures(AssetContents& asset) {
@@ -92,6 +99,7 @@ AssetContents small_asset() {
     asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f, 0.005f, 1543.0f, 21.4f, 20.0f, kNoAngleLimit, 1.0f, {}});
   }
   add_colliders(asset);
+  add_tuning(asset);
   add_mesh(asset);
   MaterialRecord material{};
   for (float& c : material.base_color) c = 1.0f;
