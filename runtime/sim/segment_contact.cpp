@@ -201,23 +201,28 @@ constexpr float kFarTurn = 0.9f;  ///< Cosine beyond which a step is looked at i
 constexpr float kDeep = 0.35f;    ///< Share of the collider's size: deeper than this is through, not along.
 constexpr int kLooks = 8;
 
-/// True where the segment went through the collider on the way from `before`. Then it is put back to the last look on
-/// the side it came from.
+/// True where the segment went through the collider on the way from `before`, the shorter way round, or ended deep in it.
+/// Then it is put back to the last look on the side it came from.
 bool find_crossing(const PlacedCollider& collider, const Vec3& before, BoneSegment& segment) {
-  const Vec3 after = segment.direction;
+  const float cosine = dot(before, segment.direction);
+  Vec3 side = segment.direction - before * cosine;
+  const float sine = length(side);
+  if (!(sine > 1e-3f)) return false;  // straight over the top or around: no telling
+  side = side * (1.0f / sine);
+  const float turn = std::atan2(sine, cosine) / float(kLooks);
+  const float turn_cos = std::cos(turn), turn_sin = std::sin(turn);
   BoneSegment between = segment;
-  Vec3 last = before;
-  for (int i = 1; i < kLooks; ++i) {
-    const float share = float(i) / float(kLooks);
-    const Vec3 mixed = before * (1.0f - share) + after * share;
-    const float size = length(mixed);
-    if (!(size > 1e-3f)) continue;
-    between.direction = mixed * (1.0f / size);
+  float along = 1.0f, across = 0.0f;
+  for (int i = 1; i <= kLooks; ++i) {
+    const Vec3 last = before * along + side * across;
+    const float next = along * turn_cos - across * turn_sin;
+    across = along * turn_sin + across * turn_cos;
+    along = next;
+    between.direction = before * along + side * across;
     if (deepest(collider, between).gap < -kDeep * size_of(collider)) {
-      segment.direction = last;
+      segment.direction = last * (1.0f / length(last));
       return true;
     }
-    last = between.direction;
   }
   return false;
 }

@@ -62,7 +62,7 @@ class MemoryCarver;
 
 /// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
 /// once, create() carves it up. Not thread safe; different Hair objects are independent. A thin owner: a game with
-/// its own memory and job system can run ThesisStepJob and PaletteJob itself.
+/// its own memory and job system can run CoifStepJob or ThesisStepJob, and PaletteJob, itself.
 class Hair {
  public:
   Hair() = default;
