@@ -15,6 +15,10 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
+/// Hair that whips round turns further in a usual step than the integrator can follow: its steps are cut.
+constexpr double kLargestTurn = 0.25;  // Radians, in a step of the coarsest run.
+constexpr double kMostParts = 16;
+
 /// A time at which a step has to end.
 struct Stop {
   double seconds = 0;
@@ -55,13 +59,16 @@ class TreeRun {
   TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops)
       : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
 
-  TipPaths run(const TreeTips& tips, std::size_t samples, double steps_per_second) {
+  /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
+  /// could agree because they took the same steps.
+  TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness) {
+    fineness_ = fineness;
     TipPaths paths(tips.members.size() * samples);
     tree_.reset(path_.at(0));
     double now = 0;
     std::size_t sample = 0;
     for (const Stop& stop : stops_) {
-      go(now, stop, steps_per_second);
+      go(now, stop, coarse_rate);
       now = stop.seconds;
       if (!stop.is_sample) continue;
       tree_.bone_ends(path_.at(now).rotation, ends_);
@@ -72,17 +79,19 @@ class TreeRun {
   }
 
  private:
-  void go(double from, const Stop& stop, double steps_per_second) {
-    const double span = stop.seconds - from;
-    const auto count = span > 0 ? std::max(1L, std::lround(std::ceil(span * steps_per_second - 1.0e-6))) : 0L;
-    const double dt = count > 0 ? span / double(count) : 0.0, inside = from + span / 2;
-    HeadStep step{dt, {}, {}, path_.at(from, inside)};
+  void go(double from, const Stop& stop, double coarse_rate) {
+    const double span = stop.seconds - from, inside = from + span / 2;
+    const double coarse_count = span > 0 ? std::max(1.0, std::ceil(span * coarse_rate - 1.0e-6)) : 0.0;
+    const long count = std::lround(coarse_count * fineness_);
     for (long i = 0; i < count; ++i) {
-      const double begin = from + span * double(i) / double(count);
-      step.start = step.end;
-      step.middle = path_.at(begin + dt / 2, inside);
-      step.end = path_.at(begin + dt, inside);
-      tree_.step(step);
+      const double begin = from + span * double(i) / double(count), end = from + span * double(i + 1) / double(count);
+      const double turn = tree_.fastest_turning() * (end - begin) * fineness_;
+      const long parts = turn > kLargestTurn ? std::lround(std::ceil(std::min(turn / kLargestTurn, kMostParts))) : 1L;
+      for (long part = 0; part < parts; ++part) {
+        const double dt = (end - begin) / double(parts);
+        const double start = begin + double(part) * dt;
+        tree_.step({dt, path_.at(start, inside), path_.at(start + dt / 2, inside), path_.at(start + dt, inside)});
+      }
     }
     if (stop.jumps) {
       const auto before = path_.at(stop.seconds, inside).rotation;
@@ -92,6 +101,7 @@ class TreeRun {
 
   ReferenceTree& tree_;
   const HeadPath& path_;
+  double fineness_ = 1;
   std::span<const Stop> stops_;
   std::vector<Vector3d> ends_;
 };
@@ -118,21 +128,21 @@ void solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, 
                 const ReferenceSettings& settings, ReferenceRun& result) {
   const std::size_t samples = result.times.size();
   TreeRun runner(tree, path, stops);
-  double rate = settings.steps_per_second;
-  while (rate < tree.least_steps_per_second()) rate *= 2;
-  TipPaths coarse = runner.run(tips, samples, rate), fine;
+  double coarse_rate = settings.steps_per_second, fineness = 1;
+  while (coarse_rate < tree.least_steps_per_second()) coarse_rate *= 2;
+  TipPaths coarse, fine = runner.run(tips, samples, coarse_rate, fineness);
   std::vector<TipAgreement> agreement(tips.entries.size());
   do {
-    rate *= 2;
-    if (!fine.empty()) coarse = std::move(fine);
-    fine = runner.run(tips, samples, rate);
+    fineness *= 2;
+    coarse = std::move(fine);
+    fine = runner.run(tips, samples, coarse_rate, fineness);
     for (std::size_t i = 0; i < agreement.size(); ++i) {
       const auto part = [&](const TipPaths& paths) { return std::span(paths).subspan(i * samples, samples); };
       agreement[i] = agreement_of(part(fine), part(coarse), tips.lengths[i]);
-      agreement[i].steps_per_second = rate;
+      agreement[i].steps_per_second = coarse_rate * fineness;
     }
   } while (!(root_mean_square(agreement) <= settings.wanted_self_difference_pct) &&
-           2 * rate <= settings.most_steps_per_second);
+           2 * coarse_rate * fineness <= settings.most_steps_per_second);
   for (std::size_t i = 0; i < agreement.size(); ++i) {
     result.agreement[tips.entries[i]] = agreement[i];
     std::copy_n(fine.begin() + std::ptrdiff_t(i * samples), samples,

@@ -96,10 +96,7 @@ SolidContact nearest_to_ellipsoid(const SolidShape& solid, const HairSegment& se
 
 SolidContact nearest_to_plane(const SolidShape& solid, const HairSegment& segment) {
   const Vector3d end = segment.start + segment.direction * segment.length;
-  const double start_gap = (segment.start - solid.center).dot(solid.axis) - segment.radius;
-  const double end_gap = (end - solid.center).dot(solid.axis) - segment.radius;
-  const bool start_counts = start_gap >= 0 && start_gap < end_gap;
-  return {start_counts ? start_gap : end_gap, solid.axis, start_counts ? 0.0 : segment.length};
+  return {(end - solid.center).dot(solid.axis) - segment.radius, solid.axis, segment.length};
 }
 
 SolidContact end_kept_inside(const SolidShape& solid, const HairSegment& segment) {
@@ -162,10 +159,11 @@ bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& con
   bool turned = false;
   for (int i = 0; i < kNewtonSteps && at.gap < -kTolerance * size && at.along > 0; ++i) {
     if (!turn_outwards(at, kOvershoot * size, segment)) break;
-    at = nearest_contact(solid, segment);
+    // Where it was pushed: once clear, its start may be nearer than that.
+    contact = at;
     turned = true;
+    at = nearest_contact(solid, segment);
   }
-  if (turned) contact = at;
   return turned;
 }
 

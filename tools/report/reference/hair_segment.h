@@ -40,13 +40,14 @@ struct SolidContact {
   double along = 0;        ///< Metres from the segment's start to where it is nearest.
 };
 
-/// Where the segment is nearest, or deepest inside. Of a segment that starts inside, and of any in a collider that keeps
-/// hair inside, only the end counts: no turn about its start could help the rest. `hit_radius` is added to an
+/// Where the segment is nearest, or deepest inside. Of a segment that starts inside, of any in a collider that keeps hair
+/// inside and at a plane, only the end counts: no turn about its start could help the rest. `hit_radius` is added to an
 /// ellipsoid's semi-axes, as the runtime has it.
 [[nodiscard]] SolidContact nearest_contact(const SolidShape& solid, const HairSegment& segment);
 
 /// Turns the segment about its start, the shortest way, until it is clear of the collider to 1e-10 of its size. False
-/// where it already was, and where no turn helps. Otherwise `contact` is where it touches now. Where the segment is too
+/// where it already was, and where no turn helps. Otherwise `contact` is
+/// where it was pushed. Where the segment is too
 /// short to come out it points straight out.
 bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& contact);
 

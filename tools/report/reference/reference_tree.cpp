@@ -35,12 +35,36 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
   return motion;
 }
 
-/// The state that takes a bone to where its tail freely went, though its parent was held: only its length is kept.
-void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free, BoneState& state) {
-  const Vector3d way = free.end - parent.end;
-  if (!(way.norm() > kSameDirection * bone.length)) return;
-  state.turning = (free.velocity - parent.velocity) / bone.length;
-  turn_to(way.normalized(), bone, state);
+/// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
+/// bone's own tail goes where it freely went, but for its length.
+void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent,
+                   const Vector3d& direction_before, BoneState& state) {
+  const Vector3d free_direction = state.frame * bone.rest_direction;
+  const Vector3d way = free_direction - (parent.end - free_parent.end) / bone.length;
+  const Vector3d push = (parent.velocity - free_parent.velocity) / bone.length;
+  if (!(way.norm() > kSameDirection)) return;
+  const Vector3d direction = way.normalized();
+  const Vector3d mean = direction_before + direction;
+  state.turning -= mean.norm() > kSameDirection ? across(push, mean.normalized()) : push;
+  turn_to(direction, bone, state);
+}
+
+/// Takes from the bone what brings the touching point, `along` metres from its start, towards a collider that moves with
+/// the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is turned
+/// out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do not hold
+/// back their parents.
+void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const HeadState& head,
+                  const RigBone& bone, BoneState& state) {
+  const Vector3d direction = state.frame * bone.rest_direction;
+  const Vector3d side = across(normal, direction);
+  const double slope = side.norm();
+  if (slope < kSameDirection) return;
+  const Vector3d point = parent.end + along * direction;
+  const Vector3d surface = head.velocity + head.angular_velocity.cross(point);
+  const double inwards = -(parent.velocity + along * state.turning - surface).dot(normal);
+  const double own = -(state.turning - head.angular_velocity.cross(direction)).dot(side / slope);
+  const double lost = std::min(own, inwards / (along * slope));
+  if (lost > 0) state.turning += side * (lost / slope);
 }
 
 }  // namespace
@@ -63,6 +87,7 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   free_motions_.resize(bones_.size());
   for (auto& rates : rates_) rates.resize(bones_.size());
   moved_.resize(bones_.size());
+  before_.resize(bones_.size());
 }
 
 void ReferenceTree::reset(const HeadState& head) {
@@ -82,6 +107,7 @@ void ReferenceTree::step(const HeadStep& step) {
 }
 
 void ReferenceTree::integrate(const HeadStep& step) {
+  for (std::size_t i = 0; i < states_.size(); ++i) before_[i] = states_[i].frame * bones_[i].rest_direction;
   const auto try_after = [&](const std::vector<BoneRates>& rates, double dt) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       trial_[i].frame.coeffs() = states_[i].frame.coeffs() + dt * rates[i].frame;
@@ -116,7 +142,7 @@ void ReferenceTree::hold(const HeadState& head) {
     const BoneMotion& parent = is_root ? joint : motions_[up];
     free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
     moved_[i] = !is_root && moved_[up];
-    if (moved_[i]) follow_parent(bone, parent, free_motions_[i], states_[i]);
+    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], before_[i], states_[i]);
     if (hold_limit(bone, parent, head, states_[i])) moved_[i] = true;
     if (hold_colliders(bone, parent, head, states_[i])) moved_[i] = true;
     motions_[i] = motion_of(bone, parent, states_[i]);
@@ -163,15 +189,7 @@ bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent
       if (!turn_clear(solids_[std::size_t(std::countr_zero(left))], segment, contact)) continue;
       touched = touches = true;
       turn_to(head.rotation * segment.direction, bone, state);
-      const Vector3d direction = state.frame * bone.rest_direction;
-      const Vector3d normal = head.rotation * contact.normal;
-      const Vector3d point = parent.end + contact.along * direction;
-      const Vector3d velocity = parent.velocity + contact.along * state.turning;
-      const double inwards = (velocity - head.velocity - head.angular_velocity.cross(point)).dot(normal);
-      const Vector3d side = across(normal, direction);
-      if (inwards < 0 && side.norm() > 1.0e-4) {
-        state.turning -= side * (inwards / (contact.along * side.squaredNorm()));
-      }
+      stop_inwards(head.rotation * contact.normal, contact.along, parent, head, bone, state);
     }
   }
   return touched;
@@ -184,6 +202,12 @@ void ReferenceTree::bone_ends(const Quaterniond& head_rotation, std::span<Vector
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
     ends[i] = start + bone.length * (to_head * (states_[i].frame * bone.rest_direction));
   }
+}
+
+double ReferenceTree::fastest_turning() const {
+  double fastest2 = 0;
+  for (const BoneState& state : states_) fastest2 = std::max(fastest2, state.turning.squaredNorm());
+  return std::sqrt(fastest2);
 }
 
 double ReferenceTree::least_steps_per_second() const {

@@ -36,6 +36,9 @@ class ReferenceTree {
 
   [[nodiscard]] std::span<const std::uint32_t> members() const { return members_; }
 
+  /// Of any bone's direction, 1/s.
+  [[nodiscard]] double fastest_turning() const;
+
   /// Steps per second below which the integrator cannot follow the stiffest bone.
   [[nodiscard]] double least_steps_per_second() const;
 
@@ -57,6 +60,7 @@ class ReferenceTree {
   std::vector<BoneMotion> motions_;
   std::vector<BoneMotion> free_motions_;
   std::vector<BoneRates> rates_[4];
+  std::vector<Eigen::Vector3d> before_;  ///< Directions at the start of the step.
   std::vector<char> moved_;
 };
 
