@@ -36,16 +36,19 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
 }
 
 /// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
-/// bone's own tail goes where it freely went, but for its length.
-void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent,
+/// bone's own tail goes where it freely went, but for its length and for the damping, which works against the way that
+/// the default position went indeed.
+void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
                    const Vector3d& direction_before, BoneState& state) {
-  const Vector3d free_direction = state.frame * bone.rest_direction;
-  const Vector3d way = free_direction - (parent.end - free_parent.end) / bone.length;
-  const Vector3d push = (parent.velocity - free_parent.velocity) / bone.length;
+  const Vector3d shift = (parent.end - free_parent.end) / bone.length;
+  const Vector3d way = state.frame * bone.rest_direction - shift;
   if (!(way.norm() > kSameDirection)) return;
+  const Vector3d target_shift =
+      shift + target_of(bone, parent, head).direction - target_of(bone, free_parent, head).direction;
+  const Vector3d push = bone.damping * target_shift - (parent.velocity - free_parent.velocity) / bone.length;
   const Vector3d direction = way.normalized();
   const Vector3d mean = direction_before + direction;
-  state.turning -= mean.norm() > kSameDirection ? across(push, mean.normalized()) : push;
+  state.turning += mean.norm() > kSameDirection ? across(push, mean.normalized()) : push;
   turn_to(direction, bone, state);
 }
 
@@ -142,7 +145,7 @@ void ReferenceTree::hold(const HeadState& head) {
     const BoneMotion& parent = is_root ? joint : motions_[up];
     free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
     moved_[i] = !is_root && moved_[up];
-    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], before_[i], states_[i]);
+    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], states_[i]);
     if (hold_limit(bone, parent, head, states_[i])) moved_[i] = true;
     if (hold_colliders(bone, parent, head, states_[i])) moved_[i] = true;
     motions_[i] = motion_of(bone, parent, states_[i]);
