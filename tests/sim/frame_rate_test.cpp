@@ -91,5 +91,39 @@ TEST(FrameRate, ContactsAreTheSameAtEveryFrameRate) {
     EXPECT_LT(rms_tip_difference(play(rig, nod, even_frames(fps, kSeconds)), fine), 0.02 * kLength) << fps;
 }
 
+bool all_equal(const Playback& a, const Playback& b) {
+  bool equal = a.ends.size() == b.ends.size();
+  for (std::size_t f = 0; equal && f < a.ends.size(); ++f) equal = largest_distance(a.ends[f], b.ends[f]) == 0;
+  return equal;
+}
+
+TEST(TunedSubsteps, AreTakenWhereNoneAreAskedFor) {
+  const TestRig plain = calm_strand(4, kLength);
+  TestRig tuned = plain;
+  tuned.substep_rate = 120;
+  struct Expected {
+    double fps;
+    std::uint32_t substeps;
+  };
+  for (const Expected& expected : {Expected{24, 5}, {30, 4}, {50, 3}, {60, 2}, {90, 2}, {120, 1}, {240, 1}}) {
+    const std::vector<double> frames = even_frames(expected.fps, 1);
+    const auto with = [&](const TestRig& rig, std::uint32_t substeps) {
+      return play(rig, wander, frames, {.substeps = substeps});
+    };
+    EXPECT_TRUE(all_equal(with(tuned, 0), with(plain, expected.substeps))) << expected.fps << " frames per second";
+    EXPECT_TRUE(all_equal(with(plain, 0), with(plain, 1))) << "an asset that was not tuned";
+    EXPECT_TRUE(all_equal(with(tuned, 3), with(plain, 3))) << "what the game asks for counts";
+    EXPECT_FALSE(all_equal(with(plain, expected.substeps), with(plain, expected.substeps + 1)))
+        << "or all are the same";
+  }
+}
+
+TEST(TunedSubsteps, AreNoMoreThanAStepMayHave) {
+  TestRig tuned = calm_strand(2, kLength);
+  tuned.substep_rate = 1.0e5f;
+  const std::vector<double> frames = even_frames(30, 0.5);
+  EXPECT_TRUE(all_equal(play(tuned, wander, frames), play(tuned, wander, frames, {.substeps = kMaxSubsteps})));
+}
+
 }  // namespace
 }  // namespace coif

@@ -104,6 +104,7 @@ AssetContents TestRig::contents() const {
   for (BoneRecord& bone : contents.bones) bone.colliders &= existing;
   contents.dynamics = dynamics;
   contents.colliders = colliders;
+  if (substep_rate > 0) contents.tuning = {{substep_rate, 0, 0, 0, 0, 30, 120, 1}};
   for (std::uint32_t i = 1; i < bones.size(); ++i) {
     if (bones[i].chain == contents.chains.size()) contents.chains.push_back({i, 0, 0, 0});
     ++contents.chains.back().bone_count;

@@ -49,6 +49,7 @@ class TestRig {
   std::vector<BoneRecord> bones;
   std::vector<DynamicsRecord> dynamics;
   std::vector<ColliderRecord> colliders;
+  float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
 };
 
 /// Three chains of three bones behind and beside a head sphere, as a small hair style has.
