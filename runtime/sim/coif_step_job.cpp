@@ -41,8 +41,10 @@ Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bo
   // A free end far to the side, behind the start or far away has no sensible mean: straight to the length instead.
   if (!(along * along > 0.1f * mean2 * length2 && along > 0.0f && root2 > 0.0f && excess < 100.0f * length2)) {
     // Straight back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
-    const Vec3 straight = direction_or(free, direction_before);
-    const Vec3 now = dot(straight, direction_before) < -0.9999f ? direction_before : straight;
+    // Far from the head, where the bone is shorter than a float resolves, its direction before is not of unit length.
+    const Vec3 before = direction_or(direction_before, Vec3{0.0f, -1.0f, 0.0f});
+    const Vec3 straight = direction_or(free, before);
+    const Vec3 now = dot(straight, before) < -0.9999f ? before : straight;
     return {now, now * bone_length - free};
   }
   const Vec3 way = mean * (-excess / (along + std::sqrt(root2)));

@@ -100,6 +100,38 @@ TEST(Collision, CapsuleKeepsItsDistance) {
   }
 }
 
+/// To the hull of two balls, metres: the smallest distance to the balls between them.
+double gap_to_tapered(const Vec3& a, double radius_a, const Vec3& b, double radius_b, const Vec3& p) {
+  double gap = INFINITY;
+  for (int i = 0; i <= 500; ++i) {
+    const double s = i / 500.0;
+    const double x = a.x + s * (b.x - a.x), y = a.y + s * (b.y - a.y), z = a.z + s * (b.z - a.z);
+    gap = std::min(gap, std::hypot(p.x - x, p.y - y, p.z - z) - radius_a - s * (radius_b - radius_a));
+  }
+  return gap;
+}
+
+TEST(Collision, TaperedCapsuleKeepsItsDistanceFromTheHullOfBothBalls) {
+  const Vec3 from{-0.08f, 0, 0.02f}, to{0.1f, -0.1f, 0};
+  for (const float hit_radius : {0.0f, 0.03f}) {
+    TestRig rig = cloud(hit_radius);
+    rig.add_tapered_capsule(from, 0.09f, to, 0.02f);
+    for_each_end(
+        rig, [&](const Vec3& end) { ASSERT_GT(gap_to_tapered(from, 0.09, to, 0.02, end), hit_radius - kRounding); });
+  }
+}
+
+TEST(Collision, TaperedCapsuleOfEqualRadiiIsACapsule) {
+  const Vec3 from{-0.1f, 0, 0.02f}, to{0.08f, -0.15f, 0};
+  TestRig plain = cloud(0.01f), tapered = plain;
+  plain.add_capsule(from, to, 0.06f);
+  tapered.add_tapered_capsule(from, 0.06f, to, 0.06f);
+  std::vector<Vec3> first, second;
+  for_each_end(plain, [&](const Vec3& end) { first.push_back(end); });
+  for_each_end(tapered, [&](const Vec3& end) { second.push_back(end); });
+  EXPECT_EQ(largest_distance(first, second), 0.0f);
+}
+
 TEST(Collision, PlaneKeepsItsDistance) {
   for (const float hit_radius : {0.0f, 0.03f}) {
     TestRig rig = cloud(hit_radius);
