@@ -10,7 +10,7 @@ class StressSubject {
  public:
   StressSubject(const Stress& stress, const Asset& asset, RigSample sample);
 
-  /// Runs one solver through the case, from its rest pose. What the outcomes mean:
+  /// Runs one solver, with the least effort that it is measured with, through the case, from its rest pose. What the outcomes mean:
   /// - nan: a bone's end was not finite after some step.
   /// - diverged: a bone's end was further from the bone's start than ten of its lengths; or faster, ten steps in a row,
   ///   than a hundred times what gravity, the head and the pull to the pose can make it; or a step that was refused

@@ -110,15 +110,18 @@ SolidContact end_kept_inside(const SolidShape& solid, const HairSegment& segment
 }
 
 /// One step of Newton's method on the angle. False where no turn brings the deepest point further out.
-bool turn_outwards(const SolidContact& at, double overshoot, HairSegment& segment) {
-  Vector3d side = at.normal - segment.direction * segment.direction.dot(at.normal);
+bool turn_to_surface(const SolidContact& at, double overshoot, HairSegment& segment) {
+  const double facing = at.normal.dot(segment.direction);
+  Vector3d side = at.normal - segment.direction * facing;
   double slope = side.norm();
   if (slope < 1.0e-9) {
-    if (at.normal.dot(segment.direction) > 0) return false;
+    if (facing > 0) return false;
     side = segment.direction.unitOrthogonal();  // it points at the centre: every side is as good
     slope = 1;
   }
-  const double turn = std::min((overshoot - at.gap) / (at.along * slope), kLargestTurn);
+  // Beyond the normal it would only come in again.
+  const double most = std::min(kLargestTurn, std::atan2(slope, facing));
+  const double turn = std::clamp((overshoot - at.gap) / (at.along * slope), -kLargestTurn, most);
   segment.direction = (segment.direction + side * (std::tan(turn) / side.norm())).normalized();
   return true;
 }
@@ -156,11 +159,12 @@ bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& con
   constexpr int kNewtonSteps = 40;
   const double size = std::max(solid.size, segment.length);
   SolidContact at = nearest_contact(solid, segment);
+  if (!(at.gap < -kTolerance * size && at.along > 0)) return false;
   bool turned = false;
-  for (int i = 0; i < kNewtonSteps && at.gap < -kTolerance * size && at.along > 0; ++i) {
-    if (!turn_outwards(at, kOvershoot * size, segment)) break;
+  for (int i = 0; i < kNewtonSteps && std::abs(at.gap) > kTolerance * size && at.along > 0; ++i) {
+    if (!turn_to_surface(at, kOvershoot * size, segment)) break;
     // Where it was pushed: once clear, its start may be nearer than that.
-    contact = at;
+    if (at.gap < 0) contact = at;
     turned = true;
     at = nearest_contact(solid, segment);
   }

@@ -35,20 +35,19 @@ struct SolidShape {
 
 /// How near a segment is to a collider.
 struct SolidContact {
-  double gap = 0;  ///< Metres between the surfaces, negative where they overlap. Of an ellipsoid: to first order.
+  double gap = 0;  ///< Metres between the surfaces, negative where they overlap; of an ellipsoid to first order.
   Eigen::Vector3d normal;  ///< Unit, from the collider to where hair may be.
   double along = 0;        ///< Metres from the segment's start to where it is nearest.
 };
 
 /// Where the segment is nearest, or deepest inside. Of a segment that starts inside, of any in a collider that keeps hair
-/// inside and at a plane, only the end counts: no turn about its start could help the rest. `hit_radius` is added to an
-/// ellipsoid's semi-axes, as the runtime has it.
+/// inside and at a plane, only the end counts: no turn about its start could help the rest. A segment that is clear of a
+/// capsule may be nearer than it says. An ellipsoid's semi-axes grow by the radius, as in the runtime.
 [[nodiscard]] SolidContact nearest_contact(const SolidShape& solid, const HairSegment& segment);
 
 /// Turns the segment about its start, the shortest way, until it is clear of the collider to 1e-10 of its size. False
-/// where it already was, and where no turn helps. Otherwise `contact` is
-/// where it was pushed. Where the segment is too
-/// short to come out it points straight out.
+/// where it already was, and where no turn helps. Otherwise `contact` is where it was pushed. A segment that is too short
+/// to come out points straight out.
 bool turn_clear(const SolidShape& solid, HairSegment& segment, SolidContact& contact);
 
 enum class HairPart { kEnd, kWhole };
