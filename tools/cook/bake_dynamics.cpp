@@ -36,7 +36,8 @@ double damping_for(double ratio, double length, const DynamicsRecord& record) {
 void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
   record.stiffness = float(oscillator.stiffness);
-  record.damping = float(std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record)));
+  const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record));
+  record.damping = float(std::min(damping, kMostDamping));
   record.torsion = float(recipe.torsion);
   record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
   record.parent_share = float(recipe.parent_share);

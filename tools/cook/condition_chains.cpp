@@ -4,6 +4,7 @@
 #include "cook/chain_sample.h"
 #include "cook/parallel_for.h"
 #include "cook/tip_error.h"
+#include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
 
@@ -54,8 +55,8 @@ struct Outcome {
 void apply(const Conditioning& rung, const BoneRecord& bone, DynamicsRecord& dynamics) {
   const double pendulum = 2 * kGravity * std::abs(dynamics.gravity_scale) / bone.length;
   const double root = std::sqrt(dynamics.stiffness + pendulum);
-  dynamics.damping = std::max(dynamics.damping, float(rung.damping * root));
-  dynamics.friction = std::max(dynamics.friction, float(rung.friction * root));
+  dynamics.damping = std::max(dynamics.damping, float(std::min(rung.damping * root, kMostDamping)));
+  dynamics.friction = std::max(dynamics.friction, float(std::min(rung.friction * root, kMostDamping)));
   dynamics.parent_share = std::min(dynamics.parent_share, float(rung.parent_share));
 }
 

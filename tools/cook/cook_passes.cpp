@@ -1,6 +1,7 @@
 #include "cook/cook_passes.h"
 
 #include "cook/build_skeleton.h"
+#include "cook/chain_sample.h"
 #include "cook/condition_chains.h"
 #include "cook/fit_chains.h"
 #include "cook/hard_tips.h"
@@ -170,6 +171,8 @@ class CookRun {
     AssetContents rig;
     pack_skeleton(parts_.skeleton, parts_.colliders, rig);
     rig.dynamics = dynamics;
+    if (!OpenedAsset(rig).asset().is_open())
+      return {};  // numbers that no asset may hold: the check after packing says which
     if (recipe_.conditioning != "off") {
       ConditionedChains settled = timed("conditioning", [&] { return condition_chains(rig, settings_.threads); });
       append(report_.notes, settled.notes);
