@@ -2,15 +2,18 @@
 
 namespace coif {
 
+inline constexpr double kMostDamping = 1.0e6;  ///< 1/s: more damping or friction an asset may not hold.
+
 /// A bone's pull to its default pose in continuous time: y'' = -stiffness y - damping y' for the distance y to it.
 struct PoseOscillator {
   double stiffness = 0;  ///< 1/s^2
   double damping = 0;    ///< 1/s
 };
 
-/// The oscillator that one step of Algorithm 1 samples exactly, for a resistance of 0..1 per step at `rate` steps per
-/// second (> 0): without friction a step is y[n+1] = (1 - r)(2 y[n] - y[n-1]), whose roots are exp((-damping/2 +- i w) / rate)
-/// with damping = -rate ln(1 - r), and whose sag under a constant load is that of stiffness = rate^2 r / (1 - r).
+/// The oscillator that decays and sags as Algorithm 1 does, for a resistance of 0..1 per step at `rate` steps per second
+/// (> 0): without friction a step is y[n+1] = (1 - r)(2 y[n] - y[n-1]), whose roots are exp((-damping/2 +- i w) / rate) with
+/// damping = -rate ln(1 - r), and whose sag under a constant load is that of stiffness = rate^2 r / (1 - r). Its frequency
+/// is w for small r and higher by about r/5 of it for others.
 /// Resistances above 1 - 1e-6 are taken as that: a bone that never leaves its pose still has finite numbers.
 [[nodiscard]] PoseOscillator oscillator_of(double resistance, double rate);
 

@@ -5,8 +5,11 @@
 #include "cook/built_models.h"
 #include "cook/select_hair.h"
 #include "cook/spring_dynamics.h"
+#include "write/pose_oscillator.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace coif {
 namespace {
@@ -107,6 +110,24 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
   const BakedDynamics curves = bake_dynamics(model, skeleton, recipe);
   EXPECT_FLOAT_EQ(curves.records[2].friction, float(recipe.friction));
   EXPECT_TRUE(curves.notes.empty());
+}
+
+TEST(BakeDynamics, SpringsGetStiffnessAndDampingAsCurvesDo) {
+  const SourceModel model = sprung_wig();
+  Recipe recipe = default_recipe();
+  recipe.damping_ratio = 0;
+  const auto pure = bake_dynamics(model, wig_skeleton(), recipe).records;
+  const auto damped = bake_dynamics(model, wig_skeleton(), default_recipe()).records;
+  for (std::size_t b = 2; b < 4; ++b) {
+    const DynamicsRecord by_spring = dynamics_of_joint(model.springs[0].joints[b - 2], 0.1);
+    const PoseOscillator oscillator = oscillator_of(by_spring.resistance, by_spring.authoring_rate);
+    EXPECT_GT(oscillator.stiffness, 0);
+    EXPECT_FLOAT_EQ(pure[b].stiffness, float(oscillator.stiffness));
+    EXPECT_FLOAT_EQ(pure[b].damping, float(oscillator.damping));
+    const double pendulum = 2 * 9.81 * std::abs(by_spring.gravity_scale) / 0.1;
+    EXPECT_NEAR(damped[b].damping + damped[b].friction, 2 * std::sqrt(oscillator.stiffness + pendulum), 1e-3);
+    EXPECT_FLOAT_EQ(damped[b].torsion, float(recipe.torsion));
+  }
 }
 
 TEST(BakeDynamics, WhatASpringLosesIsAWarningThatNamesIt) {
