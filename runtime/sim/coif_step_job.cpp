@@ -72,7 +72,11 @@ void stop_at_contact(const SegmentContact& contact, const HeadMove& head, const 
   const Vec3 point = carrier.position + bone.direction * contact.along;
   const Vec3 surface = head.velocity + cross(head.angular_velocity, point);
   const float approach = dot(carrier.velocity + bone.velocity * share - surface, contact.normal);
-  if (approach < 0.0f) bone.velocity = bone.velocity - side * (approach / (share * size2));
+  if (!(approach < 0.0f)) return;
+  // A contact stops a bone and never throws it: over a short lever, a start that sinks would give it any speed.
+  const float own = dot(bone.velocity - cross(head.angular_velocity, bone.direction * bone_length), side) / size2;
+  const float lost = approach / (share * size2);
+  bone.velocity = bone.velocity - side * (own > lost ? (own < 0.0f ? own : 0.0f) : lost);
 }
 
 /// Several colliders push each other's results about: until all agree, or often enough.
