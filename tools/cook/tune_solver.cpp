@@ -154,10 +154,11 @@ ToolError over_budget(const Budget& budget, const TuningRecord& best) {
 
 std::string describe(const TuningRecord& tuning) {
   return fmt::format(
-      "tuned: {} at {:g} to {:g} frames per second, error {:.2g} % of the chain's length, {:.2g} us per head",
+      "tuned: {} at {:g} to {:g} frames per second, error {:.2g} % of the chain's length{}, {:.2g} us per head",
       tuning.substep_rate > tuning.slowest_rate ? fmt::format("sub-steps of {:g} Hz", tuning.substep_rate)
                                                 : std::string("one step a frame"),
-      tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error, tuning.cost / 1000);
+      tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error,
+      tuning.met == 1 ? "" : ", the least to be had", tuning.cost / 1000);
 }
 
 }  // namespace
