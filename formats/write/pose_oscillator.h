@@ -2,8 +2,6 @@
 
 namespace coif {
 
-inline constexpr double kMostDamping = 1.0e6;  ///< 1/s: more damping or friction an asset may not hold.
-
 /// A bone's pull to its default pose in continuous time: y'' = -stiffness y - damping y' for the distance y to it.
 struct PoseOscillator {
   double stiffness = 0;  ///< 1/s^2

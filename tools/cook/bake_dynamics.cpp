@@ -35,7 +35,7 @@ double damping_for(double ratio, double length, const DynamicsRecord& record) {
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
 void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
-  record.stiffness = float(oscillator.stiffness);
+  record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
   const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record));
   record.damping = float(std::min(damping, kMostDamping));
   record.torsion = float(recipe.torsion);

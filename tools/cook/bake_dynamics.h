@@ -14,6 +14,10 @@ struct BakedDynamics {
   std::vector<std::string> warnings;
 };
 
+/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
+/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
+inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
+
 /// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
 [[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
 

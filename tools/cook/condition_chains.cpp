@@ -1,10 +1,10 @@
 #include "cook/condition_chains.h"
 
+#include "cook/bake_dynamics.h"
 #include "cook/chain_groups.h"
 #include "cook/chain_sample.h"
 #include "cook/parallel_for.h"
 #include "cook/tip_error.h"
-#include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
 
