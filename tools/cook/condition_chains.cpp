@@ -17,7 +17,9 @@ namespace {
 
 constexpr double kSeconds = 2;
 constexpr double kMostSelfDifferencePct = 0.1;
-constexpr double kMostRuntimeError = 0.02;  ///< Share of the chain's length.
+/// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one that
+/// amplifies is off by ten and more.
+constexpr double kMostRuntimeError = 0.05;
 constexpr std::uint32_t kRate = 60, kSubsteps = 4;
 constexpr double kGravity = 9.81;
 
@@ -71,7 +73,7 @@ Finding examine_motion(const OpenedAsset& opened, const Rig& rig, Motion motion)
   constexpr std::uint32_t kSampled[] = {kRate / 2};
   ReferenceSettings settings;
   settings.sample_times = common_times(kSampled, kSeconds);
-  settings.most_steps_per_second = 5760;
+  settings.most_steps_per_second = 11520;
   settings.wanted_self_difference_pct = kMostSelfDifferencePct;
   KnownMotion known{motion, solve_reference(rig, {}, *path_of(motion), settings)};
   Finding finding{true, motion, known.reference.self_difference_pct(), 0};

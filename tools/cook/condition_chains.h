@@ -17,7 +17,7 @@ struct ConditionedChains {
 
 /// Checks that the model (runtime/docs/MODEL.md, "Well-posed or not") is one for every chain: over motions of the suite two
 /// computations of the reference, one with half the other's step, differ by at most 0.1 % of the chain's length (RMS), and
-/// 240 steps a second of the runtime follow it within 2 %. Where they do not, damping and friction are raised and
+/// 240 steps a second of the runtime follow it within 5 %. Where they do not, damping and friction are raised and
 /// `parent_share` lowered, as little as it takes; the note names the chain. A chain that nothing helps keeps the last try
 /// and is warned of.
 ///

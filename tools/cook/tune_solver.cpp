@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSeconds = 3;
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
-constexpr std::size_t kFewBones = 64;  ///< Up to here every chain is run.
+constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
 /// Nanoseconds per bone, single core: of a frame (matrices, the head's path) and of each part of its step. Medians that
