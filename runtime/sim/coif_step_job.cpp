@@ -37,9 +37,8 @@ Constrained keep_length(const Vec3& free, const Vec3& direction_before, float bo
   const float along = dot(free, mean);
   const float excess = dot(free, free) - bone_length * bone_length;
   const float root2 = along * along - mean2 * excess;
-  const float length2 = bone_length * bone_length;
-  // A free end far to the side, behind the start or far away has no sensible mean: straight to the length instead.
-  if (!(along * along > 0.1f * mean2 * length2 && along > 0.0f && root2 > 0.0f && excess < 100.0f * length2)) {
+  // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead.
+  if (!(along * along > 0.1f * mean2 * bone_length * bone_length && along > 0.0f && root2 > 0.0f)) {
     // Straight back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
     // Far from the head, where the bone is shorter than a float resolves, its direction before is not of unit length.
     const Vec3 before = direction_or(direction_before, Vec3{0.0f, -1.0f, 0.0f});

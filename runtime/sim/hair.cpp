@@ -256,8 +256,7 @@ void Hair::carry(std::uint32_t instance, const Quat& turn) {
 
 void Hair::put_to_rest(std::uint32_t instance) {
   Instance& state = storage_.instances[instance];
-  (void)state.head.jump(0);
-  const HeadPose pose = state.head.pose();
+  const HeadPose pose = state.head.next_pose();
   (void)state.head.reset(pose);
   place_at_rest(bones_, pose.rotation, particles_of(instance));
   state.teleports = false;

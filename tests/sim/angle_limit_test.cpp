@@ -77,6 +77,20 @@ TEST(AngleLimit, HairThatRestsAtItIsStill) {
   }
 }
 
+TEST(AngleLimit, HairThatIsPressedToItLeavesAtOnce) {
+  TestRig rig;
+  rig.add({.rest_direction = {0, 0, 1}, .length = 0.2f, .stiffness = 0, .damping = 0, .angle_limit = kLimit});
+  TestHair test(rig);
+  StepSettings settings;
+  settings.environment.gravity = {0, -10, 0};
+  for (int i = 0; i < 300; ++i) ASSERT_EQ(test.hair.step(settings), Status::kOk);
+  const Vec3 pressed = test.ends()[0];
+  ASSERT_NEAR(std::atan2(-pressed.y, pressed.z), kLimit, 1e-4);
+  settings.environment.gravity = {0, 10, 0};
+  for (int i = 0; i < 6; ++i) ASSERT_EQ(test.hair.step(settings), Status::kOk);
+  EXPECT_GT(distance(test.ends()[0], pressed), 0.03f);
+}
+
 TEST(AngleLimit, LeavesHairWithinItAlone) {
   const Playback free = play(limited_strand(kNoAngleLimit), nod, even_frames(60, 3));
   const Playback limited = play(limited_strand(3), nod, even_frames(60, 3));

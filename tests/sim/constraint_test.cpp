@@ -198,5 +198,62 @@ TEST(Constraints, AHeadACapsuleAndAPlaneTogetherLetNoPartInUnderAWanderingHead) 
   }
 }
 
+// Each of the two pushes hair back into the other; hits of 30 mm per step are left with a twentieth of that.
+TEST(Constraints, ANarrowGrooveOfTwoPlanesHoldsHairWithinTwoMillimetres) {
+  TestRig rig;
+  rig.add({.rest_direction = {1, 0, 0}, .length = 0.3f, .stiffness = 10, .damping = 6});
+  rig.add_plane({0, -0.05f, 0}, {0, 0.5f, 0.8660254f});
+  rig.add_plane({0, -0.05f, 0}, {0, 0.5f, -0.8660254f});
+  TestHair test(rig);
+  StepSettings settings;
+  double lowest = 0;
+  for (int frame = 0; frame < 600; ++frame) {
+    const double slope = 0.8 * std::sin(0.05 * frame);
+    settings.environment.gravity = {0, float(-20 * std::cos(slope)), float(20 * std::sin(slope))};
+    ASSERT_EQ(test.hair.step(settings), Status::kOk);
+    const Vec3 end = test.ends()[0];
+    ASSERT_GT(0.5f * (end.y + 0.05f) + 0.8660254f * end.z, -2e-3f) << frame;
+    ASSERT_GT(0.5f * (end.y + 0.05f) - 0.8660254f * end.z, -2e-3f) << frame;
+    lowest = std::min(lowest, double(end.y));
+  }
+  EXPECT_LT(lowest, -0.049) << "it was at the bottom";
+}
+
+/// One bone that lies across the top of what `add` puts at the origin, and that nothing but weight moves: without
+/// damping, what it gathers while it is pressed would never go.
+TestRig lying_bone(const std::function<void(TestRig&)>& add) {
+  TestRig rig;
+  rig.add({.joint = {0, 0.12f, 0.2f}, .rest_direction = {0, 0, -1}, .length = 0.18f, .stiffness = 0, .damping = 0});
+  add(rig);
+  return rig;
+}
+
+TEST(Constraints, PressedHairLeavesAtOnceWhenNothingPressesIt) {
+  const TestRig rigs[] = {lying_bone([](TestRig& rig) { rig.add_sphere({}, 0.1f); }), lying_bone([](TestRig& rig) {
+                            rig.add_ellipsoid({}, {0.12f, 0.1f, 0.09f});
+                          }),
+                          lying_bone([](TestRig& rig) {
+                            rig.add_capsule({-0.2f, 0, 0}, {0.2f, 0, 0}, 0.1f);
+                          }),
+                          lying_bone([](TestRig& rig) {
+                            rig.add_tapered_capsule({-0.2f, 0, 0}, 0.11f, {0.2f, 0, 0}, 0.09f);
+                          }),
+                          lying_bone([](TestRig& rig) {
+                            rig.add_plane({0, 0.05f, 0}, {0, 1, 0});
+                          })};
+  for (const TestRig& rig : rigs) {
+    TestHair test(rig);
+    StepSettings settings;
+    settings.environment.gravity = {0, -10, 0};
+    for (int i = 0; i < 30; ++i) ASSERT_EQ(test.hair.step(settings), Status::kOk);
+    const Vec3 pressed = test.ends()[0];
+    ASSERT_GT(pressed.y, 0) << "it lies there";
+    settings.environment.gravity = {0, 10, 0};
+    for (int i = 0; i < 6; ++i) ASSERT_EQ(test.hair.step(settings), Status::kOk);
+    // Half of 10 m/s^2 times the square of 0.1 s is 0.05 m, straight up.
+    EXPECT_GT(distance(test.ends()[0], pressed), 0.03f) << "shape " << int(rig.colliders[0].shape);
+  }
+}
+
 }  // namespace
 }  // namespace coif

@@ -99,6 +99,18 @@ TEST(HeadTrack, VelocitiesAreThePathsOwnSlopesAndNeverJump) {
   }
 }
 
+TEST(HeadTrack, AngularVelocityTurnsTheRotationWhereItsAxisTurnsToo) {
+  const std::vector<Part> parts = parts_of(yaw_and_pitch, even_frames(10, 3), 64);
+  const double h = parts[0].to - parts[0].from;
+  for (std::size_t i = 64; i + 1 < parts.size(); ++i) {
+    if (i % 64 > 61) continue;  // where frames meet, the acceleration jumps
+    const Quat &from = parts[i].move.rotation_before, &to = parts[i + 1].move.rotation;
+    const Quat turn = product(to, {-from.x, -from.y, -from.z, from.w});
+    const Vec3 rate{float(turn.x / h), float(turn.y / h), float(turn.z / h)};  // half the angle, in twice the time
+    ASSERT_LT(distance(parts[i].move.angular_velocity, rate), 0.02f) << parts[i].to;
+  }
+}
+
 TEST(HeadTrack, ParabolasAreExactAtUnevenFrames) {
   const auto parabola = [](double t) {
     return HeadPose{{t * (3 - 2 * t), 4 * t * t, 1 - t}, turned_about({0, 0.6f, 0.8f}, t * (1.5 - t))};

@@ -143,6 +143,12 @@ TEST(Teleport, ResetForgetsIt) {
   EXPECT_LT(largest_distance(test.ends(), rig().rest_ends()), 1e-6f);
   ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
   EXPECT_LT(largest_distance(test.ends(), rig().rest_ends()), 1e-6f);
+  ASSERT_EQ(test.hair.set_head(0, {{0.3, 0, 0}, {}}), Status::kOk);
+  ASSERT_EQ(test.hair.teleport(0, {{50, 0, 0}, kTurn}), Status::kOk);
+  ASSERT_EQ(test.hair.reset(0, {}), Status::kOk);
+  ASSERT_EQ(test.hair.set_head(0, {{0.3, 0, 0}, {}}), Status::kOk);
+  ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+  EXPECT_GT(largest_distance(test.ends(), rig().rest_ends()), 1e-2f) << "that was a movement";
 }
 
 TEST(Teleport, RefusesWhatSetHeadRefuses) {

@@ -48,6 +48,7 @@ class HeadTrack {
   /// At the present pose, as a step of no length.
   [[nodiscard]] HeadMove here() const;
   [[nodiscard]] const HeadPose& pose() const { return now_; }
+  [[nodiscard]] const HeadPose& next_pose() const { return next_; }
 
  private:
   HeadPose now_;
