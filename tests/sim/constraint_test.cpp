@@ -1,5 +1,5 @@
-// What holds after every step of the default solver, whatever the head does: no bone stretches, and no part of a bone is
-// nearer to a collider than its hit radius.
+// What holds after every step of the default solver, whatever the head does: no bone stretches, and no part of a bone
+// is nearer to a collider than its hit radius.
 
 #include "sim/playback.h"
 
