@@ -17,6 +17,7 @@ namespace coif {
 namespace {
 
 constexpr double kSeconds = 2;
+constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
@@ -89,7 +90,8 @@ class Bench {
     row.frame_rate = float(rate);
     row.substeps = parts;
     row.cost = float(double(bones_) * (kFrameCost + kPartCost * parts));
-    const auto worse = [](double a, double b) { return float(std::clamp(b <= a ? a : b, 0.0, 1000.0)); };
+    // What did not stay finite is as wrong as can be written down, and not right for comparing false.
+    const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
     for (std::size_t m = 0; m < errors.size(); ++m) {
       if (!(errors[m].rms <= double(row.rms_error))) row.worst_motion = std::uint32_t(m);
       row.rms_error = worse(row.rms_error, errors[m].rms);
@@ -171,6 +173,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   Bench bench(contents, rates, threads);
   const Budget budget = asked ? budget_of(recipe, bench.longest()) : Budget{kUsualError, 0};
+  const double wanted = budget.error > 0 ? budget.error : kUsualError;  // a cost alone may be spent on as much
 
   TuningRecord best{};
   for (const std::uint32_t parts : kParts) {
@@ -182,7 +185,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
     if (!affordable && !is_first) break;
     if (is_first || tried.reached_error < best.reached_error) best = tried;
     best.met = affordable && (budget.error <= 0 || best.reached_error <= budget.error);
-    if (best.met == 1 || !affordable) break;
+    if (best.reached_error <= wanted || !affordable) break;
   }
   if (best.met == 0 && asked) return tl::unexpected(over_budget(budget, best));
   return TunedSolver{{best}, bench.table(), {describe(best)}};

@@ -21,7 +21,8 @@ struct TunedSolver {
 /// Finds the fewest sub-steps with which the runtime keeps the recipe's "budget" at all its frame rates, by running it
 /// through the motions of the suite beside the converged reference. Of many chains the telling ones are run
 /// (chain_groups.h). Costs are nominal, so the result repeats; it does not depend on `threads`. kOverBudget, with what is
-/// missing, where nothing meets it; a recipe that asks for nothing gets 0.7 % if that can be had, else the best. `contents` holds skeleton, dynamics and colliders.
+/// missing, where nothing meets it. A recipe that asks for nothing gets 0.7 % if that can be had, else the best; one that
+/// asks for a cost alone gets what of that it buys. `contents` holds skeleton, dynamics and colliders.
 [[nodiscard]] tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe,
                                                                unsigned threads);
 
