@@ -1,0 +1,156 @@
+// Chains whose equation has no solution to converge to are damped until it has one, and no others are touched.
+
+#include "cook/condition_chains.h"
+
+#include "cook/chain_groups.h"
+#include "cook/chain_sample.h"
+#include "cook/soft_chain.h"
+#include "cook/tip_error.h"
+#include "report/runtime_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+
+namespace coif {
+namespace {
+
+bool same(const std::vector<DynamicsRecord>& a, const std::vector<DynamicsRecord>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(DynamicsRecord)) == 0;
+}
+
+/// The names are "Head", "b1", "b2", ...
+AssetContents named(const TestRig& rig) {
+  AssetContents contents = rig.contents();
+  contents.bone_names = {"Head"};
+  for (std::size_t b = 1; b < contents.bones.size(); ++b) contents.bone_names.push_back("b" + std::to_string(b));
+  return contents;
+}
+
+/// Two computations of the reference against each other, and the runtime with 240 steps a second against the finer.
+void expect_well_posed(const AssetContents& contents) {
+  const OpenedAsset opened(contents);
+  const Rig rig = rig_of(opened.asset());
+  constexpr std::uint32_t kSampled[] = {30};
+  ReferenceSettings settings;
+  settings.sample_times = common_times(kSampled, 2);
+  settings.most_steps_per_second = 11520;
+  settings.wanted_self_difference_pct = 0.1;
+  for (const MotionInfo& info : all_motions()) {
+    if (info.motion == Motion::kTeleport) continue;
+    const KnownMotion known{info.motion, solve_reference(rig, {}, *path_of(info.motion), settings)};
+    EXPECT_LE(known.reference.self_difference_pct(), 0.1) << info.name;
+    EXPECT_LE(measure_runtime(opened.asset(), rig, known, 60, 4).rms, 0.05) << info.name;
+  }
+}
+
+TEST(ConditionChains, LeavesADampedChainAlone) {
+  const AssetContents contents = named(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}));
+  const ConditionedChains result = condition_chains(contents, 1);
+  EXPECT_TRUE(same(result.dynamics, contents.dynamics));
+  EXPECT_TRUE(result.notes.empty());
+  EXPECT_TRUE(result.warnings.empty());
+}
+
+TEST(ConditionChains, DampsAnUndampedChainAndNamesIt) {
+  AssetContents contents = named(rig_of_chain({.bones = 5}));
+  const ConditionedChains result = condition_chains(contents, 1);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("chain 'b1': "), std::string::npos) << result.notes[0];
+  EXPECT_TRUE(result.warnings.empty());
+  for (std::size_t b = 1; b < contents.bones.size(); ++b) {
+    EXPECT_GT(result.dynamics[b].damping, contents.dynamics[b].damping);
+    EXPECT_EQ(result.dynamics[b].stiffness, contents.dynamics[b].stiffness) << "the pose is the artist's";
+    EXPECT_EQ(result.dynamics[b].angle_limit, contents.dynamics[b].angle_limit);
+  }
+  contents.dynamics = result.dynamics;
+  expect_well_posed(contents);
+  EXPECT_TRUE(condition_chains(contents, 1).notes.empty()) << "once is enough";
+}
+
+void expect_helped(int bones) {
+  AssetContents contents = named(rig_of_chain({.bones = bones, .length = 0.8f, .damping_ratio = 1}));
+  const ConditionedChains result = condition_chains(contents, 1);
+  EXPECT_EQ(result.notes.size(), 1u);
+  EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
+  contents.dynamics = result.dynamics;
+  expect_well_posed(contents);
+}
+
+TEST(ConditionChains, SixteenBonesBecomeWellPosed) { expect_helped(16); }
+
+TEST(ConditionChains, SixtyFourBonesBecomeWellPosed) { expect_helped(64); }
+
+TEST(ConditionChains, TouchesOnlyTheChainsThatNeedIt) {
+  TestRig rig = rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1});
+  const TestRig soft = rig_of_chain({.bones = 5});
+  std::uint32_t parent = 0;
+  for (std::size_t b = 1; b < soft.bones.size(); ++b) {
+    const BoneRecord& bone = soft.bones[b];
+    parent = rig.add({.parent = parent,
+                      .joint = {0, 0.02f, -0.12f},
+                      .rest_direction = {0, -0.8f, -0.6f},
+                      .length = bone.length,
+                      .stiffness = soft.dynamics[b].stiffness,
+                      .damping = 0,
+                      .torsion = 20});
+  }
+  const AssetContents contents = named(rig);
+  const ConditionedChains result = condition_chains(contents, 1);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("chain 'b4': "), std::string::npos) << result.notes[0];
+  for (std::size_t b = 1; b < 4; ++b) EXPECT_EQ(result.dynamics[b].damping, contents.dynamics[b].damping);
+  for (std::size_t b = 4; b < 9; ++b) EXPECT_GT(result.dynamics[b].damping, 0);
+  for (const unsigned threads : {2u, 5u}) {
+    const ConditionedChains again = condition_chains(contents, threads);
+    EXPECT_TRUE(same(again.dynamics, result.dynamics)) << threads << " threads";
+    EXPECT_EQ(again.notes, result.notes);
+  }
+}
+
+TEST(ConditionChains, WarnsWhereNothingHelps) {
+  // Without weight and pull there is no stiffness whose root damping could be a share of.
+  TestRig rig = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 0});
+  for (DynamicsRecord& record : rig.dynamics) record.gravity_scale = record.damping = record.torsion = 0;
+  const ConditionedChains result = condition_chains(named(rig), 1);
+  EXPECT_TRUE(result.notes.empty());
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("chain 'b1': "), std::string::npos) << result.warnings[0];
+  EXPECT_NE(result.warnings[0].find("frame rate"), std::string::npos) << result.warnings[0];
+}
+
+TEST(GroupChains, TheSoftestAndTheLongestTellOfAllWithAsManyBones) {
+  AssetContents contents = nine_bone_rig().contents();
+  EXPECT_EQ(group_chains(contents).size(), 1u);
+  EXPECT_EQ(group_chains(contents)[0].chains.size(), 3u);
+  contents.dynamics[4].stiffness = 1;  // chain 1
+  contents.bones[9].length = 0.2f;     // chain 2; a longer bone is a softer one, but not as soft
+  EXPECT_EQ(group_chains(contents)[0].telling, (std::vector<std::uint32_t>{1, 2}));
+  contents.dynamics[9].stiffness = contents.dynamics[8].stiffness = contents.dynamics[7].stiffness = 0;
+  EXPECT_EQ(group_chains(contents)[0].telling, (std::vector<std::uint32_t>{2})) << "one is both";
+}
+
+TEST(ChainsAlone, EachMovesAsAmongAll) {
+  const AssetContents contents = nine_bone_rig().contents();
+  const OpenedAsset all(contents);
+  for (std::uint32_t chain = 0; chain < 3; ++chain) {
+    const OpenedAsset one(chains_alone(contents, std::array{chain}));
+    ASSERT_TRUE(one.asset().is_open());
+    ASSERT_EQ(one.asset().skeleton().simulated_count, 3u);
+    RuntimeSolver among(all.asset(), {}, Solver::kCoif, 2), alone(one.asset(), {}, Solver::kCoif, 2);
+    const auto path = path_of(Motion::kTumble);
+    among.reset(path->pose(0));
+    alone.reset(path->pose(0));
+    for (int frame = 1; frame <= 120; ++frame) {
+      ASSERT_TRUE(among.step(path->pose(frame / 60.0), 1 / 60.0));
+      ASSERT_TRUE(alone.step(path->pose(frame / 60.0), 1 / 60.0));
+      for (std::size_t b = 0; b < 3; ++b) {
+        ASSERT_EQ(alone.bone_ends()[b], among.bone_ends()[3 * chain + b]) << "chain " << chain << ", frame " << frame;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coif

@@ -1,0 +1,168 @@
+// The fewest sub-steps that keep a recipe's budget, and what they were chosen from.
+
+#include "cook/tune_solver.h"
+
+#include "cook/chain_sample.h"
+#include "cook/soft_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr float kLength = 0.4f;
+
+AssetContents calm_chain() { return rig_of_chain({.bones = 4, .length = kLength, .damping_ratio = 1}).contents(); }
+
+Recipe budget(double error, double error_mm = 0, double cost = 0) {
+  Recipe recipe = default_recipe();
+  recipe.budget_error = error;
+  recipe.budget_error_mm = error_mm;
+  recipe.budget_cost = cost;
+  return recipe;
+}
+
+TuningRecord tuned(const Recipe& recipe) {
+  const auto result = tune_solver(calm_chain(), recipe, 1);
+  EXPECT_TRUE(result) << (result ? "" : result.error().message);
+  if (!result || result->tuning.size() != 1) return {};
+  return result->tuning[0];
+}
+
+ToolError refusal(const Recipe& recipe) {
+  const auto result = tune_solver(calm_chain(), recipe, 1);
+  EXPECT_FALSE(result);
+  return result ? ToolError{} : result.error();
+}
+
+TEST(TuneSolver, ATighterBudgetTakesAtLeastAsManySubSteps) {
+  float before = 0;
+  std::set<float> rates;
+  for (const double error : {5.0, 1.0, 0.5, 0.3, 0.2}) {
+    const TuningRecord tuning = tuned(budget(error));
+    EXPECT_EQ(tuning.met, 1u);
+    EXPECT_FLOAT_EQ(tuning.asked_error, float(error / 100));
+    EXPECT_LE(tuning.reached_error, tuning.asked_error);
+    EXPECT_GE(tuning.substep_rate, before) << error;
+    rates.insert(before = tuning.substep_rate);
+  }
+  EXPECT_GT(rates.size(), 1u) << "or the budget decides nothing";
+}
+
+TEST(TuneSolver, NoFewerSubStepsWouldDo) {
+  const auto result = tune_solver(calm_chain(), budget(0.3), 1);
+  ASSERT_TRUE(result);
+  const TuningRecord& chosen = result->tuning[0];
+  ASSERT_GT(chosen.substep_rate, chosen.slowest_rate);
+  for (const QualityRecord& row : result->quality) {
+    const bool slower =
+        row.frame_rate == chosen.slowest_rate && row.frame_rate * float(row.substeps) < chosen.substep_rate;
+    if (slower) {
+      EXPECT_GT(row.rms_error, chosen.asked_error) << row.substeps;
+    }
+  }
+}
+
+TEST(TuneSolver, AnErrorInMillimetresIsAShareOfTheLength) {
+  const TuningRecord by_share = tuned(budget(0.3));
+  const TuningRecord by_length = tuned(budget(0, 0.3 / 100 * kLength * 1000));
+  EXPECT_NEAR(by_length.asked_error, by_share.asked_error, 1e-7f);
+  EXPECT_EQ(by_length.substep_rate, by_share.substep_rate);
+  EXPECT_NEAR(tuned(budget(0.3, 100)).asked_error, by_share.asked_error, 1e-7f) << "with both, both are kept";
+  EXPECT_NEAR(tuned(budget(100, 1.2)).asked_error, by_share.asked_error, 1e-6f);
+}
+
+TEST(TuneSolver, ACostLimitsTheSubSteps) {
+  const TuningRecord free = tuned(budget(0.3));
+  const TuningRecord limited = tuned(budget(0, 0, 0.75 * free.cost));
+  EXPECT_LE(limited.cost, 0.75f * free.cost);
+  EXPECT_LT(limited.substep_rate, free.substep_rate);
+  EXPECT_EQ(limited.met, 1u);
+  EXPECT_EQ(limited.asked_error, 0.0f);
+  EXPECT_GT(limited.substep_rate, limited.slowest_rate) << "what may be spent buys accuracy";
+  EXPECT_LE(tuned(budget(0, 0, 100 * free.cost)).substep_rate, free.substep_rate) << "but no more than can be seen";
+}
+
+TEST(TuneSolver, AnImpossibleBudgetIsRefusedWithBothFigures) {
+  const ToolError too_accurate = refusal(budget(1e-6));
+  EXPECT_EQ(too_accurate.kind, ToolError::Kind::kOverBudget);
+  EXPECT_NE(too_accurate.message.find("1e-06 % of the chain's length was asked for and 0."), std::string::npos)
+      << too_accurate.message;
+
+  const ToolError too_cheap = refusal(budget(0, 0, 7));
+  EXPECT_EQ(too_cheap.kind, ToolError::Kind::kOverBudget);
+  const float least = tuned(budget(50)).cost;
+  EXPECT_NE(too_cheap.message.find("7 ns per frame were allowed; the least is with " + std::to_string(int(least))),
+            std::string::npos)
+      << too_cheap.message;
+
+  const ToolError both = refusal(budget(0.3, 0, least));
+  EXPECT_EQ(both.kind, ToolError::Kind::kOverBudget);
+  EXPECT_NE(both.message.find("0.3 % "), std::string::npos) << both.message;
+  EXPECT_NE(both.message.find(std::to_string(int(least)) + " ns per frame were allowed"), std::string::npos)
+      << both.message;
+}
+
+TEST(TuneSolver, WithoutABudgetNothingIsRefused) {
+  AssetContents wild = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 20}).contents();
+  const auto result = tune_solver(wild, default_recipe(), 2);
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->tuning.size(), 1u);
+  EXPECT_EQ(result->tuning[0].met, 0u) << "such hair has no exact motion to be near";
+  EXPECT_GT(result->tuning[0].reached_error, result->tuning[0].asked_error);
+  EXPECT_TRUE(std::isfinite(result->tuning[0].reached_error));
+  wild.tuning = result->tuning;
+  wild.quality = result->quality;
+  EXPECT_TRUE(OpenedAsset(wild).asset().is_open()) << "whatever was measured, the asset is one";
+}
+
+TEST(TuneSolver, RigidHairHasNothingToTune) {
+  const auto result = tune_solver(TestRig().contents(), budget(1e-6, 0, 1), 1);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->tuning.empty());
+  EXPECT_TRUE(result->quality.empty());
+}
+
+TEST(TuneSolver, TheTableHasEveryFrameRateInOrder) {
+  Recipe recipe = budget(1);
+  recipe.slowest_rate = 24;
+  recipe.fastest_rate = 144;
+  const auto result = tune_solver(calm_chain(), recipe, 1);
+  ASSERT_TRUE(result);
+  std::set<float> rates;
+  std::vector<std::pair<float, std::uint32_t>> keys;
+  for (const QualityRecord& row : result->quality) {
+    rates.insert(row.frame_rate);
+    keys.emplace_back(row.frame_rate, row.substeps);
+    EXPECT_GE(row.max_error, row.rms_error);
+    EXPECT_LT(row.stretch, 1e-5f);
+    EXPECT_GT(row.cost, 0.0f);
+  }
+  EXPECT_EQ(rates, (std::set<float>{24, 60, 144}));
+  EXPECT_TRUE(std::ranges::is_sorted(keys));
+  EXPECT_EQ(std::ranges::adjacent_find(keys), keys.end()) << "each is measured once";
+  EXPECT_EQ(result->tuning[0].slowest_rate, 24.0f);
+  EXPECT_EQ(result->tuning[0].fastest_rate, 144.0f);
+}
+
+TEST(TuneSolver, ThreadsAndRepetitionDoNotChangeTheResult) {
+  const auto one = tune_solver(calm_chain(), budget(0.3), 1);
+  ASSERT_TRUE(one);
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    const auto other = tune_solver(calm_chain(), budget(0.3), threads);
+    ASSERT_TRUE(other);
+    EXPECT_EQ(std::memcmp(one->tuning.data(), other->tuning.data(), sizeof(TuningRecord)), 0);
+    ASSERT_EQ(one->quality.size(), other->quality.size());
+    EXPECT_EQ(std::memcmp(one->quality.data(), other->quality.data(), one->quality.size() * sizeof(QualityRecord)), 0);
+    EXPECT_EQ(one->notes, other->notes);
+  }
+}
+
+}  // namespace
+}  // namespace coif
