@@ -52,11 +52,11 @@ tl::expected<Rendered, ToolError> render(const ReportOptions& options, const std
   return rendered;
 }
 
-tl::expected<Rendered, ToolError> report_accuracy(const ReportOptions& options, const std::string& suffix,
-                                                  const Asset& asset) {
+tl::expected<Rendered, ToolError> report_accuracy(const ReportOptions& options, const AccuracySettings& settings,
+                                                  const std::string& suffix, const Asset& asset) {
   ReportHeading heading = heading_of(asset, options.file);
   const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
-    return measure_accuracy(asset, options.accuracy, progress);
+    return measure_accuracy(asset, settings, progress);
   });
   if (!report) return tl::unexpected(report.error());
   return render(options, suffix, accuracy_text(heading, *report), accuracy_json(heading, *report),
@@ -82,7 +82,16 @@ tl::expected<void, ToolError> check_before(const ReportOptions& options, const s
   return draws ? check_plotter() : tl::expected<void, ToolError>{};
 }
 
-tl::expected<Exit, ToolError> run_report(const ReportOptions& options) {
+tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions& options, const Messages& messages) {
+  AccuracySettings settings = options.accuracy;
+  if (!options.clip) return settings;
+  const auto clip = open_clip(*options.clip, messages);
+  if (!clip) return tl::unexpected(clip.error());
+  settings.clip = NamedPath{clip->name, clip->path};
+  return settings;
+}
+
+tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Messages& messages) {
   if (auto checked = check_subject(options); !checked) return tl::unexpected(checked.error());
   std::string suffix;
   if (!options.output.empty()) {
@@ -94,9 +103,12 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options) {
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_before(options, suffix); !checked) return tl::unexpected(checked.error());
 
+  const auto settings = accuracy_settings(options, messages);
+  if (!settings) return tl::unexpected(settings.error());
+
   const bool accuracy = options.subject == ReportSubject::kAccuracy;
-  const auto rendered =
-      accuracy ? report_accuracy(options, suffix, file->asset()) : report_stability(options, suffix, file->asset());
+  const auto rendered = accuracy ? report_accuracy(options, *settings, suffix, file->asset())
+                                 : report_stability(options, suffix, file->asset());
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }
@@ -116,7 +128,7 @@ Command add_report(CLI::App& program) {
   app->description(app->get_description() + "\n\n" + motion_help());
   const auto options = std::make_shared<ReportOptions>();
   add_report_options(*app, *options);
-  return {app, [options](const Messages&) { return run_report(*options); }};
+  return {app, [options](const Messages& messages) { return run_report(*options, messages); }};
 }
 
 }  // namespace coif

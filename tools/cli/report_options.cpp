@@ -20,29 +20,22 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-ClipNode parse_clip(const std::string& word) {
-  const std::size_t split = word.rfind(':');
-  if (split == std::string::npos) return {word, ""};
-  return {word.substr(0, split), word.substr(split + 1)};
-}
-
-bool looks_like_file(const std::string& word) { return word.find_first_of("./") != std::string::npos; }
-
-void take_motion(const std::string& word, AccuracySettings& settings) {
+void take_motion(const std::string& word, ReportOptions& options) {
   if (const auto motion = find_motion(word)) {
-    settings.motions.push_back(*motion);
+    options.accuracy.motions.push_back(*motion);
     return;
   }
-  if (!looks_like_file(word)) {
+  const auto clip = find_clip(word);
+  if (!clip) {
     throw CLI::ValidationError("--motion", fmt::format("'{}' is neither a motion nor a file; see --help", word));
   }
-  if (settings.clip) throw CLI::ValidationError("--motion", fmt::format("'{}': one clip at a time", word));
-  settings.clip = parse_clip(word);
+  if (options.clip) throw CLI::ValidationError("--motion", fmt::format("'{}': one clip at a time", word));
+  options.clip = clip;
 }
 
-CLI::Option* add_motions(CLI::App& app, AccuracySettings& settings) {
-  const auto parse = [&settings](const std::vector<std::string>& words) {
-    for (const std::string& word : words) take_motion(word, settings);
+CLI::Option* add_motions(CLI::App& app, ReportOptions& options) {
+  const auto parse = [&options](const std::vector<std::string>& words) {
+    for (const std::string& word : words) take_motion(word, options);
   };
   return app
       .add_option_function<std::vector<std::string>>("--motion", parse,
@@ -79,7 +72,7 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
       ->type_name("OUT.html|OUT.json");
   add_solvers(app, options);
   options.accuracy_only = {
-      add_motions(app, accuracy),
+      add_motions(app, options),
       add_list(app, "--fps", accuracy.fps, "Frame rates, repeatable")
           ->check(CLI::Range(10.0, 1000.0))
           ->capture_default_str(),

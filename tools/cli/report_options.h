@@ -1,10 +1,12 @@
 #pragma once
 
+#include "cli/clip_choice.h"
 #include "cli/options.h"
 #include "report/measure_accuracy.h"
 #include "report/measure_stability.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct ReportOptions {
   std::string output;  ///< Empty: the terminal only.
   OutputFormat format = OutputFormat::kText;
   AccuracySettings accuracy;
+  std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
   StabilitySettings stability;
   /// Options that only reports of accuracy take; owned by the program.
   std::vector<const CLI::Option*> accuracy_only;

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <string_view>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -48,24 +48,17 @@ tl::expected<std::string, std::string> read_text(const std::filesystem::path& pa
   return text;
 }
 
-bool is_wanted(const json& key) {
-  constexpr std::array<std::string_view, 4> kWanted = {"nodes", "scene", "scenes", "extensions"};
-  for (const std::string_view wanted : kWanted) {
-    if (key.get_ref<const std::string&>() == wanted) return true;
-  }
-  return false;
-}
-
-bool keep(int depth, json::parse_event_t event, json& value) {
-  if (depth > kDeepest) return false;
-  return event != json::parse_event_t::key || depth != 1 || is_wanted(value);
-}
-
 }  // namespace
 
-tl::expected<json, std::string> read_gltf_json(const std::filesystem::path& path) {
+tl::expected<json, std::string> read_gltf_json(const std::filesystem::path& path,
+                                               std::span<const std::string_view> members) {
   auto text = read_text(path);
   if (!text) return tl::unexpected(text.error());
+  const auto keep = [members](int depth, json::parse_event_t event, json& value) {
+    if (depth > kDeepest) return false;
+    return event != json::parse_event_t::key || depth != 1 ||
+           std::ranges::find(members, value.get_ref<const std::string&>()) != members.end();
+  };
   try {
     json document = json::parse(*text, keep);
     return document.is_object() ? std::move(document) : json();

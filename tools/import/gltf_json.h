@@ -4,14 +4,17 @@
 #include <tl/expected.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace coif {
 
-/// The members `nodes`, `scene`, `scenes` and `extensions` of a glTF document (.gltf, or the JSON chunk of a .glb or
-/// .vrm): assimp drops extensions. The rest, which may hold whole buffers as text, is skipped unstored; so is what is
-/// nested deeper than any extension needs, so that nothing that walks the result can exhaust the stack. Null where the
-/// document is no object. The error is a sentence without the file's name.
-[[nodiscard]] tl::expected<nlohmann::json, std::string> read_gltf_json(const std::filesystem::path& path);
+/// Members of a glTF document (.gltf, or the JSON chunk of a .glb or .vrm), those of `members`. The rest, which may hold
+/// whole buffers as text, is skipped unstored; so is what is nested deeper than any extension needs, so that nothing
+/// that walks the result can exhaust the stack. Null where the document is no object. The error is a sentence without
+/// the file's name.
+[[nodiscard]] tl::expected<nlohmann::json, std::string> read_gltf_json(const std::filesystem::path& path,
+                                                                       std::span<const std::string_view> members);
 
 }  // namespace coif

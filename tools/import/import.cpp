@@ -3,15 +3,14 @@
 #include "import/assimp_reader.h"
 #include "import/child_process.h"
 #include "import/model_stream.h"
+#include "import/readable_file.h"
 #include "import/source_format.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
 #include <exception>
-#include <fstream>
 #include <new>
-#include <system_error>
 
 namespace coif {
 namespace {
@@ -24,31 +23,6 @@ constexpr const char* kReduce = "export only the hair and the head, best as glTF
 template <class... Args>
 ToolError error(ToolError::Kind kind, const fs::path& path, fmt::format_string<Args...> text, Args&&... args) {
   return {kind, path.string() + ": " + fmt::format(text, std::forward<Args>(args)...)};
-}
-
-tl::expected<void, ToolError> check_file(const fs::path& path, std::uint64_t max_bytes) {
-  using Kind = ToolError::Kind;
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (!fs::exists(status)) {
-    return tl::unexpected(
-        error(Kind::kFileAccess, path, "cannot open: {}; check the path", code ? code.message() : "no such file"));
-  }
-  if (fs::is_directory(status)) {
-    return tl::unexpected(error(Kind::kFileAccess, path, "is a folder; name the model file in it"));
-  }
-  if (!fs::is_regular_file(status)) return tl::unexpected(error(Kind::kFileAccess, path, "is not a regular file"));
-  if (!std::ifstream(path, std::ios::binary)) {
-    return tl::unexpected(
-        error(Kind::kFileAccess, path, "cannot open: {}; check its permissions", std::strerror(errno)));
-  }
-  const std::uintmax_t size = fs::file_size(path, code);
-  if (code) return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}", code.message()));
-  if (size == 0) return tl::unexpected(error(Kind::kBadInput, path, "the file is empty; {}", kReexport));
-  if (size > max_bytes) {
-    return tl::unexpected(error(Kind::kBadInput, path, "{} bytes, and the limit is {}; {}", size, max_bytes, kReduce));
-  }
-  return {};
 }
 
 ToolError explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
@@ -73,7 +47,7 @@ ToolError explain(const ChildResult& result, const fs::path& path, const ImportS
 }
 
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
-  if (auto checked = check_file(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
   const std::optional<SourceSuffix> suffix = find_suffix(path);
   if (!suffix) {
     return tl::unexpected(error(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace coif {
 namespace {
 
@@ -37,7 +39,9 @@ void read_head(const json& extensions, SpringSink& sink) {
 
 void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3d& model_from_file,
                          SourceModel& model) {
-  const auto document = read_gltf_json(path);
+  // assimp drops extensions.
+  constexpr std::string_view kMembers[] = {"nodes", "scene", "scenes", "extensions"};
+  const auto document = read_gltf_json(path, kMembers);
   if (!document) {
     model.warnings.push_back(
         fmt::format("extensions cannot be read, so VRM spring bones would be ignored: {}; open it "

@@ -23,19 +23,13 @@ constexpr double kSettleSeconds = 6;
 constexpr double kSettleRate = 60;
 constexpr double kPercent = 100;
 
-/// One movement of the head and what the model says to it.
-struct MeasuredMotion {
-  std::string name;
-  std::unique_ptr<HeadPath> path;
-};
-
 class AccuracyMeasurement {
  public:
   AccuracyMeasurement(const Asset& asset, const AccuracySettings& settings, const ReportProgress& progress)
       : asset_(asset), settings_(settings), progress_(progress), sample_(sample_of(rig_of(asset), kMostBones)) {}
 
-  AccuracyReport run(std::span<const MeasuredMotion> motions, std::span<const MeasuredSolver* const> solvers) {
-    for (const MeasuredMotion& motion : motions) measure_motion(motion, solvers);
+  AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
+    for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
     choose();
     return std::move(report_);
@@ -47,7 +41,7 @@ class AccuracyMeasurement {
     return {solver.efforts.begin(), solver.efforts.end()};
   }
 
-  void measure_motion(const MeasuredMotion& motion, std::span<const MeasuredSolver* const> solvers) {
+  void measure_motion(const NamedPath& motion, std::span<const MeasuredSolver* const> solvers) {
     tell(fmt::format("reference, {}", motion.name));
     const ReferenceRun reference =
         solve_reference(sample_.rig, scene_, *motion.path,
@@ -187,17 +181,14 @@ tl::expected<void, ToolError> check(const AccuracySettings& settings) {
   return {};
 }
 
-tl::expected<std::vector<MeasuredMotion>, ToolError> motions_of(const AccuracySettings& settings) {
-  if (settings.clip) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUnsupported,
-                                    settings.clip->file.string() + ": clips cannot be measured yet; name a motion"});
-  }
-  std::vector<MeasuredMotion> motions;
+std::vector<NamedPath> motions_of(const AccuracySettings& settings) {
+  std::vector<NamedPath> motions;
+  const bool suite = settings.motions.empty() && !settings.clip;
   for (const MotionInfo& info : all_motions()) {
-    const bool wanted =
-        settings.motions.empty() || std::ranges::find(settings.motions, info.motion) != settings.motions.end();
+    const bool wanted = suite || std::ranges::find(settings.motions, info.motion) != settings.motions.end();
     if (wanted) motions.push_back({info.name, path_of(info.motion)});
   }
+  if (settings.clip) motions.push_back(*settings.clip);
   return motions;
 }
 
@@ -208,12 +199,10 @@ tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, con
   if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
   const auto solvers = chosen_solvers(settings.solvers);
   if (!solvers) return tl::unexpected(solvers.error());
-  const auto motions = motions_of(settings);
-  if (!motions) return tl::unexpected(motions.error());
   if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
   }
-  return AccuracyMeasurement(asset, settings, progress).run(*motions, *solvers);
+  return AccuracyMeasurement(asset, settings, progress).run(motions_of(settings), *solvers);
 }
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/head_path.h"
 #include "motion/motion.h"
 #include "report/accuracy_report.h"
 #include "tool_error.h"
@@ -9,23 +10,23 @@
 #include <tl/expected.hpp>
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace coif {
 
-/// An animated node of a model file that moves the head.
-struct ClipNode {
-  std::filesystem::path file;
-  std::string node;  ///< Empty: the file's only animated node.
+/// A movement of the head that is not built in.
+struct NamedPath {
+  std::string name;                      ///< As in the report, printable.
+  std::shared_ptr<const HeadPath> path;  ///< Not null.
 };
 
 struct AccuracySettings {
-  std::vector<Motion> motions;   ///< Empty: the whole suite, unless `clip` is set.
-  std::optional<ClipNode> clip;  ///< One more motion.
+  std::vector<Motion> motions;    ///< Empty: the whole suite, unless `clip` is set.
+  std::optional<NamedPath> clip;  ///< One more motion.
   std::vector<double> fps{24, 30, 60, 90, 120, 144, 240};
   std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Of each frame, for the solvers that have them.
   double seconds = 4;                            ///< Of each motion, at most 60.
@@ -40,8 +41,7 @@ using ReportProgress = std::function<void(const std::string& step)>;
 [[nodiscard]] std::vector<std::string> report_solvers();
 
 /// Runs every solver through every motion at every frame rate beside a converged reference. Takes seconds to minutes.
-/// Errors: kUsage for settings out of range or an unknown solver, kBadInput for an asset without simulated bones or a
-/// clip that cannot be read, kFileAccess for a clip that cannot be opened.
+/// Errors: kUsage for settings out of range or an unknown solver, kBadInput for an asset without simulated bones.
 tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, const AccuracySettings& settings,
                                                          const ReportProgress& progress);
 

@@ -1,0 +1,144 @@
+#include "import/gltf_buffers.h"
+
+#include "import/json_values.h"
+#include "import/printable_text.h"
+#include "import/readable_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Bytes = tl::expected<std::vector<std::byte>, std::string>;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+tl::unexpected<std::string> fault(std::string text) { return tl::unexpected(std::move(text)); }
+
+Bytes read_part(std::ifstream& file, std::size_t size) {
+  std::vector<std::byte> bytes(size);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (std::size_t(file.gcount()) != size) return fault(fmt::format("cut off: {} of {} bytes", file.gcount(), size));
+  return bytes;
+}
+
+bool read_word(std::ifstream& file, std::uint32_t& word) {
+  return bool(file.read(reinterpret_cast<char*>(&word), sizeof word));
+}
+
+/// The chunk after the JSON one. Sizes are checked against the file's, so that none makes the reader allocate more.
+Bytes read_binary_chunk(const fs::path& path, std::size_t wanted) {
+  constexpr std::streamoff kHeader = 12, kChunkHeader = 8;
+  std::ifstream file(path, std::ios::binary);
+  char magic[4] = {};
+  std::uint32_t json_bytes = 0, size = 0, type = 0;
+  file.read(magic, sizeof magic);
+  if (!file || std::memcmp(magic, "glTF", sizeof magic) != 0) return fault("without a uri, and the file is no .glb");
+  file.seekg(kHeader);
+  if (!read_word(file, json_bytes)) return fault("cut off");
+  file.seekg(kHeader + kChunkHeader + std::streamoff{json_bytes});
+  if (!read_word(file, size) || !read_word(file, type) || std::memcmp(&type, "BIN", 4) != 0) {
+    return fault("without a uri, and the .glb has no binary chunk");
+  }
+  std::error_code code;
+  const std::uintmax_t whole = fs::file_size(path, code);
+  const auto left = code ? 0 : whole - std::uintmax_t(file.tellg());
+  if (wanted > size || wanted > left) {
+    return fault(fmt::format("cut off: {} of {} bytes", std::min<std::uintmax_t>(size, left), wanted));
+  }
+  return read_part(file, wanted);
+}
+
+constexpr std::array<std::int8_t, 256> kBase64 = [] {
+  std::array<std::int8_t, 256> table{};
+  table.fill(-1);
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < kLetters.size(); ++i) table[std::uint8_t(kLetters[i])] = std::int8_t(i);
+  return table;
+}();
+
+Bytes decode_base64(std::string_view text) {
+  while (text.ends_with('=')) text.remove_suffix(1);
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char letter : text) {
+    const int six = kBase64[std::uint8_t(letter)];
+    if (six < 0) return fault("not base64");
+    bits = bits << 6 | std::uint32_t(six);
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes.push_back(std::byte(bits >> count & 0xFF));
+  }
+  return bytes;
+}
+
+/// "%20" as a space; a percent sign without two digits stays.
+std::string decoded_uri(std::string_view uri) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
+  };
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool coded = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+    text += coded ? char(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
+    if (coded) i += 2;
+  }
+  return text;
+}
+
+Bytes read_side_file(const fs::path& document, const std::string& uri, std::size_t wanted) {
+  const fs::path name = decoded_uri(uri);
+  const bool inside = !name.empty() && name.is_relative() && *name.lexically_normal().begin() != ".." &&
+                      name.native().find('\0') == std::string::npos && uri.find("://") == std::string::npos;
+  const std::string shown = printable_text(uri, 100);
+  if (!inside) return fault(fmt::format("in '{}', which is not in this file's folder", shown));
+  const fs::path path = document.parent_path() / name;
+  if (auto readable = check_readable(path, kMostBytes); !readable) return fault(readable.error().message);
+  std::ifstream file(path, std::ios::binary);
+  std::error_code code;
+  const std::uintmax_t size = fs::file_size(path, code);
+  if (code || size < wanted)
+    return fault(fmt::format("cut off: '{}' has {} of {} bytes", shown, code ? 0 : size, wanted));
+  return read_part(file, wanted);
+}
+
+Bytes read_buffer(const fs::path& path, const json& buffer, std::size_t wanted) {
+  const json& uri = member(buffer, "uri");
+  if (!uri.is_string()) return read_binary_chunk(path, wanted);
+  const auto& text = uri.get_ref<const std::string&>();
+  if (!text.starts_with("data:")) return read_side_file(path, text, wanted);
+  const std::size_t comma = text.find(";base64,");
+  if (comma == std::string::npos) return fault("a data: URI that is not base64");
+  Bytes bytes = decode_base64(std::string_view(text).substr(comma + std::strlen(";base64,")));
+  if (!bytes) return bytes;
+  if (bytes->size() < wanted) return fault(fmt::format("cut off: {} of {} bytes", bytes->size(), wanted));
+  bytes->resize(wanted);
+  return bytes;
+}
+
+}  // namespace
+
+tl::expected<std::span<const std::byte>, std::string> GltfBuffers::bytes(std::size_t buffer) {
+  if (const auto found = read_.find(buffer); found != read_.end()) return found->second;
+  const json& entries = list_of(member(document_, "buffers"));
+  if (buffer >= entries.size()) return fault(fmt::format("buffer {} is not one of {}", buffer, entries.size()));
+  const auto wanted = index_of(member(entries[buffer], "byteLength"), kMostBytes + 1);
+  if (!wanted) return fault(fmt::format("buffer {} has no byteLength of 0 to 1 GiB", buffer));
+  Bytes bytes = read_buffer(path_, entries[buffer], *wanted);
+  if (!bytes) return fault(fmt::format("buffer {} is {}", buffer, bytes.error()));
+  return read_.emplace(buffer, std::move(*bytes)).first->second;
+}
+
+}  // namespace coif

@@ -1,0 +1,116 @@
+#include "motion/clip_path.h"
+
+#include "motion/rotation_vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// A key and how the head moves there.
+struct Knot {
+  double seconds;
+  Vector3d position, velocity;
+  Quaterniond rotation;
+  Vector3d spin;  ///< Radians per second, in the head's own axes.
+};
+
+/// The cubic that meets both values and slopes, with its derivatives, at `u` of 0..1 of a piece `span` seconds long.
+TurningVector hermite(double u, double span, const Vector3d& a, const Vector3d& a_slope, const Vector3d& b,
+                      const Vector3d& b_slope) {
+  const Vector3d way = b - a, start = span * a_slope, end = span * b_slope;
+  const Vector3d square = 3 * way - 2 * start - end, cube = start + end - 2 * way;
+  return {a + u * (start + u * (square + u * cube)), (start + u * (2 * square + 3 * u * cube)) / span,
+          (2 * square + 6 * u * cube) / (span * span)};
+}
+
+/// Of the parabola through three values, at the second: the two means of change, each weighed by the other's time.
+Vector3d parabola_slope(const Vector3d& to_left, double left, const Vector3d& to_right, double right) {
+  return (to_left * (right / left) + to_right * (left / right)) / (left + right);
+}
+
+HeadState standing(const Knot& knot) {
+  HeadState state;
+  state.position = knot.position;
+  state.rotation = knot.rotation;
+  return state;
+}
+
+std::vector<Knot> knots_of(const std::vector<ClipKey>& keys) {
+  std::vector<Knot> knots;
+  knots.reserve(keys.size());
+  for (const ClipKey& key : keys) {
+    knots.push_back({key.seconds, key.position, Vector3d::Zero(), key.rotation.normalized(), Vector3d::Zero()});
+  }
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+    const Knot &before = knots[i - 1], &after = knots[i + 1];
+    Knot& knot = knots[i];
+    const double left = knot.seconds - before.seconds, right = after.seconds - knot.seconds;
+    knot.velocity = parabola_slope(knot.position - before.position, left, after.position - knot.position, right);
+    // Both ends of a turn see its axis alike, so the turn that led here is a vector in this key's axes too.
+    knot.spin = parabola_slope(vector_of(before.rotation.conjugate() * knot.rotation), left,
+                               vector_of(knot.rotation.conjugate() * after.rotation), right);
+  }
+  return knots;
+}
+
+class ClipPath final : public HeadPath {
+ public:
+  explicit ClipPath(std::vector<Knot> knots) : knots_(std::move(knots)) {}
+
+  [[nodiscard]] HeadState at(double seconds, double inside) const override {
+    const auto after = std::ranges::upper_bound(knots_, std::max(inside, 0.0), {}, &Knot::seconds);
+    if (after == knots_.begin()) return standing(knots_.front());
+    if (after == knots_.end()) return standing(knots_.back());
+    const HeadState state = between(after[-1], *after, std::max(seconds, 0.0));
+    return seconds < 0 ? standing({0, state.position, {}, state.rotation, {}}) : state;
+  }
+
+  [[nodiscard]] std::vector<PathBreak> breaks(double until) const override {
+    std::vector<PathBreak> breaks;
+    for (const Knot& knot : knots_) {
+      if (knot.seconds > 0 && knot.seconds <= until) breaks.push_back({knot.seconds, false});
+    }
+    return breaks;
+  }
+
+ private:
+  static HeadState between(const Knot& a, const Knot& b, double seconds) {
+    const double span = b.seconds - a.seconds, u = (seconds - a.seconds) / span;
+    const TurningVector moved = hermite(u, span, a.position, a.velocity, b.position, b.velocity);
+    const Vector3d turn = vector_of(a.rotation.conjugate() * b.rotation);
+    const TurningVector turned = hermite(u, span, Vector3d::Zero(), a.spin, turn, rate_of(turn, b.spin));
+    const BodySpin spin = spin_of(turned);
+    HeadState state;
+    state.position = moved.value;
+    state.velocity = moved.rate;
+    state.acceleration = moved.acceleration;
+    state.rotation = (a.rotation * rotation_of(turned.value)).normalized();
+    state.angular_velocity = state.rotation * spin.velocity;
+    state.angular_acceleration = state.rotation * spin.acceleration;
+    return state;
+  }
+
+  std::vector<Knot> knots_;
+};
+
+bool is_usable(const ClipKey& key) {
+  const double length = key.rotation.norm();
+  return std::isfinite(key.seconds) && key.position.allFinite() && std::isfinite(length) && length > 0;
+}
+
+}  // namespace
+
+std::unique_ptr<HeadPath> path_of(std::vector<ClipKey> keys) {
+  if (keys.empty() || !std::ranges::all_of(keys, is_usable) || keys.front().seconds < 0) return nullptr;
+  const auto too_close = [](const ClipKey& a, const ClipKey& b) { return !(b.seconds - a.seconds >= kLeastKeySpan); };
+  if (std::ranges::adjacent_find(keys, too_close) != keys.end()) return nullptr;
+  return std::make_unique<ClipPath>(knots_of(keys));
+}
+
+}  // namespace coif
