@@ -3,6 +3,7 @@
 #include "cook/condition_chains.h"
 
 #include "cook/chain_groups.h"
+#include "cook/chain_growth.h"
 #include "cook/chain_sample.h"
 #include "cook/soft_chain.h"
 #include "cook/tip_error.h"
@@ -118,6 +119,22 @@ TEST(ConditionChains, WarnsWhereNothingHelps) {
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_NE(result.warnings[0].find("chain 'b1': "), std::string::npos) << result.warnings[0];
   EXPECT_NE(result.warnings[0].find("frame rate"), std::string::npos) << result.warnings[0];
+}
+
+TEST(ChainGrowth, RisesWithTheBonesAndIsBoundedByFrictionAndTheHead) {
+  const auto growth = [](int bones, float friction, float parent_share) {
+    AssetContents contents = rig_of_chain({.bones = bones, .length = 0.6f, .stiffness = 400}).contents();
+    for (DynamicsRecord& record : contents.dynamics) {
+      record.damping = 40;
+      record.friction = friction;
+      record.parent_share = parent_share;
+    }
+    return chain_growth(contents, 0);
+  };
+  EXPECT_GT(growth(4, 1, 1), 2);
+  EXPECT_GT(growth(16, 1, 1), 100 * growth(4, 1, 1));
+  EXPECT_LT(growth(16, 1, 0.5f), growth(16, 1, 1));
+  EXPECT_NEAR(growth(16, 60, 0), 1, 1e-6);
 }
 
 TEST(GroupChains, TheSoftestAndTheLongestTellOfAllWithAsManyBones) {

@@ -2,6 +2,7 @@
 
 #include "cook/bake_dynamics.h"
 #include "cook/chain_groups.h"
+#include "cook/chain_growth.h"
 #include "cook/chain_sample.h"
 #include "cook/parallel_for.h"
 #include "cook/tip_error.h"
@@ -20,6 +21,7 @@ constexpr double kMostSelfDifferencePct = 0.1;
 /// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one that
 /// amplifies is off by ten and more.
 constexpr double kMostRuntimeError = 0.05;
+constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
 constexpr std::uint32_t kRate = 60, kSubsteps = 4;
 constexpr double kGravity = 9.81;
 
@@ -45,6 +47,7 @@ struct Finding {
   Motion motion = Motion::kStill;
   double self_difference_pct = 0;
   double runtime_error = 0;
+  double growth = 0;  ///< Above kMostGrowth nothing was computed.
 };
 
 struct Outcome {
@@ -87,6 +90,8 @@ Finding examine_motion(const OpenedAsset& opened, const Rig& rig, Motion motion)
 Finding examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& rung) {
   AssetContents alone = chains_alone(contents, std::array{chain});
   apply(rung, alone, 0);
+  const double growth = chain_growth(alone, 0);
+  if (growth > kMostGrowth && &rung != std::end(kLadder) - 1) return {false, Motion::kStill, 0, 0, growth};
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   for (const Motion motion : kMotions) {
@@ -129,6 +134,9 @@ const char* name_of(Motion motion) {
 }
 
 std::string what_failed(const Finding& finding) {
+  if (finding.growth > 0) {
+    return fmt::format("its bones amplify what moves the first of them {:.0g} times", finding.growth);
+  }
   if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
     return std::isfinite(finding.self_difference_pct)
                ? fmt::format("two computations of motion {} differed by {:.2g} % of its length",
