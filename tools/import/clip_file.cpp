@@ -249,7 +249,8 @@ tl::expected<ClipFile, ToolError> read_clip(const fs::path& path, std::string_vi
   constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
   const auto document = read_gltf_json(path, kMembers);
   if (!document)
-    return tl::unexpected(failed(Kind::kBadInput, path, fmt::format("{}; {}", document.error(), kReexport)));
+    return tl::unexpected(
+        failed(Kind::kBadInput, path, fmt::format("cannot be read as glTF 2.0: {}; {}", document.error(), kReexport)));
   auto clip = ClipReader(path, *document).read(node);
   if (!clip) return tl::unexpected(failed(Kind::kBadInput, path, clip.error()));
   for (std::string& note : clip->notes) note = path.string() + ": " + note;

@@ -34,12 +34,14 @@ Vector3d parabola_slope(const Vector3d& to_left, double left, const Vector3d& to
   return (to_left * (right / left) + to_right * (left / right)) / (left + right);
 }
 
-HeadState standing(const Knot& knot) {
+HeadState standing(const Vector3d& position, const Quaterniond& rotation) {
   HeadState state;
-  state.position = knot.position;
-  state.rotation = knot.rotation;
+  state.position = position;
+  state.rotation = rotation;
   return state;
 }
+
+HeadState standing(const Knot& knot) { return standing(knot.position, knot.rotation); }
 
 std::vector<Knot> knots_of(const std::vector<ClipKey>& keys) {
   std::vector<Knot> knots;
@@ -68,7 +70,7 @@ class ClipPath final : public HeadPath {
     if (after == knots_.begin()) return standing(knots_.front());
     if (after == knots_.end()) return standing(knots_.back());
     const HeadState state = between(after[-1], *after, std::max(seconds, 0.0));
-    return seconds < 0 ? standing({0, state.position, {}, state.rotation, {}}) : state;
+    return seconds < 0 ? standing(state.position, state.rotation) : state;
   }
 
   [[nodiscard]] std::vector<PathBreak> breaks(double until) const override {

@@ -1,0 +1,97 @@
+#include "import/clip_files.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace coif::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFloat = 5126;
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? std::uint8_t(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kLetters[bits >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+void append_word(std::string& bytes, std::size_t value) {
+  const auto word = std::uint32_t(value);
+  bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
+}
+
+}  // namespace
+
+ClipDocument::ClipDocument() {
+  document = {
+      {"asset", {{"version", "2.0"}}},
+      {"nodes", json::array({{{"name", "head"}}})},
+      {"animations", json::array({{{"name", "clip"}, {"samplers", json::array()}, {"channels", json::array()}}})},
+      {"accessors", json::array()},
+      {"bufferViews", json::array()}};
+}
+
+ClipDocument& ClipDocument::animate(std::size_t node, const std::string& path, const std::vector<float>& seconds,
+                                    const std::vector<float>& values, const char* interpolation) {
+  json& animation = document["animations"][0];
+  const bool turns = path == "rotation";
+  animation["channels"].push_back(
+      {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+  const std::size_t input = add(seconds, "SCALAR", 1), output = add(values, turns ? "VEC4" : "VEC3", turns ? 4 : 3);
+  animation["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
+  return *this;
+}
+
+std::size_t ClipDocument::add(const std::vector<float>& values, const char* type, std::size_t width) {
+  const std::size_t begin = buffer_.size(), size = values.size() * sizeof(float);
+  buffer_.append(reinterpret_cast<const char*>(values.data()), size);
+  document["accessors"].push_back({{"bufferView", document["bufferViews"].size()},
+                                   {"componentType", kFloat},
+                                   {"count", values.size() / width},
+                                   {"type", type}});
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", size}});
+  document["buffers"] = json::array({{{"byteLength", buffer_.size()}}});
+  return document["accessors"].size() - 1;
+}
+
+std::string ClipDocument::text() const {
+  return text_beside("data:application/octet-stream;base64," + base64(buffer_));
+}
+
+std::string ClipDocument::text_beside(const std::string& uri) const {
+  json whole = document;
+  if (whole.contains("buffers")) whole["buffers"][0]["uri"] = uri;
+  return whole.dump();
+}
+
+std::string ClipDocument::glb() const {
+  std::string text = document.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string file = "glTF";
+  append_word(file, 2);
+  append_word(file, 12 + 8 + text.size() + 8 + buffer_.size());
+  append_word(file, text.size());
+  file += "JSON" + text;
+  append_word(file, buffer_.size());
+  file += std::string("BIN\0", 4) + buffer_;
+  return file;
+}
+
+std::vector<float> turns_about_x(const std::vector<float>& seconds, const std::function<double(double)>& radians) {
+  std::vector<float> values;
+  for (const float t : seconds) {
+    const double half = 0.5 * radians(double(t));
+    for (const double value : {std::sin(half), 0.0, 0.0, std::cos(half)}) values.push_back(float(value));
+  }
+  return values;
+}
+
+}  // namespace coif::test
