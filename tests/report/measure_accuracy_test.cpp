@@ -1,5 +1,6 @@
 #include "report/measure_accuracy.h"
 
+#include "motion/clip_path.h"
 #include "report/constraint_meter.h"
 #include "report/motion_trial.h"
 #include "report/solver_trial.h"
@@ -88,6 +89,34 @@ TEST_F(AccuracyTest, SettlesWhereTheModelHangs) {
   ASSERT_EQ(report->settle.size(), 3u);
   EXPECT_LT(report->settle[0].settle_error_pct, 0.01);  // coif
   EXPECT_GT(report->settle[1].settle_error_pct, 0.1);   // thesis: pulls at parents, and stretches
+}
+
+TEST_F(AccuracyTest, AClipOfAMotionMeasuresLikeTheMotion) {
+  AccuracySettings settings = quick();
+  settings.motions = {Motion::kNod};
+  const auto nod = path_of(Motion::kNod);
+  std::vector<ClipKey> keys;
+  for (int i = 0; i <= 240; ++i) keys.push_back({i / 120.0, nod->at(i / 120.0).position, nod->at(i / 120.0).rotation});
+  settings.clip = NamedPath{"nod.glb:head", path_of(keys)};
+  const auto report = measure(settings);
+  ASSERT_TRUE(report) << report.error().message;
+  const std::size_t half = report->rows.size() / 2;
+  ASSERT_EQ(half, 2u * (2 + 2 + 6));
+  for (std::size_t i = 0; i < half; ++i) {
+    const AccuracyRow &built_in = report->rows[i], &clip = report->rows[half + i];
+    EXPECT_EQ(built_in.motion, "nod");
+    EXPECT_EQ(clip.motion, "nod.glb:head");
+    EXPECT_NEAR(clip.rms_error_pct, built_in.rms_error_pct, 1e-3 + 0.01 * built_in.rms_error_pct) << clip.solver;
+  }
+}
+
+TEST_F(AccuracyTest, AClipAloneReplacesTheSuite) {
+  AccuracySettings settings = quick();
+  settings.motions.clear();
+  settings.clip = NamedPath{"clip", path_of(Motion::kRun)};
+  const auto report = measure(settings);
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->reference.size(), 1u);
 }
 
 TEST_F(AccuracyTest, ExplosionsAreRowsWithoutNumbers) {
