@@ -63,8 +63,8 @@ RecordedFrame snapshot(const Hair& hair, const HeadPose& head, double seconds) {
   return {seconds, head, {palette.begin(), palette.end()}, {ends.begin(), ends.end()}};
 }
 
-Status settle(Hair& hair, const RecordingSettings& settings, const StepSettings& step) {
-  if (const Status status = hair.reset(0, head_pose(settings.motion, 0)); status != Status::kOk) return status;
+Status settle(Hair& hair, const HeadPose& pose, const RecordingSettings& settings, const StepSettings& step) {
+  if (const Status status = hair.reset(0, pose); status != Status::kOk) return status;
   const auto steps = std::llround(settings.settle_seconds * settings.fps);
   for (long long i = 0; i < steps; ++i) {
     if (const Status status = hair.step(step); status != Status::kOk) return status;
@@ -91,15 +91,16 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
   }
   StepSettings step = settings.step;
   step.dt = static_cast<float>(1.0 / settings.fps);
-  if (const Status status = settle(hair, settings, step); status != Status::kOk) return refused(status);
+  const std::shared_ptr<const HeadPath> path = settings.clip ? settings.clip : path_of(settings.motion);
+  if (const Status status = settle(hair, path->pose(0), settings, step); status != Status::kOk) return refused(status);
 
   Recording recording;
-  recording.frames.push_back(snapshot(hair, head_pose(settings.motion, 0), 0));
+  recording.frames.push_back(snapshot(hair, path->pose(0), 0));
   const std::size_t count = frame_count(settings);
   recording.frames.reserve(count);
   for (std::size_t i = 1; i < count; ++i) {
     const double seconds = static_cast<double>(i) / settings.fps;
-    const HeadPose pose = head_pose(settings.motion, seconds);
+    const HeadPose pose = path->pose(seconds);
     if (const Status status = advance(hair, pose, step); status != Status::kOk) return refused(status);
     recording.frames.push_back(snapshot(hair, pose, seconds));
   }

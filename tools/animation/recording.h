@@ -1,6 +1,7 @@
 #pragma once
 // Runs the runtime over a motion and keeps what it did.
 
+#include "motion/head_path.h"
 #include "motion/motion.h"
 #include "tool_error.h"
 
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +21,9 @@ namespace coif {
 
 struct RecordingSettings {
   Motion motion = Motion::kTurn;
-  double fps = 60;     ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
-  double seconds = 4;  ///< Length of the recording, 0..3600.
+  std::shared_ptr<const HeadPath> clip{};  ///< Instead of `motion`, unless null.
+  double fps = 60;                         ///< Steps and frames per second, 1 / kMaxTimeStep .. 1000.
+  double seconds = 4;                      ///< Length of the recording, 0..3600.
   double settle_seconds =
       2;                ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
   StepSettings step{};  ///< dt comes from fps.

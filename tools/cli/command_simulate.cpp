@@ -9,6 +9,7 @@
 #include "render/picture.h"
 
 #include <memory>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -18,7 +19,8 @@ constexpr Choice<Solver> kSolvers[] = {{"coif", Solver::kCoif}, {"thesis", Solve
 struct SimulateOptions {
   std::string file;
   std::string output;
-  RecordingSettings recording;
+  HeadMotion motion;
+  RecordingSettings recording;  ///< But for the motion.
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -54,10 +56,22 @@ std::string motion_name(Motion motion) {
   return "";
 }
 
-std::string result_text(const SimulateOptions& options, const Asset& asset, const Recording& recording) {
+/// The movement of the head in `recording`; returns its name.
+tl::expected<std::string, ToolError> choose_motion(const HeadMotion& chosen, RecordingSettings& recording,
+                                                   const Messages& messages) {
+  recording.motion = chosen.motion;
+  if (!chosen.clip) return motion_name(chosen.motion);
+  auto clip = open_clip(*chosen.clip, messages);
+  if (!clip) return tl::unexpected(clip.error());
+  recording.clip = std::move(clip->path);
+  return std::move(clip->name);
+}
+
+std::string result_text(const SimulateOptions& options, const std::string& motion, const Asset& asset,
+                        const Recording& recording) {
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
-                      {"motion", motion_name(options.recording.motion)},
+                      {"motion", motion},
                       {"fps", options.recording.fps},
                       {"frames", recording.frames.size()},
                       {"bones", asset.bones().size()},
@@ -67,12 +81,12 @@ std::string result_text(const SimulateOptions& options, const Asset& asset, cons
   return fmt::format(
       "{}: motion {}, {} of {} at {} per second\n"
       "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n",
-      options.output, motion_name(options.recording.motion), counted(recording.frames.size(), "frame", "frames"),
+      options.output, motion, counted(recording.frames.size(), "frame", "frames"),
       counted(asset.bones().size(), "bone", "bones"), options.recording.fps, 100 * recording.stretch_max,
       100 * recording.penetration_max);
 }
 
-tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options) {
+tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const Messages& messages) {
   const auto suffix = choose_suffix(options.output, {".csv", ".glb"});
   if (!suffix) return tl::unexpected(suffix.error());
   const auto file = AssetFile::open(options.file);
@@ -80,14 +94,17 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options) {
   const Asset& asset = file->asset();
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
 
-  const auto recording = record(asset, options.recording);
+  RecordingSettings settings = options.recording;
+  const auto motion = choose_motion(options.motion, settings, messages);
+  if (!motion) return tl::unexpected(motion.error());
+  const auto recording = record(asset, settings);
   if (!recording) {
     return tl::unexpected(ToolError{recording.error().kind, options.file + ": " + recording.error().message});
   }
   const auto bytes = encode(options, *suffix, asset, *recording);
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());
-  print_result(result_text(options, asset, *recording));
+  print_result(result_text(options, *motion, asset, *recording));
   return Exit::kOk;
 }
 
@@ -102,7 +119,7 @@ Command add_simulate(CLI::App& program) {
   app->add_option("-o,--output", options->output, "CSV: bone ends; GLB: skinned animation for any glTF viewer")
       ->required()
       ->type_name("OUT.csv|OUT.glb");
-  add_choice<Motion>(*app, "--motion", recording.motion, motion_choices(), "How the head moves")->required();
+  add_motion(*app, options->motion, "How the head moves")->required();
   app->add_option("--fps", recording.fps, "Steps and frames per second")
       ->check(CLI::Range(10.0, 1000.0))
       ->capture_default_str();
@@ -121,7 +138,7 @@ Command add_simulate(CLI::App& program) {
       ->check(CLI::Range(1u, 64u))
       ->capture_default_str();
   add_format(*app, options->format);
-  return {app, [options](const Messages&) { return run_simulate(*options); }};
+  return {app, [options](const Messages& messages) { return run_simulate(*options, messages); }};
 }
 
 }  // namespace coif
