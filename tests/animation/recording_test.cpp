@@ -79,6 +79,13 @@ TEST_F(Recorded, TwiceGivesTheSameBytes) {
   EXPECT_EQ(to_glb(asset(), *a), to_glb(asset(), *b));
 }
 
+TEST_F(Recorded, FollowsAClipInsteadOfTheMotion) {
+  const auto built_in = record(asset(), {.motion = Motion::kRun, .seconds = 1});
+  const auto clip = record(asset(), {.motion = Motion::kStill, .clip = path_of(Motion::kRun), .seconds = 1});
+  ASSERT_TRUE(built_in && clip);
+  EXPECT_EQ(to_csv(asset(), *clip), to_csv(asset(), *built_in));
+}
+
 TEST_F(Recorded, RefusesSettingsOutsideTheirRanges) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double fps : {0.0, -60.0, 9.9, 1000.5, nan}) EXPECT_FALSE(record(asset(), {.fps = fps})) << fps;

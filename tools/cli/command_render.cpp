@@ -10,6 +10,7 @@
 #include "render/picture.h"
 
 #include <memory>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -35,7 +36,7 @@ struct RenderOptions {
   PixelSize size{1024, 768};
   ViewAngles view{30, 5};
   Shown shown;
-  Motion motion = Motion::kStill;
+  HeadMotion motion;
   bool moves = false;
   std::string body;
   std::string body_mesh;
@@ -60,7 +61,7 @@ PictureSettings picture_settings(const RenderOptions& options) {
   settings.pitch_degrees = options.view.pitch_degrees;
   settings.component = options.shown.component;
   settings.patches = options.shown.patches;
-  if (options.moves) settings.motion = options.motion;
+  if (options.moves) settings.motion = options.motion.motion;
   return settings;
 }
 
@@ -88,6 +89,11 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
 
   PictureSettings settings = picture_settings(options);
+  if (options.motion.clip) {
+    auto clip = open_clip(*options.motion.clip, messages);
+    if (!clip) return tl::unexpected(clip.error());
+    settings.clip = std::move(clip->path);
+  }
   tl::expected<SourceModel, ToolError> body;
   if (!options.body.empty()) {
     body = read_body(options, messages);
@@ -108,8 +114,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
 }
 
 void add_content_options(CLI::App& app, RenderOptions& options) {
-  CLI::Option* motion =
-      add_choice<Motion>(app, "--motion", options.motion, motion_choices(), "How the head moves (default: at rest)");
+  CLI::Option* motion = add_motion(app, options.motion, "How the head moves (default: at rest)");
   motion->each([&options](const std::string&) { options.moves = true; });
   app.add_option("--time", options.picture.time, "Seconds into the motion")
       ->check(CLI::Range(0.0, 3600.0))

@@ -16,10 +16,10 @@ constexpr int kSettleSteps = 120;
 class AlignedBlock {
  public:
   explicit AlignedBlock(const MemoryNeed& need)
-      : need_(need), bytes_(static_cast<std::byte*>(::operator new(need.bytes, std::align_val_t{need.alignment}))) {}
+      : need_(need), bytes_(static_cast<std::byte*>(::operator new (need.bytes, std::align_val_t{need.alignment}))) {}
   AlignedBlock(const AlignedBlock&) = delete;
   AlignedBlock& operator=(const AlignedBlock&) = delete;
-  ~AlignedBlock() { ::operator delete(bytes_, std::align_val_t{need_.alignment}); }
+  ~AlignedBlock() { ::operator delete (bytes_, std::align_val_t{need_.alignment}); }
   [[nodiscard]] std::span<std::byte> span() const { return {bytes_, need_.bytes}; }
 
  private:
@@ -34,25 +34,25 @@ tl::unexpected<ToolError> failed(Status status) {
 
 }  // namespace
 
-tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, std::optional<Motion> motion, double seconds,
+tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
                                                 StepSettings step) {
-  const Motion played = motion.value_or(Motion::kStill);
-  if (asset.dynamics().empty()) return HairPose{head_pose(played, seconds), std::vector<Mat34>(asset.bones().size())};
+  const auto pose_at = [motion](double time) { return motion ? motion->pose(time) : HeadPose{}; };
+  if (asset.dynamics().empty()) return HairPose{pose_at(seconds), std::vector<Mat34>(asset.bones().size())};
 
   step.dt = static_cast<float>(1 / kRate);
   Hair hair;
   const AlignedBlock memory(Hair::memory_need(asset, {}));
   if (const Status status = hair.create(asset, {}, memory.span()); status != Status::kOk) return failed(status);
-  if (const Status status = hair.reset(0, head_pose(played, 0)); status != Status::kOk) return failed(status);
+  if (const Status status = hair.reset(0, pose_at(0)); status != Status::kOk) return failed(status);
 
   const int motion_steps = motion ? static_cast<int>(std::lround(seconds * kRate)) : 0;
   for (int i = 1 - kSettleSteps; i <= motion_steps; ++i) {
-    const HeadPose pose = head_pose(played, i > 0 ? i / kRate : 0);
+    const HeadPose pose = pose_at(i > 0 ? i / kRate : 0);
     if (const Status status = hair.set_head(0, pose); status != Status::kOk) return failed(status);
     if (const Status status = hair.step(step); status != Status::kOk) return failed(status);
   }
   const std::span<const Mat34> palette = hair.palette(0);
-  return HairPose{head_pose(played, motion_steps / kRate), {palette.begin(), palette.end()}};
+  return HairPose{pose_at(motion_steps / kRate), {palette.begin(), palette.end()}};
 }
 
 }  // namespace coif

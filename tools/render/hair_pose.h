@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/motion.h"
+#include "motion/head_path.h"
 #include "tool_error.h"
 
 #include <coif/asset.h>
@@ -8,7 +8,6 @@
 
 #include <tl/expected.hpp>
 
-#include <optional>
 #include <vector>
 
 namespace coif {
@@ -20,9 +19,9 @@ struct HairPose {
 };
 
 /// Runs the runtime at 60 Hz: two seconds at the motion's first pose, so that gravity has sagged the hair, then the
-/// motion up to `seconds`. Without a motion: the sagged hair under a head at rest. An asset without dynamics keeps its
+/// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics keeps its
 /// rest shape.
-tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, std::optional<Motion> motion, double seconds,
+tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
                                                 StepSettings step);
 
 }  // namespace coif

@@ -146,11 +146,17 @@ tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRen
   return picture;
 }
 
+/// Null: at rest.
+std::shared_ptr<const HeadPath> played_path(const PictureSettings& settings) {
+  if (settings.clip) return settings.clip;
+  return settings.motion ? path_of(*settings.motion) : nullptr;
+}
+
 }  // namespace
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
-  const auto pose = simulate_pose(asset, settings.motion, settings.time, settings.step);
+  const auto pose = simulate_pose(asset, played_path(settings).get(), settings.time, settings.step);
   if (!pose) return tl::unexpected(pose.error());
   const auto context = EglContext::create();
   if (!context) return tl::unexpected(context.error());

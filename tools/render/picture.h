@@ -2,6 +2,7 @@
 // Headless pictures of a cooked asset through EGL and the runtime's own renderer.
 
 #include "import/source_model.h"
+#include "motion/head_path.h"
 #include "motion/motion.h"
 #include "tool_error.h"
 
@@ -12,6 +13,7 @@
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +26,7 @@ struct PictureSettings {
   double yaw_degrees = 30;      ///< 0: from the front (camera on +Z), positive: towards the model's left (+X).
   double pitch_degrees = 5;     ///< Positive: from above.
   std::optional<Motion> motion; ///< None: the settled pose at rest.
+  std::shared_ptr<const HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;              ///< Seconds into the motion.
   StepSettings step;
   Component component = Component::kAll;
