@@ -15,6 +15,12 @@ if(NOT SCRIPT)
   message("skipped: no script(1) here to make a terminal with")
   return()
 endif()
+execute_process(COMMAND "${SCRIPT}" -q -e -c true probe.log WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code
+                OUTPUT_QUIET ERROR_QUIET)
+if(NOT code EQUAL 0)
+  message("skipped: no pseudo-terminals on this machine")
+  return()
+endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -E env TERM=xterm
                         "${SCRIPT}" -q -e -c "'${PROGRAM}' cook '${SOURCE}' -o seen.coif" seen.log
                 WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code OUTPUT_VARIABLE seen)

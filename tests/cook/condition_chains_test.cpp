@@ -7,6 +7,7 @@
 #include "cook/chain_sample.h"
 #include "cook/soft_chain.h"
 #include "cook/tip_error.h"
+#include "report/opened_asset.h"
 #include "report/runtime_solver.h"
 
 #include <gtest/gtest.h>

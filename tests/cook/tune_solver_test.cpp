@@ -4,6 +4,7 @@
 
 #include "cook/chain_sample.h"
 #include "cook/soft_chain.h"
+#include "report/opened_asset.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,7 @@
 #include "cook/chain_sample.h"
 
-#include <cstdlib>
-#include <cstring>
-
 namespace coif {
 namespace {
-
-constexpr std::size_t kAlignment = 64;
 
 /// Copies one bone and says where it went, so that its children find it.
 void keep_bone(const AssetContents& from, std::uint32_t bone, std::uint32_t chain, std::vector<std::uint32_t>& moved_to,
@@ -21,16 +16,6 @@ void keep_bone(const AssetContents& from, std::uint32_t bone, std::uint32_t chai
 }
 
 }  // namespace
-
-OpenedAsset::OpenedAsset(const AssetContents& contents) {
-  const std::vector<std::byte> bytes = write_asset(contents);
-  const std::size_t size = (bytes.size() + kAlignment - 1) / kAlignment * kAlignment;
-  memory_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
-  std::memcpy(memory_.get(), bytes.data(), bytes.size());
-  (void)asset_.open({memory_.get(), bytes.size()}, {.verify_hash = false});
-}
-
-void OpenedAsset::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
 
 AssetContents chains_alone(const AssetContents& contents, std::span<const std::uint32_t> chains) {
   AssetContents part;

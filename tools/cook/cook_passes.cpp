@@ -9,6 +9,7 @@
 #include "cook/smooth_normals.h"
 #include "cook/spring_colliders.h"
 #include "cook/weld.h"
+#include "report/opened_asset.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "cook/chain_sample.h"
 #include "cook/parallel_for.h"
 #include "cook/tip_error.h"
+#include "report/opened_asset.h"
 
 #include <fmt/format.h>
 

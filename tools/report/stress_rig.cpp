@@ -7,9 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <new>
 
 namespace coif {
 namespace {
@@ -18,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kRate = 60;     // Steps per second at which resistances hold.
 constexpr double kBehind = 0.1;  // Metres from the head's joint to its surface, backwards.
-constexpr std::size_t kAlignment = 64;
 
 void store(const Vector3d& v, float (&to)[3]) {
   for (int axis = 0; axis < 3; ++axis) to[axis] = float(v[axis]);
@@ -118,15 +114,6 @@ class StressContents {
 
 }  // namespace
 
-void StressAsset::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
-
-StressAsset::StressAsset(const StressRig& rig) {
-  const std::vector<std::byte> file = write_asset(StressContents(rig).make());
-  void* memory = nullptr;
-  if (posix_memalign(&memory, kAlignment, file.size()) != 0) throw std::bad_alloc();
-  bytes_.reset(static_cast<std::byte*>(memory));
-  std::memcpy(bytes_.get(), file.data(), file.size());
-  is_open_ = bool(asset_.open({bytes_.get(), file.size()}));
-}
+StressAsset::StressAsset(const StressRig& rig) : opened_(StressContents(rig).make()) {}
 
 }  // namespace coif

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <coif/asset.h>
+#include "report/opened_asset.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace coif {
@@ -32,17 +30,11 @@ class StressAsset {
   explicit StressAsset(const StressRig& rig);
 
   /// False where the format does not allow such a rig.
-  [[nodiscard]] bool is_open() const { return is_open_; }
-  [[nodiscard]] const Asset& asset() const { return asset_; }
+  [[nodiscard]] bool is_open() const { return asset().is_open(); }
+  [[nodiscard]] const Asset& asset() const { return opened_.asset(); }
 
  private:
-  struct FreeMemory {
-    void operator()(std::byte* bytes) const;
-  };
-
-  std::unique_ptr<std::byte[], FreeMemory> bytes_;
-  Asset asset_;
-  bool is_open_ = false;
+  OpenedAsset opened_;
 };
 
 }  // namespace coif
