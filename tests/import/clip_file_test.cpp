@@ -205,6 +205,29 @@ TEST_F(ClipFileTest, RefusesEveryTruncationOfABinaryFile) {
   EXPECT_TRUE(read_clip(folder_.write("whole.glb", whole), ""));
 }
 
+TEST_F(ClipFileTest, KeepsItsPromisesWhateverByteIsChanged) {
+  const std::string whole = nod().animate(0, "translation", {0, 0.5f}, {0, 0, 0, 1, 1, 1}).glb();
+  std::size_t read = 0;
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    for (const char change : {'\x01', '\x10', '\x80', '\xFF'}) {
+      std::string changed = whole;
+      changed[at] = char(changed[at] ^ change);
+      const auto clip = read_clip(folder_.write("changed.glb", changed), "");
+      if (!clip) continue;
+      ++read;
+      ASSERT_FALSE(clip->keys.empty());
+      double last = -1;
+      for (const NodeKey& key : clip->keys) {
+        ASSERT_GT(key.seconds - last, 0.99e-4) << "byte " << at;
+        ASSERT_TRUE(key.position.allFinite()) << "byte " << at;
+        ASSERT_NEAR(key.rotation.norm(), 1, 1e-9) << "byte " << at;
+        last = key.seconds;
+      }
+    }
+  }
+  EXPECT_GT(read, 100u);
+}
+
 TEST_F(ClipFileTest, ReadsNoFilesOutsideItsFolder) {
   for (const char* uri : {"../clip.bin", "/dev/zero", "a/../../clip.bin", "file:///etc/passwd", "%2e%2e/clip.bin"}) {
     const auto read_back = read_clip(folder_.write("clip.gltf", nod().text_beside(uri)), "");
