@@ -1,13 +1,13 @@
 #!/bin/sh
 # Installs what is missing, builds, runs every test. The last line is "N passed, N failed, N skipped"; the exit code is
 # 0 only when something passed and nothing failed.
-#   tests/run.sh [release] [asan]     which halves to run; both when none is named
-# The asan half repeats, under sanitizers, the tests of the parts that read foreign bytes or run in a game. Drawing and
-# command-line tests are left out of it: they would watch the driver, and start hundreds of slow processes.
+#   tests/run.sh [release] [asan] [asan-cook]     which parts to run; release and asan when none is named
+# asan repeats, under sanitizers, the tests of what reads foreign bytes or runs in a game; asan-cook those of the cooker,
+# which take as long again. Drawing and command-line tests are in neither: they would watch the driver, and start hundreds
+# of slow processes.
 set -u
 cd "$(dirname "$0")/.."
-halves=${*:-release asan}
-sanitized_folders="formats sim import cook"
+parts=${*:-release asan}
 jobs=$(nproc)
 results=
 broken=0
@@ -32,18 +32,21 @@ run_folder() {
 
 run_release() { build release all && run_folder release .; }
 
-run_asan() {
+# sanitize FOLDERS...
+sanitize() {
   targets=
-  for folder in $sanitized_folders; do targets="$targets tests/$folder/all"; done
+  for folder in "$@"; do targets="$targets tests/$folder/all"; done
   build asan $targets || return
-  for folder in $sanitized_folders; do run_folder asan "tests/$folder"; done
+  for folder in "$@"; do run_folder asan "tests/$folder"; done
 }
 
 sh tools/install_packages.sh || broken=$((broken + 1))
-for half in $halves; do
-  case $half in
-    release | asan) "run_$half" ;;
-    *) echo "run.sh: '$half' is neither release nor asan" >&2; broken=$((broken + 1)) ;;
+for part in $parts; do
+  case $part in
+    release) run_release ;;
+    asan) sanitize formats sim import ;;
+    asan-cook) sanitize cook ;;
+    *) echo "run.sh: '$part' is none of release, asan, asan-cook" >&2; broken=$((broken + 1)) ;;
   esac
 done
 
