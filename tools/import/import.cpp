@@ -2,6 +2,7 @@
 
 #include "import/assimp_reader.h"
 #include "import/child_process.h"
+#include "import/file_error.h"
 #include "import/model_stream.h"
 #include "import/readable_file.h"
 #include "import/source_format.h"
@@ -17,41 +18,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kReexport = "open it in a modelling tool and export it again, best as glTF (.glb)";
-constexpr const char* kReduce = "export only the hair and the head, best as glTF (.glb)";
-
-template <class... Args>
-ToolError error(ToolError::Kind kind, const fs::path& path, fmt::format_string<Args...> text, Args&&... args) {
-  return {kind, path.string() + ": " + fmt::format(text, std::forward<Args>(args)...)};
-}
-
 ToolError explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
   using Kind = ToolError::Kind;
   switch (result.end) {
     case ChildResult::End::kTooSlow:
-      return error(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
+      return file_error(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
     case ChildResult::End::kOutOfMemory:
     case ChildResult::End::kTooMuchOutput:
-      return error(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}", settings.max_memory_bytes >> 20,
-                   kReduce);
+      return file_error(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}",
+                        settings.max_memory_bytes >> 20, kReduce);
     case ChildResult::End::kNotStarted:
-      return error(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
+      return file_error(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
     case ChildResult::End::kCrashed:
     case ChildResult::End::kFinished: break;
   }
   if (result.end == ChildResult::End::kFinished) {
-    return error(Kind::kBadInput, path, "the importer crashed (its answer makes no sense); {}", kReexport);
+    return file_error(Kind::kBadInput, path, "the importer crashed (its answer makes no sense); {}", kReexport);
   }
-  return error(Kind::kBadInput, path, "the importer crashed ({} {}); {}", result.by_signal ? "signal" : "exit status",
-               result.code, kReexport);
+  return file_error(Kind::kBadInput, path, "the importer crashed ({} {}); {}",
+                    result.by_signal ? "signal" : "exit status", result.code, kReexport);
 }
 
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
   const std::optional<SourceSuffix> suffix = find_suffix(path);
   if (!suffix) {
-    return tl::unexpected(error(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",
-                                path.extension().string(), supported_suffixes()));
+    return tl::unexpected(file_error(ToolError::Kind::kUnsupported, path,
+                                     "'{}' is not a known suffix; export as one of {}", path.extension().string(),
+                                     supported_suffixes()));
   }
   const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
   const ChildResult result =

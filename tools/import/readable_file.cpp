@@ -1,6 +1,6 @@
 #include "import/readable_file.h"
 
-#include <fmt/format.h>
+#include "import/file_error.h"
 
 #include <cerrno>
 #include <cstring>
@@ -8,19 +8,7 @@
 #include <system_error>
 
 namespace coif {
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr const char* kReexport = "open it in a modelling tool and export it again, best as glTF (.glb)";
-constexpr const char* kReduce = "export only the hair and the head, best as glTF (.glb)";
-
-template <class... Args>
-ToolError error(ToolError::Kind kind, const fs::path& path, fmt::format_string<Args...> text, Args&&... args) {
-  return {kind, path.string() + ": " + fmt::format(text, std::forward<Args>(args)...)};
-}
-
-}  // namespace
 
 tl::expected<void, ToolError> check_readable(const fs::path& path, std::uint64_t max_bytes) {
   using Kind = ToolError::Kind;
@@ -28,21 +16,22 @@ tl::expected<void, ToolError> check_readable(const fs::path& path, std::uint64_t
   const fs::file_status status = fs::status(path, code);
   if (!fs::exists(status)) {
     return tl::unexpected(
-        error(Kind::kFileAccess, path, "cannot open: {}; check the path", code ? code.message() : "no such file"));
+        file_error(Kind::kFileAccess, path, "cannot open: {}; check the path", code ? code.message() : "no such file"));
   }
   if (fs::is_directory(status)) {
-    return tl::unexpected(error(Kind::kFileAccess, path, "is a folder; name the model file in it"));
+    return tl::unexpected(file_error(Kind::kFileAccess, path, "is a folder; name the model file in it"));
   }
-  if (!fs::is_regular_file(status)) return tl::unexpected(error(Kind::kFileAccess, path, "is not a regular file"));
+  if (!fs::is_regular_file(status)) return tl::unexpected(file_error(Kind::kFileAccess, path, "is not a regular file"));
   if (!std::ifstream(path, std::ios::binary)) {
     return tl::unexpected(
-        error(Kind::kFileAccess, path, "cannot open: {}; check its permissions", std::strerror(errno)));
+        file_error(Kind::kFileAccess, path, "cannot open: {}; check its permissions", std::strerror(errno)));
   }
   const std::uintmax_t size = fs::file_size(path, code);
-  if (code) return tl::unexpected(error(Kind::kFileAccess, path, "cannot open: {}", code.message()));
-  if (size == 0) return tl::unexpected(error(Kind::kBadInput, path, "the file is empty; {}", kReexport));
+  if (code) return tl::unexpected(file_error(Kind::kFileAccess, path, "cannot open: {}", code.message()));
+  if (size == 0) return tl::unexpected(file_error(Kind::kBadInput, path, "the file is empty; {}", kReexport));
   if (size > max_bytes) {
-    return tl::unexpected(error(Kind::kBadInput, path, "{} bytes, and the limit is {}; {}", size, max_bytes, kReduce));
+    return tl::unexpected(
+        file_error(Kind::kBadInput, path, "{} bytes, and the limit is {}; {}", size, max_bytes, kReduce));
   }
   return {};
 }
