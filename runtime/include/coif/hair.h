@@ -83,8 +83,8 @@ class Hair {
   [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(bones_.size()); }
 
   /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length is off
-  /// one by more than 1e-3; smaller errors are normalised away.
+  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length
+  /// is off one by more than 1e-3; smaller errors are normalised away.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
