@@ -6,7 +6,7 @@
 #include "cook/chain_growth.h"
 #include "cook/chain_sample.h"
 #include "cook/soft_chain.h"
-#include "cook/tip_error.h"
+#include "cook/measure_runtime.h"
 #include "report/opened_asset.h"
 #include "report/runtime_solver.h"
 

@@ -25,11 +25,9 @@ DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& b
   return record;
 }
 
-/// The least damping that, with the friction, brings a bone of `length` metres to this share of critical damping. Gravity
-/// stiffens a hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+/// The least damping that, with the friction, brings a bone of `length` metres to this share of critical damping.
 double damping_for(double ratio, double length, const DynamicsRecord& record) {
-  const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
-  return 2 * ratio * std::sqrt(record.stiffness + pendulum) - record.friction;
+  return 2 * ratio * natural_rate(record, length) - record.friction;
 }
 
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
@@ -58,6 +56,11 @@ void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated,
 }
 
 }  // namespace
+
+double natural_rate(const DynamicsRecord& record, double length) {
+  const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
+  return std::sqrt(record.stiffness + pendulum);
+}
 
 double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   if (at <= curve.front().at) return curve.front().value;

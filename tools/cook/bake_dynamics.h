@@ -21,6 +21,10 @@ inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
 /// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
 [[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
 
+/// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
+/// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+[[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
+
 /// How each bone moves: as the file's spring bones say (spring_dynamics.h) or by the recipe's curves, as
 /// "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of one bone has the mean
 /// and not the tip's value.

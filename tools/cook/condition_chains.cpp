@@ -4,8 +4,8 @@
 #include "cook/chain_groups.h"
 #include "cook/chain_growth.h"
 #include "cook/chain_sample.h"
+#include "cook/measure_runtime.h"
 #include "cook/parallel_for.h"
-#include "cook/tip_error.h"
 #include "report/opened_asset.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,6 @@ constexpr double kMostSelfDifferencePct = 0.1;
 constexpr double kMostRuntimeError = 0.05;
 constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
 constexpr std::uint32_t kRate = 60, kSubsteps = 4;
-constexpr double kGravity = 9.81;
 
 /// From what most easily parts two computations to what least does; still and nod never did so alone.
 constexpr Motion kMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge, Motion::kJump};
@@ -59,8 +58,7 @@ struct Outcome {
 };
 
 void apply(const Conditioning& rung, const BoneRecord& bone, DynamicsRecord& dynamics) {
-  const double pendulum = 2 * kGravity * std::abs(dynamics.gravity_scale) / bone.length;
-  const double root = std::sqrt(dynamics.stiffness + pendulum);
+  const double root = natural_rate(dynamics, bone.length);
   dynamics.damping = std::max(dynamics.damping, float(std::min(rung.damping * root, kMostDamping)));
   dynamics.friction = std::max(dynamics.friction, float(std::min(rung.friction * root, kMostDamping)));
   dynamics.parent_share = std::min(dynamics.parent_share, float(rung.parent_share));

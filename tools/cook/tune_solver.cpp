@@ -2,8 +2,8 @@
 
 #include "cook/chain_groups.h"
 #include "cook/chain_sample.h"
+#include "cook/measure_runtime.h"
 #include "cook/parallel_for.h"
-#include "cook/tip_error.h"
 #include "report/opened_asset.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "cook/tip_error.h"
+#include "cook/measure_runtime.h"
 
 #include "report/constraint_meter.h"
 #include "report/runtime_solver.h"
