@@ -63,10 +63,49 @@ LoadStatus check_chain(const Asset& asset, std::size_t c, std::uint32_t expected
   return {};
 }
 
+/// The bones that are open at one place of a chain, walked from its end: there a bone opens at its last child.
+class OpenBones {
+ public:
+  /// False where there is no room; nothing changes for a bone that is open already.
+  bool open(std::uint32_t bone) {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      if (bones_[i] == bone) return true;
+    }
+    if (count_ == kMaxOpenBones) return false;
+    bones_[count_++] = bone;
+    return true;
+  }
+
+  void close(std::uint32_t bone) {
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      if (bones_[i] == bone) bones_[i] = bones_[--count_];
+    }
+  }
+
+ private:
+  std::uint32_t bones_[kMaxOpenBones];
+  std::uint32_t count_ = 0;
+};
+
+/// After check_chain(), which proves that parents are the root or inside.
+LoadStatus check_open_bones(const Asset& asset, std::size_t c) {
+  const ChainRecord& chain = asset.chains()[c];
+  OpenBones open;
+  for (std::uint32_t i = chain.first_bone + chain.bone_count; i-- > chain.first_bone;) {
+    const std::uint32_t parent = asset.bones()[i].parent;
+    if (parent != chain.root && !open.open(parent)) {
+      return {LoadCode::kOpenBones, chunk::kChains, c, kMaxOpenBones, kMaxOpenBones + 1};
+    }
+    open.close(i);
+  }
+  return {};
+}
+
 LoadStatus check_chains(const Asset& asset, std::uint32_t rigid_count) {
   std::uint32_t next = rigid_count;
   for (std::size_t c = 0; c < asset.chains().size(); ++c) {
     if (const LoadStatus status = check_chain(asset, c, next); !status) return status;
+    if (const LoadStatus status = check_open_bones(asset, c); !status) return status;
     next += asset.chains()[c].bone_count;
   }
   if (next != asset.bones().size()) return {LoadCode::kChainCover, chunk::kChains, 0, asset.bones().size(), next};

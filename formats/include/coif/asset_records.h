@@ -22,6 +22,8 @@ inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has o
 inline constexpr std::uint32_t kMaxChunks = 64;
 inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
 inline constexpr std::uint32_t kMaxLods = 8;
+/// Bones of a chain whose children are not all behind a walk in stored order: what a solver has to keep at hand.
+inline constexpr std::uint32_t kMaxOpenBones = 16;
 
 constexpr std::uint32_t chunk_id(const char (&text)[5]) {
   return std::uint32_t(std::uint8_t(text[0])) | std::uint32_t(std::uint8_t(text[1])) << 8 |
@@ -109,7 +111,8 @@ struct BoneRecord {
 };
 static_assert(sizeof(BoneRecord) == 48);
 
-/// A tree of simulated bones that hangs from one rigid bone.
+/// A tree of simulated bones that hangs from one rigid bone. A bone of it is open from its own place in the order to that
+/// of its last child; at no place more than kMaxOpenBones are, those that open or close there included.
 struct ChainRecord {
   std::uint32_t first_bone;
   std::uint32_t bone_count;
