@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// Time between two calls, without what reading the clock takes.
+class Stopwatch {
+ public:
+  Stopwatch();
+  void start() { started_ = Clock::now(); }
+  /// Seconds since start(), >= 0.
+  [[nodiscard]] double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point started_;
+  double own_seconds_ = 0;
+};
+
+/// Middle value, the upper one of two; 0 for none. Reorders `values`.
+[[nodiscard]] double median_of(std::span<double> values);
+
+/// What one part of many frames took. The median frame is what is reported: on a machine that does other things too,
+/// the few frames in which the program was set aside would spoil a mean.
+class FrameTimes {
+ public:
+  void add(double seconds) { seconds_.push_back(seconds); }
+  [[nodiscard]] double median_seconds() { return median_of(seconds_); }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+}  // namespace coif
