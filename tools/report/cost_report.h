@@ -1,0 +1,104 @@
+#pragma once
+// What `coif report cost` found, as data: measured by measure_cost(), and for the pictures by measure_drawing(); shown by
+// the renderers of report/page. Times are medians; the spread beside each is the width of the middle half of its
+// samples, in % of the median.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// A crowd of heads that all move, one frame of 1/60 s: poses handed over, hair stepped, bone matrices made.
+struct SimulationCostRow {
+  std::uint32_t heads = 0;
+  std::string solver;
+  std::uint32_t substeps = 1;    ///< Of the frame; iterations of `thesis`.
+  double us_per_frame = 0;       ///< Microseconds of one core, all heads.
+  double ns_per_bone_frame = 0;  ///< Per simulated bone of each head.
+  double spread_pct = 0;
+  std::uint64_t bytes = 0;    ///< What the runtime asks the game for, asset not included.
+  double bytes_per_head = 0;  ///< bytes / heads.
+};
+
+/// The same crowd with one thing changed.
+struct FeatureCostRow {
+  std::string feature;      ///< Short, unique: "no-colliders". The first is "as-cooked".
+  std::string description;  ///< One line for people.
+  std::uint32_t heads = 0;
+  double us_per_frame = 0;
+  double ns_per_bone_frame = 0;
+  double spread_pct = 0;
+  double change_pct = 0;  ///< Of the time, against "as-cooked".
+};
+
+/// A crowd that was not measured.
+struct CostLeftOut {
+  std::uint32_t heads = 0;
+  std::string what;  ///< A solver or a way to draw.
+  std::string why;
+};
+
+/// Memory of a crowd of n heads: bytes_shared + n * bytes_per_head.
+struct CrowdMemory {
+  double bytes_per_head = 0;
+  double bytes_shared = 0;
+};
+
+/// What has to stay in memory while a game uses the asset.
+enum class ChunkUse {
+  kSimulation,  ///< Stays as long as the hair is simulated.
+  kDrawing,     ///< May go once the mesh is on the graphics card.
+  kTools,       ///< A game never reads it.
+};
+
+/// "simulation", "drawing", "tools".
+[[nodiscard]] constexpr const char* name_of(ChunkUse use) {
+  switch (use) {
+    case ChunkUse::kSimulation: return "simulation";
+    case ChunkUse::kDrawing: return "drawing";
+    case ChunkUse::kTools: return "tools";
+  }
+  return "";
+}
+
+struct ChunkBytes {
+  std::string id;  ///< As in the file: "BONE".
+  std::uint64_t bytes = 0;
+  ChunkUse use = ChunkUse::kTools;
+};
+
+struct AssetBytes {
+  std::uint64_t total = 0;  ///< Of the file: the chunks and `framing`.
+  std::vector<ChunkBytes> chunks;
+  std::uint64_t framing = 0;  ///< Header, table of chunks, padding between them.
+};
+
+/// One frame of a crowd that fills the picture.
+struct RenderingCostRow {
+  std::uint32_t heads = 0;
+  std::string transparency;  ///< "blend": four passes; "opaque": one.
+  std::uint32_t lod = 0;
+  bool simulation = false;      ///< The crowd is also simulated, on the same thread, before it is drawn.
+  std::uint64_t triangles = 0;  ///< Of all heads; each is drawn once a pass.
+  double ms_per_frame = 0;      ///< Wall time until the device has finished.
+  double spread_pct = 0;
+};
+
+struct RenderingCost {
+  std::string device;                   ///< What OpenGL calls itself; empty where nothing was drawn.
+  std::uint32_t width = 0, height = 0;  ///< Pixels.
+  std::vector<RenderingCostRow> rows;
+  std::string note;  ///< Why there are no rows; empty where there are.
+};
+
+struct CostReport {
+  std::vector<SimulationCostRow> simulation;
+  std::vector<FeatureCostRow> features;
+  std::vector<CostLeftOut> left_out;
+  CrowdMemory memory;
+  AssetBytes asset;
+  RenderingCost rendering;
+};
+
+}  // namespace coif

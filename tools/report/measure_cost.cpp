@@ -1,0 +1,216 @@
+#include "report/measure_cost.h"
+
+#include "report/asset_bytes.h"
+#include "report/crowd_line_up.h"
+#include "report/opened_asset.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kSubsteps[] = {1, 2, 4, 8};
+constexpr std::uint32_t kComparedHeads[] = {100, 50, 20, 10, 5, 2, 1};
+constexpr double kComparedSeconds = 2e-3;  // of one frame: small beside the time there is for all
+
+using Added = tl::expected<void, ToolError>;
+
+/// What Hair reads of the asset, with bones that touch nothing.
+AssetContents without_colliders(const Asset& asset) {
+  AssetContents contents;
+  contents.skeleton = asset.skeleton();
+  contents.bones.assign(asset.bones().begin(), asset.bones().end());
+  for (BoneRecord& bone : contents.bones) bone.colliders = 0;
+  contents.chains.assign(asset.chains().begin(), asset.chains().end());
+  contents.dynamics.assign(asset.dynamics().begin(), asset.dynamics().end());
+  return contents;
+}
+
+bool touches_colliders(const Asset& asset) {
+  return std::ranges::any_of(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
+}
+
+CrowdMemory memory_of(const Asset& asset) {
+  // Both are multiples of every number of heads that a processor could take at once.
+  constexpr std::uint32_t kFew = 1024, kMany = 2048;
+  const auto few = double(HairCrowd::memory_bytes(asset, kFew)), many = double(HairCrowd::memory_bytes(asset, kMany));
+  const double each = (many - few) / (kMany - kFew);
+  return {each, few - each * kFew};
+}
+
+class CostMeasurement {
+ public:
+  CostMeasurement(const Asset& asset, const CostSettings& settings, std::vector<std::string> solvers)
+      : asset_(asset), settings_(settings), solvers_(std::move(solvers)), line_up_(settings.seconds) {}
+
+  Added line_up() {
+    for (const std::string& solver : solvers_) {
+      if (auto paced = learn_pace(solver); !paced) return paced;
+    }
+    compared_heads_ = choose_compared_heads();
+    for (const std::string& solver : solvers_) {
+      if (auto added = add_scaling(solver); !added) return added;
+      if (auto added = add_substeps(solver); !added) return added;
+    }
+    return add_features();
+  }
+
+  CostReport run() {
+    const std::vector<Timing> timings = line_up_.time();
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+      const bool is_feature = i >= report_.simulation.size();
+      is_feature ? fill(report_.features[i - report_.simulation.size()], timings[i])
+                 : fill(report_.simulation[i], timings[i]);
+    }
+    for (FeatureCostRow& row : report_.features) {
+      row.change_pct = 100 * (row.us_per_frame / report_.features.front().us_per_frame - 1);
+    }
+    report_.memory = memory_of(asset_);
+    report_.asset = asset_bytes(asset_);
+    return std::move(report_);
+  }
+
+ private:
+  /// As the asset wants it; `thesis` knows no sub-steps.
+  [[nodiscard]] std::uint32_t default_substeps(const std::string& solver) const {
+    return solver == "thesis" ? 1 : tuned_substeps(asset_);
+  }
+
+  /// Tells from one head what many would take.
+  Added learn_pace(const std::string& solver) {
+    constexpr double kSeconds = 0.02;
+    CrowdLineUp alone(kSeconds);
+    auto added = alone.add(asset_, {.heads = 1, .solver = solver, .substeps = default_substeps(solver)});
+    if (added) pace_[solver] = alone.time().front().seconds;
+    return added;
+  }
+
+  [[nodiscard]] std::uint32_t choose_compared_heads() const {
+    const double slowest =
+        std::ranges::max_element(pace_, {}, [](const auto& of_one) { return of_one.second; })->second;
+    const auto fits = [slowest](std::uint32_t heads) { return heads * slowest <= kComparedSeconds; };
+    const auto* const found = std::ranges::find_if(kComparedHeads, fits);
+    return found == std::end(kComparedHeads) ? 1 : *found;
+  }
+
+  Added add_row(const std::string& solver, std::uint32_t heads, std::uint32_t substeps) {
+    const auto same = [&](const SimulationCostRow& row) {
+      return row.solver == solver && row.heads == heads && row.substeps == substeps;
+    };
+    if (std::ranges::any_of(report_.simulation, same)) return {};
+    SimulationCostRow row{.heads = heads, .solver = solver, .substeps = substeps};
+    row.bytes = HairCrowd::memory_bytes(asset_, heads);
+    row.bytes_per_head = double(row.bytes) / heads;
+    report_.simulation.push_back(row);
+    return line_up_.add(asset_, {.heads = heads, .solver = solver, .substeps = substeps});
+  }
+
+  Added add_scaling(const std::string& solver) {
+    for (const std::uint32_t heads : settings_.heads) {
+      const std::string objection = heads == 1 ? "" : line_up_.objection(asset_, heads, pace_[solver]);
+      if (!objection.empty()) {
+        report_.left_out.push_back({heads, solver, objection});
+      } else if (auto added = add_row(solver, heads, default_substeps(solver)); !added) {
+        return added;
+      }
+    }
+    return {};
+  }
+
+  Added add_substeps(const std::string& solver) {
+    for (const std::uint32_t substeps : kSubsteps) {
+      if (auto added = add_row(solver, compared_heads_, substeps); !added) return added;
+    }
+    return {};
+  }
+
+  void name_feature(const char* name, std::string description) {
+    report_.features.push_back({.feature = name, .description = std::move(description), .heads = compared_heads_});
+  }
+
+  Added add_features() {
+    const std::string& solver = solvers_.front();
+    const CrowdSettings usual{.heads = compared_heads_, .solver = solver, .substeps = default_substeps(solver)};
+    name_feature("as-cooked", fmt::format("{} with {} step{} a frame, all heads run", solver, usual.substeps,
+                                          usual.substeps == 1 ? "" : "s"));
+    Added added = line_up_.add(asset_, usual);
+    if (added && touches_colliders(asset_)) {
+      bald_.emplace(without_colliders(asset_));
+      name_feature("no-colliders", "the same hair through which the head may pass");
+      added = line_up_.add(bald_->asset(), usual);
+    }
+    CrowdSettings still = usual, varying = usual;
+    still.heads_move = false;
+    varying.frame_time_varies = true;
+    name_feature("still-heads", "no head moves");
+    if (added) added = line_up_.add(asset_, still);
+    name_feature("varying-frame-time",
+                 "every frame is longer or shorter than the last, so that nothing computed for it "
+                 "can be kept");
+    if (added) added = line_up_.add(asset_, varying);
+    name_feature("poses-only", "telling where the heads are, without a step; a part of all the others");
+    if (added) added = line_up_.add_poses(asset_, usual);
+    return added;
+  }
+
+  template <typename Row>
+  void fill(Row& row, const Timing& timing) const {
+    row.us_per_frame = 1e6 * timing.seconds;
+    row.ns_per_bone_frame = 1e9 * timing.seconds / (double(row.heads) * asset_.skeleton().simulated_count);
+    row.spread_pct = timing.spread_pct;
+  }
+
+  const Asset& asset_;
+  const CostSettings& settings_;
+  std::vector<std::string> solvers_;
+  std::map<std::string, double> pace_;  ///< Seconds a frame of one head.
+  std::uint32_t compared_heads_ = 1;
+  std::optional<OpenedAsset> bald_;
+  CrowdLineUp line_up_;
+  CostReport report_;  ///< Rows in the order of line_up_: simulation, then features.
+};
+
+tl::expected<std::vector<std::string>, ToolError> chosen(const std::vector<std::string>& names) {
+  const auto known = crowd_solvers();
+  if (names.empty()) return std::vector<std::string>(known.begin(), known.end());
+  for (const std::string& name : names) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    return tl::unexpected(ToolError{
+        ToolError::Kind::kUsage,
+        fmt::format("'{}' is no solver that a game can run; cost is measured of {}", name, fmt::join(known, ", "))});
+  }
+  return names;
+}
+
+Added check(const Asset& asset, const CostSettings& settings) {
+  const auto in_range = [](std::uint32_t heads) { return heads >= 1 && heads <= kMaxInstances; };
+  if (settings.heads.empty() || !std::ranges::all_of(settings.heads, in_range) || !(settings.seconds > 0)) {
+    return tl::unexpected(ToolError{ToolError::Kind::kUsage,
+                                    fmt::format("crowds have 1 to {} heads, and measuring takes time", kMaxInstances)});
+  }
+  if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
+  }
+  return {};
+}
+
+}  // namespace
+
+tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
+                                                 const ReportProgress& progress) {
+  const auto solvers = chosen(settings.solvers);
+  if (!solvers) return tl::unexpected(solvers.error());
+  if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  if (progress) progress("simulation");
+  CostMeasurement measurement(asset, settings, *solvers);
+  if (auto added = measurement.line_up(); !added) return tl::unexpected(added.error());
+  return measurement.run();
+}
+
+}  // namespace coif
