@@ -5,6 +5,7 @@
 #include "cook/condition_chains.h"
 #include "cook/fit_chains.h"
 #include "cook/hard_tips.h"
+#include "cook/order_bones.h"
 #include "cook/pack_skeleton.h"
 #include "cook/smooth_normals.h"
 #include "cook/spring_colliders.h"
@@ -137,6 +138,10 @@ class CookRun {
     } else {
       parts_.skeleton = recipe_.chain_source == "none" ? head_alone(source_, parts_.head_bone) : std::move(*skeleton);
       parts_.weights = weights_of_source(mesh(), parts_.skeleton);
+    }
+    const std::vector<std::uint32_t> moved_to = order_bones(parts_.skeleton);
+    for (auto& of_vertex : parts_.weights) {
+      for (BoneWeight& weight : of_vertex) weight.bone = moved_to[weight.bone];
     }
     append(report_.warnings, parts_.skeleton.warnings);
     return {};
