@@ -1,7 +1,8 @@
-# Installs a build tree into an empty place and builds the consumer against it.
-#   cmake -D BUILD=... -D WORK=... [-D ASSET=...] -P consume.cmake
-# -D SOURCE=... instead of BUILD: configure and build that source tree here first, without OpenGL, tools and tests.
-# -D EMBED=... instead of BUILD: install nothing; the consumer adds that source tree to its own build.
+# Installs coif into an empty place and builds games against it.
+#   cmake -D BUILD=... -D SIMD=dispatch|static -D WORK=... [-D ASSET=...] -P consume.cmake
+# Installs that build tree, which has all parts.
+#   cmake -D SOURCE=... ... instead of BUILD: build that source tree first, with as little as can be: no OpenGL, no tools.
+#   cmake -D EMBED=... ... instead of BUILD: install nothing; the game adds that source tree to its own build.
 set(consumer ${CMAKE_CURRENT_LIST_DIR})
 set(prefix ${WORK}/installed)
 file(REMOVE_RECURSE ${WORK})
@@ -14,46 +15,35 @@ function(run)
   endif()
 endfunction()
 
-function(build_consumer folder)
-  run(${CMAKE_COMMAND} -G Ninja -S ${consumer} -B ${WORK}/${folder} -D CMAKE_BUILD_TYPE=Release ${ARGN})
+# must_fail(MATCHES regex COMMAND...): the command fails, and says why.
+function(must_fail MATCHES regex)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE log ERROR_VARIABLE log)
+  string(REGEX REPLACE "[ \n]+" " " log "${log}")
+  if(code EQUAL 0 OR NOT log MATCHES "${regex}")
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}: exit code ${code}, without '${regex}':\n${log}")
+  endif()
+endfunction()
+
+set(configure_game ${CMAKE_COMMAND} -G Ninja -S ${consumer} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix})
+set(without_highway -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON)
+
+function(build_game folder)
+  run(${configure_game} -B ${WORK}/${folder} ${ARGN})
   run(${CMAKE_COMMAND} --build ${WORK}/${folder})
-  run(${WORK}/${folder}/load_and_step ${ASSET})
+  file(GLOB games ${consumer}/*.cpp)
+  foreach(game IN LISTS games)
+    cmake_path(GET game STEM name)
+    if(EXISTS ${WORK}/${folder}/${name})
+      run(${WORK}/${folder}/${name} ${ASSET})
+    endif()
+  endforeach()
 endfunction()
 
 if(EMBED)
-  build_consumer(embedded -D COIF_SOURCE=${EMBED})
-  return()
-endif()
-
-if(BUILD)
-  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-  # A header that no file set lists would compile here and be absent from the package.
-  set(project ${consumer}/../..)
-  file(GLOB public RELATIVE ${project} ${project}/formats/include/coif/*.h ${project}/runtime/include/coif/*.h)
-  foreach(header IN LISTS public)
-    cmake_path(GET header FILENAME name)
-    if(NOT EXISTS ${prefix}/include/coif/${name})
-      message(FATAL_ERROR "${header} is public and was not installed; add it to its target's file set")
-    endif()
-  endforeach()
-  build_consumer(game -D CMAKE_PREFIX_PATH=${prefix} -D DRAW=ON)
-  run(${WORK}/game/make_renderer)
-  return()
-endif()
-
-run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -D CMAKE_BUILD_TYPE=Release
-    -D COIF_GL=OFF -D COIF_TOOLS=OFF -D COIF_TESTS=OFF)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${prefix})
-build_consumer(game -D CMAKE_PREFIX_PATH=${prefix} -D README=${SOURCE}/README.md)
-
-# The part that was not built is missed when the game is configured, by name, and has left nothing behind.
-execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${consumer} -B ${WORK}/absent -D CMAKE_PREFIX_PATH=${prefix}
-                        -D DRAW=ON RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE log)
-if(code EQUAL 0 OR NOT log MATCHES "built[ \n]+without[ \n]+'gl'")
-  message(FATAL_ERROR "asking for 'gl' was not refused by name:\n${log}")
-endif()
-file(GLOB_RECURSE left ${prefix}/*coif_gl* ${prefix}/*renderer.h)
-if(left)
-  message(FATAL_ERROR "installed although not built: ${left}")
+  build_game(embedded -D COIF_SOURCE=${EMBED})
+elseif(BUILD)
+  include(${consumer}/whole_package.cmake)
+else()
+  include(${consumer}/smallest_package.cmake)
 endif()

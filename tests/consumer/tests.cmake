@@ -1,4 +1,4 @@
-# The package as a game sees it. Not under sanitizers: a game that links such an archive must be built with them too.
+# The package as a game sees it; the guards measure what these tests leave. Not under sanitizers: a game that links such an archive must be built with them too.
 function(coif_consumer_test name)
   add_test(NAME consumer.${name}
     COMMAND ${CMAKE_COMMAND} -D WORK=${CMAKE_BINARY_DIR}/consumer/${name} ${ARGN}
@@ -7,8 +7,11 @@ function(coif_consumer_test name)
 endfunction()
 
 coif_consumer_test(sim_only -D SOURCE=${PROJECT_SOURCE_DIR})
+set_tests_properties(consumer.sim_only PROPERTIES FIXTURES_SETUP COIF_SIM_ONLY_PACKAGE)
 coif_consumer_test(embedded -D EMBED=${PROJECT_SOURCE_DIR})
 if(TARGET coif_cli)
-  coif_consumer_test(installed -D BUILD=${CMAKE_BINARY_DIR} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
-  set_tests_properties(consumer.installed PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE)
+  coif_consumer_test(installed
+    -D BUILD=${CMAKE_BINARY_DIR} -D SIMD=${COIF_SIMD} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
+  set_tests_properties(consumer.installed PROPERTIES
+    FIXTURES_REQUIRED COIF_COOKED_SAMPLE FIXTURES_SETUP COIF_WHOLE_PACKAGE)
 endif()

@@ -1,0 +1,19 @@
+# Part of consume.cmake: everything, as one build tree installs it.
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+
+# A header that no file set lists would compile in the project and be absent from the package.
+set(project ${consumer}/../..)
+file(GLOB public RELATIVE ${project} ${project}/formats/include/coif/*.h ${project}/runtime/include/coif/*.h)
+foreach(header IN LISTS public)
+  cmake_path(GET header FILENAME name)
+  if(NOT EXISTS ${prefix}/include/coif/${name})
+    message(FATAL_ERROR "${header} is public and was not installed; add it to its target's file set")
+  endif()
+endforeach()
+
+build_game(game -D "PARTS=formats\;sim\;gl")
+# Only who simulates needs Highway, and is told when it is not there.
+build_game(reader -D PARTS=formats ${without_highway})
+if(SIMD STREQUAL "dispatch")
+  must_fail(MATCHES "dependency hwy could not be found" ${configure_game} -B ${WORK}/lacking ${without_highway})
+endif()

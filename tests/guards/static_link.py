@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""A statically linked program holds what it uses and nothing else. PROGRAMS says what each small program of
+tests/consumer uses; every other feature must have left no symbol in it. The programs are linked without --gc-sections:
+what keeps features apart is that they lie in object files of their own.
+
+usage: static_link.py NM PROGRAM... | --self-test NM COMPILER AR
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+# Feature -> what its functions and constants are called, demangled and without `coif::`.
+FEATURES = {
+    "reader": r"Asset::open|check_\w+\(coif::Asset",
+    "hash": r"xxh64|asset_hash",
+    "asset access for tools and renderers": r"Asset::(bone_name|lod_\w+|texture|texels)\(",
+    "load messages": r"describe\(coif::Load",
+    "status messages": r"describe\(coif::Status",
+    "levels of detail": r"choose_lod|screen_share",
+    "simulation": r"Hair::|\w*StepJob|PaletteJob|PlacedColliders|HeadTrack",
+    "renderer": r"HairRenderer::create",
+    "drawing": r"HairRenderer::draw|fill_draw_block",
+    "upload": r"HairModel::upload|upload_texture",
+}
+
+# Program -> the features it uses.
+PROGRAMS = {
+    "only_open": {"reader", "hash"},
+    "only_lod": {"levels of detail"},
+    "load_and_step": {"reader", "hash", "simulation", "load messages"},
+    "make_renderer": {"renderer"},
+}
+
+
+def features_in(nm, program):
+    """The features that left a symbol in the program, and how many symbols of ours it has."""
+    listing = subprocess.run([nm, "-C", "--defined-only", program], check=True, capture_output=True, text=True).stdout
+    ours = [line.split(" ", 2)[2].replace("coif::(anonymous namespace)::", "coif::") for line in listing.splitlines()
+            if "coif::" in line]
+    found = {feature for feature, pattern in FEATURES.items()
+             if any(re.search(rf"\bcoif::(?:{pattern})", symbol) for symbol in ours)}
+    return found, len(ours)
+
+
+def check(nm, programs):
+    seen, bad = 0, [] if programs else ["no program: nothing was checked"]
+    for program in programs:
+        name = Path(program).name
+        if name not in PROGRAMS:
+            bad.append(f"{name}: not in PROGRAMS; say what it uses")
+            continue
+        found, symbols = features_in(nm, program)
+        seen += symbols
+        bad += [f"{name}: does not use '{feature}', yet holds it" for feature in sorted(found - PROGRAMS[name])]
+        bad += [f"{name}: '{feature}' left no symbol; is its pattern out of date?" for feature in
+                sorted(PROGRAMS[name] - found)]
+    return seen, bad
+
+
+def self_test(nm, compiler, ar):
+    """An archive of one object file with two features fails; of two object files passes."""
+    lod = "namespace coif { float screen_share() { return 1; } }\n"
+    reader = "namespace coif { struct Asset { void open(); }; void Asset::open() {} void xxh64() {} }\n"
+    main = "namespace coif { float screen_share(); } int main() { return int(coif::screen_share()); }\n"
+    cases = [("only_lod", [lod + reader], True), ("only_lod", [lod, reader], False), ("only_open", [lod, reader], True),
+             ("nobody_knows", [lod], True)]
+    bad = []
+    for name, files, must_fail in cases:
+        with tempfile.TemporaryDirectory() as folder:
+            for number, text in enumerate(files):
+                Path(folder, f"{number}.cpp").write_text(text)
+            Path(folder, "main.cpp").write_text(main)
+            objects = [f"{number}.o" for number in range(len(files))]
+            for command in ([compiler, "-c", *(f"{number}.cpp" for number in range(len(files)))],
+                            [ar, "cr", "library.a", *objects], [compiler, "main.cpp", "library.a", "-o", name]):
+                subprocess.run(command, check=True, cwd=folder)
+            problems = check(nm, [Path(folder, name)])[1]
+            if bool(problems) != must_fail:
+                bad.append(f"{name} of {len(files)} object files: {problems or 'did not fire'}")
+    if not check(nm, [])[1]:
+        bad.append("no program passed")
+    return len(cases) + 1, bad
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--self-test":
+        count, complaints = self_test(*sys.argv[2:])
+    else:
+        count, complaints = check(sys.argv[1], sys.argv[2:])
+    print("\n".join(complaints) or f"static link: {count} symbols or cases checked")
+    sys.exit(1 if complaints else 0)
