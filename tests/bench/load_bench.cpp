@@ -57,9 +57,9 @@ void add_open(const std::string& name, const std::vector<std::byte>& file, const
 
 }  // namespace
 
-void add_load_benchmarks(const char* folder) {
+void add_load_benchmarks(const std::string& folder) {
   for (const std::string sample : {"bob", "long"}) {
-    const auto file = folder == nullptr ? std::vector<std::byte>{} : read_file(folder + ("/" + sample + ".coif"));
+    const auto file = read_file(folder + "/" + sample + ".coif");
     if (file.empty()) continue;
     add_open("open_" + sample, file, {});
     add_open("open_" + sample + "_without_hash", file, {.verify_hash = false});

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string>
+
 namespace coif {
 
 /// Adds what happens once for each asset: Asset::open() of the cooked samples in `folder`, with and without the
-/// payload's hash, and Hair::create(). `folder` null or without cooked samples: only what needs no file.
-void add_load_benchmarks(const char* folder);
+/// payload's hash, and Hair::create(). Samples that are not there are left out.
+void add_load_benchmarks(const std::string& folder);
 
 }  // namespace coif

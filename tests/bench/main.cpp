@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
+#include <string>
 
 namespace coif {
 namespace {
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   coif::add_substeps();
   coif::add_varying_frames();
   coif::add_crowd_sizes();
-  coif::add_load_benchmarks(std::getenv("COIF_BENCH_SAMPLES"));
+  coif::add_load_benchmarks(COIF_BENCH_SAMPLES);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
