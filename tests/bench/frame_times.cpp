@@ -1,5 +1,7 @@
 #include "bench/frame_times.h"
 
+#include <time.h>
+
 #include <algorithm>
 
 namespace coif {
@@ -9,17 +11,21 @@ constexpr int kReadings = 1001;
 
 }  // namespace
 
-Stopwatch::Stopwatch() {
+Stopwatch::Stopwatch(Counts counts) : counts_(counts) {
   std::vector<double> readings;
   for (int i = 0; i < kReadings; ++i) {
     start();
-    readings.push_back(std::chrono::duration<double>(Clock::now() - started_).count());
+    readings.push_back(double(now() - started_));
   }
-  own_seconds_ = median_of(readings);
+  own_nanoseconds_ = median_of(readings);
 }
 
-double Stopwatch::seconds() const {
-  return std::max(0.0, std::chrono::duration<double>(Clock::now() - started_).count() - own_seconds_);
+double Stopwatch::seconds() const { return 1e-9 * std::max(0.0, double(now() - started_) - own_nanoseconds_); }
+
+std::int64_t Stopwatch::now() const {
+  timespec time{};
+  clock_gettime(counts_ == Counts::kAllTime ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
 double median_of(std::span<double> values) {

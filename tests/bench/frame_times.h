@@ -1,6 +1,6 @@
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,15 +9,22 @@ namespace coif {
 /// Time between two calls, without what reading the clock takes.
 class Stopwatch {
  public:
-  Stopwatch();
-  void start() { started_ = Clock::now(); }
+  enum class Counts {
+    kAllTime,    ///< Read without a system call: for what takes microseconds.
+    kOwnThread,  ///< Only while this thread runs: for what takes so long that others run in between.
+  };
+
+  explicit Stopwatch(Counts counts = Counts::kAllTime);
+  void start() { started_ = now(); }
   /// Seconds since start(), >= 0.
   [[nodiscard]] double seconds() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point started_;
-  double own_seconds_ = 0;
+  [[nodiscard]] std::int64_t now() const;  ///< Nanoseconds.
+
+  Counts counts_;
+  std::int64_t started_ = 0;
+  double own_nanoseconds_ = 0;
 };
 
 /// Middle value, the upper one of two; 0 for none. Reorders `values`.

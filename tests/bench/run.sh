@@ -39,8 +39,15 @@ measure_spring_bones() {
   results="$results $bench/spring_bones.json"
 }
 
+measure_cooking() {
+  echo "measuring coif cook"
+  taskset -c "$core" python3 -B tests/bench/cook_samples.py "$build/tools/cli/coif" 3 >"$bench/cook.json"
+  results="$results $bench/cook.json"
+}
+
 measure "$bench/coif_bench" coif
 if [ "$filter" = . ]; then
+  if [ -x "$build/tools/cli/coif" ]; then measure_cooking; fi
   if [ -x "$bench/coif_bench_bullet" ]; then
     measure "$bench/coif_bench_bullet" bullet
   else
