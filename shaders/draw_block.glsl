@@ -2,9 +2,9 @@
 // host's world may be kilometres wide, a head is not, so 32-bit floats stay exact enough.
 layout(std140) uniform DrawBlock {
   mat4 clip_from_head;
-  vec4 eye;                // xyz: metres; w: 1 to show the strands' direction instead of shading
+  vec4 eye;                // xyz: metres
   vec4 base_color;         // linear, times the base texture
-  vec4 ambient;            // rgb; w: 1 where the bones' matrices are in the texture, 0 in the block
+  vec4 ambient;            // rgb
   vec4 primary;            // rgb, exponent
   vec4 secondary;          // rgb, exponent
   vec4 shift;              // x: primary, y: secondary, z: 1 to encode sRGB here, w: number of lights

@@ -2,5 +2,5 @@
 in vec2 uv;
 
 void main() {
-  if (outside_alpha_range(texture(base_texture, uv).a * base_color.a)) discard;
+  keep_to_range(base_at(uv).a);
 }

@@ -19,14 +19,17 @@ float strand_specular(vec3 t, vec3 view, vec3 light, float exponent) {
   return smoothstep(-1.0, 0.0, t_dot_h) * pow(sin_th, exponent);
 }
 
-// `texture_shift` and `mask` are the texture's values, 0..1.
+// `texture_shift` and `mask` are the texture's values, 0..1. A highlight without colour is left out.
 void add_light(inout Accumulated sum, vec3 t, vec3 n, vec3 view, vec3 light, vec3 color, float texture_shift,
                float mask) {
-  float diffuse = clamp(mix(0.5, 1.0, dot(n, light)), 0.0, 1.0);
+  sum.diffuse += clamp(mix(0.5, 1.0, dot(n, light)), 0.0, 1.0) * color;
   float s = texture_shift - 0.5;
+#ifdef COIF_PRIMARY
   vec3 t1 = shift_tangent(t, n, shift.x + s);
-  vec3 t2 = shift_tangent(t, n, shift.y + s);
-  sum.diffuse += diffuse * color;
   sum.primary += strand_specular(t1, view, light, primary.w) * primary.rgb * color;
+#endif
+#ifdef COIF_SECONDARY
+  vec3 t2 = shift_tangent(t, n, shift.y + s);
   sum.secondary += strand_specular(t2, view, light, secondary.w) * secondary.rgb * mask * color;
+#endif
 }

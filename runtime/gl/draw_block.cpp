@@ -1,7 +1,5 @@
 #include "gl/draw_block.h"
 
-#include "gl/palette.h"
-
 #include <cmath>
 #include <cstddef>
 
@@ -34,14 +32,6 @@ bool is_valid(const HeadPose& pose) {
 
 bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
 
-// Negated so that NaN fails; an exponent of zero would ask the shader for pow(0, 0).
-bool is_valid(const MaterialRecord& m) {
-  return is_finite(m.base_color) && is_finite(m.ambient) && is_finite(m.primary_color) &&
-         is_finite(m.secondary_color) && std::isfinite(m.primary_shift) && std::isfinite(m.secondary_shift) &&
-         std::isfinite(m.primary_exponent) && m.primary_exponent > 0.0f && std::isfinite(m.secondary_exponent) &&
-         m.secondary_exponent > 0.0f && is_share(m.opaque_threshold) && is_share(m.discard_threshold);
-}
-
 Frame frame_of(const HeadPose& pose) {
   const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
   const double s = 2.0 / (x * x + y * y + z * z + w * w);
@@ -53,8 +43,8 @@ Frame frame_of(const HeadPose& pose) {
 
 void direction_to_head(const Frame& frame, const double (&world)[3], float* out) {
   for (int i = 0; i < 3; ++i) {
-    out[i] = static_cast<float>(frame.axis[i][0] * world[0] + frame.axis[i][1] * world[1] +
-                                frame.axis[i][2] * world[2]);
+    out[i] =
+        static_cast<float>(frame.axis[i][0] * world[0] + frame.axis[i][1] * world[1] + frame.axis[i][2] * world[2]);
   }
 }
 
@@ -107,6 +97,14 @@ void fill_component(Component component, float (&out)[4]) {
 
 }  // namespace
 
+// Negated so that NaN fails; an exponent of zero would ask the shader for pow(0, 0).
+bool is_valid(const MaterialRecord& m) {
+  return is_finite(m.base_color) && is_finite(m.ambient) && is_finite(m.primary_color) &&
+         is_finite(m.secondary_color) && std::isfinite(m.primary_shift) && std::isfinite(m.secondary_shift) &&
+         std::isfinite(m.primary_exponent) && m.primary_exponent > 0.0f && std::isfinite(m.secondary_exponent) &&
+         m.secondary_exponent > 0.0f && is_share(m.opaque_threshold) && is_share(m.discard_threshold);
+}
+
 Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, DrawBlock& block) {
   if (!is_valid(desc.head)) return Status::kBadPose;
   if (!is_finite(desc.clip_from_world) || !is_finite(desc.eye) || !is_valid(material)) return Status::kBadArgument;
@@ -116,9 +114,8 @@ Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, Dra
   const Frame frame = frame_of(desc.head);
   fill_clip_from_head(desc.clip_from_world, frame, block.clip_from_head);
   point_to_head(frame, desc.eye, block.eye);
-  block.eye[3] = desc.component == Component::kDirection ? 1.0f : 0.0f;
   for (int i = 0; i < 4; ++i) block.base_color[i] = material.base_color[i];
-  fill_rgb_and(material.ambient, fits_uniform_block(desc.palette) ? 0.0f : 1.0f, block.ambient);
+  fill_rgb_and(material.ambient, 0.0f, block.ambient);
   fill_rgb_and(material.primary_color, material.primary_exponent, block.primary);
   fill_rgb_and(material.secondary_color, material.secondary_exponent, block.secondary);
   block.shift[0] = material.primary_shift;

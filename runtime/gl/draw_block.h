@@ -19,6 +19,9 @@ struct alignas(16) DrawBlock {
 };
 static_assert(sizeof(DrawBlock) == 432);
 
+/// Finite, thresholds 0..1, exponents above 0.
+[[nodiscard]] bool is_valid(const MaterialRecord& material);
+
 /// Takes a draw call's world-space values into head space. kBadPose or kBadArgument, with `block` undefined, for values
 /// that are not finite or out of their range.
 Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, DrawBlock& block);

@@ -3,7 +3,7 @@
 namespace coif {
 
 const char* load_gl_functions(const GlLoader& loader, GlFunctions& functions) {
-#define COIF_GL_LOAD(name)                                                                                \
+#define COIF_GL_LOAD(name)                                                                               \
   functions.name = reinterpret_cast<decltype(functions.name)>(loader.get_proc("gl" #name, loader.user)); \
   if (functions.name == nullptr) return "gl" #name;
   COIF_GL_FUNCTIONS(COIF_GL_LOAD)

@@ -1,10 +1,15 @@
+#include "gl/alpha_range.h"
 #include "gl/gl_functions.h"
+#include "gl/palette.h"
+#include "gl/passes.h"
+#include "gl/shader_variant.h"
 #include "gl/texture_upload.h"
 
 #include <coif/renderer.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 
 namespace coif {
 namespace {
@@ -29,19 +34,40 @@ enum Attribute : GLuint { kPosition, kNormal, kTangent, kTexturePlace, kBones, k
 
 const void* byte_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-void describe_vertices(const GlFunctions& gl, std::size_t skin_begin) {
+void describe_vertices(const GlFunctions& gl) {
   constexpr GLsizei kStride = sizeof(VertexRecord);
   gl.VertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(VertexRecord, position)));
   gl.VertexAttribPointer(kNormal, 3, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, normal)));
   gl.VertexAttribPointer(kTangent, 4, GL_SHORT, GL_TRUE, kStride, byte_offset(offsetof(VertexRecord, tangent)));
   gl.VertexAttribPointer(kTexturePlace, 2, GL_FLOAT, GL_FALSE, kStride, byte_offset(offsetof(VertexRecord, uv)));
+  for (GLuint attribute : {kPosition, kNormal, kTangent, kTexturePlace}) gl.EnableVertexAttribArray(attribute);
+}
+
+void describe_skin(const GlFunctions& gl, std::size_t skin_begin) {
   gl.VertexAttribIPointer(kBones, 4, GL_UNSIGNED_SHORT, sizeof(SkinRecord),
                           byte_offset(skin_begin + offsetof(SkinRecord, bone)));
   gl.VertexAttribPointer(kWeights, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SkinRecord),
                          byte_offset(skin_begin + offsetof(SkinRecord, weight)));
-  for (GLuint attribute : {kPosition, kNormal, kTangent, kTexturePlace, kBones, kWeights}) {
-    gl.EnableVertexAttribArray(attribute);
+  for (GLuint attribute : {kBones, kWeights}) gl.EnableVertexAttribArray(attribute);
+}
+
+/// Every vertex has all its weight on its first bone.
+bool needs_one_bone(std::span<const SkinRecord> skin) {
+  for (const SkinRecord& vertex : skin) {
+    if (vertex.weight[0] != 255) return false;
   }
+  return true;
+}
+
+std::uint32_t skin_needs(const Asset& asset) {
+  if (asset.skin().empty()) return 0;
+  const std::uint32_t place = asset.bones().size() > kUniformBones ? variant::kBonesInTexture : 0;
+  return place | (needs_one_bone(asset.skin()) ? variant::kOneBone : variant::kFourBones);
+}
+
+std::uint32_t texture_needs(const Asset& asset) {
+  return (asset.texture(TextureRole::kBaseColor) != nullptr ? variant::kBaseTexture : 0) |
+         (asset.texture(TextureRole::kShiftMask) != nullptr ? variant::kShiftMask : 0);
 }
 
 void clear_errors(const GlFunctions& gl) {
@@ -58,8 +84,12 @@ Status HairModel::upload(HairRenderer& renderer, const Asset& asset) {
   if (asset.indices().size() > 0x7FFFFFFF) return Status::kDriver;
 
   const GlFunctions& gl = renderer.functions();
-  clear_errors(gl);
   HairModel fresh;
+  fresh.learn(asset);
+  const PassList passes = plan_passes(fresh.material_, {fresh.lowest_alpha_, fresh.highest_alpha_}, true);
+  const Status built = renderer.build_missing(passes, fresh.needs_, fresh.material_, Component::kAll);
+  if (built != Status::kOk) return built;
+  clear_errors(gl);
   fresh.upload_mesh(gl, asset);
   reset_unpack_state(gl);
   gl.ActiveTexture(GL_TEXTURE0);
@@ -68,20 +98,27 @@ Status HairModel::upload(HairRenderer& renderer, const Asset& asset) {
   gl.BindTexture(GL_TEXTURE_2D, 0);
   if (gl.GetError() != GL_NO_ERROR) {
     fresh.release(gl);
+    std::snprintf(renderer.failure_, sizeof renderer.failure_, "out of memory, or a texture is too large");
     return Status::kDriver;
   }
-
   destroy();
-  renderer_ = &renderer;
-  vertex_array_ = fresh.vertex_array_;
-  vertex_buffer_ = fresh.vertex_buffer_;
-  index_buffer_ = fresh.index_buffer_;
-  base_texture_ = fresh.base_texture_;
-  shift_mask_texture_ = fresh.shift_mask_texture_;
-  find_lods(asset);
-  bone_count_ = static_cast<std::uint32_t>(asset.bones().size());
-  material_ = asset.material() != nullptr ? *asset.material() : kGalleryMaterial;
+  fresh.renderer_ = &renderer;
+  *this = static_cast<HairModel&&>(fresh);
   return Status::kOk;
+}
+
+void HairModel::learn(const Asset& asset) {
+  material_ = asset.material() != nullptr ? *asset.material() : kGalleryMaterial;
+  bone_count_ = static_cast<std::uint32_t>(asset.bones().size());
+  needs_ = skin_needs(asset) | texture_needs(asset);
+  const AlphaRange alpha = alpha_range_of(asset);
+  lowest_alpha_ = alpha.lowest;
+  highest_alpha_ = alpha.highest;
+  lod_count_ = asset.lod_count();
+  for (std::uint32_t lod = 0; lod < lod_count_; ++lod) {
+    const auto count = static_cast<std::uint32_t>(asset.lod_indices(lod).size());
+    lods_[lod] = {asset.lod_patches(lod).front().first_index, count};
+  }
 }
 
 void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
@@ -97,7 +134,8 @@ void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
   gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data());
   gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(vertices.size_bytes()),
                    static_cast<GLsizeiptr>(asset.skin().size_bytes()), asset.skin().data());
-  describe_vertices(gl, vertices.size_bytes());
+  describe_vertices(gl);
+  if (!asset.skin().empty()) describe_skin(gl, vertices.size_bytes());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(asset.indices().size_bytes()), asset.indices().data(),
                 GL_STATIC_DRAW);
@@ -105,21 +143,10 @@ void HairModel::upload_mesh(const GlFunctions& gl, const Asset& asset) {
   gl.BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void HairModel::find_lods(const Asset& asset) {
-  lod_count_ = asset.lod_count();
-  for (std::uint32_t lod = 0; lod < lod_count_; ++lod) {
-    const auto count = static_cast<std::uint32_t>(asset.lod_indices(lod).size());
-    lods_[lod] = {asset.lod_patches(lod).front().first_index, count};
-  }
-}
-
 void HairModel::destroy() {
   if (renderer_ == nullptr) return;
   release(renderer_->functions());
-  renderer_ = nullptr;
-  lod_count_ = 0;
-  bone_count_ = 0;
-  material_ = {};
+  *this = HairModel();
 }
 
 void HairModel::release(const GlFunctions& gl) {

@@ -6,6 +6,7 @@
 namespace coif {
 namespace {
 
+// The block's whole size: storage for less is undefined behaviour even where no shader reads the rest.
 constexpr GLsizeiptr kBlockBytes = kUniformBones * sizeof(Mat34);
 constexpr GLsizei kTexelsPerBone = 3;  // the rows of its matrix
 // A row of texels holds this many bones: with one a row, the most bones would exceed the texture height of 2048 that
@@ -19,7 +20,6 @@ void send_palette_block(const GlFunctions& gl, GLuint buffer, std::span<const Ma
   // Data afresh for each head: the driver gives new storage while the GPU still reads the head before.
   gl.BindBufferBase(GL_UNIFORM_BUFFER, kPaletteIndex, buffer);
   gl.BufferData(GL_UNIFORM_BUFFER, kBlockBytes, nullptr, GL_STREAM_DRAW);
-  if (!fits_uniform_block(palette)) return;
   gl.BufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(palette.size_bytes()), palette.data());
 }
 

@@ -3,17 +3,15 @@
 namespace coif {
 namespace {
 
-constexpr GLsizei kMaxPieces = 8;
-
 // highp everywhere: exponents of some thousands leave nothing of a mediump highlight.
 constexpr char kPreamble[] =
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
 GLuint compile(const GlFunctions& gl, GLenum stage, std::span<const char* const> pieces, std::span<char> log) {
-  const GLchar* sources[kMaxPieces] = {kPreamble};
+  const GLchar* sources[1 + kMaxPieces] = {kPreamble};
   GLsizei count = 1;
-  for (const char* piece : pieces) {
-    if (count < kMaxPieces) sources[count++] = piece;
+  for (const char* piece : pieces.first(pieces.size() < kMaxPieces ? pieces.size() : kMaxPieces)) {
+    sources[count++] = piece;
   }
   const GLuint shader = gl.CreateShader(stage);
   if (shader == 0) return 0;

@@ -48,16 +48,6 @@ GLuint bind_new_texture(const GlFunctions& gl, GLint wrap) {
   return texture;
 }
 
-void send_neutral_texel(const GlFunctions& gl, TextureRole role) {
-  // Shift 128 of 255 is the nearest there is to 0.5.
-  constexpr std::uint8_t kWhite[4] = {255, 255, 255, 255};
-  constexpr std::uint8_t kShiftMask[2] = {128, 255};
-  const bool color = role == TextureRole::kBaseColor;
-  const PixelLayout layout = layout_of(color ? TexelFormat::kSrgb8Alpha8 : TexelFormat::kRg8);
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, layout.storage, 1, 1);
-  gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, layout.transfer, GL_UNSIGNED_BYTE, color ? kWhite : kShiftMask);
-}
-
 void send_mip(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip) {
   const PixelLayout layout = layout_of(record.format);
   const auto level = static_cast<GLint>(mip);
@@ -85,15 +75,13 @@ void reset_unpack_state(const GlFunctions& gl) {
 }
 
 GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole role) {
+  const TextureRecord* const record = asset.texture(role);
+  if (record == nullptr) return 0;
   const GLuint texture = bind_new_texture(gl, wrap_of(asset));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  if (const TextureRecord* record = asset.texture(role)) {
-    gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout_of(record->format).storage,
-                    static_cast<GLsizei>(record->width), static_cast<GLsizei>(record->height));
-    for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) send_mip(gl, asset, *record, mip);
-  } else {
-    send_neutral_texel(gl, role);
-  }
+  gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout_of(record->format).storage,
+                  static_cast<GLsizei>(record->width), static_cast<GLsizei>(record->height));
+  for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) send_mip(gl, asset, *record, mip);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   return texture;
 }

@@ -10,6 +10,7 @@
 
 namespace coif {
 
+class PassList;
 struct DrawBlock;
 struct GlFunctions;
 
@@ -23,8 +24,8 @@ inline constexpr std::uint32_t kMaxLights = 8;
 
 struct Light {
   enum class Kind : std::uint8_t { kDirectional, kPoint } kind = Kind::kDirectional;
-  Vec3 position;          ///< kDirectional: towards the light, any length > 0. kPoint: world, metres.
-  Vec3 color{1, 1, 1};    ///< Linear. kPoint: at one metre, falling with the square of the distance.
+  Vec3 position;        ///< kDirectional: towards the light, any length > 0. kPoint: world, metres.
+  Vec3 color{1, 1, 1};  ///< Linear. kPoint: at one metre, falling with the square of the distance.
 };
 
 /// What is drawn: the parts of Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check an asset, the
@@ -51,16 +52,17 @@ struct DrawDesc {
 
 class HairModel;
 
-/// Programs shared by all models of one OpenGL context. The context must be current in every call. Allocates nothing
-/// itself. The destructor calls no OpenGL function: call destroy() while the context lives.
+/// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded, and
+/// does only what that model needs. The context must be current in every call. Allocates nothing itself. The destructor
+/// calls no OpenGL function: call destroy() while the context lives.
 class HairRenderer {
  public:
   HairRenderer() = default;
   HairRenderer(const HairRenderer&) = delete;
   HairRenderer& operator=(const HairRenderer&) = delete;
 
-  /// Finds the functions and builds the programs; OpenGL ES 3.0 or later. kBadArgument without get_proc; kDriver when
-  /// a function is missing or a shader is refused, see failure(). A renderer that exists already is destroyed first.
+  /// Finds the functions; OpenGL ES 3.0 or later. kBadArgument without get_proc; kDriver when one is missing, see
+  /// failure(). A renderer that exists already is destroyed first.
   Status create(const GlLoader& loader);
 
   /// Frees what create() made. Models of this renderer must have been destroyed before.
@@ -69,44 +71,65 @@ class HairRenderer {
   [[nodiscard]] bool is_created() const { return created_; }
 
   /// Draws one head of hair into the bound framebuffer and viewport, which need a depth buffer. Four passes (thesis
-  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. Without
+  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. A pass that
+  /// no texel of the asset can be in is left out: hair without transparent texels takes one. Without
   /// kMaterialDoubleSided in the material's flags back faces are not drawn at all, which saves the second pass. Colour
   /// leaves premultiplied with alpha. Draw what is opaque before, what is transparent after.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when the palette has not one
-  /// matrix per bone; kBadPose; kBadArgument for too many lights, no such level or a number out of its range. After a failure no
-  /// OpenGL function has been called.
+  /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level or
+  /// a number out of its range. After these no OpenGL function has been called. kDriver when a program was missing, see
+  /// prepare(), and is refused; nothing is drawn then.
   ///
-  /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit, 2D textures and samplers
-  /// of units 0 and 1, uniform buffer binding and its indices 0 and 1; GL_BLEND, blend function and equation;
-  /// GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front face; colour mask. With more than 256 bones,
-  /// whose matrices go into a texture, also 2D texture and sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters.
+  /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them, 2D
+  /// texture and sampler of units 0 (base colour) and 1 (shift and mask); uniform buffer binding and its indices 0 and 1;
+  /// GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front
+  /// face; colour mask. With more than 256 bones, whose matrices go into a texture, also 2D texture and sampler of unit 2,
+  /// pixel unpack buffer, GL_UNPACK parameters.
   /// Nothing else changes. Scissor, stencil, polygon offset, alpha to coverage and the like apply as the host left
   /// them. Never calls glGetError.
   Status draw(const HairModel& model, const DrawDesc& desc);
 
-  /// Why the last create() returned kDriver: the missing function's name or the compiler's log, cut to fit. Never null.
+  /// Builds those programs that draw() with this description would have to build first. An asset drawn with its own
+  /// material has them since upload(). Spares a pause in the first frame with Component::kDirection, or with a material that
+  /// asks for more than the asset's own (a highlight where that one's is black). Looks at `material`, `component` and
+  /// `transparency` alone. Errors as draw()'s; kDriver: see failure().
+  Status prepare(const HairModel& model, const DrawDesc& desc);
+
+  /// Programs built so far. Models that need the same share them; they live as long as the renderer.
+  [[nodiscard]] std::uint32_t program_count() const { return program_count_; }
+
+  /// Why the last call, a model's upload() too, returned kDriver: the missing function's name or the compiler's log, cut
+  /// to fit. Never null.
   [[nodiscard]] const char* failure() const { return failure_; }
 
  private:
   friend class HairModel;
   static constexpr std::size_t kFunctionBytes = 80 * sizeof(void*);
   static constexpr std::size_t kFailureBytes = 512;
+  static constexpr std::uint32_t kMaxPrograms = 176;  ///< There are 175 ways to combine what a program can do.
+
+  struct Program {
+    std::uint32_t variant = 0;
+    std::uint32_t name = 0;
+    std::int32_t alpha_range = -1;  ///< Uniform location.
+  };
 
   [[nodiscard]] const GlFunctions& functions() const;
-  Status create_programs();
-  void send_uniforms(const DrawBlock& block, std::span<const Mat34> palette) const;
+  [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
+  Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
+                       Component component);
+  void send_uniforms(const HairModel& model, const DrawBlock& block, std::span<const Mat34> palette) const;
   void bind(const HairModel& model) const;
-  void draw_passes(const HairModel& model, const MaterialRecord& material, const DrawDesc& desc) const;
-  void leave_initial_state(bool palette_was_in_block) const;
+  void draw_passes(const HairModel& model, const PassList& passes, const MaterialRecord& material,
+                   const DrawDesc& desc) const;
+  void leave_initial_state(const HairModel& model) const;
 
   /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
   alignas(void*) std::byte functions_[kFunctionBytes] = {};
   char failure_[kFailureBytes] = {};
-  std::uint32_t shaded_program_ = 0;
-  std::uint32_t depth_program_ = 0;
-  std::int32_t shaded_alpha_range_ = -1;  ///< Uniform locations.
-  std::int32_t depth_alpha_range_ = -1;
+  Program programs_[kMaxPrograms];
+  std::uint32_t program_count_ = 0;
   std::uint32_t draw_buffer_ = 0;
   std::uint32_t palette_buffer_ = 0;
   std::uint32_t palette_texture_ = 0;
@@ -121,12 +144,13 @@ class HairModel {
   HairModel(const HairModel&) = delete;
   HairModel& operator=(const HairModel&) = delete;
 
-  /// Copies mesh and textures to the GPU; afterwards the asset may go. Absent textures become neutral ones (white;
-  /// shift 0.5, mask 1), an absent material that of the thesis's Gallery 1, double-sided. Textures repeat only where a vertex's UV
-  /// leaves 0..1. `renderer` must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory,
-  /// texture too large); a failure leaves what was uploaded before.
+  /// Copies mesh and textures to the GPU and builds the programs that the asset needs and that `renderer` lacks; afterwards
+  /// the asset may go. Absent textures count as white, as shift 0.5 and as mask 1, an absent material is that of the
+  /// thesis's Gallery 1, double-sided. Textures repeat only where a vertex's UV leaves 0..1. `renderer` must outlive this
+  /// model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory, texture too large, shader refused; see
+  /// HairRenderer::failure()); a failure leaves what was uploaded before.
   ///
-  /// Clears OpenGL's error flags. Leaves at their initial values: vertex array, array buffer, pixel unpack buffer and
+  /// Clears OpenGL's error flags. Leaves at their initial values: program, vertex array, array buffer, pixel unpack buffer and
   /// the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.
   Status upload(HairRenderer& renderer, const Asset& asset);
 
@@ -147,8 +171,9 @@ class HairModel {
     std::uint32_t count = 0;
   };
 
+  HairModel& operator=(HairModel&&) = default;
+  void learn(const Asset& asset);
   void upload_mesh(const GlFunctions& gl, const Asset& asset);
-  void find_lods(const Asset& asset);
   void release(const GlFunctions& gl);
 
   const HairRenderer* renderer_ = nullptr;
@@ -160,6 +185,9 @@ class HairModel {
   IndexRange lods_[kMaxLods];
   std::uint32_t lod_count_ = 0;
   std::uint32_t bone_count_ = 0;
+  std::uint32_t needs_ = 0;  ///< What programs must do for this asset, whatever its material: bits of `variant`.
+  float lowest_alpha_ = 0;   ///< Of the base texture.
+  float highest_alpha_ = 1;
   MaterialRecord material_{};
 };
 

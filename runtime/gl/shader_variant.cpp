@@ -1,0 +1,104 @@
+#include "gl/shader_variant.h"
+
+#include "gl/binding_points.h"
+#include "gl/shader_program.h"
+
+#include <hair_shaders.h>
+
+#include <cstddef>
+
+namespace coif {
+namespace {
+
+struct Define {
+  std::uint32_t bit;
+  const char* line;
+};
+
+constexpr Define kDefines[] = {
+    {variant::kFourBones, "#define COIF_FOUR_BONES\n"},
+    {variant::kOneBone, "#define COIF_ONE_BONE\n"},
+    {variant::kBonesInTexture, "#define COIF_BONES_IN_TEXTURE\n"},
+    {variant::kBaseTexture, "#define COIF_BASE_TEXTURE\n"},
+    {variant::kShiftMask, "#define COIF_SHIFT_MASK\n"},
+    {variant::kPrimary, "#define COIF_PRIMARY\n"},
+    {variant::kSecondary, "#define COIF_SECONDARY\n"},
+    {variant::kAlphaTest, "#define COIF_ALPHA_TEST\n"},
+};
+
+/// One shader's source: the lines of its bits, then files of shaders/.
+class Source {
+ public:
+  template <std::size_t N>
+  Source(std::uint32_t bits, const char* const (&files)[N]) {
+    for (const Define& define : kDefines) {
+      if ((bits & define.bit) != 0) pieces_[count_++] = define.line;
+    }
+    for (const char* file : files) pieces_[count_++] = file;
+  }
+  [[nodiscard]] std::span<const char* const> pieces() const { return std::span(pieces_).first(count_); }
+
+ private:
+  const char* pieces_[kMaxPieces] = {};
+  std::size_t count_ = 0;
+};
+
+Source fragment_source(std::uint32_t bits) {
+  if ((bits & variant::kShaded) != 0) {
+    return {
+        bits,
+        {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairSurfaceGlsl, kShaderHairShadingGlsl, kShaderHairFrag}};
+  }
+  if ((bits & variant::kDirection) != 0) {
+    return {bits,
+            {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairSurfaceGlsl, kShaderHairDirectionGlsl,
+             kShaderHairDirectionFrag}};
+  }
+  return {bits, {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairDepthFrag}};
+}
+
+void bind_block(const GlFunctions& gl, GLuint program, const char* name, GLuint index) {
+  const GLuint block = gl.GetUniformBlockIndex(program, name);
+  if (block != GL_INVALID_INDEX) gl.UniformBlockBinding(program, block, index);
+}
+
+void bind_textures_and_blocks(const GlFunctions& gl, GLuint program) {
+  gl.UseProgram(program);  // Of a texture that the program lacks the location is -1, which is ignored.
+  gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
+  gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
+  gl.Uniform1i(gl.GetUniformLocation(program, "palette_texture"), kPaletteUnit);
+  gl.UseProgram(0);
+  bind_block(gl, program, "DrawBlock", kDrawIndex);
+  bind_block(gl, program, "PaletteBlock", kPaletteIndex);
+}
+
+bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f; }
+
+std::uint32_t canonical(std::uint32_t bits) {
+  using namespace variant;
+  if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
+  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary);
+  if ((bits & (kPrimary | kSecondary)) == 0) bits &= ~kShiftMask;
+  if ((bits & (kShaded | kDirection | kAlphaTest)) == 0) bits &= ~kBaseTexture;  // depth of whole triangles
+  return bits;
+}
+
+}  // namespace
+
+std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRecord& material, Component component) {
+  std::uint32_t bits = needs;
+  if (pass.tests_alpha) bits |= variant::kAlphaTest;
+  if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
+  if (!is_black(material.primary_color)) bits |= variant::kPrimary;
+  if (!is_black(material.secondary_color)) bits |= variant::kSecondary;
+  return canonical(bits);
+}
+
+GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, std::span<char> log) {
+  const Source vertex(bits, {kShaderDrawBlockGlsl, kShaderHairVert});
+  const GLuint program = build_program(gl, vertex.pieces(), fragment_source(bits).pieces(), log);
+  if (program != 0) bind_textures_and_blocks(gl, program);
+  return program;
+}
+
+}  // namespace coif
