@@ -1,5 +1,5 @@
-// Skins a vertex with four bones, with one, or not at all. Positions, normals and tangents come in head space at rest and
-// leave in head space.
+// Skins a vertex with four bones, with one, or not at all. Positions, normals and tangents come in head space at rest
+// and leave in head space.
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec3 rest_normal;
 layout(location = 2) in vec4 rest_tangent;  // w: place along the strand, 0 root, 1 tip

@@ -1,5 +1,5 @@
-// The base colour, and which texels a pass draws. Each pass owns a half-open range of alpha, so no texel is drawn by two
-// colour passes.
+// The base colour, and which texels a pass draws. Each pass owns a half-open range of alpha, so no texel is drawn by
+// two colour passes.
 uniform vec3 alpha_range;  // x <= alpha < y is drawn; z 1: as fully opaque
 
 #ifdef COIF_BASE_TEXTURE

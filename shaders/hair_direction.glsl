@@ -22,9 +22,9 @@ vec2 steps_along(vec3 way, vec3 position) {
   return vec2(yy * wx - xy * wy, xx * wy - xy * wx) / determinant;
 }
 
-// 0 on the arrowheads' middle line, 1 half way between two, along whichever texture axis runs across the strand. Textures hold
-// several strips as a rule, so the width of a strip is unknown; a power of two of the texture's size keeps neighbouring
-// triangles in step.
+// 0 on the arrowheads' middle line, 1 half way between two, along whichever texture axis runs across the strand.
+// Textures hold several strips as a rule, so the width of a strip is unknown; a power of two of the texture's size
+// keeps neighbouring triangles in step.
 float across_arrow(vec3 t, vec3 n, vec3 position, vec2 uv) {
   vec2 along = steps_along(t, position);
   bool upright = abs(change_along(along, uv.x)) < abs(change_along(along, uv.y));

@@ -7,8 +7,8 @@ in float place;
 
 out vec4 fragment;
 
-// A card is a sheet of strands without thickness. Seen from behind, what we see is its back, so light and highlight belong
-// to the side that faces us.
+// A card is a sheet of strands without thickness. Seen from behind, what we see is its back, so light and highlight
+// belong to the side that faces us.
 vec3 seen_normal() {
   return normalize(gl_FrontFacing ? normal : -normal);
 }

@@ -9,8 +9,8 @@
 
 namespace coif {
 
-/// Bones whose matrices fit into PaletteBlock of shaders/hair.vert: 12 KiB of the 16 that OpenGL ES 3.0 promises. With more
-/// bones, all matrices are in the texture.
+/// Bones whose matrices fit into PaletteBlock of shaders/hair.vert: 12 KiB of the 16 that OpenGL ES 3.0 promises. With
+/// more bones, all matrices are in the texture.
 inline constexpr std::uint32_t kUniformBones = 256;
 
 /// Binds `buffer` as the shader's block, with the matrices, at most kUniformBones.

@@ -34,8 +34,8 @@ class PassList {
   std::size_t count_ = 0;
 };
 
-/// The thesis's four passes (5.3.1), without those that no texel of the asset can be in. Without `transparency` the first
-/// alone.
+/// The thesis's four passes (5.3.1), without those that no texel of the asset can be in. Without `transparency` the
+/// first alone.
 [[nodiscard]] PassList plan_passes(const MaterialRecord& material, const AlphaRange& texture, bool transparency);
 
 }  // namespace coif

@@ -10,8 +10,8 @@
 
 namespace coif {
 
-/// What a program can do, one bit each. A program without a bit has no trace of it: no texture to fetch, no branch. What
-/// is not of an asset or its material (lights, sRGB, which component to show) is a uniform instead.
+/// What a program can do, one bit each. A program without a bit has no trace of it: no texture to fetch, no branch.
+/// What is not of an asset or its material (lights, sRGB, which component to show) is a uniform instead.
 namespace variant {
 inline constexpr std::uint32_t kFourBones = 1u << 0;  ///< Blends four matrices for each vertex.
 inline constexpr std::uint32_t kOneBone = 1u << 1;  ///< Takes the first bone's alone. Without both: hair that is rigid.
@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kShaded = 1u << 8;     ///< Writes Algorithm 3's 
 inline constexpr std::uint32_t kDirection = 1u << 9;  ///< Writes the strands' direction. Without both: depth only.
 }  // namespace variant
 
-/// The bits of the program that draws a pass of an asset that needs `needs`. Without bits that would change nothing beside
-/// the others: equal programs have equal bits.
+/// The bits of the program that draws a pass of an asset that needs `needs`. Without bits that would change nothing
+/// beside the others: equal programs have equal bits.
 [[nodiscard]] std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRecord& material,
                                        Component component);
 

@@ -52,9 +52,9 @@ struct DrawDesc {
 
 class HairModel;
 
-/// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded, and
-/// does only what that model needs. The context must be current in every call. Allocates nothing itself. The destructor
-/// calls no OpenGL function: call destroy() while the context lives.
+/// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded,
+/// and does only what that model needs. The context must be current in every call. Allocates nothing itself. The
+/// destructor calls no OpenGL function: call destroy() while the context lives.
 class HairRenderer {
  public:
   HairRenderer() = default;
@@ -71,36 +71,35 @@ class HairRenderer {
   [[nodiscard]] bool is_created() const { return created_; }
 
   /// Draws one head of hair into the bound framebuffer and viewport, which need a depth buffer. Four passes (thesis
-  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. A pass that
-  /// no texel of the asset can be in is left out: hair without transparent texels takes one. Without
+  /// 5.3.1), one draw call each: opaque texels; back faces of the rest, blended; its front faces; depth only. A pass
+  /// that no texel of the asset can be in is left out: hair without transparent texels takes one. Without
   /// kMaterialDoubleSided in the material's flags back faces are not drawn at all, which saves the second pass. Colour
   /// leaves premultiplied with alpha. Draw what is opaque before, what is transparent after.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when the palette has not one
-  /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level or
-  /// a number out of its range. After these no OpenGL function has been called. kDriver when a program was missing, see
-  /// prepare(), and is refused; nothing is drawn then.
+  /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level
+  /// or a number out of its range. After these no OpenGL function has been called. kDriver when a program was missing,
+  /// see prepare(), and is refused; nothing is drawn then.
   ///
-  /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them, 2D
-  /// texture and sampler of units 0 (base colour) and 1 (shift and mask); uniform buffer binding and its indices 0 and 1;
-  /// GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and front
-  /// face; colour mask. With more than 256 bones, whose matrices go into a texture, also 2D texture and sampler of unit 2,
-  /// pixel unpack buffer, GL_UNPACK parameters.
-  /// Nothing else changes. Scissor, stencil, polygon offset, alpha to coverage and the like apply as the host left
-  /// them. Never calls glGetError.
+  /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them,
+  /// 2D texture and sampler of units 0 (base colour) and 1 (shift and mask); uniform buffer binding and its indices 0
+  /// and 1; GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and
+  /// front face; colour mask. With more than 256 bones, whose matrices go into a texture, also 2D texture and sampler
+  /// of unit 2, pixel unpack buffer, GL_UNPACK parameters. Nothing else changes. Scissor, stencil, polygon offset,
+  /// alpha to coverage and the like apply as the host left them. Never calls glGetError.
   Status draw(const HairModel& model, const DrawDesc& desc);
 
   /// Builds those programs that draw() with this description would have to build first. An asset drawn with its own
-  /// material has them since upload(). Spares a pause in the first frame with Component::kDirection, or with a material that
-  /// asks for more than the asset's own (a highlight where that one's is black). Looks at `material`, `component` and
-  /// `transparency` alone. Errors as draw()'s; kDriver: see failure().
+  /// material has them since upload(). Spares a pause in the first frame with Component::kDirection, or with a material
+  /// that asks for more than the asset's own (a highlight where that one's is black). Looks at `material`, `component`
+  /// and `transparency` alone. Errors as draw()'s; kDriver: see failure().
   Status prepare(const HairModel& model, const DrawDesc& desc);
 
   /// Programs built so far. Models that need the same share them; they live as long as the renderer.
   [[nodiscard]] std::uint32_t program_count() const { return program_count_; }
 
-  /// Why the last call, a model's upload() too, returned kDriver: the missing function's name or the compiler's log, cut
-  /// to fit. Never null.
+  /// Why the last call, a model's upload() too, returned kDriver: the missing function's name or the compiler's log,
+  /// cut to fit. Never null.
   [[nodiscard]] const char* failure() const { return failure_; }
 
  private:
@@ -144,14 +143,14 @@ class HairModel {
   HairModel(const HairModel&) = delete;
   HairModel& operator=(const HairModel&) = delete;
 
-  /// Copies mesh and textures to the GPU and builds the programs that the asset needs and that `renderer` lacks; afterwards
-  /// the asset may go. Absent textures count as white, as shift 0.5 and as mask 1, an absent material is that of the
-  /// thesis's Gallery 1, double-sided. Textures repeat only where a vertex's UV leaves 0..1. `renderer` must outlive this
-  /// model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory, texture too large, shader refused; see
-  /// HairRenderer::failure()); a failure leaves what was uploaded before.
+  /// Copies mesh and textures to the GPU and builds the programs that the asset needs and that `renderer` lacks;
+  /// afterwards the asset may go. Absent textures count as white, as shift 0.5 and as mask 1, an absent material is
+  /// that of the thesis's Gallery 1, double-sided. Textures repeat only where a vertex's UV leaves 0..1. `renderer`
+  /// must outlive this model. kNotCreated, kAssetLacksData (no mesh), kDriver (out of memory, texture too large, shader
+  /// refused; see HairRenderer::failure()); a failure leaves what was uploaded before.
   ///
-  /// Clears OpenGL's error flags. Leaves at their initial values: program, vertex array, array buffer, pixel unpack buffer and
-  /// the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.
+  /// Clears OpenGL's error flags. Leaves at their initial values: program, vertex array, array buffer, pixel unpack
+  /// buffer and the GL_UNPACK parameters, active texture unit, 2D texture of unit 0.
   Status upload(HairRenderer& renderer, const Asset& asset);
 
   /// Frees what upload() made. Harmless when there is nothing.
