@@ -9,6 +9,9 @@
 #include "report/page/accuracy_json.h"
 #include "report/page/accuracy_page.h"
 #include "report/page/accuracy_text.h"
+#include "report/page/cost_json.h"
+#include "report/page/cost_page.h"
+#include "report/page/cost_text.h"
 #include "report/page/draw_plot.h"
 #include "report/page/stability_json.h"
 #include "report/page/stability_page.h"
@@ -74,11 +77,34 @@ tl::expected<Rendered, ToolError> report_stability(const ReportOptions& options,
                 [&] { return tl::expected<std::string, ToolError>(stability_page(heading, *report)); });
 }
 
+tl::expected<Rendered, ToolError> report_cost(const ReportOptions& options, const std::string& suffix,
+                                              const Asset& asset) {
+  CostChoice choice = options.cost;
+  choice.width = options.size.width;
+  choice.height = options.size.height;
+  ReportHeading heading = heading_of(asset, options.file);
+  const auto report = timed(options.file, heading,
+                            [&](const ReportProgress& progress) { return measure_all_cost(asset, choice, progress); });
+  if (!report) return tl::unexpected(report.error());
+  return render(options, suffix, cost_text(heading, *report), cost_json(heading, *report),
+                [&] { return cost_page(heading, *report); });
+}
+
+tl::expected<Rendered, ToolError> report_subject(const ReportOptions& options, const AccuracySettings& accuracy,
+                                                 const std::string& suffix, const Asset& asset) {
+  switch (options.subject) {
+    case ReportSubject::kAccuracy: return report_accuracy(options, accuracy, suffix, asset);
+    case ReportSubject::kStability: return report_stability(options, suffix, asset);
+    case ReportSubject::kCost: return report_cost(options, suffix, asset);
+  }
+  return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});
+}
+
 /// What would make the minutes of measuring useless.
 tl::expected<void, ToolError> check_before(const ReportOptions& options, const std::string& suffix) {
   if (options.output.empty()) return {};
   if (auto checked = check_output(options.output, {options.file}); !checked) return checked;
-  const bool draws = suffix == kPageSuffix && options.subject == ReportSubject::kAccuracy;
+  const bool draws = suffix == kPageSuffix && options.subject != ReportSubject::kStability;
   return draws ? check_plotter() : tl::expected<void, ToolError>{};
 }
 
@@ -106,9 +132,7 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   const auto settings = accuracy_settings(options, messages);
   if (!settings) return tl::unexpected(settings.error());
 
-  const bool accuracy = options.subject == ReportSubject::kAccuracy;
-  const auto rendered = accuracy ? report_accuracy(options, *settings, suffix, file->asset())
-                                 : report_stability(options, suffix, file->asset());
+  const auto rendered = report_subject(options, *settings, suffix, file->asset());
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }
@@ -124,7 +148,7 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
 
 Command add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "report", "Measure what every way to run an asset costs and how wrong it is, or what it survives");
+      "report", "Measure how wrong every way to run an asset is, what it survives or what it costs");
   app->description(app->get_description() + "\n\n" + motion_help());
   const auto options = std::make_shared<ReportOptions>();
   add_report_options(*app, *options);

@@ -8,8 +8,8 @@
 namespace coif {
 namespace {
 
-constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccuracy},
-                                               {"stability", ReportSubject::kStability}};
+constexpr Choice<ReportSubject> kSubjects[] = {
+    {"accuracy", ReportSubject::kAccuracy}, {"stability", ReportSubject::kStability}, {"cost", ReportSubject::kCost}};
 
 /// An option that may stand several times, with one value or several between commas each time.
 template <typename Value>
@@ -53,13 +53,34 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
       if (std::ranges::find(known, word) != known.end()) continue;
       throw CLI::ValidationError("--solver", fmt::format("'{}' is not one of {}", word, fmt::join(known, ", ")));
     }
-    options.accuracy.solvers = options.stability.solvers = words;
+    options.accuracy.solvers = options.stability.solvers = options.cost.simulation.solvers = words;
   };
   app.add_option_function<std::vector<std::string>>("--solver", parse, "Which methods, repeatable (default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<const CLI::Option*> add_cost_options(CLI::App& app, CostChoice& cost, PixelSize& size) {
+  return {add_list(app, "--heads", cost.simulation.heads, "Sizes of the crowd, repeatable")
+              ->check(CLI::Range(1u, 1000000u))
+              ->capture_default_str(),
+          app.add_option("--time", cost.seconds, "Seconds to measure for, about")
+              ->check(CLI::Range(0.1, 3600.0))
+              ->capture_default_str(),
+          add_size(app, size), app.add_flag("!--no-drawing", cost.draws, "Leave out what drawing costs")};
+}
+
+/// Error (kUsage): one of `only`, which only `subject` takes, was given.
+tl::expected<void, ToolError> refuse(const std::vector<const CLI::Option*>& only, const char* subject) {
+  for (const CLI::Option* option : only) {
+    if (option->count() == 0) continue;
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kUsage,
+                  fmt::format("{} is for 'coif report FILE.coif {}' only; leave it out", option->get_name(), subject)});
+  }
+  return {};
 }
 
 }  // namespace
@@ -85,17 +106,15 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
       app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
           ->check(CLI::Range(0.001, 1000.0))
           ->capture_default_str()};
+  options.cost_only = add_cost_options(app, options.cost, options.size);
   add_format(app, options.format);
 }
 
 tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
-  if (options.subject == ReportSubject::kAccuracy) return {};
-  for (const CLI::Option* option : options.accuracy_only) {
-    if (option->count() == 0) continue;
-    return tl::unexpected(
-        ToolError{ToolError::Kind::kUsage,
-                  fmt::format("{} is for 'coif report FILE.coif accuracy' only; leave it out", option->get_name())});
+  if (options.subject != ReportSubject::kAccuracy) {
+    if (auto refused = refuse(options.accuracy_only, "accuracy"); !refused) return refused;
   }
+  if (options.subject != ReportSubject::kCost) return refuse(options.cost_only, "cost");
   return {};
 }
 

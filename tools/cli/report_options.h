@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/clip_choice.h"
+#include "cli/cost_measurement.h"
 #include "cli/options.h"
 #include "report/measure_accuracy.h"
 #include "report/measure_stability.h"
@@ -12,7 +13,7 @@
 
 namespace coif {
 
-enum class ReportSubject { kAccuracy, kStability };
+enum class ReportSubject { kAccuracy, kStability, kCost };
 
 struct ReportOptions {
   std::string file;
@@ -22,8 +23,11 @@ struct ReportOptions {
   AccuracySettings accuracy;
   std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
   StabilitySettings stability;
-  /// Options that only reports of accuracy take; owned by the program.
+  CostChoice cost;  ///< But for the size of its pictures.
+  PixelSize size{1024, 768};
+  /// Options that only one subject takes; owned by the program.
   std::vector<const CLI::Option*> accuracy_only;
+  std::vector<const CLI::Option*> cost_only;
 };
 
 /// Declares the options of `coif report`; `options` must outlive the parsing.

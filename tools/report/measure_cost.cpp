@@ -61,7 +61,8 @@ class CostMeasurement {
     return add_features();
   }
 
-  CostReport run() {
+  /// Adds what was found to `report`.
+  void time(CostReport& report) {
     const std::vector<Timing> timings = line_up_.time();
     for (std::size_t i = 0; i < timings.size(); ++i) {
       const bool is_feature = i >= report_.simulation.size();
@@ -71,9 +72,9 @@ class CostMeasurement {
     for (FeatureCostRow& row : report_.features) {
       row.change_pct = 100 * (row.us_per_frame / report_.features.front().us_per_frame - 1);
     }
-    report_.memory = memory_of(asset_);
-    report_.asset = asset_bytes(asset_);
-    return std::move(report_);
+    report.simulation = std::move(report_.simulation);
+    report.features = std::move(report_.features);
+    report.left_out = std::move(report_.left_out);
   }
 
  private:
@@ -134,29 +135,30 @@ class CostMeasurement {
     report_.features.push_back({.feature = name, .description = std::move(description), .heads = compared_heads_});
   }
 
+  Added add_feature(const char* name, std::string description, const Asset& asset, const CrowdSettings& settings) {
+    name_feature(name, std::move(description));
+    return line_up_.add(asset, settings);
+  }
+
   Added add_features() {
     const std::string& solver = solvers_.front();
     const CrowdSettings usual{.heads = compared_heads_, .solver = solver, .substeps = default_substeps(solver)};
-    name_feature("as-cooked", fmt::format("{} with {} step{} a frame, all heads run", solver, usual.substeps,
-                                          usual.substeps == 1 ? "" : "s"));
-    Added added = line_up_.add(asset_, usual);
-    if (added && touches_colliders(asset_)) {
-      bald_.emplace(without_colliders(asset_));
-      name_feature("no-colliders", "the same hair through which the head may pass");
-      added = line_up_.add(bald_->asset(), usual);
-    }
     CrowdSettings still = usual, varying = usual;
     still.heads_move = false;
     varying.frame_time_varies = true;
-    name_feature("still-heads", "no head moves");
-    if (added) added = line_up_.add(asset_, still);
-    name_feature("varying-frame-time",
-                 "every frame is longer or shorter than the last, so that nothing computed for it "
-                 "can be kept");
-    if (added) added = line_up_.add(asset_, varying);
-    name_feature("poses-only", "telling where the heads are, without a step; a part of all the others");
-    if (added) added = line_up_.add_poses(asset_, usual);
-    return added;
+    Added added = add_feature("as-cooked", "all heads run", asset_, usual);
+    if (added && touches_colliders(asset_)) {
+      bald_.emplace(without_colliders(asset_));
+      added = add_feature("no-colliders", "the head lets its hair pass", bald_->asset(), usual);
+    }
+    if (added) added = add_feature("still-heads", "no head moves", asset_, still);
+    if (added) {
+      added = add_feature("varying-frame-time", "what depends on the frame time is computed anew in every frame",
+                          asset_, varying);
+    }
+    if (!added) return added;
+    name_feature("poses-only", "telling where the heads are, which is part of all the others, and no step");
+    return line_up_.add_poses(asset_, usual);
   }
 
   template <typename Row>
@@ -188,14 +190,11 @@ tl::expected<std::vector<std::string>, ToolError> chosen(const std::vector<std::
   return names;
 }
 
-Added check(const Asset& asset, const CostSettings& settings) {
+Added check(const CostSettings& settings) {
   const auto in_range = [](std::uint32_t heads) { return heads >= 1 && heads <= kMaxInstances; };
   if (settings.heads.empty() || !std::ranges::all_of(settings.heads, in_range) || !(settings.seconds > 0)) {
     return tl::unexpected(ToolError{ToolError::Kind::kUsage,
                                     fmt::format("crowds have 1 to {} heads, and measuring takes time", kMaxInstances)});
-  }
-  if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
-    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
   }
   return {};
 }
@@ -206,11 +205,16 @@ tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostS
                                                  const ReportProgress& progress) {
   const auto solvers = chosen(settings.solvers);
   if (!solvers) return tl::unexpected(solvers.error());
-  if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+  CostReport report;
+  report.asset = asset_bytes(asset);
+  if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) return report;
+  report.memory = memory_of(asset);
   if (progress) progress("simulation");
   CostMeasurement measurement(asset, settings, *solvers);
   if (auto added = measurement.line_up(); !added) return tl::unexpected(added.error());
-  return measurement.run();
+  measurement.time(report);
+  return report;
 }
 
 }  // namespace coif

@@ -21,8 +21,8 @@ struct CostSettings {
 };
 
 /// Times the runtime, on the calling thread, as a game would call it, beside what the asset takes in memory and in the
-/// file. Everything but CostReport::rendering. Errors: kUsage for settings out of range or an unknown solver, kBadInput
-/// for an asset without simulated bones, kUnsupported where the memory cannot be had.
+/// file. Everything but CostReport::rendering; hair that is rigid has only its bytes. Errors: kUsage for settings out of
+/// range or an unknown solver, kUnsupported where the memory cannot be had.
 tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
                                                  const ReportProgress& progress);
 

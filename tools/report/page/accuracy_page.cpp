@@ -4,7 +4,7 @@
 #include "report/page/accuracy_plots.h"
 #include "report/page/accuracy_summary.h"
 #include "report/page/accuracy_tables.h"
-#include "report/page/html_page.h"
+#include "report/page/plotted_page.h"
 #include "report/page/report_frame.h"
 
 #include <fmt/format.h>
@@ -12,18 +12,17 @@
 namespace coif {
 namespace {
 
-/// A page under way. After the first figure that fails the rest is skipped.
 class AccuracyPage {
  public:
   AccuracyPage(const ReportHeading& heading, const AccuracyReport& report, const Plotter& plotter)
-      : report_(report), plotter_(plotter), page_("Error against run time: " + heading.asset) {
+      : report_(report), page_("Error against run time: " + heading.asset, plotter) {
     page_.paragraph(heading_text(heading));
     page_.summary(accuracy_summary(report));
   }
 
   void add_comparison() {
     page_.heading("What each solver costs and gets right");
-    figure(work_precision_figure(report_));
+    page_.plot(work_precision_figure(report_));
     page_.table(settings_table(report_));
     page_.paragraph(fmt::format(
         "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat "
@@ -39,8 +38,8 @@ class AccuracyPage {
     page_.paragraph(
         "A solver whose error is large and changes with the frame rate makes hair that looks different on every "
         "machine; one whose error is small everywhere looks the same everywhere.");
-    for (const std::string& motion : motions_of(report_)) figure(frame_rate_figure(report_, motion));
-    figure(stretch_figure(report_));
+    for (const std::string& motion : motions_of(report_)) page_.plot(frame_rate_figure(report_, motion));
+    page_.plot(stretch_figure(report_));
     page_.paragraph("Frame-rate spread: the largest RMS difference between any two frame rates, in % of the length.");
     page_.table(spread_table(report_));
   }
@@ -59,26 +58,11 @@ class AccuracyPage {
     page_.table(rows_table(report_));
   }
 
-  [[nodiscard]] tl::expected<std::string, ToolError> finish() const {
-    if (!drawn_) return tl::unexpected(drawn_.error());
-    return page_.text();
-  }
+  [[nodiscard]] tl::expected<std::string, ToolError> finish() const { return page_.finish(); }
 
  private:
-  void figure(const Figure& figure) {
-    if (!drawn_) return;
-    const auto svg = draw(figure.plot, plotter_);
-    if (svg) {
-      page_.figure(*svg, figure.caption);
-    } else {
-      drawn_ = tl::unexpected(svg.error());
-    }
-  }
-
   const AccuracyReport& report_;
-  const Plotter& plotter_;
-  HtmlPage page_;
-  tl::expected<void, ToolError> drawn_;
+  PlottedPage page_;
 };
 
 }  // namespace

@@ -8,11 +8,6 @@
 
 namespace coif {
 
-struct Figure {
-  Plot plot;
-  std::string caption;
-};
-
 /// Error against cost, one curve a solver, with the Pareto front.
 [[nodiscard]] Figure work_precision_figure(const AccuracyReport& report);
 

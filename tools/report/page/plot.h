@@ -44,4 +44,10 @@ struct Plot {
   std::vector<PlotMarker> markers;
 };
 
+/// A diagram and what is to be seen in it.
+struct Figure {
+  Plot plot;
+  std::string caption;
+};
+
 }  // namespace coif

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "report/measure_cost.h"
+
+#include <cstdint>
+
+namespace coif {
+
+/// What `coif report cost` measures.
+struct CostChoice {
+  CostSettings simulation;  ///< Its time is set from `seconds`.
+  std::uint32_t width = 1024, height = 768;
+  bool draws = true;
+  double seconds = 15;  ///< About, for all.
+};
+
+/// Simulation by tools/report and drawing by tools/render as one report. Hair that cannot be drawn, here or at all, is
+/// no error: the report says why. Errors: those of measure_cost(), and kBadInput for an asset with neither simulated
+/// bones nor a mesh.
+tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
+                                                     const ReportProgress& progress);
+
+}  // namespace coif

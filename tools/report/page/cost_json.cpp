@@ -1,0 +1,75 @@
+#include "report/page/cost_json.h"
+
+#include "report/page/number_text.h"
+#include "report/page/report_frame.h"
+
+namespace coif {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(const SimulationCostRow& row) {
+  return {{"heads", row.heads},
+          {"solver", row.solver},
+          {"substeps", row.substeps},
+          {"us_per_frame", number_json(row.us_per_frame)},
+          {"ns_per_bone_frame", number_json(row.ns_per_bone_frame)},
+          {"spread_pct", number_json(row.spread_pct)},
+          {"bytes", row.bytes},
+          {"bytes_per_head", number_json(row.bytes_per_head)}};
+}
+
+ordered_json to_json(const FeatureCostRow& row) {
+  return {{"feature", row.feature},
+          {"description", row.description},
+          {"heads", row.heads},
+          {"us_per_frame", number_json(row.us_per_frame)},
+          {"ns_per_bone_frame", number_json(row.ns_per_bone_frame)},
+          {"spread_pct", number_json(row.spread_pct)},
+          {"change_pct", number_json(row.change_pct)}};
+}
+
+ordered_json to_json(const CostLeftOut& crowd) {
+  return {{"heads", crowd.heads}, {"what", crowd.what}, {"why", crowd.why}};
+}
+
+ordered_json to_json(const ChunkBytes& chunk) {
+  return {{"id", chunk.id}, {"bytes", chunk.bytes}, {"use", name_of(chunk.use)}};
+}
+
+ordered_json to_json(const RenderingCostRow& row, const std::string& device) {
+  return {{"heads", row.heads},
+          {"transparency", row.transparency},
+          {"lod", row.lod},
+          {"simulation", row.simulation},
+          {"triangles", row.triangles},
+          {"ms_per_frame", number_json(row.ms_per_frame)},
+          {"spread_pct", number_json(row.spread_pct)},
+          {"device", device}};
+}
+
+template <typename Row, typename... More>
+ordered_json list(const std::vector<Row>& rows, const More&... more) {
+  ordered_json array = ordered_json::array();
+  for (const Row& row : rows) array.push_back(to_json(row, more...));
+  return array;
+}
+
+}  // namespace
+
+ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
+  ordered_json json = heading_json(heading);
+  json["simulation"] = list(report.simulation);
+  json["features"] = list(report.features);
+  json["left_out"] = list(report.left_out);
+  json["memory"] = {{"bytes_per_head", number_json(report.memory.bytes_per_head)},
+                    {"bytes_shared", number_json(report.memory.bytes_shared)}};
+  json["asset"] = {
+      {"bytes", report.asset.total}, {"chunks", list(report.asset.chunks)}, {"framing_bytes", report.asset.framing}};
+  json["rendering"] = list(report.rendering.rows, report.rendering.device);
+  const std::string& note = report.rendering.note;
+  json["rendering_note"] = note.empty() ? ordered_json(nullptr) : ordered_json(note);
+  return json;
+}
+
+}  // namespace coif

@@ -1,0 +1,132 @@
+#include "report/page/cost_tables.h"
+
+#include "report/page/cost_rows.h"
+#include "report/page/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr auto kNumbers = Column::Kind::kNumbers;
+
+Cell count_cell(std::uint64_t count) { return {std::to_string(count)}; }
+
+Cell spread_cell(double spread_pct) {
+  // Samples that differ by a quarter are of a machine that had other work.
+  constexpr double kUnsteadyPct = 25;
+  const std::string text = fmt::format("\u00b1{} %", number_text(spread_pct / 2));
+  return {text, spread_pct > kUnsteadyPct ? CellLook::kWarning : CellLook::kPlain};
+}
+
+void add_simulation_row(const SimulationCostRow& row, Table& table) {
+  table.rows.push_back({{row.solver},
+                        count_cell(row.substeps),
+                        count_cell(row.heads),
+                        {time_text(1e3 * row.us_per_frame)},
+                        spread_cell(row.spread_pct),
+                        {time_text(1e3 * row.us_per_frame / row.heads)},
+                        {time_text(row.ns_per_bone_frame)},
+                        {fmt::format("{:.0f}", std::floor(1e3 * row.heads / row.us_per_frame))}});
+}
+
+Table simulation_table() {
+  return {{{"solver"},
+           {"steps", kNumbers},
+           {"heads", kNumbers},
+           {"time a frame", kNumbers},
+           {"spread", kNumbers},
+           {"a head", kNumbers},
+           {"a bone", kNumbers},
+           {"heads in 1 ms", kNumbers}},
+          {}};
+}
+
+std::string change_text(double change_pct) { return fmt::format("{:+.0f} %", change_pct); }
+
+}  // namespace
+
+Table scaling_table(const CostReport& report) {
+  Table table = simulation_table();
+  for (const std::string& solver : solvers_of(report)) {
+    for (const SimulationCostRow& row : scaling_of(report, solver)) add_simulation_row(row, table);
+  }
+  return table;
+}
+
+Table substeps_table(const CostReport& report) {
+  Table table = simulation_table();
+  for (const std::string& solver : solvers_of(report)) {
+    for (const SimulationCostRow& row : substeps_of(report, solver)) add_simulation_row(row, table);
+  }
+  return table;
+}
+
+Table features_table(const CostReport& report) {
+  Table table{{{"feature"},
+               {"what is different", Column::Kind::kProse},
+               {"time a frame", kNumbers},
+               {"spread", kNumbers},
+               {"a head", kNumbers},
+               {"change", kNumbers}},
+              {}};
+  for (const FeatureCostRow& row : report.features) {
+    const bool is_first = &row == &report.features.front();
+    table.rows.push_back({{row.feature},
+                          {row.description},
+                          {time_text(1e3 * row.us_per_frame)},
+                          spread_cell(row.spread_pct),
+                          {time_text(1e3 * row.us_per_frame / row.heads)},
+                          {is_first ? "" : change_text(row.change_pct)}});
+  }
+  return table;
+}
+
+Table memory_table(const CostReport& report) {
+  Table table{{{"heads", kNumbers}, {"memory of the crowd", kNumbers}, {"a head", kNumbers}}, {}};
+  if (report.simulation.empty()) return table;
+  for (const SimulationCostRow& row : scaling_of(report, solvers_of(report).front())) {
+    table.rows.push_back({count_cell(row.heads), {bytes_text(double(row.bytes))}, {bytes_text(row.bytes_per_head)}});
+  }
+  return table;
+}
+
+Table chunks_table(const CostReport& report) {
+  Table table{{{"part of the file"}, {"bytes", kNumbers}, {"share", kNumbers}, {"is for"}}, {}};
+  const auto share = [&report](std::uint64_t bytes) {
+    return percent_text(100 * double(bytes) / double(report.asset.total));
+  };
+  for (const ChunkBytes& chunk : report.asset.chunks) {
+    table.rows.push_back({{chunk.id}, count_cell(chunk.bytes), {share(chunk.bytes)}, {name_of(chunk.use)}});
+  }
+  table.rows.push_back({{"header, table, padding"}, count_cell(report.asset.framing), {share(report.asset.framing)}});
+  table.rows.push_back({{"whole file"}, count_cell(report.asset.total), {"100 %"}});
+  return table;
+}
+
+Table rendering_table(const CostReport& report) {
+  Table table{{{"heads", kNumbers},
+               {"level of detail", kNumbers},
+               {"transparency"},
+               {"simulated"},
+               {"triangles", kNumbers},
+               {"time a frame", kNumbers},
+               {"spread", kNumbers},
+               {"a head", kNumbers}},
+              {}};
+  for (const RenderingCostRow& row : report.rendering.rows) {
+    table.rows.push_back({count_cell(row.heads),
+                          count_cell(row.lod),
+                          {row.transparency},
+                          {row.simulation ? "yes" : "no"},
+                          count_cell(row.triangles),
+                          {time_text(1e6 * row.ms_per_frame)},
+                          spread_cell(row.spread_pct),
+                          {time_text(1e6 * row.ms_per_frame / row.heads)}});
+  }
+  return table;
+}
+
+}  // namespace coif

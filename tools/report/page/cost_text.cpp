@@ -1,0 +1,52 @@
+#include "report/page/cost_text.h"
+
+#include "report/page/cost_rows.h"
+#include "report/page/cost_summary.h"
+#include "report/page/number_text.h"
+#include "report/page/report_frame.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+namespace {
+
+std::string simulation_text(const CostReport& report) {
+  if (report.simulation.empty()) return "";
+  std::string text = fmt::format("  {:<8}{:>6}{:>8}{:>14}{:>12}{:>12}{:>9}\n", "solver", "steps", "heads", "us/frame",
+                                 "us/head", "ns/bone", "spread");
+  for (const SimulationCostRow& row : report.simulation) {
+    text += fmt::format("  {:<8}{:>6}{:>8}{:>14}{:>12}{:>12}{:>7} %\n", row.solver, row.substeps, row.heads,
+                        number_text(row.us_per_frame), number_text(row.us_per_frame / row.heads),
+                        number_text(row.ns_per_bone_frame), number_text(row.spread_pct));
+  }
+  text += fmt::format("  features, {} heads\n", report.features.front().heads);
+  for (const FeatureCostRow& row : report.features) {
+    text += fmt::format("  {:<22}{:>14}{:>12}{:>+11.0f} %{:>7} %\n", row.feature, number_text(row.us_per_frame),
+                        number_text(row.us_per_frame / row.heads), row.change_pct, number_text(row.spread_pct));
+  }
+  return text;
+}
+
+std::string rendering_text(const RenderingCost& rendering) {
+  if (rendering.rows.empty()) return rendering.note.empty() ? "" : "  not drawn: " + rendering.note + "\n";
+  std::string text = fmt::format("  {}, {} x {}\n", rendering.device, rendering.width, rendering.height);
+  text += fmt::format("  {:<8}{:>6}{:>5}{:>12}{:>12}{:>12}{:>9}\n", "drawn", "heads", "lod", "simulated", "triangles",
+                      "ms/frame", "spread");
+  for (const RenderingCostRow& row : rendering.rows) {
+    text += fmt::format("  {:<8}{:>6}{:>5}{:>12}{:>12}{:>12}{:>7} %\n", row.transparency, row.heads, row.lod,
+                        row.simulation ? "yes" : "no", row.triangles, number_text(row.ms_per_frame),
+                        number_text(row.spread_pct));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string cost_text(const ReportHeading& heading, const CostReport& report) {
+  std::string text = heading_text(heading) + "\n" + simulation_text(report) + rendering_text(report.rendering);
+  const std::string left_out = left_out_text(report);
+  if (!left_out.empty()) text += "  " + left_out + "\n";
+  return text + cost_summary(report) + "\n";
+}
+
+}  // namespace coif
