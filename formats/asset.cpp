@@ -25,10 +25,17 @@ LoadStatus check_header(std::span<const std::byte> bytes, const FileHeader& head
   if (header.chunk_count > kMaxChunks || header.chunk_count > room) {
     return {LoadCode::kChunkCount, 0, 0, room < kMaxChunks ? room : kMaxChunks, header.chunk_count};
   }
-  if (options.verify_hash && asset_hash(bytes) != header.payload_hash) {
-    return {LoadCode::kHash, 0, 0, header.payload_hash, asset_hash(bytes)};
+  if (options.verify_hash && table_hash(bytes, header.chunk_count) != header.table_hash) {
+    return {LoadCode::kHash, 0, 0, header.table_hash, table_hash(bytes, header.chunk_count)};
   }
   return {};
+}
+
+bool is_zero(std::span<const std::byte> bytes) {
+  for (const std::byte b : bytes) {
+    if (b != std::byte{0}) return false;
+  }
+  return true;
 }
 
 /// Ranges, order and alignment of the table, whatever the chunks mean.
@@ -36,15 +43,19 @@ LoadStatus check_table(std::span<const std::byte> bytes, std::span<const ChunkEn
   std::uint64_t free_from = sizeof(FileHeader) + chunks.size_bytes();
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     const ChunkEntry& entry = chunks[i];
-    if (entry.reserved != 0 || (entry.flags & ~kChunkRequired) != 0) return {LoadCode::kReserved, entry.id, i};
+    if ((entry.flags & ~kChunkRequired) != 0) return {LoadCode::kReserved, entry.id, i};
     const bool inside = entry.offset >= free_from && entry.offset <= bytes.size() &&
                         entry.bytes <= bytes.size() - entry.offset && entry.offset % alignment_of(entry.id) == 0;
     if (!inside) return {LoadCode::kChunkRange, entry.id, i, bytes.size(), entry.offset};
+    if (!is_zero(bytes.subspan(std::size_t(free_from), std::size_t(entry.offset - free_from)))) {
+      return {LoadCode::kReserved, entry.id, i};
+    }
     for (std::size_t k = 0; k < i; ++k) {
       if (chunks[k].id == entry.id) return {LoadCode::kChunkDuplicate, entry.id, i};
     }
     free_from = entry.offset + entry.bytes;
   }
+  if (free_from != bytes.size()) return {LoadCode::kSize, 0, 0, free_from, bytes.size()};
   return {};
 }
 
@@ -118,6 +129,8 @@ LoadStatus Asset::open(std::span<const std::byte> bytes, const OpenOptions& opti
   view.chunks_ = {reinterpret_cast<const ChunkEntry*>(bytes.data() + sizeof(FileHeader)), view.header_->chunk_count};
   if (const LoadStatus status = check_table(bytes, view.chunks_); !status) return status;
   for (const ChunkEntry& entry : view.chunks_) {
+    const bool verify = options.verify_hash && !is_draw_data(entry.id);
+    if (const LoadStatus status = verify ? check_hash(bytes, entry) : LoadStatus{}; !status) return status;
     if (const LoadStatus status = view.read_chunk_into_view(bytes.data(), entry); !status) return status;
   }
   if (!view.texels_.empty() && !is_aligned(bytes.data(), kTexelAlignment)) return {LoadCode::kMisaligned};

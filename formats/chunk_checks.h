@@ -6,6 +6,8 @@
 
 namespace coif {
 
+/// `entry` is known to lie inside the file.
+LoadStatus check_hash(std::span<const std::byte> file, const ChunkEntry& entry);
 LoadStatus check_names(std::span<const char> names);
 LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes);
 LoadStatus check_dynamics(const Asset& asset);

@@ -82,8 +82,10 @@ std::size_t describe(const LoadStatus& status, char* text, std::size_t capacity)
   if (status.chunk != 0) {
     out.add("chunk ");
     add_chunk_name(out, status.chunk);
-    out.add(", record ");
-    out.add(status.item);
+    if (status.code != LoadCode::kHash) {
+      out.add(", record ");
+      out.add(status.item);
+    }
     out.add(": ");
   }
   out.add(describe(status.code));

@@ -1,6 +1,7 @@
 #pragma once
 // Comparisons that are false for NaN, so that one test covers range and finiteness.
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +10,12 @@ namespace coif {
 inline constexpr float kMaxCoordinate = 1.0e5f;  ///< Metres, texture repeats, colours: larger is a broken file.
 
 inline bool in_range(float value, float low, float high) { return value >= low && value <= high; }
+
+/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are ordered
+/// as their bits are. For many numbers at once, whose words are joined and looked at once.
+inline std::uint32_t beyond_limit(float value) {
+  return std::bit_cast<std::uint32_t>(kMaxCoordinate) - (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
+}
 
 template <std::size_t kCount>
 bool all_in_range(const float (&values)[kCount], float low, float high) {

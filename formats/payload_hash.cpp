@@ -1,6 +1,6 @@
 #include "payload_hash.h"
 
-#include <coif/asset_records.h>
+#include "chunk_checks.h"
 
 #include <bit>
 #include <cstring>
@@ -60,8 +60,23 @@ std::uint64_t xxh64(std::span<const std::byte> bytes, std::uint64_t seed) {
   return hash ^ hash >> 32;
 }
 
-std::uint64_t asset_hash(std::span<const std::byte> file) {
-  return xxh64(file.subspan(sizeof(FileHeader)), xxh64(file.first(offsetof(FileHeader, payload_hash))));
+std::uint64_t table_hash(std::span<const std::byte> file, std::uint32_t chunk_count) {
+  const std::uint64_t seed = xxh64(file.first(offsetof(FileHeader, table_hash)));
+  return xxh64(file.subspan(sizeof(FileHeader), chunk_count * sizeof(ChunkEntry)), seed);
+}
+
+LoadStatus check_hash(std::span<const std::byte> file, const ChunkEntry& entry) {
+  const std::uint64_t hash = xxh64(file.subspan(std::size_t(entry.offset), std::size_t(entry.bytes)));
+  return hash == entry.hash ? LoadStatus{} : LoadStatus{LoadCode::kHash, entry.id, 0, entry.hash, hash};
+}
+
+LoadStatus Asset::verify_draw_data() const {
+  const auto* file = reinterpret_cast<const std::byte*>(header_);
+  for (const ChunkEntry& entry : chunks_) {
+    if (!is_draw_data(entry.id)) continue;
+    if (const LoadStatus status = check_hash({file, std::size_t(total_bytes())}, entry); !status) return status;
+  }
+  return {};
 }
 
 }  // namespace coif

@@ -45,7 +45,7 @@ std::vector<ChunkEntry> lay_out(std::span<const PendingChunk> chunks) {
   std::size_t end = sizeof(FileHeader) + chunks.size() * sizeof(ChunkEntry);
   for (const PendingChunk& chunk : chunks) {
     const std::size_t offset = round_up(end, chunk.id == chunk::kTexels ? 64 : 16);
-    table.push_back({chunk.id, chunk.flags, offset, chunk.bytes.size(), 0});
+    table.push_back({chunk.id, chunk.flags, offset, chunk.bytes.size(), xxh64(chunk.bytes)});
     end = offset + chunk.bytes.size();
   }
   return table;
@@ -65,7 +65,7 @@ std::vector<std::byte> assemble(std::span<const PendingChunk> chunks) {
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     std::memcpy(file.data() + table[i].offset, chunks[i].bytes.data(), chunks[i].bytes.size());
   }
-  header.payload_hash = asset_hash(file);
+  header.table_hash = table_hash(file, header.chunk_count);
   std::memcpy(file.data(), &header, sizeof header);
   return file;
 }

@@ -27,4 +27,4 @@ execute_process(COMMAND head -c ${last} "${ASSET}" OUTPUT_FILE "${FOLDER}/head" 
 file(WRITE "${FOLDER}/byte" "?")
 execute_process(COMMAND cat head byte WORKING_DIRECTORY "${FOLDER}" OUTPUT_FILE "${FOLDER}/changed.coif"
                 COMMAND_ERROR_IS_FATAL ANY)
-must_refuse(changed.coif "the bytes were changed after cooking")
+must_refuse(changed.coif "chunk TEXD: the bytes were changed after cooking")

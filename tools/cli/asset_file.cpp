@@ -18,6 +18,13 @@ const char* cure(LoadCode code) {
 
 }  // namespace
 
+LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
+  LoadStatus status = asset.open(bytes);
+  if (status) status = asset.verify_draw_data();
+  if (!status) asset = Asset{};
+  return status;
+}
+
 std::string describe_text(const LoadStatus& status) {
   if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
   char text[256];
@@ -28,7 +35,7 @@ tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& 
   auto bytes = FileBytes::read(path);
   if (!bytes) return tl::unexpected(bytes.error());
   AssetFile file(std::move(*bytes));
-  const LoadStatus status = file.asset_.open(file.bytes_.span());
+  const LoadStatus status = open_whole(file.bytes_.span(), file.asset_);
   if (!status) {
     return tl::unexpected(ToolError{
         error_kind(status.code), fmt::format("{}: {}; {}", path.string(), describe_text(status), cure(status.code))});

@@ -7,7 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace coif {
@@ -27,6 +29,9 @@ class AssetFile {
   FileBytes bytes_;
   Asset asset_;
 };
+
+/// open() with every hash compared: a tool's files are looked at by people, who want to know.
+LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
 
 /// The reader's verdict as a sentence with its evidence.
 [[nodiscard]] std::string describe_text(const LoadStatus& status);

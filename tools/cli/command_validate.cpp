@@ -40,7 +40,7 @@ std::string place(const LoadStatus& status) {
 
 std::vector<Issue> validate_asset(std::span<const std::byte> bytes) {
   Asset asset;
-  const LoadStatus status = asset.open(bytes);
+  const LoadStatus status = open_whole(bytes, asset);
   if (status) return find_asset_issues(asset);
   return {{fmt::format("A{}", 100 + int(status.code)), Severity::kError, describe_text(status), place(status)}};
 }

@@ -37,7 +37,8 @@ tl::expected<void, ToolError> check_written(const SourceModel& source, const std
   std::align(64, bytes.size(), aligned, space);
   std::memcpy(aligned, bytes.data(), bytes.size());
   Asset asset;
-  const LoadStatus status = asset.open({static_cast<const std::byte*>(aligned), bytes.size()});
+  LoadStatus status = asset.open({static_cast<const std::byte*>(aligned), bytes.size()});
+  if (status) status = asset.verify_draw_data();
   if (status) return {};
   char text[256];
   describe(status, text, sizeof text);

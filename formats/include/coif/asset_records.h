@@ -51,6 +51,11 @@ inline constexpr std::uint32_t kTuning = chunk_id("TUNE");       ///< One Tuning
 inline constexpr std::uint32_t kQuality = chunk_id("QUAL");      ///< QualityRecord[]: what TUNE was chosen from.
 }  // namespace chunk
 
+/// Chunks that only drawing reads, and nearly all bytes of an asset: whatever their values, in range they do no harm.
+constexpr bool is_draw_data(std::uint32_t id) {
+  return id == chunk::kVertices || id == chunk::kSkin || id == chunk::kIndices || id == chunk::kTexels;
+}
+
 /// A reader that does not know a chunk with this flag must refuse the file.
 inline constexpr std::uint32_t kChunkRequired = 1u << 0;
 
@@ -60,9 +65,9 @@ struct FileHeader {
   std::uint16_t minor;
   std::uint32_t chunk_count;
   std::uint64_t total_bytes;   ///< Of the whole file, header included.
-  /// XXH64 of everything after this header, seeded with the XXH64 (seed 0) of the header's first 24 bytes: every
-  /// byte of the file is covered.
-  std::uint64_t payload_hash;
+  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes of
+  /// the chunks, and bytes between them are zero: every byte of the file is covered.
+  std::uint64_t table_hash;
 };
 static_assert(sizeof(FileHeader) == 32);
 
@@ -72,7 +77,7 @@ struct ChunkEntry {
   std::uint32_t flags;
   std::uint64_t offset;  ///< From the file's first byte; a multiple of 16, of 64 for TEXD.
   std::uint64_t bytes;
-  std::uint64_t reserved;  ///< Zero.
+  std::uint64_t hash;  ///< XXH64 (seed 0) of the chunk's bytes.
 };
 static_assert(sizeof(ChunkEntry) == 32);
 
@@ -123,6 +128,9 @@ static_assert(sizeof(ChainRecord) == 16);
 
 inline constexpr float kNoAngleLimit = 3.14159274f;  ///< Half a turn: no direction is further.
 
+/// A torsion at which a twist is gone at once: frames are the shortest arcs, and no twist is stored or computed.
+inline constexpr float kShortestArc = 1e6f;
+
 /// How a bone moves. `thesis` reads resistance, `coif` what it was baked into: stiffness and damping
 /// (runtime/docs/MODEL.md); both read friction, gravity and the hit radius.
 struct DynamicsRecord {
@@ -133,7 +141,7 @@ struct DynamicsRecord {
   float hit_radius;     ///< Distance that the bone keeps from every collider's surface, metres, >= 0.
   float stiffness;      ///< Pull to the default pose, acceleration per metre off it, 1/s^2, >= 0.
   float damping;        ///< Velocity loss relative to the default pose's own velocity, 1/s, >= 0.
-  float torsion;        ///< Rate at which a twist against the parent decays, 1/s, >= 0.
+  float torsion;        ///< Rate at which a twist against the parent decays, 1/s, 0..kShortestArc.
   float angle_limit;    ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
   float parent_share;   ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
   float reserved[2];    ///< Zero.

@@ -14,7 +14,7 @@ enum class LoadCode : std::uint8_t {
   kMajorVersion,      ///< Cooked for another major version of the format.
   kSize,              ///< The header's size is not the size of the bytes given: truncated or extended.
   kChunkCount,        ///< More chunks than the format allows, or than the file can hold.
-  kHash,              ///< The bytes were changed after cooking.
+  kHash,              ///< Bytes were changed after cooking: in the chunk named, else in the header or the table.
   kChunkRange,        ///< A chunk lies outside the file, overlaps another or is not aligned.
   kChunkDuplicate,    ///< The same chunk twice.
   kChunkUnknown,      ///< A chunk that must be understood is not known to this version.
