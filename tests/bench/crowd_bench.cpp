@@ -15,20 +15,15 @@ namespace {
 /// one frame fills every cache.
 int warm_up_frames(const CrowdShape& shape) { return int(std::clamp(6e5 / shape.bone_count(), 3.0, 300.0)); }
 
-/// A frame of so many bones outlasts the slices in which a busy machine shares a core out.
-Stopwatch stopwatch_for(const CrowdShape& shape) {
-  constexpr double kManyBones = 20'000;
-  return Stopwatch(shape.bone_count() < kManyBones ? Stopwatch::Counts::kAllTime : Stopwatch::Counts::kOwnThread);
-}
-
 double frame_seconds(FrameLengths lengths, std::size_t frame) {
   constexpr std::array kShares = {1.0, 1.07, 0.93, 1.11, 0.97, 1.02, 0.89};
   return lengths == FrameLengths::kSteady ? kFrameSeconds : kFrameSeconds * kShares[frame % kShares.size()];
 }
 
-void report(benchmark::State& state, const Crowd& crowd, const CrowdRun& run, double set_seconds, double step_seconds) {
+void report(benchmark::State& state, const TimedCrowd& crowd, const CrowdRun& run, double set_seconds,
+            double step_seconds) {
   const CrowdShape& shape = run.shape;
-  state.SetLabel(run.solver_name() + " " + run.instruction_set());
+  state.SetLabel(run.solver + " " + run.instruction_set);
   state.counters["heads"] = shape.heads;
   state.counters["chains"] = shape.chains;
   state.counters["bones"] = shape.bones;
@@ -41,8 +36,8 @@ void report(benchmark::State& state, const Crowd& crowd, const CrowdRun& run, do
 }
 
 void time_frames(benchmark::State& state, const CrowdRun& run, FrameLengths lengths) {
-  Crowd crowd(run);
-  Stopwatch watch = stopwatch_for(run.shape);
+  TimedCrowd crowd(run);
+  Stopwatch watch = stopwatch_for(run.shape.bone_count());
   FrameTimes set_times, step_times;
   for (int frame = warm_up_frames(run.shape); frame > 0; --frame) {
     crowd.plan(kFrameSeconds);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/crowd.h"
+#include "bench/timed_crowd.h"
 
 #include <string>
 

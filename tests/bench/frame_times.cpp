@@ -28,6 +28,11 @@ std::int64_t Stopwatch::now() const {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
+Stopwatch stopwatch_for(double bones) {
+  constexpr double kManyBones = 20'000;
+  return Stopwatch(bones < kManyBones ? Stopwatch::Counts::kAllTime : Stopwatch::Counts::kOwnThread);
+}
+
 double median_of(std::span<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);

@@ -27,6 +27,9 @@ class Stopwatch {
   double own_nanoseconds_ = 0;
 };
 
+/// For frames of so many bones: long ones outlast the slices in which a busy machine shares a core out.
+[[nodiscard]] Stopwatch stopwatch_for(double bones);
+
 /// Middle value, the upper one of two; 0 for none. Reorders `values`.
 [[nodiscard]] double median_of(std::span<double> values);
 

@@ -1,6 +1,6 @@
 #include "bench/load_bench.h"
 
-#include "bench/crowd.h"
+#include "bench/timed_crowd.h"
 
 #include <benchmark/benchmark.h>
 

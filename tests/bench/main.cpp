@@ -9,30 +9,36 @@
 namespace coif {
 namespace {
 
-constexpr CrowdShape kWorkloads[] = {kCrowd, kOneHead};
-const char* const kWorkloadNames[] = {"a", "b"};
+struct Workload {
+  std::string name;
+  CrowdShape shape;
+};
+
+const Workload kWorkloads[] = {{"a", kCrowd}, {"b", kOneHead}};
 
 void add_workloads() {
-  for (int w = 0; w < 2; ++w) {
-    for (const Solver solver : {Solver::kCoif, Solver::kThesis}) {
-      const CrowdRun run{kWorkloads[w], solver, 1};
-      add_crowd_benchmark(std::string("simulate_") + kWorkloadNames[w] + "_" + run.solver_name(), run);
+  for (const auto& [name, shape] : kWorkloads) {
+    for (const std::string& solver : solver_names()) {
+      for (const std::string& set : instruction_set_names()) {
+        add_crowd_benchmark("simulate_" + name + "_" + solver + "/" + set, {shape, solver, set});
+      }
     }
   }
 }
 
 void add_substeps() {
-  for (int w = 0; w < 2; ++w) {
+  for (const auto& [name, shape] : kWorkloads) {
     for (const std::uint32_t substeps : {2u, 4u}) {
-      add_crowd_benchmark(std::string("substeps_") + kWorkloadNames[w] + "_" + std::to_string(substeps),
-                          {kWorkloads[w], Solver::kCoif, substeps});
+      CrowdRun run{shape};
+      run.substeps = substeps;
+      add_crowd_benchmark("substeps_" + name + "_" + std::to_string(substeps), run);
     }
   }
 }
 
 void add_varying_frames() {
-  for (int w = 0; w < 2; ++w) {
-    add_crowd_benchmark(std::string("varying_dt_") + kWorkloadNames[w], {kWorkloads[w]}, FrameLengths::kVarying);
+  for (const auto& [name, shape] : kWorkloads) {
+    add_crowd_benchmark("varying_dt_" + name, {shape}, FrameLengths::kVarying);
   }
 }
 

@@ -9,7 +9,6 @@
 namespace coif {
 namespace {
 
-constexpr double kBoneLength = 0.08;  // m
 constexpr double kHitRadius = 0.01;   // m
 constexpr double kOutwards = 0.2;     // of a bone's length
 constexpr double kRootHeight = 0.02;  // m above the sphere's centre
@@ -53,10 +52,10 @@ BoneRecord chain_bone(double angle, std::uint32_t depth) {
   BoneRecord bone{};
   bone.kind = BoneKind::kSimulated;
   bone.name = kNone;
-  bone.length = float(kBoneLength);
+  bone.length = kBoneLength;
   bone.colliders = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    bone.joint[axis] = float(root[axis] + kBoneLength * depth * along[axis]);
+    bone.joint[axis] = float(root[axis] + double(kBoneLength) * depth * along[axis]);
     bone.rest_direction[axis] = float(along[axis]);
   }
   return bone;

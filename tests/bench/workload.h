@@ -22,9 +22,10 @@ struct CrowdShape {
 inline constexpr CrowdShape kCrowd{200, 3, 3};     ///< Workload (a): many heads with little hair.
 inline constexpr CrowdShape kOneHead{1, 100, 16};  ///< Workload (b): one head with much hair.
 inline constexpr double kFrameSeconds = 1.0 / 60;  ///< Where not said otherwise.
+inline constexpr float kBoneLength = 0.08f;        ///< Metres.
 inline constexpr float kHeadRadius = 0.1f;         ///< Metres; a sphere about the head's joint.
 
-/// Chains around a head sphere, hanging down and a little outwards, bones of 0.08 m that keep 0.01 m from the sphere.
+/// Chains around a head sphere, hanging down and a little outwards, bones that keep 0.01 m from the sphere.
 /// They move as the cooker bakes its default curve: resistance 0.35 at the root to 0.06 at the tip, critically damped.
 [[nodiscard]] AssetContents crowd_contents(const CrowdShape& shape);
 

@@ -15,22 +15,24 @@
 
 namespace coif {
 
+/// Words for a table and a command line. The best is the first.
+[[nodiscard]] std::vector<std::string> solver_names();
+[[nodiscard]] std::vector<std::string> instruction_set_names();  ///< Of those that this processor can run.
+
 /// How a crowd is simulated.
 struct CrowdRun {
   CrowdShape shape;
-  Solver solver = Solver::kCoif;
+  std::string solver = solver_names().front();
+  std::string instruction_set = instruction_set_names().front();
   std::uint32_t substeps = 1;
-
-  /// Words for a table: "coif", "thesis"; the instruction set that the solver runs on.
-  [[nodiscard]] std::string solver_name() const;
-  [[nodiscard]] std::string instruction_set() const;
 };
 
 /// A crowd whose heads move as head_pose_at() says.
-class Crowd {
+class TimedCrowd {
  public:
-  /// Ends the program when the runtime refuses the workload, which is this folder's own.
-  explicit Crowd(const CrowdRun& run);
+  /// Ends the program where `run` names what there is not, or when the runtime refuses the workload, which is this
+  /// folder's own.
+  explicit TimedCrowd(const CrowdRun& run);
 
   /// Computes where the heads will be `dt` seconds later. Not part of what is timed: a game has the poses.
   void plan(double dt);
@@ -45,10 +47,11 @@ class Crowd {
 
  private:
   CrowdRun run_;
-  Asset asset_;
-  Hair hair_;
   AlignedBytes file_;
+  Asset asset_;
   AlignedBytes memory_;
+  Hair hair_;
+  StepSettings settings_;
   std::vector<HeadPose> poses_;
   double seconds_ = 0;
   bool refused_ = false;

@@ -1,0 +1,90 @@
+#include "bench/timed_crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace coif {
+namespace {
+
+[[noreturn]] void give_up(const std::string& what) {
+  std::fprintf(stderr, "bench: %s\n", what.c_str());
+  std::exit(1);
+}
+
+HairDesc desc_of(const CrowdRun& run) { return {.instances = run.shape.heads}; }
+
+HairDesc desc_of(std::uint32_t heads) { return {.instances = heads}; }
+
+StepSettings settings_of(const CrowdRun& run) {
+  const auto names = solver_names();
+  if (std::ranges::find(names, run.solver) == names.end()) give_up("there is no solver '" + run.solver + "'");
+  return {.solver = run.solver == "coif" ? Solver::kCoif : Solver::kThesis, .substeps = run.substeps};
+}
+
+AlignedBytes memory_for(Asset& asset, AlignedBytes& file, const CrowdRun& run) {
+  if (!asset.open(file.bytes())) give_up("the reader refuses the workload");
+  return AlignedBytes(std::vector<std::byte>(Hair::memory_need(asset, desc_of(run)).bytes));
+}
+
+}  // namespace
+
+std::vector<std::string> solver_names() { return {"coif", "thesis"}; }
+
+std::vector<std::string> instruction_set_names() { return {"scalar"}; }
+
+TimedCrowd::TimedCrowd(const CrowdRun& run)
+    : run_(run),
+      file_(write_asset(crowd_contents(run.shape))),
+      memory_(memory_for(asset_, file_, run)),
+      settings_(settings_of(run)) {
+  if (hair_.create(asset_, desc_of(run), memory_.bytes()) != Status::kOk) give_up("create() refuses the workload");
+  poses_.resize(run.shape.heads);
+  plan(0);
+  for (std::uint32_t head = 0; head < run.shape.heads; ++head) {
+    if (hair_.reset(head, poses_[head]) != Status::kOk) give_up("reset() refuses a pose");
+  }
+}
+
+void TimedCrowd::plan(double dt) {
+  seconds_ += dt;
+  for (std::uint32_t head = 0; head < poses_.size(); ++head) poses_[head] = head_pose_at(head, seconds_);
+}
+
+void TimedCrowd::set_heads() {
+  for (std::uint32_t head = 0; head < poses_.size(); ++head) {
+    refused_ = hair_.set_head(head, poses_[head]) != Status::kOk || refused_;
+  }
+}
+
+void TimedCrowd::step(float dt) {
+  settings_.dt = dt;
+  refused_ = hair_.step(settings_) != Status::kOk || refused_;
+}
+
+double TimedCrowd::bytes_per_head() const {
+  return double(Hair::memory_need(asset_, desc_of(run_)).bytes) / run_.shape.heads;
+}
+
+bool TimedCrowd::is_sane() const {
+  // Algorithm 1 stretches, but not by that much.
+  const float reach = 10 * (kHeadRadius + kBoneLength * float(run_.shape.bones));
+  for (std::uint32_t head = 0; head < run_.shape.heads; ++head) {
+    for (const Vec3& end : hair_.bone_ends(head)) {
+      if (!(std::hypot(end.x, end.y, end.z) < reach)) return false;
+    }
+  }
+  return !refused_;
+}
+
+bool create_once(const Asset& asset, std::uint32_t heads, std::span<std::byte> memory) {
+  Hair hair;
+  return hair.create(asset, desc_of(heads), memory) == Status::kOk;
+}
+
+std::size_t bytes_to_create(const Asset& asset, std::uint32_t heads) {
+  return Hair::memory_need(asset, desc_of(heads)).bytes;
+}
+
+}  // namespace coif
