@@ -56,7 +56,8 @@ coif::HeadPose head_at(double seconds) {
 /// draw it under the head's world matrix.
 float largest_swing(const coif::Hair& hair, std::span<const coif::Vec3> rest) {
   float largest = 0;
-  const std::span<const coif::Vec3> now = hair.bone_ends(0);
+  std::vector<coif::Vec3> now(rest.size());
+  if (hair.bone_ends(0, now) != coif::Status::kOk) return largest;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const float swing = std::hypot(now[i].x - rest[i].x, now[i].y - rest[i].y, now[i].z - rest[i].z);
     largest = std::fmax(largest, swing);
@@ -68,8 +69,8 @@ float largest_swing(const coif::Hair& hair, std::span<const coif::Vec3> rest) {
 coif::Status play(coif::Hair& hair, float& largest) {
   // Where the head appears. Without reset() the hair would feel the way from the origin to here.
   if (const coif::Status status = hair.reset(0, head_at(0)); status != coif::Status::kOk) return status;
-  const auto ends = hair.bone_ends(0);
-  const std::vector<coif::Vec3> rest(ends.begin(), ends.end());
+  std::vector<coif::Vec3> rest(hair.bone_count());
+  if (const coif::Status status = hair.bone_ends(0, rest); status != coif::Status::kOk) return status;
 
   coif::StepSettings settings;
   settings.dt = 1.0f / 60.0f;

@@ -19,6 +19,11 @@ Vec3 way_out_of(const ColliderRecord& record) {
   return any_perpendicular(axis * (1.0f / length(axis)));
 }
 
+float largest(const Vec3& radii) {
+  const float side = radii.x > radii.y ? radii.x : radii.y;
+  return side > radii.z ? side : radii.z;
+}
+
 PlacedCollider place(const ColliderRecord& record, const Quat& head_rotation) {
   PlacedCollider placed;
   placed.shape = record.shape;
@@ -28,6 +33,12 @@ PlacedCollider place(const ColliderRecord& record, const Quat& head_rotation) {
   placed.radii = to_vec3(record.radii);
   placed.way_out = rotate(head_rotation, way_out_of(record));
   placed.rotation = head_rotation * to_quat(record.rotation);
+  // For a capsule around both ends; its axis is zero for round shapes.
+  const bool is_plane = placed.shape == ColliderShape::kPlane;
+  const Vec3 half = is_plane ? Vec3{} : placed.axis * 0.5f;
+  placed.bound_center = placed.center + half;
+  // A little more than exact, so that what rounding says of a grazing bone does not matter.
+  placed.bound_radius = is_plane ? 0.0f : (largest(placed.radii) + length(half)) * 1.0001f;
   return placed;
 }
 
@@ -105,6 +116,7 @@ PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders, cons
   for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {
     ::new (static_cast<void*>(&placed_[i])) PlacedCollider(place(colliders[i], head_rotation));
     existing_ |= 1u << i;
+    if (placed_[i].shape == ColliderShape::kSphere && !placed_[i].keeps_inside) spheres_ |= 1u << i;
   }
 }
 

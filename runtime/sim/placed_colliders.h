@@ -16,8 +16,10 @@ struct PlacedCollider {
   Vec3 center;
   Vec3 axis;  ///< Capsules: to the segment's other end. Plane: unit normal.
   Vec3 radii;
-  Vec3 way_out;   ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
-  Quat rotation;  ///< Ellipsoid: world from its own axes.
+  Vec3 way_out;       ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
+  Quat rotation;      ///< Ellipsoid: world from its own axes.
+  Vec3 bound_center;  ///< A ball around the whole collider. Plane: a point on it.
+  float bound_radius = 0;
 };
 
 /// The ball out of which a capsule is made that is nearest to a point.
@@ -32,6 +34,8 @@ struct CapsuleBall {
 /// The colliders of one instance for one step. Small enough for the stack.
 class PlacedColliders {
  public:
+  PlacedColliders() {}  ///< None.
+
   /// At most kMaxColliders.
   PlacedColliders(std::span<const ColliderRecord> colliders, const Quat& head_rotation);
 
@@ -43,6 +47,12 @@ class PlacedColliders {
   /// hit_radius is added to the semi-axes: the distance kept is exact where they end and a little less in between.
   /// A hit_radius beyond the radius of a shape that keeps hair inside leaves its centre or segment.
   [[nodiscard]] Vec3 clear(std::uint32_t set, float hit_radius, const Vec3& position) const;
+
+  /// `i` below the number given.
+  const PlacedCollider& operator[](std::uint32_t i) const { return placed_[i]; }
+
+  /// True where each of `set` is a sphere that keeps hair outside.
+  [[nodiscard]] bool only_spheres(std::uint32_t set) const { return (set & ~spheres_) == 0; }
 
   /// Calls `visit(collider)` for each collider of `set`.
   template <typename Visit>
@@ -56,6 +66,7 @@ class PlacedColliders {
     PlacedCollider placed_[kMaxColliders];
   };
   std::uint32_t existing_ = 0;  ///< A bit for each.
+  std::uint32_t spheres_ = 0;   ///< A bit for each that is a sphere and keeps hair outside.
 };
 
 }  // namespace coif

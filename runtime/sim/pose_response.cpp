@@ -1,4 +1,6 @@
-#include <coif/coif_step_job.h>
+#include "pose_response.h"
+
+#include "plain_math.h"
 
 #include <cmath>
 
@@ -15,7 +17,7 @@ struct Answers {
 };
 
 /// Integrals of exp(-rate t) from 0 to `dt`, once and twice, exact for a rate of 0 as well.
-double once_integrated(double rate, double dt) { return rate > 0 ? -std::expm1(-rate * dt) / rate : dt; }
+double once_integrated(double rate, double dt) { return rate > 0 ? -plain::expm1(-rate * dt) / rate : dt; }
 
 double twice_integrated(double rate, double dt) {
   const double x = rate * dt;
@@ -27,7 +29,7 @@ double twice_integrated(double rate, double dt) {
 Answers overdamped(double stiffness, double half_damping, double root, double dt) {
   const double fast = half_damping + root, slow = stiffness / fast, apart = 2 * root;
   Answers answers;
-  answers.sine_like = (std::exp(-slow * dt) - std::exp(-fast * dt)) / apart;
+  answers.sine_like = (plain::exp(-slow * dt) - plain::exp(-fast * dt)) / apart;
   answers.load = (once_integrated(slow, dt) - once_integrated(fast, dt)) / apart;
   answers.ramp = (twice_integrated(slow, dt) - twice_integrated(fast, dt)) / apart;
   answers.cosine_like = 1 - stiffness * answers.load;
@@ -37,13 +39,14 @@ Answers overdamped(double stiffness, double half_damping, double root, double dt
 /// Underdamped, or nearly critical: there both closed forms divide zero by zero, and the series of sin(x)/x and cos(x)
 /// in x^2 join them.
 Answers oscillating(double stiffness, double damping, double phase2, double dt) {
-  const double half = 0.5 * damping, left = std::exp(-half * dt);
+  const double half = 0.5 * damping, left = plain::exp(-half * dt);
   double sine = dt * (1 - phase2 / 6 * (1 - phase2 / 20));
   double cosine = 1 - phase2 / 2 * (1 - phase2 / 12);
   if (phase2 > 1e-4) {
     const double phase = std::sqrt(phase2);
-    sine = std::sin(phase) * dt / phase;
-    cosine = std::cos(phase);
+    const plain::SineCosine at = plain::sine_cosine(phase);
+    sine = at.sine * dt / phase;
+    cosine = at.cosine;
   }
   Answers answers;
   answers.cosine_like = left * (cosine + half * sine);
@@ -76,32 +79,21 @@ double velocity_per_offset(const Answers& answers, double dt) {
   return per_offset < -free ? -free : per_offset > free ? free : per_offset;
 }
 
-PoseResponse response_of(double stiffness, double damping, double dt) {
+}  // namespace
+
+PoseResponse pose_response(double stiffness, double damping, double dt) {
   const Answers free = answers_of(stiffness, damping, dt);
   const double six = 6 / (dt * dt);
   PoseResponse out;
-  out.offset_from_offset = float(free.cosine_like);
-  out.offset_from_velocity = float(free.sine_like);
-  out.offset_from_load = float(free.load);
-  out.offset_from_bend = float(six * (free.load - 2 * free.ramp / dt));
-  out.velocity_from_offset = float(-stiffness * free.sine_like);
-  out.velocity_from_velocity = float(free.cosine_like - damping * free.sine_like);
-  out.velocity_from_bend = float(six * (free.sine_like - 2 * free.load / dt));
-  out.velocity_per_offset = float(velocity_per_offset(free, dt));
+  out.offset_from_offset = free.cosine_like;
+  out.offset_from_velocity = free.sine_like;
+  out.offset_from_load = free.load;
+  out.offset_from_bend = six * (free.load - 2 * free.ramp / dt);
+  out.velocity_from_offset = -stiffness * free.sine_like;
+  out.velocity_from_velocity = free.cosine_like - damping * free.sine_like;
+  out.velocity_from_bend = six * (free.sine_like - 2 * free.load / dt);
+  out.velocity_per_offset = velocity_per_offset(free, dt);
   return out;
-}
-
-}  // namespace
-
-void compute_pose_responses(std::span<const DynamicsRecord> dynamics, float dt, const DynamicsScale& scale,
-                            std::span<PoseResponse> responses) {
-  if (dynamics.size() < responses.size()) return;
-  const auto simulated = dynamics.last(responses.size());
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const DynamicsRecord& bone = simulated[i];
-    const double damping = double(bone.damping) * scale.damping + double(bone.friction) * scale.friction;
-    responses[i] = response_of(double(bone.stiffness) * scale.stiffness, damping, dt);
-  }
 }
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #include "segment_contact.h"
 
+#include "bone_contact.h"
+
 #include "tilt.h"
 #include "vector_math.h"
 
@@ -10,7 +12,6 @@ constexpr int kNewtonSteps = 8;
 constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: further the linear model says nothing.
 constexpr float kTolerance = 1e-6f;   ///< Depth that counts as clear, share of the collider's size.
 constexpr float kOvershoot = 1e-6f;   ///< So that Newton ends outside instead of creeping up from inside.
-constexpr float kSkin = 1e-3f;        ///< A start no deeper than this, share of the size, is on the surface.
 
 /// The deepest point of a segment in a collider.
 struct Deepest {
@@ -32,7 +33,7 @@ Deepest in_ball(const Vec3& offset, float radius, float along, const Vec3& way_o
 Deepest deepest_in_sphere(const PlacedCollider& sphere, const BoneSegment& segment) {
   const Vec3 from = segment.start - sphere.center;
   const float radius = sphere.radii.x + segment.radius;
-  const float deep = radius * (1.0f - kSkin);
+  const float deep = radius * (1.0f - kContactSkin);
   const float along =
       dot(from, from) < deep * deep ? segment.length : clamped(-dot(from, segment.direction), 0.0f, segment.length);
   return in_ball(from + segment.direction * along, radius, along, sphere.way_out);
@@ -65,7 +66,7 @@ Deepest nearest_of_capsule(const PlacedCollider& capsule, const BoneSegment& seg
 Deepest deepest_in_capsule(const PlacedCollider& capsule, const BoneSegment& segment) {
   const CapsuleBall at_start = nearest_ball(capsule, segment.start);
   const Vec3 from = segment.start - at_start.center;
-  const float deep = (at_start.radius + segment.radius) * (1.0f - kSkin);
+  const float deep = (at_start.radius + segment.radius) * (1.0f - kContactSkin);
   if (!(dot(from, from) < deep * deep)) return nearest_of_capsule(capsule, segment);
   const Vec3 end = point_at(segment, segment.length);
   const CapsuleBall ball = nearest_ball(capsule, end);
@@ -85,8 +86,9 @@ Deepest deepest_in_ellipsoid(const PlacedCollider& ellipsoid, const BoneSegment&
   const Vec3 from = shrunk(segment.start - ellipsoid.center);
   const Vec3 way = shrunk(segment.direction);
   const float nearest = -dot(from, way) / dot(way, way);
-  const float along =
-      dot(from, from) < (1.0f - kSkin) * (1.0f - kSkin) ? segment.length : clamped(nearest, 0.0f, segment.length);
+  const float along = dot(from, from) < (1.0f - kContactSkin) * (1.0f - kContactSkin)
+                          ? segment.length
+                          : clamped(nearest, 0.0f, segment.length);
   const Vec3 unit = from + way * along;
   const float distance = length(unit);
   if (!(distance > 1e-6f)) return {-radii.y, ellipsoid.way_out, along};
@@ -129,7 +131,7 @@ SegmentContact clear_of_sphere(const PlacedCollider& sphere, BoneSegment& segmen
   float cosine = ends_before ? (distance2 + reach * reach - radius * radius) / (2.0f * distance * reach)
                              : std::sqrt(tangent2) / distance;
   // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
-  if (tangent2 <= 0.0f && distance > radius * (1.0f - kSkin) && cosine > 0.0f) cosine = 0.0f;
+  if (tangent2 <= 0.0f && distance > radius * (1.0f - kContactSkin) && cosine > 0.0f) cosine = 0.0f;
   segment.direction = tilted(segment.direction, inward, cosine, sphere.way_out);
   const float along = ends_before ? reach : std::sqrt(tangent2);
   return contact_of(in_ball(point_at(segment, along) - sphere.center, radius, along, sphere.way_out));
@@ -197,8 +199,7 @@ SegmentContact clear_outside(const PlacedCollider& collider, BoneSegment& segmen
   return clear_by_newton(collider, at, segment);
 }
 
-constexpr float kFarTurn = 0.9f;  ///< Cosine beyond which a step is looked at in between.
-constexpr float kDeep = 0.35f;    ///< Share of the collider's size: deeper than this is through, not along.
+constexpr float kDeep = 0.35f;  ///< Share of the collider's size: deeper than this is through, not along.
 constexpr int kLooks = 8;
 
 /// True where the segment went through the collider on the way from `before`, the shorter way round, or ended deep in it.

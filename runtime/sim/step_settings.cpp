@@ -19,7 +19,6 @@ constexpr float kMostScale = 1e6f;
 
 Status check_settings(const StepSettings& settings) {
   if (!(settings.dt > 0.0f && settings.dt <= kMaxTimeStep)) return Status::kBadTimeStep;
-  if (settings.solver != Solver::kThesis && settings.solver != Solver::kCoif) return Status::kBadArgument;
   if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
   if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
   const DynamicsScale& scale = settings.dynamics;
@@ -27,6 +26,7 @@ Status check_settings(const StepSettings& settings) {
                           in_range(scale.friction, 0.0f, kMostScale);
   if (!scales_fit || !in_range(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
   if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
+  if (!(settings.sleep_after >= 0.0f && settings.sleep_speed >= 0.0f)) return Status::kBadArgument;
   return check_environment(settings.environment);
 }
 

@@ -156,7 +156,7 @@ TEST(ChainsAlone, EachMovesAsAmongAll) {
     const OpenedAsset one(chains_alone(contents, std::array{chain}));
     ASSERT_TRUE(one.asset().is_open());
     ASSERT_EQ(one.asset().skeleton().simulated_count, 3u);
-    RuntimeSolver among(all.asset(), {}, Solver::kCoif, 2), alone(one.asset(), {}, Solver::kCoif, 2);
+    RuntimeSolver among(all.asset(), {}, kCoifSolver, 2), alone(one.asset(), {}, kCoifSolver, 2);
     const auto path = path_of(Motion::kTumble);
     among.reset(path->pose(0));
     alone.reset(path->pose(0));

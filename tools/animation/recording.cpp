@@ -59,8 +59,9 @@ tl::expected<void, ToolError> check(const Asset& asset, const RecordingSettings&
 
 RecordedFrame snapshot(const Hair& hair, const HeadPose& head, double seconds) {
   const auto palette = hair.palette(0);
-  const auto ends = hair.bone_ends(0);
-  return {seconds, head, {palette.begin(), palette.end()}, {ends.begin(), ends.end()}};
+  std::vector<Vec3> ends(hair.bone_count());
+  (void)hair.bone_ends(0, ends);
+  return {seconds, head, {palette.begin(), palette.end()}, std::move(ends)};
 }
 
 Status settle(Hair& hair, const HeadPose& pose, const RecordingSettings& settings, const StepSettings& step) {
@@ -82,11 +83,13 @@ Status advance(Hair& hair, const HeadPose& pose, const StepSettings& step) {
 tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings) {
   if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
 
-  const MemoryNeed need = Hair::memory_need(asset, {});
+  HairDesc desc;
+  desc.solver = settings.solver;
+  const MemoryNeed need = Hair::memory_need(asset, desc);
   const AlignedMemory memory = allocate(need);
   if (!memory) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
   Hair hair;
-  if (const Status status = hair.create(asset, {}, {memory.get(), need.bytes}); status != Status::kOk) {
+  if (const Status status = hair.create(asset, desc, {memory.get(), need.bytes}); status != Status::kOk) {
     return refused(status);
   }
   StepSettings step = settings.step;

@@ -26,6 +26,7 @@ struct RecordingSettings {
   double seconds = 4;                      ///< Length of the recording, 0..3600.
   double settle_seconds =
       2;                ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
+  const Solver* solver = &kCoifSolver;
   StepSettings step{};  ///< dt comes from fps.
 };
 

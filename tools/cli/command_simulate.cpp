@@ -14,7 +14,7 @@
 namespace coif {
 namespace {
 
-constexpr Choice<Solver> kSolvers[] = {{"coif", Solver::kCoif}, {"thesis", Solver::kThesis}};
+constexpr Choice<const Solver*> kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
 
 struct SimulateOptions {
   std::string file;
@@ -130,7 +130,7 @@ Command add_simulate(CLI::App& program) {
                   "Seconds of rest before it, so that gravity has sagged the hair")
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();
-  add_choice<Solver>(*app, "--solver", recording.step.solver, kSolvers, "Which method moves the bones");
+  add_choice<const Solver*>(*app, "--solver", recording.solver, kSolvers, "Which method moves the bones");
   app->add_option("--substeps", recording.step.substeps, "coif: parts of a step; 0: as the asset was tuned")
       ->check(CLI::Range(0u, 64u))
       ->capture_default_str();

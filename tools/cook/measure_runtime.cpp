@@ -34,7 +34,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
                              std::uint32_t substeps) {
   const ReferenceRun& reference = motion.reference;
   const auto path = path_of(motion.motion);
-  RuntimeSolver solver(asset, {}, Solver::kCoif, int(substeps));
+  RuntimeSolver solver(asset, {}, kCoifSolver, int(substeps));
   solver.reset(path->pose(0));
   ConstraintMeter meter(rig);
   RuntimeError error;

@@ -44,7 +44,6 @@ HairCrowd::HairCrowd(const CrowdSettings& settings)
     : settings_(settings), poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)) {
   const bool published = settings.solver == "thesis";
   step_.dt = float(1 / kCrowdRate);
-  step_.solver = published ? Solver::kThesis : Solver::kCoif;
   (published ? step_.iterations : step_.substeps) = settings.substeps;
 }
 
@@ -53,7 +52,9 @@ std::uint64_t HairCrowd::memory_bytes(const Asset& asset, std::uint32_t heads) {
 }
 
 tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const CrowdSettings& settings) {
-  const HairDesc desc{.instances = settings.heads};
+  HairDesc desc;
+  desc.instances = settings.heads;
+  desc.solver = settings.solver == "thesis" ? &kThesisSolver : &kCoifSolver;
   const MemoryNeed need = Hair::memory_need(asset, desc);
   if (need.bytes == 0) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
   HairCrowd crowd(settings);

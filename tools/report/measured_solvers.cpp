@@ -76,7 +76,7 @@ tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const
 SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
                          const SolverScene& scene, int effort) {
   if (measured.is_runtime) {
-    const Solver solver = measured.name == kCoif ? Solver::kCoif : Solver::kThesis;
+    const Solver& solver = measured.name == kCoif ? kCoifSolver : kThesisSolver;
     auto whole = std::make_unique<RuntimeSolver>(asset, scene, solver, effort);
     return {std::make_unique<SampledSolver>(std::move(whole), sample.bones), asset.skeleton().simulated_count};
   }

@@ -18,19 +18,21 @@ std::byte* aligned_memory(const MemoryNeed& need) {
 
 void RuntimeSolver::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
 
-RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, Solver solver, int effort)
+RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort)
     : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
-  const MemoryNeed need = Hair::memory_need(asset, {});
+  HairDesc desc;
+  desc.solver = &solver;
+  const MemoryNeed need = Hair::memory_need(asset, desc);
   memory_.reset(aligned_memory(need));
   // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
-  (void)hair_.create(asset, {}, {memory_.get(), need.bytes});
-  settings_.solver = solver;
-  if (solver == Solver::kThesis) settings_.iterations = std::uint32_t(effort);
-  if (solver == Solver::kCoif) settings_.substeps = std::uint32_t(effort);
+  (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
+  if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);
+  if (&solver == &kCoifSolver) settings_.substeps = std::uint32_t(effort);
   settings_.environment.gravity = vec3_of(scene.gravity);
   settings_.environment.wind = vec3_of(scene.wind);
   settings_.environment.air_follow = float(scene.air_follow);
   ends_.resize(asset.skeleton().simulated_count);
+  all_ends_.resize(asset.skeleton().bone_count);
 }
 
 void RuntimeSolver::reset(const HeadPose& head) { (void)hair_.reset(0, head); }
@@ -41,9 +43,9 @@ bool RuntimeSolver::step(const HeadPose& head, double dt) {
 }
 
 std::span<const Eigen::Vector3d> RuntimeSolver::bone_ends() const {
-  const std::span<const Vec3> ends = hair_.bone_ends(0);
+  (void)hair_.bone_ends(0, all_ends_);
   for (std::size_t i = 0; i < ends_.size(); ++i) {
-    const Vec3& end = ends[rigid_count_ + i];
+    const Vec3& end = all_ends_[rigid_count_ + i];
     ends_[i] = {double(end.x), double(end.y), double(end.z)};
   }
   return ends_;

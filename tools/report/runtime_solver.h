@@ -13,9 +13,9 @@ namespace coif {
 /// What a game runs: one head with the asset's hair, bone matrices included. Single precision.
 class RuntimeSolver final : public ChainSolver {
  public:
-  /// `asset` is open and must outlive the solver. `effort`: sub-steps of kCoif, 0 for as many as the asset asks for;
-  /// iterations of kThesis.
-  RuntimeSolver(const Asset& asset, const SolverScene& scene, Solver solver, int effort);
+  /// `asset` is open and must outlive the solver. `effort`: sub-steps of kCoifSolver, 0 for as many as the asset asks
+  /// for; iterations of kThesisSolver.
+  RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort);
 
   void reset(const HeadPose& head) override;
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
@@ -30,6 +30,7 @@ class RuntimeSolver final : public ChainSolver {
   Hair hair_;
   StepSettings settings_;
   std::uint32_t rigid_count_;
+  mutable std::vector<Vec3> all_ends_;
   mutable std::vector<Eigen::Vector3d> ends_;
 };
 

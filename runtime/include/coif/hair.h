@@ -1,12 +1,9 @@
 #pragma once
 
 #include <coif/asset.h>
-#include <coif/coif_step_job.h>
-#include <coif/head_track.h>
+#include <coif/instruction_set.h>
 #include <coif/math.h>
-#include <coif/particle.h>
 #include <coif/status.h>
-#include <coif/thesis_step_job.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +12,23 @@
 namespace coif {
 
 inline constexpr std::uint32_t kMaxInstances = 1'000'000;
-
 inline constexpr std::uint32_t kMaxSubsteps = 64;
+inline constexpr std::uint32_t kMaxIterations = 64;
+inline constexpr std::uint32_t kMaxInterval = 4;
+inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds; the thesis's own bound (5.2).
 
-enum class Solver : std::uint8_t {
-  kThesis = 0,  ///< Algorithm 1 exactly as published (thesis 5.2).
-  kCoif = 1,    ///< The model of runtime/docs/MODEL.md: the same at every frame rate, no stretch, no penetration.
+/// How bones are moved. A program links only those that it names.
+struct Solver;
+extern const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
+/// The model of runtime/docs/MODEL.md: the same at every frame rate, no stretch, no penetration.
+extern const Solver kCoifSolver;
+
+struct HairDesc {
+  std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
+  const Solver* solver = &kCoifSolver;
+  /// Changes the speed and nothing else. kBadArgument for one that can_run() denies.
+  InstructionSet instruction_set = InstructionSet::kBest;
+  std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
 };
 
 /// What acts on all instances during a step.
@@ -32,14 +40,21 @@ struct Environment {
   float air_follow = 1.0f;
 };
 
+/// Factors on what the asset's dynamics say; for parameters that a game changes while it runs.
+struct DynamicsScale {
+  float stiffness = 1;  ///< >= 0
+  float damping = 1;    ///< >= 0
+  float friction = 1;   ///< >= 0
+};
+
 struct StepSettings {
   float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep. A paused game does not step.
-  Solver solver = Solver::kCoif;
-  /// kCoif: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
+  /// kCoifSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
   std::uint32_t substeps = 0;
-  std::uint32_t iterations = 1;  ///< kThesis: passes over the length and collision constraints, 1..kMaxIterations.
+  std::uint32_t iterations =
+      1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
-  DynamicsScale dynamics{};  ///< kCoif: may change from step to step; the hair goes on from where it is.
+  DynamicsScale dynamics{};  ///< kCoifSolver: may change from step to step; the hair goes on from where it is.
   /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and
   /// contacts move it; for acrobatics, vehicles and cut scenes.
   float inertia = 1.0f;
@@ -47,10 +62,22 @@ struct StepSettings {
   /// thrown. Metres and radians; infinity to believe in every movement.
   float teleport_distance = 5.0f;
   float teleport_angle = 2.8f;
+  /// Hair none of whose bones has moved faster than sleep_speed (m/s, against its start) for sleep_after seconds, under a
+  /// head that stood still, falls asleep: it costs nothing and keeps its pose until its head moves or the settings change.
+  /// Infinity: never.
+  float sleep_after = 0.5f;
+  float sleep_speed = 1e-4f;
 };
 
-struct HairDesc {
-  std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
+/// How much of the hair on one head is simulated. May change between any two steps; nothing jumps.
+struct Detail {
+  std::uint32_t level =
+      0;  ///< Of Asset::lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents.
+  std::uint32_t interval =
+      1;  ///< Stepped every 1st, 2nd or 4th step, by what passed since; up to HairDesc::longest_interval.
+  /// False for a head that nobody sees: nothing is stepped, and when it is seen again the hair goes on with the shape that
+  /// it had, at rest, without catching up.
+  bool simulated = true;
 };
 
 struct MemoryNeed {
@@ -58,29 +85,35 @@ struct MemoryNeed {
   std::size_t alignment = 64;
 };
 
-class MemoryCarver;
+struct CrowdState;
 
 /// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
-/// once, create() carves it up. Not thread safe; different Hair objects are independent. A thin owner: a game with
-/// its own memory and job system can run CoifStepJob or ThesisStepJob, and PaletteJob, itself.
+/// once, create() carves it up. Not thread safe but for run_job(); different Hair objects are independent.
+///
+/// Results do not depend on the instruction set, on how many instances there are and in which order they were touched,
+/// nor on which thread runs which job: the same bits everywhere.
 class Hair {
  public:
   Hair() = default;
   Hair(const Hair&) = delete;  ///< Two owners would step the same memory.
   Hair& operator=(const Hair&) = delete;
-  Hair(Hair&&) = default;  ///< The source may then only be assigned to, moved into or destroyed.
-  Hair& operator=(Hair&&) = default;
+  Hair(Hair&& other) noexcept : crowd_(other.crowd_) { other.crowd_ = nullptr; }
+  Hair& operator=(Hair&& other) noexcept {
+    crowd_ = other.crowd_;
+    if (&other != this) other.crowd_ = nullptr;
+    return *this;
+  }
 
   /// Exact need of create() for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
   /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
   /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
-  /// open), kBadArgument (instances), kMemoryTooSmall (or not aligned).
+  /// open), kBadArgument (desc), kMemoryTooSmall (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
-  [[nodiscard]] std::uint32_t instance_count() const { return instances_; }
-  [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(bones_.size()); }
+  [[nodiscard]] std::uint32_t instance_count() const;
+  [[nodiscard]] std::uint32_t bone_count() const;
 
   /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
   /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length
@@ -94,67 +127,37 @@ class Hair {
   /// ends at `pose`. The hair keeps its shape and its motion relative to the head.
   Status teleport(std::uint32_t instance, const HeadPose& pose);
 
+  /// kBadArgument for a level that the asset does not have or an interval that was not asked for in the description.
+  Status set_detail(std::uint32_t instance, const Detail& detail);
+
+  /// True while the instance costs nothing because nothing moves.
+  [[nodiscard]] bool is_asleep(std::uint32_t instance) const;
+
   /// Advances every instance by settings.dt and renews the matrices. An instance whose numbers overflow (a head that
   /// moves by light years, gravity of 1e30) is put back into its rest pose, at rest; the others are not affected.
   Status step(const StepSettings& settings);
+
+  /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any
+  /// order, on any threads, at the same time; then finish_step(). Nothing else may be called in between, and begin_step()
+  /// leaves no jobs where it returns an error.
+  Status begin_step(const StepSettings& settings);
+  [[nodiscard]] std::uint32_t job_count() const;
+  void run_job(std::uint32_t job);
+  void finish_step();
 
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under
   /// the head's world transform. Their values change with step() and reset(); empty for a bad index.
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t instance) const;
 
-  /// Where each bone's particle is (rigid bones: their joint), head space, metres; empty for a bad index.
-  [[nodiscard]] std::span<const Vec3> bone_ends(std::uint32_t instance) const;
+  /// Where each bone's particle is (rigid bones: their joint), head space, metres. kBadIndex, or kSizeMismatch unless
+  /// there is room for exactly bone_count() of them.
+  Status bone_ends(std::uint32_t instance, std::span<Vec3> ends) const;
 
  private:
-  struct Instance {
-    HeadTrack head;
-    bool teleports = false;     ///< In the next step, as the host says.
-    bool swings_known = false;  ///< False where something but kCoif has moved the particles.
-  };
-
-  /// What create() carves out of the caller's memory. Arrays "per instance" hold one block for each, in order.
-  struct Storage {
-    std::span<Instance> instances;      ///< One per instance.
-    std::span<Particle> particles;      ///< Simulated bones per instance.
-    std::span<BoneSwing> swings;        ///< Simulated bones per instance.
-    std::span<Mat34> palettes;          ///< Bones per instance.
-    std::span<Vec3> bone_ends;          ///< Bones per instance.
-    std::span<float> friction_factors;  ///< Simulated bones, shared by the instances during a step; so are the rest.
-    std::span<BoneScratch> scratch;
-    std::span<PoseResponse> responses;  ///< For responses_for_.
-    std::span<Quat> frames;
-    std::span<Quat> world_frames;
-    std::span<Vec3> angular_velocities;
-    std::span<Vec3> positions_before;
-  };
-
-  static Storage carve(MemoryCarver& carver, const SkeletonRecord& skeleton, std::uint32_t instances);
-  [[nodiscard]] std::span<Particle> particles_of(std::uint32_t instance) const;
-  [[nodiscard]] std::span<BoneSwing> swings_of(std::uint32_t instance) const;
-  [[nodiscard]] std::uint32_t substeps_for(const StepSettings& settings) const;
-  void prepare(const StepSettings& settings, float substep);
-  void advance(std::uint32_t instance, const StepSettings& settings, std::uint32_t substeps);
-  [[nodiscard]] Status run_thesis(std::uint32_t instance, const StepSettings& settings, const HeadMove& move, float dt);
-  [[nodiscard]] Status run_coif(std::uint32_t instance, const StepSettings& settings, const HeadMove& move, float dt);
-  void learn_swings(std::uint32_t instance);
-  void carry(std::uint32_t instance, const Quat& turn);
-  void put_to_rest(std::uint32_t instance);
-  void renew_palette(std::uint32_t instance, bool has_world_frames);
-
-  /// What storage_.responses was computed for.
-  struct ResponsesFor {
-    float dt = 0;
-    DynamicsScale scale;
-  };
-
-  std::uint32_t instances_ = 0;
-  std::uint32_t simulated_count_ = 0;
-  std::span<const BoneRecord> bones_;
-  std::span<const DynamicsRecord> dynamics_;
-  std::span<const ColliderRecord> colliders_;  ///< Empty where no bone can touch any.
-  ResponsesFor responses_for_;
-  float substep_rate_ = 0;  ///< Of the asset's tuning, Hz.
-  Storage storage_;
+  CrowdState* crowd_ = nullptr;  ///< In the caller's memory.
 };
+
+/// Steps several crowds alike; stops at the first error.
+Status step_all(std::span<Hair* const> crowds, const StepSettings& settings);
 
 }  // namespace coif

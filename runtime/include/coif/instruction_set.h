@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+namespace coif {
+
+/// What the simulation may be run with. Every one of them gives the same bits.
+enum class InstructionSet : std::uint8_t {
+  kBest = 0,      ///< The widest that this build has and this processor knows.
+  kScalar = 1,    ///< One chain at a time; for comparison.
+  kPortable = 2,  ///< Four lanes in plain C++, for processors without any of the following.
+  kSse4 = 3,
+  kAvx2 = 4,
+  kAvx512 = 5,
+  kNeon = 6,
+  kWasm = 7,
+};
+
+/// The widest that this build has and this processor knows; never kBest.
+[[nodiscard]] InstructionSet best_instruction_set();
+
+/// False for those that are not in this build or that this processor lacks.
+[[nodiscard]] bool can_run(InstructionSet set);
+
+/// For logs and reports: "AVX2". Static storage, never null.
+[[nodiscard]] const char* name_of(InstructionSet set);
+
+}  // namespace coif

@@ -1,0 +1,146 @@
+#include "crowd_step.h"
+#include "treatment.h"
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+bool same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+bool same(const DynamicsScale& a, const DynamicsScale& b) {
+  return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
+}
+
+/// False where hair at rest under the one would move under the other.
+bool rests_under_both(const StepSettings& a, const StepSettings& b) {
+  return same(a.environment.gravity, b.environment.gravity) && same(a.environment.wind, b.environment.wind) &&
+         same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
+}
+
+void wake_all(CrowdState& crowd) {
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    if (!crowd.details[instance].asleep) continue;
+    crowd.details[instance].asleep = false;
+    sort_in(crowd, instance);
+  }
+}
+
+std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, float dt) {
+  if (!crowd.solver->has_substeps) return 1;
+  // What several frames make up may be longer than a step may be.
+  const float least = std::ceil(dt / kMaxTimeStep - 1e-3f);
+  // A frame that is longer by rounding is not worth another part.
+  float parts = std::ceil(dt * crowd.substep_rate - 1e-3f);
+  if (settings.substeps != 0) parts = float(settings.substeps) * std::ceil(dt / settings.dt - 1e-3f);
+  if (parts < least) parts = least;
+  return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
+}
+
+StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, float dt) {
+  const Environment& environment = settings.environment;
+  StepParts parts;
+  parts.dt = dt;
+  parts.count = substeps_for(crowd, settings, dt);
+  parts.gravity = environment.gravity;
+  parts.wind = environment.wind;
+  parts.air_follow = environment.air_follow;
+  parts.inertia = settings.inertia;
+  parts.teleport_distance2 = settings.teleport_distance * settings.teleport_distance;
+  parts.teleport_angle2 = settings.teleport_angle * settings.teleport_angle;
+  return parts;
+}
+
+/// True where every lane of the row's bone moves alike.
+bool is_uniform(const CrowdState& crowd, const Row& row, std::uint32_t i) {
+  const std::uint32_t first = bone_in_lane(crowd.asset, row, i, 0);
+  const BoneRecord& bone = crowd.asset.bones()[first];
+  const DynamicsRecord& dynamics = crowd.asset.dynamics()[first];
+  for (std::uint32_t lane = 1; lane < row.chain_count; ++lane) {
+    const std::uint32_t other = bone_in_lane(crowd.asset, row, i, lane);
+    const DynamicsRecord& its = crowd.asset.dynamics()[other];
+    const bool alike = its.stiffness == dynamics.stiffness && its.damping == dynamics.damping &&
+                       its.friction == dynamics.friction && its.gravity_scale == dynamics.gravity_scale &&
+                       crowd.asset.bones()[other].length == bone.length;
+    if (!alike) return false;
+  }
+  return true;
+}
+
+void set_row_coefficients(CrowdState& crowd, const Row& row, const StepTerms& terms, std::byte* coefficients) {
+  for (std::uint32_t i = 0; i < row.bone_count; ++i) {
+    CoefficientLanes to{coefficients + std::size_t(i) * crowd.solver->coefficient_bytes, 0, kLanes};
+    const bool uniform = is_uniform(crowd, row, i);
+    for (std::uint32_t lane = 0; lane < (uniform ? 1 : kLanes); ++lane) {
+      const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, lane);
+      if (!uniform) to.begin = lane, to.end = lane + 1;
+      crowd.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
+    }
+  }
+}
+
+/// Nothing where they are those of the interval's last step.
+void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const DynamicsScale& scale) {
+  IntervalStep& interval = crowd.intervals[interval_power];
+  const float dt = interval.parts.part_dt();
+  if (interval.terms.dt == dt && same(interval.terms.scale, scale)) return;
+  interval.terms = {dt, scale};
+  const std::size_t bytes = crowd.solver->coefficient_bytes;
+  std::byte* const all = crowd.coefficients.data() + interval_power * crowd.row_bone_count() * bytes;
+  for (const Row& row : crowd.rows) set_row_coefficients(crowd, row, interval.terms, all + row.first_bone * bytes);
+}
+
+/// Each step is the turn of every 2^power-th block of that interval.
+bool is_its_turn(const CrowdState& crowd, std::uint32_t block, std::uint32_t power) {
+  return ((crowd.step_index + block) & ((1u << power) - 1u)) == 0;
+}
+
+void choose_blocks(CrowdState& crowd) {
+  crowd.job_count = 0;
+  for (std::uint32_t block = 0; block < crowd.blocks.size(); ++block) {
+    const Block& candidate = crowd.blocks[block];
+    if (candidate.count == 0 || candidate.treatment == kIdle) continue;
+    const std::uint32_t power = interval_power_of(crowd, candidate.treatment);
+    if (!is_its_turn(crowd, block, power)) continue;
+    crowd.intervals[power].is_due = true;
+    crowd.jobs[crowd.job_count++] = block;
+  }
+}
+
+}  // namespace
+
+void begin_step(CrowdState& crowd, const StepSettings& settings) {
+  if (crowd.has_stepped && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
+  crowd.settings = settings;
+  crowd.has_stepped = true;
+  ++crowd.step_index;
+  for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) crowd.last_dts[i] = crowd.last_dts[i - 1];
+  crowd.last_dts[0] = settings.dt;
+  for (IntervalStep& interval : crowd.intervals) interval.is_due = false;
+  choose_blocks(crowd);
+  for (std::uint32_t power = 0; power < crowd.interval_count; ++power) {
+    if (!crowd.intervals[power].is_due) continue;
+    float dt = 0;
+    for (std::uint32_t i = 0; i < (1u << power); ++i) dt += crowd.last_dts[i];
+    crowd.intervals[power].parts = parts_of(crowd, settings, dt);
+    renew_coefficients(crowd, power, settings.dynamics);
+  }
+}
+
+void finish_step(CrowdState& crowd) {
+  for (std::uint32_t job = 0; job < crowd.job_count; ++job) {
+    Block& block = crowd.blocks[crowd.jobs[job]];
+    if (block.may_sleep == 0) continue;
+    // From the last lane down: whoever leaves, the lane is taken by one that was looked at already.
+    for (std::uint32_t lane = kLanes; lane-- > 0;) {
+      if (!((block.may_sleep >> lane) & 1u)) continue;
+      const std::uint32_t instance = block.instance[lane];
+      block.may_sleep = std::uint16_t(block.may_sleep & ~(1u << lane));
+      crowd.details[instance].asleep = true;
+      sort_in(crowd, instance);
+    }
+  }
+  crowd.job_count = 0;
+}
+
+}  // namespace coif

@@ -1,0 +1,122 @@
+#pragma once
+// What create() makes of an asset in the caller's memory.
+
+#include "lanes/lane_layout.h"
+#include "placed_colliders.h"
+#include "rows.h"
+#include "solver.h"
+
+#include <coif/hair.h>
+
+#include <cstddef>
+#include <span>
+
+namespace coif {
+
+class MemoryCarver;
+
+/// Sixteen heads side by side that are treated alike, the first `count` lanes in use. Blocks of equal treatment form a
+/// list; all but the last of a list are full.
+struct Block {
+  HeadLanes heads;
+  std::uint32_t instance[kLanes] = {};
+  std::uint32_t count = 0;
+  std::uint32_t treatment = 0;
+  std::uint32_t previous = kNone;  ///< In the list; of free blocks too.
+  std::uint16_t teleports = 0;     ///< A bit for each lane: put somewhere since the last step, as the host says.
+  std::uint16_t is_lost = 0;       ///< Moved too far for single precision.
+  std::uint16_t may_sleep = 0;     ///< At rest for long enough; seen by the last step.
+};
+
+/// What the host asked for one instance.
+struct InstanceDetail {
+  std::uint8_t level = 0;
+  std::uint8_t interval_power = 0;  ///< The interval is 2 to this.
+  bool simulated = true;
+  bool asleep = false;
+};
+
+inline constexpr std::uint32_t kMaxIntervals = 3;  ///< 1, 2 and 4.
+inline constexpr std::uint32_t kIdle = 0;          ///< The treatment of heads that are asleep or not simulated.
+
+/// What has to be known to step all blocks of one interval.
+struct IntervalStep {
+  StepParts parts;
+  StepTerms terms;  ///< Of the coefficients at hand; dt 0: none yet.
+  bool is_due = false;
+};
+
+/// Arrays "per block" or "per instance" hold one value for each.
+struct CrowdState {
+  Asset asset;  ///< A view.
+  const Solver* solver = nullptr;
+  RowFunction* step_row = nullptr;
+  HeadCode heads;
+  LaneOrder order = LaneOrder::kHeads;
+  PlacedColliders colliders;
+  std::uint32_t level_count = 1;
+  std::uint32_t interval_count = 1;
+  float substep_rate = 0;  ///< Of the asset's tuning, Hz.
+
+  std::span<Row> rows;
+  std::span<RowBone> row_bones;
+  std::span<BoneLanes> constants;     ///< Per bone of the rows.
+  std::span<std::byte> coefficients;  ///< Per interval, per bone of the rows.
+  std::span<std::byte> states;        ///< Per block, or per lane of each block for kChains; per bone of the rows.
+  std::span<TwistState> twists;       ///< As states; empty where nothing twists.
+  std::span<Mat34> palettes;          ///< Per instance, per bone.
+  std::span<Block> blocks;
+  std::span<std::uint32_t> slots;       ///< Per instance: block * kLanes + lane.
+  std::span<InstanceDetail> details;    ///< Per instance.
+  std::span<std::uint32_t> last_block;  ///< Per treatment; kNone for none.
+  std::span<std::uint32_t> jobs;        ///< Blocks to step.
+  std::uint32_t first_free = 0;         ///< Block, linked by Block::previous.
+
+  StepSettings settings;  ///< Of the present or last step.
+  IntervalStep intervals[kMaxIntervals];
+  float last_dts[kMaxInterval] = {};  ///< Of the last steps, newest first.
+  std::uint32_t step_index = 0;
+  std::uint32_t job_count = 0;
+  bool has_stepped = false;
+
+  [[nodiscard]] std::uint32_t instance_count() const { return std::uint32_t(slots.size()); }
+  [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(asset.bones().size()); }
+  [[nodiscard]] std::size_t row_bone_count() const { return row_bones.size(); }
+  /// Where the numbers of a head begin in `states`, in bones of the rows; its lane in them is state_lane().
+  [[nodiscard]] std::size_t first_state(std::uint32_t slot) const {
+    return std::size_t(order == LaneOrder::kHeads ? slot / kLanes : slot) * row_bone_count();
+  }
+  [[nodiscard]] std::span<Mat34> palette(std::uint32_t instance) const {
+    return palettes.subspan(std::size_t(instance) * bone_count(), bone_count());
+  }
+};
+
+/// Calls visit(chain of the asset, ChainLane) for each chain of the head in `slot`.
+template <typename Visit>
+void for_each_chain(const CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
+  const std::size_t first = crowd.first_state(slot);
+  for (const Row& row : crowd.rows) {
+    const std::size_t state = first + row.first_bone;
+    ChainLane chain;
+    chain.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+    chain.constants = &crowd.constants[row.first_bone];
+    chain.state = &crowd.states[state * crowd.solver->state_bytes];
+    chain.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+    for (std::uint32_t i = 0; i < row.chain_count; ++i) {
+      chain.constant_lane = i;
+      chain.state_lane = crowd.order == LaneOrder::kHeads ? slot % kLanes : i;
+      visit(crowd.asset.chains()[row.first_chain + i], chain);
+    }
+  }
+}
+
+/// Puts the head at its next pose and the hair into its rest pose there, at rest, and renews its matrices.
+void put_to_rest(CrowdState& crowd, std::uint32_t slot);
+
+/// A head that was out of sight has been put where it is: the hair keeps its shape, at rest.
+void come_into_view(CrowdState& crowd, std::uint32_t slot);
+
+/// The hair turned by `by` as if it were rigid.
+void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by);
+
+}  // namespace coif

@@ -1,0 +1,56 @@
+#include <coif/instruction_set.h>
+
+#include <hwy/highway.h>
+
+namespace coif {
+namespace {
+
+struct Known {
+  InstructionSet set;
+  std::int64_t target;  ///< Highway's bit.
+  const char* name;
+};
+
+/// The widest first.
+constexpr Known kKnown[] = {
+    {InstructionSet::kAvx512, HWY_AVX3, "AVX-512"}, {InstructionSet::kAvx2, HWY_AVX2, "AVX2"},
+    {InstructionSet::kSse4, HWY_SSE4, "SSE4"},      {InstructionSet::kNeon, HWY_NEON, "NEON"},
+    {InstructionSet::kWasm, HWY_WASM, "WASM"},      {InstructionSet::kPortable, HWY_EMU128, "portable"},
+};
+
+/// Bits of what this build has and the processor knows.
+std::int64_t available() {
+#if HWY_TARGETS == HWY_STATIC_TARGET
+  return HWY_TARGETS;  // the compiler was told that the processor has it
+#else
+  return hwy::SupportedTargets() & HWY_TARGETS;
+#endif
+}
+
+}  // namespace
+
+InstructionSet best_instruction_set() {
+  const std::int64_t targets = available();
+  for (const Known& known : kKnown) {
+    if ((known.target & targets) != 0) return known.set;
+  }
+  return InstructionSet::kScalar;
+}
+
+bool can_run(InstructionSet set) {
+  if (set == InstructionSet::kBest || set == InstructionSet::kScalar) return true;
+  const std::int64_t targets = available();
+  for (const Known& known : kKnown) {
+    if (known.set == set) return (known.target & targets) != 0;
+  }
+  return false;
+}
+
+const char* name_of(InstructionSet set) {
+  for (const Known& known : kKnown) {
+    if (known.set == set) return known.name;
+  }
+  return set == InstructionSet::kScalar ? "scalar" : "best";
+}
+
+}  // namespace coif

@@ -1,0 +1,358 @@
+// The step of the model in runtime/docs/MODEL.md for one row of chains, from root to tip. Compiled once per instruction
+// set. Section names below are those of MODEL.md, "The step".
+
+#include "contact-inl.h"
+#include "lane_math-inl.h"
+#include "palette-inl.h"
+#include "row.h"
+
+#if defined(COIF_SIM_LANES_COIF_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_COIF_CHAIN_INL_H_
+#undef COIF_SIM_LANES_COIF_CHAIN_INL_H_
+#else
+#define COIF_SIM_LANES_COIF_CHAIN_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+/// How what a bone hangs from moves during the step: its parent's tail, or its joint on the head.
+template <class D>
+struct Carrier {
+  V3<D> way;  ///< Metres, from where the head was to where it is.
+  V3<D> velocity_before;
+  V3<D> angular_velocity_before;
+  V3<D> velocity;
+  V3<D> angular_velocity;
+  M3<D> frame;     ///< At the end, head space.
+  V3<D> position;  ///< At the end, head space.
+};
+
+/// The default position: where it goes, as directions and velocities seen from the carrier.
+template <class D>
+struct Target {
+  V3<D> by_parent;        ///< Unit, head space: the rest direction in the parent's frame.
+  V3<D> arm;              ///< World.
+  V3<D> velocity;         ///< Relative to the carrier's, m/s; at the end of the step.
+  V3<D> velocity_before;  ///< At its start.
+};
+
+template <class D>
+struct BoneMotion {
+  V3<D> direction;  ///< Unit, world.
+  V3<D> velocity;   ///< Of the tail relative to the carrier's, m/s.
+};
+
+template <class D>
+class CoifChain {
+ public:
+  CoifChain(D d, const RowStep& row, std::size_t lane)
+      : d_(d),
+        row_(row),
+        coefficients_(static_cast<const CoifCoefficients*>(row.coefficients)),
+        state_(static_cast<CoifState*>(row.state)),
+        lane_(lane),
+        turn_(load(d, row.move->from_head, lane)),
+        motion_(hn::Zero(d)) {
+    const std::size_t left = row.lanes - lane;
+    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
+  }
+
+  HWY_INLINE void run() {
+    for (std::size_t i = 0; i < row_.bones.size(); ++i) advance(i);
+    store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
+  }
+
+ private:
+  HWY_INLINE Carrier<D> joint_on_head(const BoneLanes& bone) const {
+    const MoveLanes& move = *row_.move;
+    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
+    Carrier<D> carrier;
+    carrier.position = load(d_, bone.joint, lane_);
+    carrier.angular_velocity = load(d_, move.angular_velocity, lane_);
+    carrier.angular_velocity_before = load(d_, move.angular_velocity_before, lane_);
+    const V3<D> before = rotate(d_, load(d_, move.from_head_before, lane_), carrier.position);
+    const V3<D> now = rotate(d_, turn_, carrier.position);
+    carrier.way = add(d_, load(d_, move.way, lane_), sub(d_, now, before));
+    carrier.velocity = add(d_, load(d_, move.velocity, lane_), cross(d_, carrier.angular_velocity, now));
+    carrier.velocity_before =
+        add(d_, load(d_, move.velocity_before, lane_), cross(d_, carrier.angular_velocity_before, before));
+    carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    return carrier;
+  }
+
+  HWY_INLINE void advance(std::size_t i) {
+    const RowBone& shape = row_.bones[i];
+    const BoneLanes& bone = row_.constants[i];
+    CoifState& state = state_[i];
+    const Carrier<D> from = (shape.features & kRowHangsFromHead) ? joint_on_head(bone) : carriers_[shape.parent_slot];
+    const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
+    const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
+    const V3<D> speed_before = load(d_, state.velocity, lane_);
+    const Target<D> target = target_of(shape, bone, from, arm_before, length);
+
+    BoneMotion<D> now{target.arm, target.velocity};
+    if (row_.level < shape.most_levels) {
+      now = move_freely(i, shape, from, target, before, arm_before, speed_before, length);
+      if (shape.features & kRowHasLimit) keep_in_limit(bone, target, now);
+    }
+    V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
+    if (shape.features & kRowCollides) keep_clear_of(shape, bone, from, before, now, direction);
+    if (row_.level >= shape.fewest_levels) stay_rigid(bone, from, target, length, now, direction);
+
+    const V3<D> rest = load(d_, bone.rest, lane_);
+    Bent<D> bent = bend(d_, from.frame, rest, target.by_parent, direction);
+    auto spin = hn::Zero(d_);
+    const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), per_length);
+    if (shape.features & kRowTwists) {
+      spin = twist(i, bone, from, now, direction, rest, bent);
+    } else if (shape.features & kRowHasChildren) {
+      spin = spin_of_arc(shape, from, target, now, swing, bent.per_fold);
+    }
+    store(d_, now.direction, state.direction, lane_);
+    store(d_, target.arm, state.arm, lane_);
+    store(d_, now.velocity, state.velocity, lane_);
+    motion_ = hn::Add(motion_, dot(d_, now.velocity, now.velocity));
+
+    if (shape.features & kRowHasChildren) {
+      leave_carrier(shape, state, from, now, before, speed_before, swing, spin, length, per_length, bent.frame,
+                    direction);
+    }
+    if (row_.palette != nullptr) {
+      store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i, used_);
+    }
+  }
+
+  /// What the children hang from. The motion before the step is put together from what was stored after the last one.
+  HWY_INLINE void leave_carrier(const RowBone& shape, CoifState& state, const Carrier<D>& from,
+                                const BoneMotion<D>& now, const V3<D>& before, const V3<D>& speed_before,
+                                const V3<D>& swing, V<D> spin, V<D> length, V<D> per_length, const M3<D>& frame,
+                                const V3<D>& direction) {
+    const V3<D> swing_before = scale(d_, cross(d_, before, speed_before), per_length);
+    const auto spin_before = load(d_, state.spin, lane_);
+    Carrier<D>& tail = carriers_[shape.slot];
+    tail.way = add_scaled(d_, from.way, sub(d_, now.direction, before), length);
+    tail.velocity_before = add(d_, from.velocity_before, speed_before);
+    tail.angular_velocity_before = add_scaled(d_, swing_before, before, spin_before);
+    tail.velocity = add(d_, from.velocity, now.velocity);
+    tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
+    tail.frame = frame;
+    tail.position = add_scaled(d_, from.position, direction, length);
+    store(d_, spin, state.spin, lane_);
+  }
+
+  /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion then.
+  HWY_INLINE Target<D> target_of(const RowBone& shape, const BoneLanes& bone, const Carrier<D>& from,
+                                 const V3<D>& arm_before, V<D> length) const {
+    const V3<D> rest = load(d_, bone.rest, lane_);
+    Target<D> target;
+    target.by_parent = rotate(d_, from.frame, rest);
+    target.arm = rotate(d_, turn_, target.by_parent);
+    V3<D> turning = cross(d_, from.angular_velocity, target.arm);
+    V3<D> turning_before = cross(d_, from.angular_velocity_before, arm_before);
+    if (shape.features & kRowSharesPull) {
+      const MoveLanes& move = *row_.move;
+      const auto share = load(d_, bone.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
+      const V3<D> by_head = rotate(d_, turn_, rest);
+      const V3<D> with_head = cross(d_, load(d_, move.angular_velocity, lane_), by_head);
+      turning = add_scaled(d_, scale(d_, turning, share), with_head, rest_share);
+      target.arm = add_scaled(d_, scale(d_, target.arm, share), by_head, rest_share);
+      // What was stored is the blend; its head's part turned with the head, and the rest of it with the parent.
+      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), rest), rest_share);
+      const V3<D> by_parent_before = sub(d_, arm_before, by_head_before);
+      turning_before = add(d_, cross(d_, from.angular_velocity_before, by_parent_before),
+                           cross(d_, load(d_, move.angular_velocity_before, lane_), by_head_before));
+    }
+    target.velocity = scale(d_, turning, length);
+    target.velocity_before = scale(d_, turning_before, length);
+    return target;
+  }
+
+  /// Section 2 and 3: the exact answer of the oscillator about the moving default position, then the force that keeps the
+  /// length.
+  HWY_INLINE BoneMotion<D> move_freely(std::size_t i, const RowBone& shape, const Carrier<D>& from,
+                                       const Target<D>& target, const V3<D>& before, const V3<D>& arm_before,
+                                       const V3<D>& speed_before, V<D> length) const {
+    const CoifCoefficients& c = coefficients_[i];
+    const V3<D> offset_before = sub(d_, before, arm_before);
+    const V3<D> velocity_before = add(d_, from.velocity_before, speed_before);
+    const V3<D> target_before = add(d_, from.velocity_before, target.velocity_before);
+    const V3<D> target_velocity = add(d_, from.velocity, target.velocity);
+    const V3<D> way = add_scaled(d_, from.way, sub(d_, target.arm, arm_before), length);
+    const V3<D> gravity = same(d_, row_.gravity);
+
+    V3<D> free = add_scaled(d_, target.arm, offset_before, load(d_, c.offset_from_offset, lane_));
+    free = add_scaled(d_, free, velocity_before, load(d_, c.offset_from_velocity, lane_));
+    free = add_scaled(d_, free, target_before, load(d_, c.offset_from_target_before, lane_));
+    free = add_scaled(d_, free, target_velocity, load(d_, c.offset_from_target_velocity, lane_));
+    free = add_scaled(d_, free, way, load(d_, c.offset_from_way, lane_));
+    free = add_scaled(d_, free, gravity, load(d_, c.offset_from_gravity, lane_));
+    V3<D> velocity = add_scaled(d_, target.velocity, offset_before, load(d_, c.velocity_from_offset, lane_));
+    velocity = add_scaled(d_, velocity, velocity_before, load(d_, c.velocity_from_velocity, lane_));
+    velocity = add_scaled(d_, velocity, target_before, load(d_, c.velocity_from_target_before, lane_));
+    velocity = add_scaled(d_, velocity, target_velocity, load(d_, c.velocity_from_target_velocity, lane_));
+    velocity = add_scaled(d_, velocity, way, load(d_, c.velocity_from_way, lane_));
+    velocity = add_scaled(d_, velocity, gravity, load(d_, c.velocity_from_gravity, lane_));
+    if (shape.features & kRowFeelsAir) {
+      const V3<D> air = load(d_, row_.move->air, lane_);
+      free = add_scaled(d_, free, air, load(d_, c.offset_from_air, lane_));
+      velocity = add_scaled(d_, velocity, air, load(d_, c.velocity_from_air, lane_));
+    }
+    return keep_length(free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
+  }
+
+  /// Section 3, in bone lengths. The force along the bone has its mean direction over the step: with either end's the
+  /// method is of first order.
+  HWY_INLINE BoneMotion<D> keep_length(const V3<D>& free, const V3<D>& velocity, const V3<D>& before,
+                                       V<D> velocity_per_way) const {
+    const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
+    const V3<D> mean = add(d_, free, before);  // no need of unit length: the root below is homogeneous
+    const auto mean2 = dot(d_, mean, mean), along = dot(d_, free, mean);
+    const auto excess = hn::Sub(dot(d_, free, free), one);
+    const auto along2 = hn::Mul(along, along);
+    const auto root2 = hn::Sub(along2, hn::Mul(mean2, excess));
+    const auto has_mean =
+        hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d_, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
+    const auto reach = hn::Neg(hn::Div(excess, hn::Add(along, hn::Sqrt(hn::Max(root2, zero)))));
+    V3<D> kept = add_scaled(d_, free, mean, reach);
+    // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
+    const auto size2 = dot(d_, kept, kept);
+    const auto is_unit = hn::And(has_mean, hn::Lt(hn::Abs(hn::Sub(size2, one)), hn::Set(d_, 1e-3f)));
+    V3<D> way = scale(d_, mean, reach);
+    kept = scale(d_, kept, hn::Sub(hn::Set(d_, 1.5f), hn::Mul(hn::Set(d_, 0.5f), size2)));
+    if (HWY_UNLIKELY(!hn::AllTrue(d_, is_unit))) {
+      // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead. Straight
+      // back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
+      const V3<D> straight = direction_or(d_, free, before);
+      const auto is_back = hn::And(hn::Not(has_mean), hn::Lt(dot(d_, straight, before), hn::Set(d_, -0.9999f)));
+      const V3<D> now = choose<D>(is_back, before, straight);
+      kept = choose<D>(is_unit, kept, now);
+      way = choose<D>(is_unit, way, sub(d_, now, free));
+    }
+    return {kept, across(d_, add_scaled(d_, velocity, way, velocity_per_way), kept)};
+  }
+
+  /// Section 4. Against the stop, the bone moves as its default position does.
+  HWY_INLINE void keep_in_limit(const BoneLanes& bone, const Target<D>& target, BoneMotion<D>& now) const {
+    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
+    const auto cosine = load(d_, bone.limit_cosine, lane_);
+    const V3<D> axis = direction_or(d_, target.arm, rotate(d_, turn_, target.by_parent));
+    const auto is_over = hn::Lt(dot(d_, now.direction, axis), cosine);
+    if (HWY_LIKELY(hn::AllFalse(d_, is_over))) return;
+    const V3<D> limited = tilted(d_, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
+    const V3<D> inwards = across(d_, axis, limited);
+    const auto size2 = dot(d_, inwards, inwards);
+    V3<D> velocity = across(d_, now.velocity, limited);
+    const auto leaving = dot(d_, sub(d_, velocity, target.velocity), inwards);
+    const auto stops = hn::And(hn::Gt(size2, hn::Set(d_, 1e-6f)), hn::Lt(leaving, zero));
+    const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
+    velocity = choose<D>(stops, sub_scaled(d_, velocity, inwards, taken), velocity);
+    now.direction = choose<D>(is_over, limited, now.direction);
+    now.velocity = choose<D>(is_over, velocity, now.velocity);
+  }
+
+  /// Section 4. `direction` is now.direction in head space and follows it.
+  HWY_INLINE void keep_clear_of(const RowBone& shape, const BoneLanes& bone, const Carrier<D>& from,
+                                const V3<D>& before, BoneMotion<D>& now, V3<D>& direction) const {
+    const PlacedColliders& colliders = *row_.colliders;
+    const auto length = load(d_, bone.length, lane_), hit_radius = load(d_, bone.hit_radius, lane_);
+    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
+    for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
+      const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
+      reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
+    }
+    if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
+    const MoveLanes& move = *row_.move;
+    TouchingBone<D> touching;
+    touching.start = from.position;
+    touching.direction = direction;
+    touching.before = rotate_back(d_, load(d_, move.from_head_before, lane_), before);
+    touching.velocity = rotate_back(d_, turn_, now.velocity);
+    touching.start_velocity = rotate_back(d_, turn_, sub(d_, from.velocity, load(d_, move.velocity, lane_)));
+    touching.head_turning = rotate_back(d_, turn_, load(d_, move.angular_velocity, lane_));
+    touching.length = length;
+    touching.hit_radius = hit_radius;
+    keep_clear(d_, colliders, shape.colliders, bone, lane_, reached, touching);
+    direction = choose<D>(reached, touching.direction, direction);
+    now.direction = choose<D>(reached, rotate(d_, turn_, direction), now.direction);
+    now.velocity = choose<D>(reached, rotate(d_, turn_, touching.velocity), now.velocity);
+  }
+
+  /// Levels of detail: where the bone is not simulated it keeps its rest direction in its parent's frame.
+  HWY_INLINE void stay_rigid(const BoneLanes& bone, const Carrier<D>& from, const Target<D>& target, V<D> length,
+                             BoneMotion<D>& now, V3<D>& direction) const {
+    const hn::Rebind<std::int32_t, D> di;
+    const auto levels = hn::ConvertTo(d_, hn::Load(di, bone.levels + lane_));
+    const auto is_rigid = hn::Le(levels, hn::Set(d_, float(row_.level)));
+    const V3<D> arm = rotate(d_, turn_, target.by_parent);
+    now.direction = choose<D>(is_rigid, arm, now.direction);
+    now.velocity = choose<D>(is_rigid, scale(d_, cross(d_, from.angular_velocity, arm), length), now.velocity);
+    direction = choose<D>(is_rigid, target.by_parent, direction);
+  }
+
+  /// Section 5, without memory: how fast the frame that the shortest arc makes turns about its own direction.
+  HWY_INLINE V<D> spin_of_arc(const RowBone& shape, const Carrier<D>& from, const Target<D>& target,
+                              const BoneMotion<D>& now, const V3<D>& swing, V<D> per_fold) const {
+    const V3<D> arm = (shape.features & kRowSharesPull) ? rotate(d_, turn_, target.by_parent) : target.arm;
+    const auto along = dot(d_, add(d_, arm, now.direction), from.angular_velocity);
+    return hn::Mul(hn::Sub(along, dot(d_, arm, swing)), per_fold);
+  }
+
+  /// Section 5: carries the frame along, without any twist from one direction to the next seen from the parent, then back
+  /// towards the shortest arc at the rate `torsion`. The arc alone would flip when the bone folds over its parent.
+  HWY_INLINE V<D> twist(std::size_t i, const BoneLanes& bone, const Carrier<D>& from, const BoneMotion<D>& now,
+                        const V3<D>& direction, const V3<D>& rest, Bent<D>& bent) const {
+    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), half = hn::Set(d_, 0.5f);
+    TwistState& state = row_.twist[i];
+    const V3<D> before = load(d_, state.before, lane_), after = rotate_back(d_, from.frame, direction);
+    const auto cosine = load(d_, state.cosine, lane_), sine = load(d_, state.sine, lane_);
+    // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
+    const auto rest_after = dot(d_, rest, after);
+    const auto area_sine = dot(d_, rest, cross(d_, before, after));
+    const auto area_cosine = hn::Add(hn::Add(one, dot(d_, rest, before)), hn::Add(dot(d_, before, after), rest_after));
+    auto twist_cosine = hn::Sub(hn::Mul(cosine, area_cosine), hn::Mul(sine, area_sine));
+    auto twist_sine = hn::Add(hn::Mul(sine, area_cosine), hn::Mul(cosine, area_sine));
+    const auto fold = hn::Mul(half, hn::Add(one, rest_after));  // 1 at rest, 0 folded over
+    const auto rate = hn::Mul(load(d_, bone.torsion, lane_), fold);
+    const auto decay = hn::Mul(rate, hn::Set(d_, row_.dt));
+    twist_sine = hn::Div(twist_sine, hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(half, decay)))));
+    const auto size2 = hn::Add(hn::Mul(twist_cosine, twist_cosine), hn::Mul(twist_sine, twist_sine));
+    const auto is_defined = hn::Gt(size2, hn::Set(d_, 1e-12f));
+    const auto per_size = hn::Div(one, hn::Sqrt(hn::IfThenElse(is_defined, size2, one)));
+    twist_cosine = hn::IfThenElse(is_defined, hn::Mul(twist_cosine, per_size), one);
+    twist_sine = hn::IfThenElse(is_defined, hn::Mul(twist_sine, per_size), zero);
+    store(d_, after, state.before, lane_);
+    store(d_, twist_cosine, state.cosine, lane_);
+    store(d_, twist_sine, state.sine, lane_);
+    const auto double_sine = hn::Mul(hn::Add(twist_sine, twist_sine), twist_cosine);
+    bent.frame = twisted(bent.frame, direction, double_sine, hn::Mul(hn::Add(twist_sine, twist_sine), twist_sine));
+    return hn::Sub(dot(d_, now.direction, from.angular_velocity), hn::Mul(rate, double_sine));
+  }
+
+  /// The frame turned about the unit vector `axis` by the angle with this sine and this 1 - cosine.
+  HWY_INLINE M3<D> twisted(const M3<D>& frame, const V3<D>& axis, V<D> sine, V<D> versine) const {
+    return {twisted(frame.x, axis, sine, versine), twisted(frame.y, axis, sine, versine),
+            twisted(frame.z, axis, sine, versine)};
+  }
+  HWY_INLINE V3<D> twisted(const V3<D>& v, const V3<D>& axis, V<D> sine, V<D> versine) const {
+    const V3<D> sideways = cross(d_, axis, v);
+    return add_scaled(d_, add_scaled(d_, v, sideways, sine), cross(d_, axis, sideways), versine);
+  }
+
+  const D d_;
+  const RowStep& row_;
+  const CoifCoefficients* const coefficients_;
+  CoifState* const state_;
+  const std::size_t lane_;
+  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
+  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  V<D> motion_;
+  Carrier<D> carriers_[kMaxOpenBones];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

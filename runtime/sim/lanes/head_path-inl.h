@@ -1,0 +1,253 @@
+// A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends; the
+// velocity at a new pose is that of the parabola through the last three. Without it a head is a polygon in time: at each
+// frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per instruction set.
+
+#include "lane_math-inl.h"
+#include "step_parts.h"
+
+#if defined(COIF_SIM_LANES_HEAD_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_HEAD_PATH_INL_H_
+#undef COIF_SIM_LANES_HEAD_PATH_INL_H_
+#else
+#define COIF_SIM_LANES_HEAD_PATH_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+template <class D>
+struct Q {
+  V<D> x, y, z, w;
+};
+
+template <class D>
+HWY_INLINE Q<D> load(D d, const Lanes4& from, std::size_t lane) {
+  return {load(d, from.x, lane), load(d, from.y, lane), load(d, from.z, lane), load(d, from.w, lane)};
+}
+template <class D>
+HWY_INLINE void store(D d, const Q<D>& value, Lanes4& to, std::size_t lane) {
+  store(d, value.x, to.x, lane);
+  store(d, value.y, to.y, lane);
+  store(d, value.z, to.z, lane);
+  store(d, value.w, to.w, lane);
+}
+template <class D>
+HWY_INLINE V3<D> axis_of(const Q<D>& q) {
+  return {q.x, q.y, q.z};
+}
+/// First b, then a.
+template <class D>
+HWY_INLINE Q<D> product(D d, const Q<D>& a, const Q<D>& b) {
+  const V3<D> axis =
+      add(d, cross(d, axis_of(a), axis_of(b)), add(d, scale(d, axis_of(b), a.w), scale(d, axis_of(a), b.w)));
+  return {axis.x, axis.y, axis.z, hn::Sub(hn::Mul(a.w, b.w), dot(d, axis_of(a), axis_of(b)))};
+}
+template <class D>
+HWY_INLINE Q<D> conjugate(const Q<D>& q) {
+  return {hn::Neg(q.x), hn::Neg(q.y), hn::Neg(q.z), q.w};
+}
+/// q must be unit.
+template <class D>
+HWY_INLINE M3<D> matrix_of(D d, const Q<D>& q) {
+  const auto one = hn::Set(d, 1.0f);
+  const V3<D> twice = add(d, axis_of(q), axis_of(q));
+  const auto xx = hn::Mul(q.x, twice.x), yy = hn::Mul(q.y, twice.y), zz = hn::Mul(q.z, twice.z);
+  const auto xy = hn::Mul(q.x, twice.y), yz = hn::Mul(q.y, twice.z), zx = hn::Mul(q.z, twice.x);
+  const auto wx = hn::Mul(q.w, twice.x), wy = hn::Mul(q.w, twice.y), wz = hn::Mul(q.w, twice.z);
+  return {{hn::Sub(one, hn::Add(yy, zz)), hn::Add(xy, wz), hn::Sub(zx, wy)},
+          {hn::Sub(xy, wz), hn::Sub(one, hn::Add(zz, xx)), hn::Add(yz, wx)},
+          {hn::Add(zx, wy), hn::Sub(yz, wx), hn::Sub(one, hn::Add(xx, yy))}};
+}
+
+/// Coefficients from the highest power down.
+template <class D, std::size_t N>
+HWY_INLINE V<D> polynomial(D d, V<D> x, const float (&coefficients)[N]) {
+  V<D> sum = hn::Set(d, coefficients[0]);
+  for (std::size_t i = 1; i < N; ++i) sum = hn::Add(hn::Mul(sum, x), hn::Set(d, coefficients[i]));
+  return sum;
+}
+
+/// The shorter of the two ways to turn by the unit quaternion q, as axis times angle: length at most pi.
+template <class D>
+HWY_INLINE V3<D> vector_of(D d, const Q<D>& q) {
+  // atan(sqrt(z)) / sqrt(z) for z up to tan(pi/8)^2, to 6e-10: Chebyshev's interpolation.
+  constexpr float kArcTangent[] = {-0.0603324163f, 0.105728144f, -0.142399829f, 0.199982108f, -0.333333075f, 1.0f};
+  const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const auto sine2 = dot(d, axis_of(q), axis_of(q)), sine = hn::Sqrt(sine2), cosine = hn::Abs(q.w);
+  // Beyond a quarter of the way to the pole, atan(t) = pi/4 + atan((t - 1) / (t + 1)), with t = sine / cosine.
+  const auto is_wide = hn::Gt(sine, hn::Mul(hn::Set(d, 0.414213562f), cosine));
+  const auto rise = hn::IfThenElse(is_wide, hn::Sub(sine, cosine), sine);
+  const auto run = hn::IfThenElse(is_wide, hn::Add(sine, cosine), cosine);
+  const auto tangent = hn::Div(rise, run);
+  const auto factor = polynomial(d, hn::Mul(tangent, tangent), kArcTangent);
+  const auto angle = hn::Add(hn::Mul(tangent, factor), hn::Set(d, 0.785398163f));
+  const auto per_sine = hn::Div(angle, hn::IfThenElse(is_wide, sine, one));
+  const auto half = hn::IfThenElse(is_wide, per_sine, hn::Div(factor, hn::IfThenElse(is_wide, one, cosine)));
+  const auto twice = hn::Add(half, half);
+  return scale(d, axis_of(q), hn::IfThenElse(hn::Lt(q.w, zero), hn::Neg(twice), twice));
+}
+
+/// The rotation about v by its length, radians, up to some turns.
+template <class D>
+HWY_INLINE Q<D> rotation_by(D d, const V3<D>& v) {
+  // sin(sqrt(z)) / sqrt(z) and cos(sqrt(z)) for z up to (pi/2)^2, to 4e-9 and 2e-10: Chebyshev's interpolation.
+  constexpr float kSine[] = {2.60516625e-06f, -1.98090464e-04f, 8.33305062e-03f, -1.66666580e-01f, 1.0f};
+  constexpr float kCosine[] = {-2.60510763e-07f, 2.47601355e-05f,  -1.38883608e-03f,
+                               4.16666362e-02f,  -4.99999994e-01f, 1.0f};
+  const auto half = hn::Mul(hn::Set(d, 0.5f), hn::Sqrt(dot(d, v, v)));
+  // To the nearest multiple of pi, in two parts so that nothing is lost; every odd one changes both signs.
+  const auto turns = hn::Round(hn::Mul(half, hn::Set(d, 0.318309886f)));
+  const auto left =
+      hn::Sub(hn::Sub(half, hn::Mul(turns, hn::Set(d, 3.140625f))), hn::Mul(turns, hn::Set(d, 9.67653590e-4f)));
+  const auto parity = hn::Sub(turns, hn::Mul(hn::Set(d, 2.0f), hn::Floor(hn::Mul(turns, hn::Set(d, 0.5f)))));
+  const auto sign = hn::Sub(hn::Set(d, 1.0f), hn::Add(parity, parity));
+  const auto square = hn::Mul(left, left);
+  const auto sinc = polynomial(d, square, kSine);
+  const auto is_small = hn::Eq(turns, hn::Zero(d));
+  const auto sine_per_angle =
+      hn::Div(hn::Mul(hn::Mul(sign, left), sinc), hn::IfThenElse(is_small, hn::Set(d, 1.0f), half));
+  const auto per_length = hn::Mul(hn::Set(d, 0.5f), hn::IfThenElse(is_small, sinc, sine_per_angle));
+  const V3<D> axis = scale(d, v, per_length);
+  return {axis.x, axis.y, axis.z, hn::Mul(sign, polynomial(d, square, kCosine))};
+}
+
+/// Undoes what rounding does to the length of a product of unit quaternions.
+template <class D>
+HWY_INLINE Q<D> nearly_unit(D d, const Q<D>& q) {
+  const auto size2 = hn::Add(dot(d, axis_of(q), axis_of(q)), hn::Mul(q.w, q.w));
+  const auto per = hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2));
+  return {hn::Mul(q.x, per), hn::Mul(q.y, per), hn::Mul(q.z, per), hn::Mul(q.w, per)};
+}
+
+/// The parabola through three poses: the slope at its end from the mean slopes of its two parts.
+template <class D>
+HWY_INLINE V3<D> slope_at_end(D d, const V3<D>& mean, const V3<D>& mean_before, V<D> share) {
+  return add_scaled(d, mean, sub(d, mean, mean_before), share);
+}
+
+/// Looks at the coming step: the rotation vector of the head's turn, and whether it is too far to be a movement.
+template <class D>
+HWY_INLINE void look_ahead(D d, const HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& out) {
+  const Q<D> turn = product(d, load(d, heads.next_rotation, lane), conjugate(load(d, heads.rotation, lane)));
+  const V3<D> vector = vector_of(d, turn), way = load(d, heads.way, lane);
+  const auto too_far = hn::Gt(dot(d, way, way), hn::Set(d, parts.teleport_distance2));
+  const auto too_wide = hn::Gt(dot(d, vector, vector), hn::Set(d, parts.teleport_angle2));
+  store(d, vector, out.turn, lane);
+  store(d, hn::IfThenElseZero(hn::Or(too_far, too_wide), hn::Set(d, 1.0f)), out.is_far, lane);
+}
+
+/// Begins the step: mean velocities, and the velocities at its end.
+template <class D>
+HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& step) {
+  const auto per_second = hn::Set(d, 1.0f / parts.dt);
+  const V3<D> mean = scale(d, load(d, heads.way, lane), per_second);
+  const V3<D> mean_turn = scale(d, load(d, step.turn, lane), per_second);
+  const auto dt = hn::Set(d, parts.dt), last_dt = load(d, heads.last_dt, lane);
+  const auto share = hn::IfThenElseZero(hn::Gt(last_dt, hn::Zero(d)), hn::Div(dt, hn::Add(dt, last_dt)));
+  store(d, slope_at_end(d, mean, load(d, heads.mean_velocity, lane), share), step.next_velocity, lane);
+  store(d, slope_at_end(d, mean_turn, load(d, heads.mean_angular_velocity, lane), share), step.next_angular_velocity,
+        lane);
+  store(d, mean, heads.mean_velocity, lane);
+  store(d, mean_turn, heads.mean_angular_velocity, lane);
+  store(d, dt, heads.last_dt, lane);
+}
+
+/// The head has arrived.
+template <class D>
+HWY_INLINE void finish_path(D d, HeadLanes& heads, std::size_t lane, const HeadStepLanes& step) {
+  const auto zero = hn::Zero(d);
+  store(d, load(d, heads.next_rotation, lane), heads.rotation, lane);
+  store(d, load(d, step.next_velocity, lane), heads.velocity, lane);
+  store(d, load(d, step.next_angular_velocity, lane), heads.angular_velocity, lane);
+  store(d, V3<D>{zero, zero, zero}, heads.way, lane);
+}
+
+/// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first terms
+/// of the differential of the exponential map, good for the turn of one step.
+template <class D>
+HWY_INLINE V3<D> rate_of_vector(D d, const V3<D>& r, const V3<D>& w) {
+  const V3<D> once = cross(d, r, w);
+  return add_scaled(d, add_scaled(d, w, once, hn::Set(d, 0.5f)), cross(d, r, once), hn::Set(d, 1.0f / 12.0f));
+}
+template <class D>
+HWY_INLINE V3<D> rate_of_turning(D d, const V3<D>& r, const V3<D>& rate) {
+  const V3<D> once = cross(d, r, rate);
+  return add_scaled(d, sub_scaled(d, rate, once, hn::Set(d, 0.5f)), cross(d, r, once), hn::Set(d, 1.0f / 6.0f));
+}
+
+template <class D>
+HWY_INLINE V3<D> blend(D d, const Hermite& weights, const V3<D>& start_slope, const V3<D>& end,
+                       const V3<D>& end_slope) {
+  const V3<D> sum = add_scaled(d, scale(d, start_slope, hn::Set(d, weights.start_slope)), end, hn::Set(d, weights.end));
+  return add_scaled(d, sum, end_slope, hn::Set(d, weights.end_slope));
+}
+
+/// The end of one sub-step on the path, into `move`: rotation, way, velocities.
+template <class D>
+HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts,
+                            std::uint32_t part, std::size_t lane, MoveLanes& move) {
+  const auto dt = hn::Set(d, parts.dt), per_second = hn::Set(d, 1.0f / parts.dt);
+  const float from = float(part) / float(parts.count), to = float(part + 1) / float(parts.count);
+  const Hermite before = values_at(from), after = values_at(to), slopes = slopes_at(to);
+  const V3<D> start = scale(d, load(d, heads.velocity, lane), dt), way = load(d, heads.way, lane);
+  const V3<D> end = scale(d, load(d, step.next_velocity, lane), dt);
+  store(d, sub(d, blend(d, after, start, way, end), blend(d, before, start, way, end)), move.way, lane);
+  if (part + 1 == parts.count) {
+    store(d, load(d, heads.next_rotation, lane), move.rotation, lane);
+    store(d, load(d, step.next_velocity, lane), move.velocity, lane);
+    store(d, load(d, step.next_angular_velocity, lane), move.angular_velocity, lane);
+    return;
+  }
+  store(d, scale(d, blend(d, slopes, start, way, end), per_second), move.velocity, lane);
+  // In the frame of the step's start, where the path of the rotation vector begins at zero.
+  const Q<D> now = load(d, heads.rotation, lane);
+  const M3<D> from_start = matrix_of(d, now), from_end = matrix_of(d, load(d, heads.next_rotation, lane));
+  const V3<D> turn = rotate_back(d, from_start, load(d, step.turn, lane));
+  const V3<D> turn_start = scale(d, rotate_back(d, from_start, load(d, heads.angular_velocity, lane)), dt);
+  const V3<D> last = scale(d, rotate_back(d, from_end, load(d, step.next_angular_velocity, lane)), dt);
+  const V3<D> turn_end = rate_of_vector(d, turn, last);
+  const V3<D> vector = blend(d, after, turn_start, turn, turn_end);
+  const V3<D> rate = scale(d, blend(d, slopes, turn_start, turn, turn_end), per_second);
+  const Q<D> rotation = nearly_unit(d, product(d, now, rotation_by(d, vector)));
+  store(d, rotation, move.rotation, lane);
+  store(d, rotate(d, matrix_of(d, rotation), rate_of_turning(d, vector, rate)), move.angular_velocity, lane);
+}
+
+/// What the hair feels of a sub-step when it feels a share of the head's motion. The rest turns the hair by the rotation
+/// returned.
+template <class D>
+HWY_INLINE Q<D> share_motion(D d, float inertia, std::size_t lane, MoveLanes& move) {
+  const auto share = hn::Set(d, inertia);
+  const Q<D> before = load(d, move.rotation_before, lane);
+  const V3<D> turn = vector_of(d, product(d, load(d, move.rotation, lane), conjugate(before)));
+  const Q<D> carried = rotation_by(d, scale(d, turn, hn::Set(d, 1.0f - inertia)));
+  const M3<D> carry = matrix_of(d, carried);
+  store(d, nearly_unit(d, product(d, carried, before)), move.rotation_before, lane);
+  store(d, scale(d, load(d, move.way, lane), share), move.way, lane);
+  store(d, scale(d, load(d, move.velocity, lane), share), move.velocity, lane);
+  store(d, scale(d, load(d, move.angular_velocity, lane), share), move.angular_velocity, lane);
+  store(d, rotate(d, carry, load(d, move.velocity_before, lane)), move.velocity_before, lane);
+  store(d, rotate(d, carry, load(d, move.angular_velocity_before, lane)), move.angular_velocity_before, lane);
+  return carried;
+}
+
+/// What the bones need besides.
+template <class D>
+HWY_INLINE void complete_move(D d, const StepParts& parts, std::size_t lane, MoveLanes& move) {
+  const Q<D> before = load(d, move.rotation_before, lane), now = load(d, move.rotation, lane);
+  store(d, matrix_of(d, before), move.from_head_before, lane);
+  store(d, matrix_of(d, now), move.from_head, lane);
+  const auto follow = hn::Set(d, parts.air_follow / parts.part_dt());
+  store(d, add_scaled(d, same(d, parts.wind), load(d, move.way, lane), follow), move.air, lane);
+  // While the head turns by less than 8 degrees, a bone seen from it turned by at most that more than in the world.
+  const auto half_turn = hn::Abs(hn::Add(dot(d, axis_of(before), axis_of(now)), hn::Mul(before.w, now.w)));
+  const auto is_slow = hn::Gt(half_turn, hn::Set(d, 0.99757f));
+  store(d, hn::IfThenElse(is_slow, hn::Set(d, 0.953f), hn::Set(d, 2.0f)), move.near_cosine, lane);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

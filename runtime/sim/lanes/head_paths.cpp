@@ -1,0 +1,85 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lanes/head_paths.cpp"
+#include <hwy/foreach_target.h>
+
+#include "head_path-inl.h"
+#include "lane_code.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+namespace {
+
+template <class D>
+struct Heads {
+  static void look_ahead(const HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) {
+    const D d;
+    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) HWY_NAMESPACE::look_ahead(d, heads, parts, i, step);
+  }
+
+  static void begin(HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) {
+    const D d;
+    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) begin_path(d, heads, parts, i, step);
+  }
+
+  /// A part starts where, and as fast as, the one before ended.
+  static HWY_INLINE void go_on(D d, const HeadLanes& heads, float inertia, std::uint32_t part, std::size_t i,
+                               MoveLanes& move) {
+    if (part == 0) {
+      const auto share = hn::Set(d, inertia);
+      store(d, load(d, heads.rotation, i), move.rotation_before, i);
+      store(d, scale(d, load(d, heads.velocity, i), share), move.velocity_before, i);
+      store(d, scale(d, load(d, heads.angular_velocity, i), share), move.angular_velocity_before, i);
+      return;
+    }
+    store(d, load(d, move.rotation, i), move.rotation_before, i);
+    store(d, load(d, move.velocity, i), move.velocity_before, i);
+    store(d, load(d, move.angular_velocity, i), move.angular_velocity_before, i);
+  }
+
+  static void move(const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts, std::uint32_t part,
+                   MoveLanes& move, Lanes4& carried) {
+    const D d;
+    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+      go_on(d, heads, parts.inertia, part, i, move);
+      follow_path(d, heads, step, parts, part, i, move);
+      if (parts.inertia < 1.0f) store(d, share_motion(d, parts.inertia, i, move), carried, i);
+      complete_move(d, parts, i, move);
+    }
+  }
+
+  static void finish(HeadLanes& heads, const HeadStepLanes& step) {
+    const D d;
+    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) finish_path(d, heads, i, step);
+  }
+};
+
+template <class D>
+HeadCode code_of() {
+  return {&Heads<D>::look_ahead, &Heads<D>::begin, &Heads<D>::move, &Heads<D>::finish};
+}
+
+HeadCode follow_heads() { return code_of<Widest>(); }
+
+[[maybe_unused]] HeadCode follow_heads_singly() { return code_of<Single>(); }
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "dispatch.h"
+
+namespace coif {
+namespace {
+COIF_CHOOSE(choose_code, follow_heads)
+}  // namespace
+
+HeadCode head_code(InstructionSet set) {
+  const auto code = choose_code(set);
+  return code != nullptr ? code() : HeadCode{};
+}
+
+}  // namespace coif
+#endif

@@ -1,0 +1,186 @@
+// Vectors and matrices of which each number is a SIMD vector: one lane for each chain. Compiled once per instruction set.
+// Nothing here is fused, estimated or taken from libm, so that every instruction set computes the same bits.
+
+#include "lane_layout.h"
+
+#include <hwy/highway.h>
+
+#if defined(COIF_SIM_LANES_LANE_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_LANE_MATH_INL_H_
+#undef COIF_SIM_LANES_LANE_MATH_INL_H_
+#else
+#define COIF_SIM_LANES_LANE_MATH_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many lanes as the instruction set has, 16 at most. Sizeless vectors (SVE) cannot be members; NEON serves there.
+using Widest = hn::CappedTag<float, kLanes>;
+using Single = hn::CappedTag<float, 1>;
+
+template <class D>
+using V = hn::Vec<D>;
+
+template <class D>
+struct V3 {
+  V<D> x, y, z;
+};
+
+/// Columns.
+template <class D>
+struct M3 {
+  V3<D> x, y, z;
+};
+
+template <class D>
+HWY_INLINE V<D> load(D d, const Lanes& from, std::size_t lane) {
+  return hn::Load(d, from.v + lane);
+}
+template <class D>
+HWY_INLINE V3<D> load(D d, const Lanes3& from, std::size_t lane) {
+  return {load(d, from.x, lane), load(d, from.y, lane), load(d, from.z, lane)};
+}
+template <class D>
+HWY_INLINE M3<D> load(D d, const LanesMatrix& from, std::size_t lane) {
+  return {load(d, from.x, lane), load(d, from.y, lane), load(d, from.z, lane)};
+}
+template <class D>
+HWY_INLINE void store(D d, V<D> value, Lanes& to, std::size_t lane) {
+  hn::Store(value, d, to.v + lane);
+}
+template <class D>
+HWY_INLINE void store(D d, const V3<D>& value, Lanes3& to, std::size_t lane) {
+  store(d, value.x, to.x, lane);
+  store(d, value.y, to.y, lane);
+  store(d, value.z, to.z, lane);
+}
+template <class D>
+HWY_INLINE void store(D d, const M3<D>& value, LanesMatrix& to, std::size_t lane) {
+  store(d, value.x, to.x, lane);
+  store(d, value.y, to.y, lane);
+  store(d, value.z, to.z, lane);
+}
+
+template <class D>
+HWY_INLINE V3<D> same(D d, const Vec3& value) {
+  return {hn::Set(d, value.x), hn::Set(d, value.y), hn::Set(d, value.z)};
+}
+
+// Free functions instead of operators: the vectors of some instruction sets are built-in types. D is deduced nowhere
+// else than from the tag, which comes first.
+template <class D>
+HWY_INLINE V3<D> add(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE V3<D> sub(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE V3<D> scale(D, const V3<D>& a, V<D> s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+/// a + b s
+template <class D>
+HWY_INLINE V3<D> add_scaled(D d, const V3<D>& a, const V3<D>& b, V<D> s) {
+  return add(d, a, scale(d, b, s));
+}
+/// a - b s
+template <class D>
+HWY_INLINE V3<D> sub_scaled(D d, const V3<D>& a, const V3<D>& b, V<D> s) {
+  return sub(d, a, scale(d, b, s));
+}
+template <class D>
+HWY_INLINE V<D> dot(D, const V3<D>& a, const V3<D>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+template <class D>
+HWY_INLINE V3<D> cross(D, const V3<D>& a, const V3<D>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+template <class D>
+HWY_INLINE V3<D> negative(D, const V3<D>& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
+
+/// m v
+template <class D>
+HWY_INLINE V3<D> rotate(D d, const M3<D>& m, const V3<D>& v) {
+  return add_scaled(d, add_scaled(d, scale(d, m.x, v.x), m.y, v.y), m.z, v.z);
+}
+/// The transpose of m times v: the way back of a rotation.
+template <class D>
+HWY_INLINE V3<D> rotate_back(D d, const M3<D>& m, const V3<D>& v) {
+  return {dot(d, m.x, v), dot(d, m.y, v), dot(d, m.z, v)};
+}
+
+template <class D, class M>
+HWY_INLINE V3<D> choose(M mask, const V3<D>& yes, const V3<D>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+template <class D, class M>
+HWY_INLINE M3<D> choose(M mask, const M3<D>& yes, const M3<D>& no) {
+  return {choose<D>(mask, yes.x, no.x), choose<D>(mask, yes.y, no.y), choose<D>(mask, yes.z, no.z)};
+}
+
+/// `offset` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() does it.
+template <class D>
+HWY_INLINE V3<D> direction_or(D d, const V3<D>& offset, const V3<D>& fallback) {
+  const auto length2 = dot(d, offset, offset);
+  const auto fits = hn::And(hn::Gt(length2, hn::Set(d, 1e-18f)), hn::Lt(length2, hn::Set(d, 1e38f)));
+  const auto per_length = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(length2));
+  return choose<D>(fits, scale(d, offset, per_length), fallback);
+}
+
+template <class D>
+HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
+  const auto zero = hn::Zero(d);
+  const auto is_flat = hn::Lt(hn::Abs(v.x), hn::Set(d, 0.6f));  // against x, else against y
+  const V3<D> by_x{zero, v.z, hn::Neg(v.y)}, by_y{hn::Neg(v.z), zero, v.x};
+  return direction_or(d, choose<D>(is_flat, by_x, by_y), v);
+}
+
+/// The frame that the shortest arc from `from`, which is `rest` in the frame `parent`, to `to` makes of `parent`, and
+/// 1 / (1 + from to). All three directions are unit. Each column c of `parent` becomes c - k (from + to) c (from + to) + 2
+/// (from c) to, where k is that factor and (from c) is the constant rest direction's own coordinate.
+template <class D>
+struct Bent {
+  M3<D> frame;
+  V<D> per_fold;
+};
+
+template <class D>
+HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
+  const auto one = hn::Set(d, 1.0f);
+  const auto unfolded = hn::Add(one, dot(d, from, to));
+  const auto is_folded = hn::Lt(unfolded, hn::Set(d, 1e-7f));
+  const auto k = hn::Div(one, hn::Max(unfolded, hn::Set(d, 1e-7f)));
+  const V3<D> sum = add(d, from, to);
+  const V3<D> share = scale(d, add(d, rest, rotate_back(d, parent, to)), k);
+  const V3<D> twice = add(d, rest, rest);
+  Bent<D> bent;
+  bent.per_fold = k;
+  bent.frame.x = add_scaled(d, sub_scaled(d, parent.x, sum, share.x), to, twice.x);
+  bent.frame.y = add_scaled(d, sub_scaled(d, parent.y, sum, share.y), to, twice.y);
+  bent.frame.z = add_scaled(d, sub_scaled(d, parent.z, sum, share.z), to, twice.z);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, is_folded))) {
+    // Folded back onto itself, every arc is as short: half a turn about a hinge chosen in the rest frame.
+    const V3<D> own = any_perpendicular(d, rest), hinge = rotate(d, parent, own);
+    const V3<D> doubled = add(d, own, own);
+    const M3<D> half_turn{sub(d, scale(d, hinge, doubled.x), parent.x), sub(d, scale(d, hinge, doubled.y), parent.y),
+                          sub(d, scale(d, hinge, doubled.z), parent.z)};
+    bent.frame = choose<D>(is_folded, half_turn, bent.frame);
+  }
+  return bent;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,54 @@
+#pragma once
+// A row: chains of equal shape side by side, one per lane, stepped together from root to tip.
+
+#include "lane_layout.h"
+
+#include "../placed_colliders.h"
+
+#include <span>
+
+namespace coif {
+
+/// What is absent costs nothing: decided once, when the rows are made, from what any of their lanes needs.
+enum RowFeature : std::uint32_t {
+  kRowHangsFromHead = 1u << 0,
+  kRowHasChildren = 1u << 1,
+  kRowCollides = 1u << 2,
+  kRowHasLimit = 1u << 3,
+  kRowSharesPull = 1u << 4,  ///< The default direction is not the parent's alone.
+  kRowTwists = 1u << 5,
+  kRowFeelsAir = 1u << 6,
+};
+
+/// One bone of all chains in a row.
+struct RowBone {
+  std::uint32_t features = 0;   ///< Of RowFeature.
+  std::uint32_t colliders = 0;  ///< Those that the bone of any lane may touch.
+  std::int32_t parent = -1;     ///< In the chain; -1: the head.
+  std::uint8_t slot = 0;        ///< Where the bone leaves its motion for its children, below kMaxOpenBones.
+  std::uint8_t parent_slot = 0;
+  std::uint8_t fewest_levels = 0;  ///< In how many levels of detail the bone is simulated: in the lane with fewest,
+  std::uint8_t most_levels = 0;    ///< and in the one with most.
+};
+
+/// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry for
+/// each. The state is of the solver that runs: CoifState and CoifCoefficients, or ThesisState and ThesisCoefficients.
+struct RowStep {
+  std::span<const RowBone> bones;
+  const BoneLanes* constants = nullptr;
+  const void* coefficients = nullptr;
+  void* state = nullptr;
+  TwistState* twist = nullptr;  ///< Null unless some bone twists.
+  std::uint32_t lanes = 0;      ///< In use: 0..lanes-1.
+  const MoveLanes* move = nullptr;
+  Vec3 gravity;
+  float dt = 0;
+  std::uint32_t iterations = 1;                ///< thesis
+  std::uint32_t level = 0;                     ///< Of detail.
+  const PlacedColliders* colliders = nullptr;  ///< In head space.
+  /// For each lane, the matrix of its chain's first bone; null where no output is wanted, since more sub-steps follow.
+  Mat34* const* palette = nullptr;
+  Lanes* motion = nullptr;  ///< Added to: the squared speeds of the bones against their starts, (m/s)^2.
+};
+
+}  // namespace coif

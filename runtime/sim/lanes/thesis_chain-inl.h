@@ -1,0 +1,191 @@
+// One step of Algorithm 1 for one row of chains, pass by pass as published (thesis 5.2). Compiled once per instruction set.
+
+#include "contact-inl.h"
+#include "lane_math-inl.h"
+#include "palette-inl.h"
+#include "row.h"
+
+#if defined(COIF_SIM_LANES_THESIS_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_THESIS_CHAIN_INL_H_
+#undef COIF_SIM_LANES_THESIS_CHAIN_INL_H_
+#else
+#define COIF_SIM_LANES_THESIS_CHAIN_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+template <class D>
+class ThesisChain {
+ public:
+  ThesisChain(D d, const RowStep& row, std::size_t lane)
+      : d_(d),
+        row_(row),
+        coefficients_(static_cast<const ThesisCoefficients*>(row.coefficients)),
+        state_(static_cast<ThesisState*>(row.state)),
+        lane_(lane),
+        turn_(load(d, row.move->from_head, lane)) {
+    const std::size_t left = row.lanes - lane;
+    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
+  }
+
+  HWY_INLINE void run() {
+    for (std::size_t i = 0; i < row_.bones.size(); ++i) fall_and_pull(i);
+    // The pull is a weight, not a constraint: repeated n times it would be 1 - (1 - resistance)^n, and more iterations
+    // would mean stiffer hair. Lengths and head are what the thesis iterates "to get a closer approximation".
+    for (std::uint32_t pass = 0; pass < row_.iterations; ++pass) {
+      for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_length(i);
+      for (std::size_t i = 0; i < row_.bones.size(); ++i) {
+        if (row_.bones[i].features & kRowCollides) keep_clear(i);
+      }
+    }
+    for (std::size_t i = 0; i < row_.bones.size(); ++i) finish(i);
+  }
+
+ private:
+  /// What a bone hangs from, head space.
+  struct Parent {
+    M3<D> frame;
+    V3<D> position;
+  };
+
+  [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
+
+  /// World axes.
+  HWY_INLINE V3<D> start_of(std::size_t i) const {
+    if (is_first(i)) return rotate(d_, turn_, load(d_, row_.constants[i].joint, lane_));
+    return load(d_, state_[row_.bones[i].parent].position, lane_);
+  }
+
+  HWY_INLINE Parent parent_of(std::size_t i) const {
+    if (!is_first(i)) return parents_[row_.bones[i].parent_slot];
+    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
+    return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}, load(d_, row_.constants[i].joint, lane_)};
+  }
+
+  /// Lines 1-8: forces to velocity, velocity to position, towards the default position. Parents come first, so each bone
+  /// sees its parent already pulled. The resistance is taken per step, whatever the step's length: the published method
+  /// has no correction. Positions are relative to the head: when it moves one way, everything else moves the other way.
+  HWY_INLINE void fall_and_pull(std::size_t i) {
+    const RowBone& shape = row_.bones[i];
+    const BoneLanes& bone = row_.constants[i];
+    const ThesisCoefficients& c = coefficients_[i];
+    ThesisState& state = state_[i];
+    const V3<D> air = load(d_, row_.move->air, lane_);
+    const V3<D> falling =
+        add_scaled(d_, load(d_, state.velocity, lane_), same(d_, row_.gravity), load(d_, c.fall, lane_));
+    const V3<D> velocity = add_scaled(d_, air, sub(d_, falling, air), load(d_, c.kept_velocity, lane_));
+    const V3<D> before = sub(d_, load(d_, state.position, lane_), load(d_, row_.move->way, lane_));
+    V3<D> position = add_scaled(d_, before, velocity, hn::Set(d_, row_.dt));
+
+    const Parent parent = parent_of(i);
+    const V3<D> start = start_of(i), rest = load(d_, bone.rest, lane_);
+    const V3<D> by_parent = rotate(d_, parent.frame, rest), arm = rotate(d_, turn_, by_parent);
+    const V3<D> target = add_scaled(d_, start, arm, load(d_, bone.length, lane_));
+    position = add_scaled(d_, position, sub(d_, target, position), load(d_, bone.resistance, lane_));
+    // The velocity has done its work; until line 19 its place holds where the particle was.
+    store(d_, position, state.position, lane_);
+    store(d_, before, state.velocity, lane_);
+    if (!(shape.features & kRowHasChildren)) return;
+    const V3<D> direction = rotate_back(d_, turn_, direction_or(d_, sub(d_, position, start), arm));
+    parents_[shape.slot] = {bend(d_, parent.frame, rest, by_parent, direction).frame, parent.position};
+  }
+
+  /// Lines 9-12: particle and parent each take half of the length error; a fixed start takes nothing.
+  HWY_INLINE void keep_length(std::size_t i) {
+    const BoneLanes& bone = row_.constants[i];
+    const V3<D> position = load(d_, state_[i].position, lane_), start = start_of(i);
+    const V3<D> offset = sub(d_, position, start);
+    const V3<D> direction = direction_or(d_, offset, rotate(d_, turn_, load(d_, bone.rest, lane_)));
+    const auto excess = hn::Sub(hn::Sqrt(dot(d_, offset, offset)), load(d_, bone.length, lane_));
+    if (is_first(i)) return store(d_, sub_scaled(d_, position, direction, excess), state_[i].position, lane_);
+    const auto half = hn::Mul(excess, hn::Set(d_, 0.5f));
+    store(d_, sub_scaled(d_, position, direction, half), state_[i].position, lane_);
+    store(d_, add_scaled(d_, start, direction, half), state_[row_.bones[i].parent].position, lane_);
+  }
+
+  /// Lines 13-16, for whatever the asset has where the thesis has a head.
+  HWY_INLINE void keep_clear(std::size_t i) {
+    const BoneLanes& bone = row_.constants[i];
+    const PlacedColliders& colliders = *row_.colliders;
+    const std::uint32_t set = row_.bones[i].colliders;
+    const auto hit_radius = load(d_, bone.hit_radius, lane_);
+    V3<D> position = rotate_back(d_, turn_, load(d_, state_[i].position, lane_));
+    if (!colliders.only_spheres(set)) return clear_one_by_one(i, position);
+    auto moved = hn::Lt(hit_radius, hn::Neg(hit_radius));
+    for (std::uint32_t left = set; left != 0; left &= left - 1) {
+      const std::uint32_t k = std::uint32_t(std::countr_zero(left));
+      const V3<D> center = same(d_, colliders[k].center), offset = sub(d_, position, center);
+      const auto radius = hn::Add(hn::Set(d_, colliders[k].radii.x), hit_radius);
+      const auto radius2 = hn::Mul(radius, radius), distance2 = dot(d_, offset, offset);
+      const auto is_inside = hn::And(lanes_with(d_, bone, lane_, k), hn::Lt(distance2, radius2));
+      if (hn::AllFalse(d_, is_inside)) continue;
+      const auto is_central = hn::Lt(distance2, hn::Mul(hn::Set(d_, 1e-12f), radius2));
+      const auto distance = hn::Sqrt(hn::IfThenElse(is_central, hn::Set(d_, 1.0f), distance2));
+      const V3<D> outwards = choose<D>(is_central, same(d_, colliders[k].way_out),
+                                       scale(d_, offset, hn::Div(hn::Set(d_, 1.0f), distance)));
+      position = choose<D>(is_inside, add_scaled(d_, center, outwards, radius), position);
+      moved = hn::Or(moved, is_inside);
+    }
+    if (hn::AllFalse(d_, moved)) return;
+    const V3<D> now = load(d_, state_[i].position, lane_);
+    store(d_, choose<D>(moved, rotate(d_, turn_, position), now), state_[i].position, lane_);
+  }
+
+  HWY_NOINLINE void clear_one_by_one(std::size_t i, const V3<D>& in_head_space) {
+    const BoneLanes& bone = row_.constants[i];
+    Lanes3 position, cleared;
+    store(d_, in_head_space, position, 0);
+    Lanes moved;
+    for (std::uint32_t k = 0; k < used_; ++k) {
+      const Vec3 before = coif::lane(position, k);
+      const Vec3 after = row_.colliders->clear(bone.colliders[lane_ + k], bone.hit_radius.v[lane_ + k], before);
+      set_lane(cleared, k, after);
+      const bool is_same = before.x == after.x && before.y == after.y && before.z == after.z;
+      moved.v[k] = is_same ? 0.0f : 1.0f;
+    }
+    const auto has_moved = hn::Gt(load(d_, moved, 0), hn::Zero(d_));
+    if (hn::AllFalse(d_, has_moved)) return;
+    const V3<D> now = load(d_, state_[i].position, lane_);
+    const V3<D> then = rotate(d_, turn_, load(d_, cleared, 0));
+    store(d_, choose<D>(has_moved, then, now), state_[i].position, lane_);
+  }
+
+  /// Lines 17-19, and the matrices. They follow the segments' directions: a stretched bone does not scale.
+  HWY_INLINE void finish(std::size_t i) {
+    const RowBone& shape = row_.bones[i];
+    const BoneLanes& bone = row_.constants[i];
+    ThesisState& state = state_[i];
+    const V3<D> position = load(d_, state.position, lane_);
+    const V3<D> moved = sub(d_, position, load(d_, state.velocity, lane_));
+    const V3<D> velocity = scale(d_, moved, hn::Set(d_, 1.0f / row_.dt));
+    store(d_, velocity, state.velocity, lane_);
+    const V3<D> change = sub(d_, velocity, load(d_, row_.move->velocity, lane_));
+    store(d_, hn::Add(load(d_, *row_.motion, lane_), dot(d_, change, change)), *row_.motion, lane_);
+    if (row_.palette == nullptr) return;
+
+    const Parent parent = parent_of(i);
+    const V3<D> rest = load(d_, bone.rest, lane_), by_parent = rotate(d_, parent.frame, rest);
+    const V3<D> tail = rotate_back(d_, turn_, position);
+    const V3<D> direction = direction_or(d_, sub(d_, tail, parent.position), by_parent);
+    const M3<D> frame = bend(d_, parent.frame, rest, by_parent, direction).frame;
+    parents_[shape.slot] = {frame, tail};
+    store_matrix(d_, frame, load(d_, bone.joint, lane_), parent.position, row_.palette + lane_, i, used_);
+  }
+
+  const D d_;
+  const RowStep& row_;
+  const ThesisCoefficients* const coefficients_;
+  ThesisState* const state_;
+  const std::size_t lane_;
+  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
+  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  Parent parents_[kMaxOpenBones];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

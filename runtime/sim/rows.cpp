@@ -1,0 +1,147 @@
+#include "rows.h"
+
+#include "plain_math.h"
+
+namespace coif {
+namespace {
+
+/// Of a bone in its chain; -1 for one that hangs from a rigid bone.
+std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecord& chain, std::uint32_t i) {
+  const std::uint32_t parent = bones[chain.first_bone + i].parent;
+  return parent >= chain.first_bone && parent != kNone ? std::int32_t(parent - chain.first_bone) : -1;
+}
+
+bool same_shape(const Asset& asset, const ChainRecord& a, const ChainRecord& b) {
+  if (a.bone_count != b.bone_count) return false;
+  for (std::uint32_t i = 0; i < a.bone_count; ++i) {
+    if (parent_in_chain(asset.bones(), a, i) != parent_in_chain(asset.bones(), b, i)) return false;
+  }
+  return true;
+}
+
+/// Calls visit(first chain, count) for each row. The cooker stores chains of equal shape next to each other.
+template <typename Visit>
+void for_each_row(const Asset& asset, LaneOrder order, const Visit& visit) {
+  const auto chains = asset.chains();
+  const std::uint32_t most = order == LaneOrder::kHeads ? 1 : kLanes;
+  for (std::uint32_t first = 0; first < chains.size();) {
+    std::uint32_t count = 1;
+    while (count < most && first + count < chains.size() && same_shape(asset, chains[first], chains[first + count])) {
+      ++count;
+    }
+    visit(first, count);
+    first += count;
+  }
+}
+
+/// Gives each bone with children the first slot that no bone with children still to come holds. Sixteen suffice: open()
+/// has checked it.
+void assign_slots(std::span<RowBone> bones) {
+  std::uint32_t children_left[kMaxOpenBones] = {};
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    RowBone& bone = bones[i];
+    if (bone.parent >= 0) {
+      bone.parent_slot = bones[std::size_t(bone.parent)].slot;
+      --children_left[bone.parent_slot];
+    }
+    std::uint32_t children = 0;
+    for (std::size_t k = i + 1; k < bones.size(); ++k) children += bones[k].parent == std::int32_t(i) ? 1 : 0;
+    if (children == 0) continue;
+    std::uint8_t slot = 0;
+    while (slot + 1u < kMaxOpenBones && children_left[slot] != 0) ++slot;
+    bone.slot = slot;
+    bone.features |= kRowHasChildren;
+    children_left[slot] = children;
+  }
+}
+
+std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics) {
+  std::uint32_t features = 0;
+  if (bone.colliders != 0) features |= kRowCollides;
+  if (dynamics.angle_limit < kNoAngleLimit) features |= kRowHasLimit;
+  if (dynamics.parent_share != 1.0f) features |= kRowSharesPull;
+  if (dynamics.torsion < kShortestArc) features |= kRowTwists;
+  if (dynamics.friction != 0.0f) features |= kRowFeelsAir;
+  return features;
+}
+
+std::uint32_t existing_colliders(const Asset& asset) {
+  const std::size_t count = asset.colliders().size();
+  return count >= kMaxColliders ? 0xFFFFFFFFu : (1u << count) - 1u;
+}
+
+/// For an asset with levels of detail, in how many of them the bone moves; else always.
+std::uint8_t levels_of(const Asset& asset, std::uint32_t bone) {
+  return asset.lod_bones().empty() ? std::uint8_t(kMaxLods) : asset.lod_bones()[bone];
+}
+
+void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, BoneLanes& lanes) {
+  const BoneRecord& record = asset.bones()[bone];
+  const DynamicsRecord& dynamics = asset.dynamics()[bone];
+  const float* const rest = record.rest_direction;
+  const float* const joint = record.joint;
+  set_lane(lanes.rest, lane, {rest[0], rest[1], rest[2]});
+  set_lane(lanes.joint, lane, {joint[0], joint[1], joint[2]});
+  lanes.length.v[lane] = record.length;
+  lanes.per_length.v[lane] = 1.0f / record.length;
+  lanes.hit_radius.v[lane] = dynamics.hit_radius;
+  const bool is_limited = dynamics.angle_limit < kNoAngleLimit;
+  lanes.limit_cosine.v[lane] = is_limited ? float(plain::sine_cosine(dynamics.angle_limit).cosine) : -2.0f;
+  lanes.parent_share.v[lane] = dynamics.parent_share;
+  lanes.torsion.v[lane] = dynamics.torsion;
+  lanes.resistance.v[lane] = dynamics.resistance;
+  lanes.colliders[lane] = record.colliders & existing_colliders(asset);
+  lanes.levels[lane] = levels_of(asset, bone);
+}
+
+/// One bone of a row. Lanes without a chain repeat the first: they compute along and are not stored.
+void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& shape, BoneLanes& constants) {
+  shape = RowBone{};
+  shape.parent = parent_in_chain(asset.bones(), asset.chains()[row.first_chain], i);
+  if (shape.parent < 0) shape.features |= kRowHangsFromHead;
+  shape.fewest_levels = kMaxLods;
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const std::uint32_t bone = bone_in_lane(asset, row, i, lane);
+    const std::uint8_t levels = levels_of(asset, bone);
+    set_constants(asset, bone, lane, constants);
+    shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
+    shape.colliders |= constants.colliders[lane];
+    if (levels < shape.fewest_levels) shape.fewest_levels = levels;
+    if (levels > shape.most_levels) shape.most_levels = levels;
+  }
+  if (shape.colliders == 0) shape.features &= ~std::uint32_t(kRowCollides);
+}
+
+}  // namespace
+
+RowCount count_rows(const Asset& asset, LaneOrder order) {
+  RowCount count;
+  for_each_row(asset, order, [&](std::uint32_t first, std::uint32_t) {
+    ++count.rows;
+    count.bones += asset.chains()[first].bone_count;
+  });
+  return count;
+}
+
+LaneOrder choose_lane_order(const Asset& asset, std::uint32_t instances) {
+  const std::uint64_t by_heads =
+      std::uint64_t(count_rows(asset, LaneOrder::kHeads).bones) * ((instances + kLanes - 1) / kLanes);
+  const std::uint64_t by_chains = std::uint64_t(count_rows(asset, LaneOrder::kChains).bones) * instances;
+  return by_chains < by_heads ? LaneOrder::kChains : LaneOrder::kHeads;
+}
+
+void make_rows(const Asset& asset, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
+               std::span<BoneLanes> constants) {
+  std::uint32_t next_row = 0, next_bone = 0;
+  for_each_row(asset, order, [&](std::uint32_t first, std::uint32_t count) {
+    Row& row = rows[next_row++];
+    row = {next_bone, asset.chains()[first].bone_count, first, count};
+    for (std::uint32_t i = 0; i < row.bone_count; ++i) {
+      make_bone(asset, row, i, bones[next_bone + i], constants[next_bone + i]);
+    }
+    assign_slots(bones.subspan(next_bone, row.bone_count));
+    next_bone += row.bone_count;
+  });
+}
+
+}  // namespace coif

@@ -1,0 +1,47 @@
+#pragma once
+// How the chains of an asset are laid side by side, so that one SIMD vector steps several of them.
+
+#include "lanes/row.h"
+
+#include <coif/asset.h>
+
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+/// What lies side by side in a row. Either way there is no gather and no shuffle: a row's lanes are neighbours in memory.
+enum class LaneOrder : std::uint8_t {
+  kHeads,   ///< The same chain of sixteen heads: for crowds.
+  kChains,  ///< Up to sixteen chains of equal shape of one head: for few heads with many chains.
+};
+
+/// One row of every block of heads (kHeads) or of every head (kChains).
+struct Row {
+  std::uint32_t first_bone = 0;  ///< Of the row's bones among those of all rows.
+  std::uint32_t bone_count = 0;
+  std::uint32_t first_chain = 0;
+  std::uint32_t chain_count = 0;  ///< 1 for kHeads, else the lanes in use.
+};
+
+struct RowCount {
+  std::uint32_t rows = 0;
+  std::uint32_t bones = 0;  ///< Of all rows.
+};
+
+/// The order that keeps fewer lanes idle.
+[[nodiscard]] LaneOrder choose_lane_order(const Asset& asset, std::uint32_t instances);
+
+[[nodiscard]] RowCount count_rows(const Asset& asset, LaneOrder order);
+
+/// `rows`, `bones` and `constants` as count_rows() says.
+void make_rows(const Asset& asset, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
+               std::span<BoneLanes> constants);
+
+/// The bone of the asset that stands in `lane` of a row's bone; the first lane's for kHeads.
+[[nodiscard]] inline std::uint32_t bone_in_lane(const Asset& asset, const Row& row, std::uint32_t bone,
+                                                std::uint32_t lane) {
+  return asset.chains()[row.first_chain + (lane < row.chain_count ? lane : 0)].first_bone + bone;
+}
+
+}  // namespace coif

@@ -1,0 +1,56 @@
+#pragma once
+// What distinguishes the solvers, behind functions, so that a program holds only those that it names.
+
+#include "lanes/lane_code.h"
+#include "rows.h"
+
+#include <coif/hair.h>
+
+#include <cstddef>
+#include <span>
+
+namespace coif {
+
+/// One chain on one head: a lane of a row.
+struct ChainLane {
+  std::span<const RowBone> bones;
+  const BoneLanes* constants = nullptr;  ///< Per bone.
+  void* state = nullptr;                 ///< Per bone, of the solver's own type.
+  TwistState* twist = nullptr;           ///< Per bone; null where nothing twists.
+  std::uint32_t constant_lane = 0;
+  std::uint32_t state_lane = 0;
+};
+
+/// What a step's coefficients depend on besides the bone.
+struct StepTerms {
+  float dt = 0;  ///< Of one sub-step, seconds.
+  DynamicsScale scale;
+};
+
+/// Lanes `begin`..`end` - 1 of a bone of a row, all for the same bone of the asset or at least one that moves alike.
+struct CoefficientLanes {
+  void* coefficients = nullptr;
+  std::uint32_t begin = 0, end = 0;
+};
+
+struct Solver {
+  std::size_t state_bytes;        ///< Per bone of a row.
+  std::size_t coefficient_bytes;  ///< Per bone of a row.
+  bool carries_frames;            ///< Bones may twist.
+  bool has_substeps;
+
+  RowFunction* (*row_code)(InstructionSet set);
+  void (*set_coefficients)(const StepTerms& terms, const DynamicsRecord& dynamics, float length,
+                           const CoefficientLanes& to);
+  /// The rest pose under a head with this rotation, at rest.
+  void (*put_to_rest)(const ChainLane& chain, const Quat& head_rotation);
+  /// Turns everything that is kept in world axes.
+  void (*turn)(const ChainLane& chain, const Quat& by);
+  /// Takes all motion out; the shape stays.
+  void (*calm)(const ChainLane& chain);
+  /// The bones' tails, head space, metres; as many as the chain has bones. `palette` are the chain's matrices.
+  void (*tails)(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,
+                std::span<Vec3> tails);
+};
+
+}  // namespace coif

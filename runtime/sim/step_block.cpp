@@ -1,0 +1,165 @@
+#include "crowd_step.h"
+#include "head_jump.h"
+#include "treatment.h"
+#include "vector_math.h"
+
+namespace coif {
+namespace {
+
+/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
+constexpr float kFastest2 = 9e16f;
+
+/// One block on its way through a step.
+struct BlockStep {
+  CrowdState& crowd;
+  std::uint32_t index;
+  Block& block;
+  const IntervalStep& interval;
+  const std::byte* coefficients;
+  HeadStepLanes heads;
+  Lanes motion[kLanes];  ///< For kHeads only the first; for kChains one for each head.
+};
+
+/// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
+void spread(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) {
+  const Lanes* const source = reinterpret_cast<const Lanes*>(&from);
+  Lanes* const goal = reinterpret_cast<Lanes*>(&to);
+  for (std::size_t n = 0; n < sizeof(MoveLanes) / sizeof(Lanes); ++n) {
+    const float value = source[n].v[lane];
+    for (float& number : goal[n].v) number = value;
+  }
+}
+
+/// Puts heads that appear somewhere else there, and ends with all ways known.
+void look_ahead(BlockStep& step) {
+  CrowdState& crowd = step.crowd;
+  crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  bool jumped = false;
+  for (std::uint32_t i = 0; i < step.block.count; ++i) {
+    const bool is_put = ((step.block.teleports >> i) & 1u) != 0 || step.heads.is_far.v[i] != 0.0f;
+    if (!is_put || ((step.block.is_lost >> i) & 1u) != 0) continue;
+    jump(crowd, step.index * kLanes + i, step.interval.parts.dt);
+    jumped = true;
+  }
+  step.block.teleports = 0;
+  if (jumped) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+}
+
+RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move) {
+  const CrowdState& crowd = step.crowd;
+  const std::size_t state = crowd.first_state(slot) + row.first_bone;
+  RowStep job;
+  job.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+  job.constants = &crowd.constants[row.first_bone];
+  job.coefficients = step.coefficients + row.first_bone * crowd.solver->coefficient_bytes;
+  job.state = &crowd.states[state * crowd.solver->state_bytes];
+  job.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+  job.move = &move;
+  job.gravity = step.interval.parts.gravity;
+  job.dt = step.interval.parts.part_dt();
+  job.iterations = crowd.settings.iterations;
+  job.level = level_of(crowd, step.block.treatment);
+  job.colliders = &crowd.colliders;
+  return job;
+}
+
+/// The same chain of every head of the block.
+void step_heads(BlockStep& step, const MoveLanes& move, bool is_last) {
+  const CrowdState& crowd = step.crowd;
+  Mat34* palettes[kLanes] = {};
+  for (const Row& row : crowd.rows) {
+    const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
+    for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
+    RowStep job = row_step(step, row, step.index * kLanes, move);
+    job.lanes = step.block.count;
+    job.palette = is_last ? palettes : nullptr;
+    job.motion = &step.motion[0];
+    crowd.step_row(job);
+  }
+}
+
+/// The chains of one head, row by row.
+void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, bool is_last) {
+  const CrowdState& crowd = step.crowd;
+  const std::span<Mat34> palette = crowd.palette(step.block.instance[head]);
+  MoveLanes move;
+  spread(moves, head, move);
+  Mat34* palettes[kLanes] = {};
+  for (const Row& row : crowd.rows) {
+    for (std::uint32_t i = 0; i < row.chain_count; ++i) {
+      palettes[i] = &palette[crowd.asset.chains()[row.first_chain + i].first_bone];
+    }
+    RowStep job = row_step(step, row, step.index * kLanes + head, move);
+    job.lanes = row.chain_count;
+    job.palette = is_last ? palettes : nullptr;
+    job.motion = &step.motion[head];
+    crowd.step_row(job);
+  }
+}
+
+void turn_heads(BlockStep& step, const Lanes4& by) {
+  for (std::uint32_t i = 0; i < step.block.count; ++i) turn_hair(step.crowd, step.index * kLanes + i, lane(by, i));
+}
+
+void run_parts(BlockStep& step) {
+  CrowdState& crowd = step.crowd;
+  const StepParts& parts = step.interval.parts;
+  MoveLanes move;
+  Lanes4 carried;
+  for (std::uint32_t part = 0; part < parts.count; ++part) {
+    const bool is_last = part + 1 == parts.count;
+    crowd.heads.move(step.block.heads, step.heads, parts, part, move, carried);
+    if (parts.inertia < 1.0f) turn_heads(step, carried);
+    for (Lanes& motion : step.motion) motion = Lanes{};
+    if (crowd.order == LaneOrder::kHeads) {
+      step_heads(step, move, is_last);
+    } else {
+      for (std::uint32_t i = 0; i < step.block.count; ++i) step_chains(step, i, move, is_last);
+    }
+  }
+}
+
+/// Sum of the squared speeds of one head's bones.
+float motion_of(const BlockStep& step, std::uint32_t head) {
+  if (step.crowd.order == LaneOrder::kHeads) return step.motion[0].v[head];
+  float sum = 0;
+  for (const float motion : step.motion[head].v) sum += motion;
+  return sum;
+}
+
+/// How long a head and its hair have been at rest.
+void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
+  const StepSettings& settings = step.crowd.settings;
+  HeadLanes& heads = step.block.heads;
+  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
+  const Vec3 velocity = lane(heads.mean_velocity, i), turning = lane(heads.mean_angular_velocity, i);
+  const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
+  const float still2 = settings.sleep_speed * settings.sleep_speed;
+  const bool is_quiet = motion <= still2 && head <= still2;
+  heads.quiet.v[i] = is_quiet ? heads.quiet.v[i] + step.interval.parts.dt : 0.0f;
+  if (heads.quiet.v[i] >= settings.sleep_after) step.block.may_sleep |= std::uint16_t(1u << i);
+}
+
+}  // namespace
+
+void step_block(CrowdState& crowd, std::uint32_t index) {
+  Block& block = crowd.blocks[index];
+  const std::uint32_t power = interval_power_of(crowd, block.treatment);
+  const std::size_t stride = crowd.row_bone_count() * crowd.solver->coefficient_bytes;
+  BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, {}};
+  look_ahead(step);
+  crowd.heads.begin(block.heads, step.interval.parts, step.heads);
+  run_parts(step);
+  crowd.heads.finish(block.heads, step.heads);
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const float motion = motion_of(step, i);
+    const bool is_lost = ((block.is_lost >> i) & 1u) != 0;
+    if (is_lost || !(motion < kFastest2)) {
+      put_to_rest(crowd, index * kLanes + i);
+    } else {
+      watch_rest(step, i, motion);
+    }
+  }
+}
+
+}  // namespace coif

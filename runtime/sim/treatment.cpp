@@ -1,0 +1,155 @@
+#include "treatment.h"
+
+#include <cstring>
+
+namespace coif {
+namespace {
+
+void swap(float& a, float& b) {
+  const float kept = a;
+  a = b;
+  b = kept;
+}
+
+/// Swaps lane `i` of `a` with lane `k` of `b`, in `bytes` bytes of Lanes each.
+void swap_lanes(void* a, std::uint32_t i, void* b, std::uint32_t k, std::size_t bytes) {
+  Lanes* const from = static_cast<Lanes*>(a);
+  Lanes* const to = static_cast<Lanes*>(b);
+  for (std::size_t n = 0; n < bytes / sizeof(Lanes); ++n) swap(from[n].v[i], to[n].v[k]);
+}
+
+void swap_bits(std::uint16_t& a, std::uint32_t i, std::uint16_t& b, std::uint32_t k) {
+  const std::uint32_t differ = ((a >> i) ^ (b >> k)) & 1u;
+  a = std::uint16_t(a ^ (differ << i));
+  b = std::uint16_t(b ^ (differ << k));
+}
+
+void swap_heads(Block& a, std::uint32_t i, Block& b, std::uint32_t k) {
+  constexpr std::size_t kFloats = offsetof(HeadLanes, next_position);
+  swap_lanes(&a.heads, i, &b.heads, k, kFloats);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double kept = a.heads.next_position[axis][i];
+    a.heads.next_position[axis][i] = b.heads.next_position[axis][k];
+    b.heads.next_position[axis][k] = kept;
+  }
+  swap_bits(a.teleports, i, b.teleports, k);
+  swap_bits(a.is_lost, i, b.is_lost, k);
+  swap_bits(a.may_sleep, i, b.may_sleep, k);
+  const std::uint32_t kept = a.instance[i];
+  a.instance[i] = b.instance[k];
+  b.instance[k] = kept;
+}
+
+void swap_states(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
+  const std::size_t bones = crowd.row_bone_count();
+  if (bones == 0) return;
+  const std::size_t bytes = bones * crowd.solver->state_bytes, twist_bytes = bones * sizeof(TwistState);
+  const bool has_twists = !crowd.twists.empty();
+  void* const from = &crowd.states[crowd.first_state(a) * crowd.solver->state_bytes];
+  void* const to = &crowd.states[crowd.first_state(b) * crowd.solver->state_bytes];
+  void* const twist_from = has_twists ? &crowd.twists[crowd.first_state(a)] : nullptr;
+  void* const twist_to = has_twists ? &crowd.twists[crowd.first_state(b)] : nullptr;
+  // A head that has rows of its own takes all of their lanes along.
+  const bool all = crowd.order == LaneOrder::kChains;
+  for (std::uint32_t i = 0; i < (all ? kLanes : 1); ++i) {
+    swap_lanes(from, all ? i : a % kLanes, to, all ? i : b % kLanes, bytes);
+    if (has_twists) swap_lanes(twist_from, all ? i : a % kLanes, twist_to, all ? i : b % kLanes, twist_bytes);
+  }
+}
+
+void swap_slots(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
+  if (a == b) return;
+  swap_heads(crowd.blocks[a / kLanes], a % kLanes, crowd.blocks[b / kLanes], b % kLanes);
+  swap_states(crowd, a, b);
+}
+
+/// A block without heads, at the end of the treatment's list.
+std::uint32_t append_block(CrowdState& crowd, std::uint32_t treatment) {
+  const std::uint32_t block = crowd.first_free;
+  crowd.first_free = crowd.blocks[block].previous;
+  crowd.blocks[block].previous = crowd.last_block[treatment];
+  crowd.blocks[block].treatment = treatment;
+  crowd.last_block[treatment] = block;
+  return block;
+}
+
+void remove_last_block(CrowdState& crowd, std::uint32_t treatment) {
+  const std::uint32_t block = crowd.last_block[treatment];
+  crowd.last_block[treatment] = crowd.blocks[block].previous;
+  crowd.blocks[block].previous = crowd.first_free;
+  crowd.first_free = block;
+}
+
+bool has_room(const CrowdState& crowd, std::uint32_t block) {
+  return block != kNone && crowd.blocks[block].count < kLanes;
+}
+
+}  // namespace
+
+std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals) { return 1 + levels * intervals; }
+
+std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments) {
+  // Each list has at most one block that is not full, and no list has less than one head.
+  const std::uint32_t lists = treatments < instances ? treatments : instances;
+  return (instances + kLanes - 1) / kLanes + lists - 1;
+}
+
+std::uint32_t treatment_of(const CrowdState& crowd, const InstanceDetail& detail) {
+  if (!detail.simulated || detail.asleep) return kIdle;
+  return 1 + detail.level * crowd.interval_count + detail.interval_power;
+}
+
+std::uint32_t level_of(const CrowdState& crowd, std::uint32_t treatment) {
+  return (treatment - 1) / crowd.interval_count;
+}
+
+std::uint32_t interval_power_of(const CrowdState& crowd, std::uint32_t treatment) {
+  return (treatment - 1) % crowd.interval_count;
+}
+
+void fill_blocks(CrowdState& crowd) {
+  for (std::uint32_t& last : crowd.last_block) last = kNone;
+  const std::uint32_t blocks = std::uint32_t(crowd.blocks.size());
+  crowd.first_free = 0;
+  for (std::uint32_t i = 0; i < blocks; ++i) crowd.blocks[i].previous = i + 1 < blocks ? i + 1 : kNone;
+  const std::uint32_t treatment = treatment_of(crowd, InstanceDetail{});
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    std::uint32_t block = crowd.last_block[treatment];
+    if (!has_room(crowd, block)) block = append_block(crowd, treatment);
+    Block& to = crowd.blocks[block];
+    crowd.slots[instance] = block * kLanes + to.count;
+    to.instance[to.count++] = instance;
+  }
+}
+
+void sort_in(CrowdState& crowd, std::uint32_t instance) {
+  const std::uint32_t from = crowd.blocks[crowd.slots[instance] / kLanes].treatment;
+  const std::uint32_t to = treatment_of(crowd, crowd.details[instance]);
+  if (from == to) return;
+
+  // To the end of its list first, so that taking it away leaves no hole.
+  const std::uint32_t last = crowd.last_block[from];
+  Block& tail = crowd.blocks[last];
+  const std::uint32_t here = crowd.slots[instance], end = last * kLanes + tail.count - 1;
+  swap_slots(crowd, here, end);
+  crowd.slots[crowd.blocks[here / kLanes].instance[here % kLanes]] = here;
+  crowd.slots[instance] = end;
+
+  std::uint32_t goal = crowd.last_block[to];
+  const bool is_alone = tail.count == 1;
+  if (is_alone && !has_room(crowd, goal)) {
+    remove_last_block(crowd, from);
+    (void)append_block(crowd, to);  // the one just freed, with the head in it
+    return;
+  }
+  if (!has_room(crowd, goal)) goal = append_block(crowd, to);
+  Block& head = crowd.blocks[goal];
+  const std::uint32_t there = goal * kLanes + head.count;
+  swap_slots(crowd, end, there);
+  crowd.slots[instance] = there;
+  ++head.count;
+  --tail.count;
+  if (tail.count == 0) remove_last_block(crowd, from);
+}
+
+}  // namespace coif
