@@ -48,6 +48,22 @@ TEST_F(Skinning, FourWeightsBlendTheirBones) {
   EXPECT_TRUE(near(pixel(12, 25), kWhite));
 }
 
+TEST_F(Skinning, FourWeightsBlendTheirBonesFromTheTextureToo) {
+  std::vector<Mat34> palette(300);
+  palette[1] = moved(1, 0);
+  palette[270] = moved(0, 1);
+  palette[299] = moved(-1, 1);
+  draw_with(small_card({{0, 1, 270, 299}, {51, 51, 51, 102}}), palette);
+  EXPECT_EQ(middle_pixel(), kNothing);
+  EXPECT_TRUE(near(pixel(12, 25), kWhite));
+}
+
+TEST_F(Skinning, AllWeightOnABoneThatIsNotTheFirstCounts) {
+  draw_with(small_card({{0, 0, 1, 0}, {0, 0, 255, 0}}), {Mat34{}, moved(0.5f, -0.5f)});
+  EXPECT_EQ(middle_pixel(), kNothing);
+  EXPECT_TRUE(near(pixel(24, 8), kWhite));
+}
+
 // 256 bones fit into a uniform block, more go into a texture of 256 bones a row.
 TEST_F(Skinning, LastOfAllBonesIsReached) {
   for (const std::uint32_t bones : {2u, 256u, 257u, 512u, 1601u, kMaxBones}) {

@@ -1,0 +1,203 @@
+// Programs are built for the asset that needs them, and do no more than it needs.
+
+#include "gl/counted_gl_test.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace coif {
+namespace {
+
+AssetContents textured(int alpha = 255) {
+  Card card;
+  card.rgba = {200, 160, 120, std::uint8_t(alpha)};
+  card.shift_mask = {128, 255};
+  AssetContents contents = card_contents(std::array{card});
+  MaterialRecord& m = contents.material[0];
+  std::fill_n(m.primary_color, 3, 0.5f);
+  std::fill_n(m.secondary_color, 3, 0.25f);
+  m.primary_exponent = m.secondary_exponent = 4;
+  return contents;
+}
+
+AssetContents without(TextureRole role, AssetContents contents) {
+  std::erase_if(contents.textures, [&](const TextureRecord& texture) { return texture.role == role; });
+  return contents;
+}
+
+class LeanPrograms : public CountedGlTest {
+ protected:
+  void draw_lit(const AssetContents& contents) {
+    const std::array lights{Light{Light::Kind::kDirectional, {0.2f, 0.9f, 0.4f}, {0.6f, 0.6f, 0.6f}}};
+    DrawDesc desc = at_rest(std::uint32_t(contents.bones.size()));
+    desc.lights = lights;
+    calls_->forget();
+    clear();
+    draw(contents, desc);
+  }
+  /// Whether any program of the last draw has this uniform.
+  [[nodiscard]] bool used(const char* uniform) const {
+    return std::any_of(calls_->drawn_with.begin(), calls_->drawn_with.end(),
+                       [&](GLuint program) { return glGetUniformLocation(program, uniform) >= 0; });
+  }
+  [[nodiscard]] bool used_palette_block() const {
+    return std::any_of(calls_->drawn_with.begin(), calls_->drawn_with.end(), [](GLuint program) {
+      return glGetUniformBlockIndex(program, "PaletteBlock") != GL_INVALID_INDEX;
+    });
+  }
+};
+
+TEST_F(LeanPrograms, NoneExistsBeforeAnAssetNeedsIt) {
+  EXPECT_EQ(renderer_.program_count(), 0u);
+  EXPECT_EQ(calls_->links, 0);
+  draw_lit(textured());
+  EXPECT_EQ(renderer_.program_count(), 1u) << "opaque: no depth pass, no alpha test";
+  EXPECT_EQ(calls_->links, 1);
+  draw_lit(textured(200));
+  EXPECT_EQ(renderer_.program_count(), 2u) << "a depth program more; its texture has one alpha";
+}
+
+TEST_F(LeanPrograms, ModelsWithTheSameNeedsShareThem) {
+  draw_lit(textured());
+  draw_lit(textured());
+  EXPECT_EQ(calls_->links, 0);
+  renderer_.destroy();
+  ASSERT_EQ(renderer_.create(calls_->loader()), Status::kOk);
+  EXPECT_EQ(renderer_.program_count(), 0u);
+}
+
+TEST_F(LeanPrograms, AreAllBuiltWithTheUpload) {
+  Card hole;
+  hole.rgba[3] = 0;
+  for (const AssetContents& one : {textured(), textured(200), card_contents(std::array{Card{}, hole})}) {
+    HairModel model;
+    ASSERT_EQ(model.upload(renderer_, *OpenedAsset(one)), Status::kOk);
+    calls_->forget();
+    for (std::uint8_t c = 0; c < std::uint8_t(Component::kDirection); ++c) {
+      for (const bool flag : {false, true}) {
+        DrawDesc desc = at_rest();
+        desc.component = Component(c);
+        desc.transparency = flag;
+        desc.framebuffer_is_srgb = flag;
+        ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+      }
+    }
+    EXPECT_EQ(calls_->links, 0);
+    EXPECT_GT(calls_->draws, 0);
+    model.destroy();
+  }
+}
+
+TEST_F(LeanPrograms, PrepareBuildsWhatAnUnusualDrawNeeds) {
+  AssetContents contents = textured();
+  const MaterialRecord shiny = contents.material[0];
+  std::fill_n(contents.material[0].secondary_color, 3, 0.0f);
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  DrawDesc direction = at_rest();
+  direction.component = Component::kDirection;
+  DrawDesc other_material = at_rest();
+  other_material.material = &shiny;
+  for (const DrawDesc& desc : {direction, other_material}) {
+    calls_->forget();
+    ASSERT_EQ(renderer_.prepare(model, desc), Status::kOk);
+    EXPECT_EQ(calls_->links, 1);
+    EXPECT_EQ(calls_->draws, 0);
+    ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+    EXPECT_EQ(calls_->links, 1) << "built before";
+  }
+  MaterialRecord bad = shiny;
+  bad.primary_exponent = 0;
+  other_material.material = &bad;
+  EXPECT_EQ(renderer_.prepare(model, other_material), Status::kBadArgument);
+  model.destroy();
+  EXPECT_EQ(renderer_.prepare(model, direction), Status::kNotCreated);
+}
+
+TEST_F(LeanPrograms, FetchOnlyTexturesThatTheAssetHas) {
+  draw_lit(textured());
+  EXPECT_TRUE(used("base_texture"));
+  EXPECT_TRUE(used("shift_mask_texture"));
+  EXPECT_EQ(calls_->textures, 2);
+  const Pixel whole = middle_pixel();
+
+  draw_lit(without(TextureRole::kShiftMask, textured()));
+  EXPECT_TRUE(used("base_texture"));
+  EXPECT_FALSE(used("shift_mask_texture"));
+  EXPECT_EQ(calls_->textures, 1);
+  EXPECT_TRUE(near(middle_pixel(), whole)) << "shift 0.5 and mask 1 are what an absent texture means";
+
+  draw_lit(without(TextureRole::kBaseColor, textured()));
+  EXPECT_FALSE(used("base_texture"));
+  EXPECT_TRUE(used("shift_mask_texture"));
+  EXPECT_EQ(calls_->textures, 1);
+  EXPECT_GT(middle_pixel()[2], whole[2]) << "white";
+}
+
+TEST_F(LeanPrograms, ReadTheShiftOnlyForAHighlight) {
+  for (const auto& [primary, secondary] : {std::pair{0.5f, 0.25f}, {0.5f, 0.0f}, {0.0f, 0.25f}, {0.0f, 0.0f}}) {
+    AssetContents contents = textured();
+    MaterialRecord& m = contents.material[0];
+    std::fill_n(m.primary_color, 3, primary);
+    std::fill_n(m.secondary_color, 3, secondary);
+    draw_lit(contents);
+    EXPECT_EQ(used("shift_mask_texture"), primary > 0 || secondary > 0) << primary << ", " << secondary;
+    const Pixel lean = middle_pixel();
+    // A highlight too dark to see, but there.
+    if (primary == 0) m.primary_color[0] = 1e-6f;
+    if (secondary == 0) m.secondary_color[0] = 1e-6f;
+    draw_lit(contents);
+    EXPECT_EQ(middle_pixel(), lean) << primary << ", " << secondary;
+  }
+}
+
+TEST_F(LeanPrograms, ReadMatricesFromOnePlace) {
+  for (const std::uint32_t bones : {3u, 256u, 257u}) {
+    AssetContents contents = card_contents(std::array{Card{}}, bones);
+    for (const int first : {255, 254}) {  // one bone, then two
+      for (SkinRecord& skin : contents.skin)
+        skin = {{0, 1, 0, 0}, {std::uint8_t(first), std::uint8_t(255 - first), 0, 0}};
+      draw_lit(contents);
+      EXPECT_EQ(used_palette_block(), bones <= 256) << bones;
+      EXPECT_EQ(used("palette_texture"), bones > 256) << bones;
+    }
+    DrawDesc direction = at_rest(bones);
+    direction.component = Component::kDirection;
+    draw(contents, direction);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << "a program that draw() builds leaves no error";
+  }
+}
+
+TEST_F(LeanPrograms, HaveNoAlphaTestWhereEveryTexelPasses) {
+  Card card, hole;
+  hole.rgba[3] = 0;
+  hole.center[0] = 5;
+  draw_lit(card_contents(std::array{card}));
+  EXPECT_EQ(renderer_.program_count(), 1u);
+  const Pixel lean = middle_pixel();
+  draw_lit(card_contents(std::array{card, hole}));
+  EXPECT_EQ(calls_->draws, 4);
+  EXPECT_EQ(renderer_.program_count(), 3u) << "colour and depth, both with the test";
+  EXPECT_EQ(middle_pixel(), lean);
+}
+
+TEST_F(LeanPrograms, ARefusedShaderLeavesTheModelAndSaysWhy) {
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(textured())), Status::kOk);
+  calls_->spoil_shaders();
+  EXPECT_EQ(model.upload(renderer_, *OpenedAsset(textured(200))), Status::kDriver);
+  EXPECT_STRNE(renderer_.failure(), "");
+  DrawDesc direction = at_rest();
+  direction.component = Component::kDirection;
+  calls_->forget();
+  EXPECT_EQ(renderer_.draw(model, direction), Status::kDriver);
+  EXPECT_EQ(calls_->draws, 0);
+  EXPECT_EQ(renderer_.draw(model, at_rest()), Status::kOk) << "what was built before still draws";
+  EXPECT_EQ(calls_->draws, 1);
+  model.destroy();
+}
+
+}  // namespace
+}  // namespace coif
