@@ -1,28 +1,17 @@
 #include "write/asset_writer.h"
 
-#include "payload_hash.h"
+#include "write/chunk_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 namespace coif {
 namespace {
 
-struct PendingChunk {
-  std::uint32_t id;
-  std::uint32_t flags;
-  std::span<const std::byte> bytes;
-};
-
-std::size_t round_up(std::size_t value, std::size_t alignment) {
-  return (value + alignment - 1) / alignment * alignment;
-}
-
 template <typename Record>
 void add_chunk(std::vector<PendingChunk>& chunks, std::uint32_t id, const std::vector<Record>& records,
                std::uint32_t flags = 0) {
-  if (!records.empty()) chunks.push_back({id, flags, std::as_bytes(std::span(records))});
+  if (!records.empty()) chunks.push_back({id, flags, std::as_bytes(std::span(records)), chunk_alignment(id)});
 }
 
 /// Joins the names and points each bone at its own.
@@ -37,37 +26,6 @@ std::vector<char> pack_names(std::vector<BoneRecord>& bones, const std::vector<s
     packed.push_back(0);
   }
   return packed;
-}
-
-/// The table of chunks with their places in the file.
-std::vector<ChunkEntry> lay_out(std::span<const PendingChunk> chunks) {
-  std::vector<ChunkEntry> table;
-  std::size_t end = sizeof(FileHeader) + chunks.size() * sizeof(ChunkEntry);
-  for (const PendingChunk& chunk : chunks) {
-    const std::size_t offset = round_up(end, chunk.id == chunk::kTexels ? 64 : 16);
-    table.push_back({chunk.id, chunk.flags, offset, chunk.bytes.size(), xxh64(chunk.bytes)});
-    end = offset + chunk.bytes.size();
-  }
-  return table;
-}
-
-std::vector<std::byte> assemble(std::span<const PendingChunk> chunks) {
-  const std::vector<ChunkEntry> table = lay_out(chunks);
-  std::vector<std::byte> file(table.empty() ? sizeof(FileHeader) : table.back().offset + table.back().bytes);
-  FileHeader header{};
-  std::memcpy(header.magic, kAssetMagic, sizeof header.magic);
-  header.major = kAssetMajor;
-  header.minor = kAssetMinor;
-  header.chunk_count = std::uint32_t(table.size());
-  header.total_bytes = file.size();
-  std::memcpy(file.data(), &header, sizeof header);
-  std::memcpy(file.data() + sizeof header, table.data(), table.size() * sizeof(ChunkEntry));
-  for (std::size_t i = 0; i < chunks.size(); ++i) {
-    std::memcpy(file.data() + table[i].offset, chunks[i].bytes.data(), chunks[i].bytes.size());
-  }
-  header.table_hash = table_hash(file, header.chunk_count);
-  std::memcpy(file.data(), &header, sizeof header);
-  return file;
 }
 
 }  // namespace
@@ -100,7 +58,7 @@ std::vector<std::byte> write_asset(const AssetContents& contents) {
   add_chunk(chunks, chunk::kSkin, contents.skin);
   add_chunk(chunks, chunk::kIndices, contents.indices);
   add_chunk(chunks, chunk::kTexels, contents.texels);
-  return assemble(chunks);
+  return write_chunks(chunks);
 }
 
 }  // namespace coif

@@ -1,0 +1,45 @@
+#pragma once
+// For tools only: leaves out of an asset what a scene does not need. SPECIFICATION.md, "Leaving chunks out".
+
+#include <coif/asset.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// What a chunk lost.
+struct StrippedChunk {
+  std::uint32_t id = 0;
+  std::uint64_t bytes = 0;
+};
+
+struct StrippedAsset {
+  std::vector<std::byte> file;           ///< The bytes of a .coif; opens without error.
+  std::vector<StrippedChunk> removed;    ///< Whole chunks, in the file's order.
+  std::vector<StrippedChunk> shortened;  ///< Chunks that are left with fewer records.
+  std::vector<std::uint32_t> rewritten;  ///< Chunks of the same size that no longer refer to what was removed.
+};
+
+/// All chunks of this version of the format, in the order in which the cooker writes them.
+inline constexpr std::uint32_t kKnownChunks[] = {
+    chunk::kSkeleton, chunk::kBones,    chunk::kNames,    chunk::kChains,   chunk::kDynamics,   chunk::kColliders,
+    chunk::kPatches,  chunk::kLods,     chunk::kLodBones, chunk::kMaterial, chunk::kProvenance, chunk::kTuning,
+    chunk::kQuality,  chunk::kTextures, chunk::kVertices, chunk::kSkin,     chunk::kIndices,    chunk::kTexels};
+
+/// Chunks that no asset is without: they cannot be stripped.
+[[nodiscard]] constexpr bool is_needed_chunk(std::uint32_t id) { return id == chunk::kSkeleton || id == chunk::kBones; }
+
+/// `chunks`, and behind them all others that mean nothing without one of them.
+[[nodiscard]] std::vector<std::uint32_t> with_dependents(std::span<const std::uint32_t> chunks);
+
+/// Removes with_dependents(chunks) from the open asset that lies in `file`; those that it does not have are ignored, needed
+/// ones must not be asked for. What refers to them is rewritten: without NAME bones are nameless, without COLL they touch
+/// nothing, without CHAN or DYNA all are rigid, without LODS only the finest level's patches and indices are left. All
+/// other chunks keep their bytes and order, unknown ones too. Nothing to remove gives the bytes of `file`.
+[[nodiscard]] StrippedAsset strip_asset(const Asset& asset, std::span<const std::byte> file,
+                                        std::span<const std::uint32_t> chunks);
+
+}  // namespace coif
