@@ -1,6 +1,5 @@
 #include "bench/timed_crowd.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -13,15 +12,36 @@ namespace {
   std::exit(1);
 }
 
-HairDesc desc_of(const CrowdRun& run) { return {.instances = run.shape.heads}; }
+struct NamedSolver {
+  const char* name;
+  const Solver* solver;
+};
+const NamedSolver kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
+
+struct NamedSet {
+  const char* name;
+  InstructionSet set;
+};
+constexpr NamedSet kSets[] = {{"avx512", InstructionSet::kAvx512}, {"avx2", InstructionSet::kAvx2},
+                              {"sse4", InstructionSet::kSse4},     {"neon", InstructionSet::kNeon},
+                              {"wasm", InstructionSet::kWasm},     {"portable", InstructionSet::kPortable},
+                              {"scalar", InstructionSet::kScalar}};
+
+template <class Named>
+const Named& named(std::span<const Named> all, const std::string& name) {
+  for (const Named& one : all) {
+    if (one.name == name) return one;
+  }
+  give_up("there is no '" + name + "'");
+}
+
+HairDesc desc_of(const CrowdRun& run) {
+  return {.instances = run.shape.heads,
+          .solver = named<NamedSolver>(kSolvers, run.solver).solver,
+          .instruction_set = named<NamedSet>(kSets, run.instruction_set).set};
+}
 
 HairDesc desc_of(std::uint32_t heads) { return {.instances = heads}; }
-
-StepSettings settings_of(const CrowdRun& run) {
-  const auto names = solver_names();
-  if (std::ranges::find(names, run.solver) == names.end()) give_up("there is no solver '" + run.solver + "'");
-  return {.solver = run.solver == "coif" ? Solver::kCoif : Solver::kThesis, .substeps = run.substeps};
-}
 
 AlignedBytes memory_for(Asset& asset, AlignedBytes& file, const CrowdRun& run) {
   if (!asset.open(file.bytes())) give_up("the reader refuses the workload");
@@ -30,15 +50,23 @@ AlignedBytes memory_for(Asset& asset, AlignedBytes& file, const CrowdRun& run) {
 
 }  // namespace
 
-std::vector<std::string> solver_names() { return {"coif", "thesis"}; }
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const NamedSolver& solver : kSolvers) names.emplace_back(solver.name);
+  return names;
+}
 
-std::vector<std::string> instruction_set_names() { return {"scalar"}; }
+std::vector<std::string> instruction_set_names() {
+  std::vector<std::string> names;
+  for (const NamedSet& set : kSets) {
+    if (can_run(set.set)) names.emplace_back(set.name);
+  }
+  return names;
+}
 
 TimedCrowd::TimedCrowd(const CrowdRun& run)
-    : run_(run),
-      file_(write_asset(crowd_contents(run.shape))),
-      memory_(memory_for(asset_, file_, run)),
-      settings_(settings_of(run)) {
+    : run_(run), file_(write_asset(crowd_contents(run.shape))), memory_(memory_for(asset_, file_, run)) {
+  settings_.substeps = run.substeps;
   if (hair_.create(asset_, desc_of(run), memory_.bytes()) != Status::kOk) give_up("create() refuses the workload");
   poses_.resize(run.shape.heads);
   plan(0);
@@ -70,8 +98,10 @@ double TimedCrowd::bytes_per_head() const {
 bool TimedCrowd::is_sane() const {
   // Algorithm 1 stretches, but not by that much.
   const float reach = 10 * (kHeadRadius + kBoneLength * float(run_.shape.bones));
+  std::vector<Vec3> ends(asset_.bones().size());
   for (std::uint32_t head = 0; head < run_.shape.heads; ++head) {
-    for (const Vec3& end : hair_.bone_ends(head)) {
+    if (hair_.bone_ends(head, ends) != Status::kOk) return false;
+    for (const Vec3& end : ends) {
       if (!(std::hypot(end.x, end.y, end.z) < reach)) return false;
     }
   }
