@@ -6,8 +6,9 @@ floor that the measured time stands on. A time far above its floor waits for res
 usage: limit.py BUILD_FOLDER [SOLVER [INSTRUCTION_SET...]]     (coif, all that there are)
        limit.py --self-test
 
-Needs valgrind and objdump; run it on one core: taskset -c 1 ... Instructions are counted by callgrind inside one function, so a run of few frames is taken from a run of more. Bytes are
-those that the runtime asks for, each moved once: the least that a frame can do.
+Needs valgrind and objdump; run it on one core: taskset -c 1 ... Instructions are counted by callgrind inside one function;
+a run of few frames is taken from a run of more. Bytes are the cache lines that its model of this processor's first cache
+has to fetch.
 """
 import collections
 import json
@@ -25,6 +26,7 @@ CASES = [("a", 0), ("b", 0), ("a", 20000)]  # workload, heads
 # What shares two ports on today's processors; moves, shuffles and logic have more of them.
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|min|max|cmp\w*|u?comi|cvt\w*|round|rndscale|f(?:n?m)(?:add|sub)\w*|rcp\w*|rsqrt\w*)"
                         r"(?:[ps]s|[ps]d)$")
+CACHE_LINE = 64  # bytes
 DIVISION = re.compile(r"v?(?:div|sqrt)[ps][sd]$")
 
 
@@ -33,27 +35,32 @@ def run_json(command):
 
 
 def parse_callgrind(lines):
-    """Instruction executions by (object file, address), of a profile without compressed names and positions."""
-    counts = collections.Counter()
-    object_file, skip = None, False
+    """Instruction executions by (object file, address), and cache lines fetched, of a profile without compressed names and
+    positions."""
+    counts, fetched = collections.Counter(), 0
+    object_file, events, skip = None, [], False
     for line in lines:
-        if line.startswith("ob="):
+        if line.startswith("events:"):
+            events = line.split()[1:]
+        elif line.startswith("ob="):
             object_file = line[3:].strip()
         elif line.startswith("calls="):
             skip = True  # the next line is what the callee took, which is counted there
         elif line.startswith("0x"):
             if not skip:
-                address, _, count = line.split()[:3]
-                counts[object_file, int(address, 16)] += int(count)
+                address, _, *costs = line.split()
+                cost = dict(zip(events, map(int, costs)))  # zeros at the end are left out
+                counts[object_file, int(address, 16)] += cost.get("Ir", 0)
+                fetched += cost.get("D1mr", 0) + cost.get("D1mw", 0)
             skip = False
-    return counts
+    return counts, fetched
 
 
 def profile(command):
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder, "profile")
         subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", f"--toggle-collect={STEP}",
-                        "--collect-atstart=no", "--dump-instr=yes", "--compress-strings=no", "--compress-pos=no", *command],
+                        "--collect-atstart=no", "--cache-sim=yes", "--dump-instr=yes", "--compress-strings=no", "--compress-pos=no", *command],
                        check=True, capture_output=True)
         return parse_callgrind(out.read_text().splitlines())
 
@@ -65,9 +72,9 @@ def mnemonics(object_file):
     return {int(address, 16): name for address, name in found}
 
 
-def mix_of(counts, names_in):
-    """Executed instructions of each kind."""
-    mix = collections.Counter()
+def mix_of(counts, fetched, names_in):
+    """Executed instructions of each kind, and bytes fetched."""
+    mix = collections.Counter(bytes=CACHE_LINE * fetched)
     for (object_file, address), count in counts.items():
         name = names_in(object_file).get(address, "")
         mix["instructions"] += count
@@ -87,7 +94,7 @@ def count_frame(program, workload, solver, instruction_set):
         return cache[object_file]
 
     command = [program, "frames", workload, "0", solver, instruction_set]
-    few, many = (mix_of(profile([*command, str(frames)]), names_in) for frames in FRAMES)
+    few, many = (mix_of(*profile([*command, str(frames)]), names_in) for frames in FRAMES)
     return {kind: (many[kind] - few[kind]) / (FRAMES[1] - FRAMES[0]) for kind in many}
 
 
@@ -118,7 +125,6 @@ def per_bone_of(program, workload, heads, solver, instruction_set):
     mix = count_frame(program, workload, solver, instruction_set)
     bones = timed["bones"] if heads == 0 else frames(0, 1)["bones"]
     per_bone = {kind: count / bones for kind, count in mix.items()}
-    per_bone["bytes"] = timed["bytes_per_bone"]
     return per_bone, timed["ns_per_bone"], int(timed["bones"] * timed["bytes_per_bone"])
 
 
@@ -149,15 +155,17 @@ def report(program, solver, instruction_sets):
 
 
 def self_test():
-    text = ["ob=/lib/x", "fn=f", "0x10 0 7", "calls=1 0x40 0", "0x14 0 900", "0x18 0 5", "ob=/lib/y", "0x10 0 2"]
-    counts = parse_callgrind(text)
+    text = ["events: Ir D1mr D1mw", "ob=/lib/x", "fn=f", "0x10 0 7 2", "calls=1 0x40 0", "0x14 0 900 9 9", "0x18 0 5 0 1",
+            "ob=/lib/y", "0x10 0 2"]
+    counts, fetched = parse_callgrind(text)
     names = {"/lib/x": {0x10: "vmulps", 0x18: "vdivps"}, "/lib/y": {}}
-    mix = mix_of(counts, names.get)
+    mix = mix_of(counts, fetched, names.get)
     peaks = {"instructions": 10.0, "widths": [{"floats": 8, "arithmetic": 5.0, "divisions": 1.0}]}
     least = floors({"instructions": 20, "arithmetic": 20, "divisions": 3, "bytes": 8}, peaks, 8, 4.0)
     checks = {
         "calls are not counted twice": sum(counts.values()) == 14,
         "objects are kept apart": counts["/lib/y", 0x10] == 2,
+        "lines are counted where they are fetched": (fetched, mix["bytes"]) == (3, 3 * CACHE_LINE),
         "kinds are told apart": (mix["arithmetic"], mix["divisions"], mix["unknown"]) == (7, 5, 2),
         "fused and compared is arithmetic": all(map(ARITHMETIC.match, ("vfnmadd231ps", "vcmpltps", "vmaxss", "cvtsi2ss"))),
         "moves, logic and divisions are not": not any(map(ARITHMETIC.match, ("vmovaps", "vandps", "vdivps", "vblendvps"))),

@@ -33,6 +33,18 @@ void time_open(benchmark::State& state, const std::vector<std::byte>& file, cons
   state.counters["file_bytes"] = double(file.size());
 }
 
+void time_verify(benchmark::State& state, const std::vector<std::byte>& file) {
+  AlignedBytes bytes(file);
+  Asset asset;
+  bool verified = bool(asset.open(bytes.bytes()));
+  for (auto unused : state) {
+    (void)unused;
+    verified = verified && bool(asset.verify_draw_data());
+  }
+  if (!verified) return state.SkipWithError("the sample's draw data is not what was cooked");
+  state.counters["file_bytes"] = double(file.size());
+}
+
 void time_create(benchmark::State& state, const CrowdShape& shape) {
   AlignedBytes file(write_asset(crowd_contents(shape)));
   Asset asset;
@@ -63,6 +75,9 @@ void add_load_benchmarks(const std::string& folder) {
     if (file.empty()) continue;
     add_open("open_" + sample, file, {});
     add_open("open_" + sample + "_without_hash", file, {.verify_hash = false});
+    benchmark::RegisterBenchmark(("verify_draw_data_" + sample).c_str(), [file](benchmark::State& state) {
+      time_verify(state, file);
+    })->Unit(benchmark::kMicrosecond);
   }
   for (const CrowdShape& shape : {kCrowd, kOneHead}) {
     const char* name = shape.heads == kCrowd.heads ? "create_a" : "create_b";
