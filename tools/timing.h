@@ -82,7 +82,8 @@ class SideBySideTiming {
 
   [[nodiscard]] unsigned repeats_of(const std::function<void()>& work) const {
     constexpr unsigned kMostRepeats = 1u << 20;
-    work();
+    constexpr double kPlainlyLong = 10;  // batches: even a first run, which is slower than others, tells
+    if (batch(work, 1) >= kPlainlyLong * limits_.batch_seconds) return 1;
     unsigned repeats = 1;
     while (repeats < kMostRepeats && batch(work, repeats) < limits_.batch_seconds) repeats *= 2;
     return repeats;

@@ -11,7 +11,7 @@
 namespace coif {
 namespace {
 
-constexpr double kSimulationShare = 0.5;  // of the time, where there is something to draw
+constexpr double kSimulationShare = 0.35;  // of the time, where there is something to draw
 constexpr std::uint64_t kMostCrowdBytes = std::uint64_t{1} << 30;
 constexpr std::uint32_t kMostDrawn = 10'000;
 
@@ -32,7 +32,7 @@ DrawCostSettings drawing_settings(const Asset& asset, const CostChoice& choice) 
   DrawCostSettings settings{
       .heads = {}, .width = choice.width, .height = choice.height, .seconds = (1 - kSimulationShare) * choice.seconds};
   for (const std::uint32_t heads : choice.simulation.heads) {
-    const bool fits = !is_simulated(asset) || HairCrowd::memory_bytes(asset, heads) <= kMostCrowdBytes;
+    const bool fits = !is_simulated(asset) || HairCrowd::memory_bytes(asset, {.heads = heads}) <= kMostCrowdBytes;
     if (heads <= kMostDrawn && fits) settings.heads.push_back(heads);
   }
   return settings;
@@ -48,7 +48,7 @@ void add_rows(const Asset& asset, const DrawCost& drawn, CostReport& report) {
                                      .ms_per_frame = 1e3 * row.seconds,
                                      .spread_pct = row.spread_pct});
   }
-  for (const DrawCostLeftOut& crowd : drawn.left_out) report.left_out.push_back({crowd.heads, "drawing", crowd.why});
+  for (const DrawCostLeftOut& crowd : drawn.left_out) report.left_out.push_back({crowd.heads, kDrawnCrowd, crowd.why});
 }
 
 /// Errors that only say that nothing can be drawn become the report's note.

@@ -8,10 +8,10 @@ namespace coif {
 
 /// What `coif report cost` measures.
 struct CostChoice {
-  CostSettings simulation;  ///< Its time is set from `seconds`.
-  std::uint32_t width = 1024, height = 768;
+  CostSettings simulation;                  ///< Its time is set from `seconds`.
+  std::uint32_t width = 512, height = 384;  ///< Pixels of a drawn frame.
   bool draws = true;
-  double seconds = 15;  ///< About, for all.
+  double seconds = 16;  ///< About, for all.
 };
 
 /// Simulation by tools/report and drawing by tools/render as one report. Hair that cannot be drawn, here or at all, is

@@ -45,7 +45,9 @@ CLI::Option* add_size(CLI::App& app, PixelSize& size) {
     }
     size = {pair->first, pair->second};
   };
-  return app.add_option_function<std::string>("--size", parse, "Pixels (default 1024x768)")->type_name("WxH");
+  return app
+      .add_option_function<std::string>("--size", parse, fmt::format("Pixels (default {}x{})", size.width, size.height))
+      ->type_name("WxH");
 }
 
 CLI::Option* add_view(CLI::App& app, ViewAngles& view) {

@@ -49,7 +49,7 @@ struct PixelSize {
   std::uint32_t height = 0;
 };
 
-/// WIDTHxHEIGHT, 16..8192 each.
+/// WIDTHxHEIGHT, 16..8192 each; `size` holds the default.
 CLI::Option* add_size(CLI::App& app, PixelSize& size);
 
 struct ViewAngles {

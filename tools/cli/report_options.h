@@ -24,7 +24,7 @@ struct ReportOptions {
   std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
   StabilitySettings stability;
   CostChoice cost;  ///< But for the size of its pictures.
-  PixelSize size{1024, 768};
+  PixelSize size{512, 384};
   /// Options that only one subject takes; owned by the program.
   std::vector<const CLI::Option*> accuracy_only;
   std::vector<const CLI::Option*> cost_only;

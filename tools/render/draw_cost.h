@@ -24,7 +24,7 @@ using MakeCrowd = std::function<tl::expected<DrawnCrowd, ToolError>(std::uint32_
 
 struct DrawCostSettings {
   std::vector<std::uint32_t> heads{1, 10, 100};  ///< Sizes of the crowd, 1..10000.
-  std::uint32_t width = 1024, height = 768;      ///< Pixels, 16..8192, one sample each.
+  std::uint32_t width = 512, height = 384;       ///< Pixels, 16..8192, one sample each.
   double seconds = 6;  ///< To spend, > 0. Crowds that would take longer are left out; one head never is.
 };
 
@@ -45,9 +45,9 @@ struct DrawCostLeftOut {
 };
 
 struct DrawCost {
-  std::string device;             ///< GL_RENDERER.
-  std::vector<DrawCostRow> rows;  ///< By heads; for one head every level of detail, for the others the finest.
-  std::vector<DrawCostLeftOut> left_out;
+  std::string device;                     ///< GL_RENDERER.
+  std::vector<DrawCostRow> rows;          ///< By heads; for one head every level of detail, for the others the finest.
+  std::vector<DrawCostLeftOut> left_out;  ///< Ascending; all crowds from some size on.
 };
 
 /// Times the runtime's own renderer on a framebuffer without a window. Errors: kUnsupported where no EGL display with

@@ -1,18 +1,41 @@
 #include "report/asset_bytes.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace coif {
 namespace {
 
-constexpr std::uint32_t kSimulated[] = {chunk::kSkeleton,  chunk::kBones,    chunk::kChains, chunk::kDynamics,
-                                        chunk::kColliders, chunk::kLodBones, chunk::kTuning};
-constexpr std::uint32_t kDrawn[] = {chunk::kVertices, chunk::kSkin,     chunk::kIndices,  chunk::kPatches,
-                                    chunk::kLods,     chunk::kMaterial, chunk::kTextures, chunk::kTexels};
+struct KnownChunk {
+  std::uint32_t id;
+  ChunkUse use;
+  const char* what;
+};
 
-ChunkUse use_of(std::uint32_t id) {
-  if (std::ranges::find(kSimulated, id) != std::end(kSimulated)) return ChunkUse::kSimulation;
-  return std::ranges::find(kDrawn, id) != std::end(kDrawn) ? ChunkUse::kDrawing : ChunkUse::kTools;
+constexpr KnownChunk kKnown[] = {
+    {chunk::kSkeleton, ChunkUse::kSimulation, "counts, head bone"},
+    {chunk::kBones, ChunkUse::kSimulation, "bones"},
+    {chunk::kNames, ChunkUse::kTools, "names of bones"},
+    {chunk::kChains, ChunkUse::kSimulation, "chains"},
+    {chunk::kDynamics, ChunkUse::kSimulation, "how each bone moves"},
+    {chunk::kColliders, ChunkUse::kSimulation, "colliders"},
+    {chunk::kVertices, ChunkUse::kDrawing, "vertices"},
+    {chunk::kSkin, ChunkUse::kDrawing, "bones of each vertex"},
+    {chunk::kIndices, ChunkUse::kDrawing, "triangles of all levels of detail"},
+    {chunk::kPatches, ChunkUse::kDrawing, "patches in draw order"},
+    {chunk::kLods, ChunkUse::kDrawing, "levels of detail"},
+    {chunk::kLodBones, ChunkUse::kSimulation, "bones of each level"},
+    {chunk::kMaterial, ChunkUse::kDrawing, "material"},
+    {chunk::kTextures, ChunkUse::kDrawing, "sizes of textures"},
+    {chunk::kTexels, ChunkUse::kDrawing, "texels"},
+    {chunk::kProvenance, ChunkUse::kTools, "what it was cooked from"},
+    {chunk::kTuning, ChunkUse::kSimulation, "sub-steps asked for"},
+    {chunk::kQuality, ChunkUse::kTools, "what they were chosen from"},
+};
+
+KnownChunk find_chunk(std::uint32_t id) {
+  const auto* const found = std::ranges::find(kKnown, id, &KnownChunk::id);
+  return found != std::end(kKnown) ? *found : KnownChunk{id, ChunkUse::kTools, ""};
 }
 
 /// Four letters; anything else in an id of a newer format becomes a question mark.
@@ -30,7 +53,8 @@ std::string text_of(std::uint32_t id) {
 AssetBytes asset_bytes(const Asset& asset) {
   AssetBytes bytes{asset.total_bytes(), {}, asset.total_bytes()};
   for (const ChunkEntry& entry : asset.chunks()) {
-    bytes.chunks.push_back({text_of(entry.id), entry.bytes, use_of(entry.id)});
+    const KnownChunk known = find_chunk(entry.id);
+    bytes.chunks.push_back({text_of(entry.id), known.what, entry.bytes, known.use});
     bytes.framing -= entry.bytes;
   }
   return bytes;

@@ -32,10 +32,12 @@ struct FeatureCostRow {
   double change_pct = 0;  ///< Of the time, against "as-cooked".
 };
 
+inline constexpr const char* kDrawnCrowd = "drawing";
+
 /// A crowd that was not measured.
 struct CostLeftOut {
   std::uint32_t heads = 0;
-  std::string what;  ///< A solver or a way to draw.
+  std::string what;  ///< A solver, or kDrawnCrowd.
   std::string why;
 };
 
@@ -63,7 +65,8 @@ enum class ChunkUse {
 }
 
 struct ChunkBytes {
-  std::string id;  ///< As in the file: "BONE".
+  std::string id;    ///< As in the file: "BONE".
+  std::string what;  ///< In words; empty for what this version does not know.
   std::uint64_t bytes = 0;
   ChunkUse use = ChunkUse::kTools;
 };
@@ -93,6 +96,7 @@ struct RenderingCost {
 };
 
 struct CostReport {
+  std::string instruction_set;  ///< What the processor was found to have; empty where nothing was simulated.
   std::vector<SimulationCostRow> simulation;
   std::vector<FeatureCostRow> features;
   std::vector<CostLeftOut> left_out;

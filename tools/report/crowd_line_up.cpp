@@ -16,7 +16,7 @@ constexpr double kLeastRuns = 8;  // of a crowd that is slow: warming up, and th
 tl::expected<HairCrowd*, ToolError> CrowdLineUp::take(const Asset& asset, const CrowdSettings& settings) {
   auto crowd = HairCrowd::create(asset, settings);
   if (!crowd) return tl::unexpected(crowd.error());
-  bytes_ += HairCrowd::memory_bytes(asset, settings.heads);
+  bytes_ += HairCrowd::memory_bytes(asset, settings);
   crowds_.push_back(std::make_unique<HairCrowd>(std::move(*crowd)));
   return crowds_.back().get();
 }
@@ -24,7 +24,12 @@ tl::expected<HairCrowd*, ToolError> CrowdLineUp::take(const Asset& asset, const 
 tl::expected<void, ToolError> CrowdLineUp::add(const Asset& asset, const CrowdSettings& settings) {
   const auto crowd = take(asset, settings);
   if (!crowd) return tl::unexpected(crowd.error());
-  works_.emplace_back([moved = *crowd] { (void)moved->step(); });
+  // Hair that is not stepped in every frame would be timed in one that leaves out all of it, or none.
+  const unsigned frames = settings.detail.interval;
+  works_.emplace_back([moved = *crowd, frames] {
+    for (unsigned i = 0; i < frames; ++i) (void)moved->step();
+  });
+  frames_.push_back(frames);
   return {};
 }
 
@@ -32,19 +37,23 @@ tl::expected<void, ToolError> CrowdLineUp::add_poses(const Asset& asset, const C
   const auto crowd = take(asset, settings);
   if (!crowd) return tl::unexpected(crowd.error());
   works_.emplace_back([posed = *crowd] { (void)posed->hand_over_poses(); });
+  frames_.push_back(1);
   return {};
 }
 
-std::string CrowdLineUp::objection(const Asset& asset, std::uint32_t heads, double seconds_per_head) const {
-  const std::uint64_t bytes = HairCrowd::memory_bytes(asset, heads);
-  if (bytes > kMostBytes - bytes_) return fmt::format("its {} MB are too many", bytes / 1'000'000);
-  const double seconds = seconds_per_head * heads;
+std::string CrowdLineUp::objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const {
+  const std::uint64_t bytes = HairCrowd::memory_bytes(asset, settings);
+  if (bytes > kMostBytes - bytes_)
+    return fmt::format("its {:.0f} MB are more memory than is set aside", 1e-6 * double(bytes));
+  const double seconds = seconds_per_head * settings.heads;
   if (seconds * kLeastRuns <= kLargestShare * seconds_) return "";
-  return fmt::format("one frame takes about {:.0f} ms, which leaves too few to measure", 1e3 * seconds);
+  return fmt::format("one frame takes about {:.0f} ms, too long for the time there is", 1e3 * seconds);
 }
 
 std::vector<Timing> CrowdLineUp::time() const {
-  return SideBySideTiming({.clock = TimingClock::kThread, .seconds = seconds_}).run(works_);
+  auto timings = SideBySideTiming({.clock = TimingClock::kThread, .seconds = seconds_}).run(works_);
+  for (std::size_t i = 0; i < timings.size(); ++i) timings[i].seconds /= frames_[i];
+  return timings;
 }
 
 }  // namespace coif

@@ -23,9 +23,9 @@ class CrowdLineUp {
 
   /// Why a crowd of this size is not worth adding: it would take more than its share of the time, judged by `second_per_head`
   /// of a smaller one, or of the memory. Empty where it is.
-  [[nodiscard]] std::string objection(const Asset& asset, std::uint32_t heads, double seconds_per_head) const;
+  [[nodiscard]] std::string objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const;
 
-  /// Of all that were added, in their order.
+  /// Of one frame of all that were added, in their order.
   [[nodiscard]] std::vector<Timing> time() const;
 
  private:
@@ -35,6 +35,7 @@ class CrowdLineUp {
   std::uint64_t bytes_ = 0;  ///< Of all crowds.
   std::vector<std::unique_ptr<HairCrowd>> crowds_;
   std::vector<std::function<void()>> works_;
+  std::vector<unsigned> frames_;  ///< That each of works_ runs.
 };
 
 }  // namespace coif

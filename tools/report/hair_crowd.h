@@ -31,15 +31,18 @@ struct CrowdSettings {
   std::uint32_t substeps = 1;        ///< Iterations of "thesis".
   bool heads_move = true;            ///< They run, each at another time of the same motion; else they stand still.
   bool frame_time_varies = false;    ///< Frames last up to a tenth more or less, each another time.
+  Detail detail{};                   ///< Of every head.
+  bool sleeps = true;                ///< Heads that stand still have all fallen asleep when the crowd is made.
+  InstructionSet instruction_set = InstructionSet::kBest;
 };
 
 /// Heads with the runtime's hair, as a game has them. The asset must outlive it.
 class HairCrowd {
  public:
   /// What the runtime asks the game for; 0 for a number of heads that it refuses.
-  [[nodiscard]] static std::uint64_t memory_bytes(const Asset& asset, std::uint32_t heads);
+  [[nodiscard]] static std::uint64_t memory_bytes(const Asset& asset, const CrowdSettings& settings);
 
-  /// In the rest pose at the motion's beginning. Errors: kBadInput where the runtime refuses the asset, kUsage for
+  /// Errors: kBadInput where the runtime refuses the asset, kUsage for
   /// settings out of range, kUnsupported where the memory cannot be had.
   static tl::expected<HairCrowd, ToolError> create(const Asset& asset, const CrowdSettings& settings);
 
@@ -56,6 +59,8 @@ class HairCrowd {
   };
 
   explicit HairCrowd(const CrowdSettings& settings);
+  [[nodiscard]] Status place_heads();
+  [[nodiscard]] bool is_at_rest() const;
 
   std::unique_ptr<std::byte[], FreeMemory> memory_;
   Hair hair_;

@@ -1,6 +1,7 @@
 #include "report/measure_cost.h"
 
 #include "report/asset_bytes.h"
+#include "report/crowd_features.h"
 #include "report/crowd_line_up.h"
 #include "report/opened_asset.h"
 
@@ -32,14 +33,11 @@ AssetContents without_colliders(const Asset& asset) {
   return contents;
 }
 
-bool touches_colliders(const Asset& asset) {
-  return std::ranges::any_of(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
-}
-
-CrowdMemory memory_of(const Asset& asset) {
+CrowdMemory memory_of(const Asset& asset, const std::string& solver) {
   // Both are multiples of every number of heads that a processor could take at once.
   constexpr std::uint32_t kFew = 1024, kMany = 2048;
-  const auto few = double(HairCrowd::memory_bytes(asset, kFew)), many = double(HairCrowd::memory_bytes(asset, kMany));
+  const auto few = double(HairCrowd::memory_bytes(asset, {.heads = kFew, .solver = solver}));
+  const auto many = double(HairCrowd::memory_bytes(asset, {.heads = kMany, .solver = solver}));
   const double each = (many - few) / (kMany - kFew);
   return {each, few - each * kFew};
 }
@@ -100,24 +98,25 @@ class CostMeasurement {
     return found == std::end(kComparedHeads) ? 1 : *found;
   }
 
-  Added add_row(const std::string& solver, std::uint32_t heads, std::uint32_t substeps) {
-    const auto same = [&](const SimulationCostRow& row) {
-      return row.solver == solver && row.heads == heads && row.substeps == substeps;
+  Added add_row(const CrowdSettings& crowd) {
+    const auto same = [&crowd](const SimulationCostRow& row) {
+      return row.solver == crowd.solver && row.heads == crowd.heads && row.substeps == crowd.substeps;
     };
     if (std::ranges::any_of(report_.simulation, same)) return {};
-    SimulationCostRow row{.heads = heads, .solver = solver, .substeps = substeps};
-    row.bytes = HairCrowd::memory_bytes(asset_, heads);
-    row.bytes_per_head = double(row.bytes) / heads;
+    SimulationCostRow row{.heads = crowd.heads, .solver = std::string(crowd.solver), .substeps = crowd.substeps};
+    row.bytes = HairCrowd::memory_bytes(asset_, crowd);
+    row.bytes_per_head = double(row.bytes) / crowd.heads;
     report_.simulation.push_back(row);
-    return line_up_.add(asset_, {.heads = heads, .solver = solver, .substeps = substeps});
+    return line_up_.add(asset_, crowd);
   }
 
   Added add_scaling(const std::string& solver) {
     for (const std::uint32_t heads : settings_.heads) {
-      const std::string objection = heads == 1 ? "" : line_up_.objection(asset_, heads, pace_[solver]);
+      const CrowdSettings crowd{.heads = heads, .solver = solver, .substeps = default_substeps(solver)};
+      const std::string objection = heads == 1 ? "" : line_up_.objection(asset_, crowd, pace_[solver]);
       if (!objection.empty()) {
         report_.left_out.push_back({heads, solver, objection});
-      } else if (auto added = add_row(solver, heads, default_substeps(solver)); !added) {
+      } else if (auto added = add_row(crowd); !added) {
         return added;
       }
     }
@@ -126,39 +125,24 @@ class CostMeasurement {
 
   Added add_substeps(const std::string& solver) {
     for (const std::uint32_t substeps : kSubsteps) {
-      if (auto added = add_row(solver, compared_heads_, substeps); !added) return added;
+      auto added = add_row({.heads = compared_heads_, .solver = solver, .substeps = substeps});
+      if (!added) return added;
     }
     return {};
-  }
-
-  void name_feature(const char* name, std::string description) {
-    report_.features.push_back({.feature = name, .description = std::move(description), .heads = compared_heads_});
-  }
-
-  Added add_feature(const char* name, std::string description, const Asset& asset, const CrowdSettings& settings) {
-    name_feature(name, std::move(description));
-    return line_up_.add(asset, settings);
   }
 
   Added add_features() {
     const std::string& solver = solvers_.front();
     const CrowdSettings usual{.heads = compared_heads_, .solver = solver, .substeps = default_substeps(solver)};
-    CrowdSettings still = usual, varying = usual;
-    still.heads_move = false;
-    varying.frame_time_varies = true;
-    Added added = add_feature("as-cooked", "all heads run", asset_, usual);
-    if (added && touches_colliders(asset_)) {
-      bald_.emplace(without_colliders(asset_));
-      added = add_feature("no-colliders", "the head lets its hair pass", bald_->asset(), usual);
+    for (const CrowdFeature& feature : crowd_features(asset_, usual)) {
+      if (!feature.touches_colliders) bald_.emplace(without_colliders(asset_));
+      const Asset& asset = feature.touches_colliders ? asset_ : bald_->asset();
+      report_.features.push_back(
+          {.feature = feature.name, .description = feature.description, .heads = compared_heads_});
+      auto added = feature.steps ? line_up_.add(asset, feature.settings) : line_up_.add_poses(asset, feature.settings);
+      if (!added) return added;
     }
-    if (added) added = add_feature("still-heads", "no head moves", asset_, still);
-    if (added) {
-      added = add_feature("varying-frame-time", "what depends on the frame time is computed anew in every frame",
-                          asset_, varying);
-    }
-    if (!added) return added;
-    name_feature("poses-only", "telling where the heads are, which is part of all the others, and no step");
-    return line_up_.add_poses(asset_, usual);
+    return {};
   }
 
   template <typename Row>
@@ -209,7 +193,8 @@ tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostS
   CostReport report;
   report.asset = asset_bytes(asset);
   if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) return report;
-  report.memory = memory_of(asset);
+  report.instruction_set = name_of(best_instruction_set());
+  report.memory = memory_of(asset, solvers->front());
   if (progress) progress("simulation");
   CostMeasurement measurement(asset, settings, *solvers);
   if (auto added = measurement.line_up(); !added) return tl::unexpected(added.error());

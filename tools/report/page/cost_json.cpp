@@ -34,7 +34,7 @@ ordered_json to_json(const CostLeftOut& crowd) {
 }
 
 ordered_json to_json(const ChunkBytes& chunk) {
-  return {{"id", chunk.id}, {"bytes", chunk.bytes}, {"use", name_of(chunk.use)}};
+  return {{"id", chunk.id}, {"what", chunk.what}, {"bytes", chunk.bytes}, {"use", name_of(chunk.use)}};
 }
 
 ordered_json to_json(const RenderingCostRow& row, const std::string& device) {
@@ -59,6 +59,7 @@ ordered_json list(const std::vector<Row>& rows, const More&... more) {
 
 ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
   ordered_json json = heading_json(heading);
+  json["instruction_set"] = report.instruction_set;
   json["simulation"] = list(report.simulation);
   json["features"] = list(report.features);
   json["left_out"] = list(report.left_out);

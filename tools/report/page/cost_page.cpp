@@ -20,14 +20,20 @@ constexpr const char* kHowTimesAreTaken =
     "head's pose, the step, the bone matrices. A small crowd finds its hair in the processor's caches here, which a "
     "game's other work may have emptied.";
 
+void add_left_out(const CostReport& report, const std::string& what, PlottedPage& page) {
+  const std::string text = left_out_text(report, what);
+  if (!text.empty()) page.paragraph(text);
+}
+
 void add_simulation(const CostReport& report, PlottedPage& page) {
   page.heading("What does a crowd cost?");
   page.plot(crowd_time_figure(report));
   page.table(scaling_table(report));
-  page.paragraph(
+  page.paragraph(fmt::format(
       "Every head runs, each at another moment of the motion, with as many sub-steps as the asset asks for; thesis is "
-      "the algorithm as published in 2011, with one iteration.");
-  if (!report.left_out.empty()) page.paragraph(left_out_text(report));
+      "the algorithm as published in 2011, with one iteration. The processor's {} instructions are used.",
+      report.instruction_set));
+  for (const std::string& solver : solvers_of(report)) add_left_out(report, solver, page);
   page.plot(bone_time_figure(report));
   page.heading("What do more sub-steps cost?");
   page.plot(substeps_figure(report));
@@ -45,8 +51,9 @@ void add_drawing(const CostReport& report, PlottedPage& page) {
     page.paragraph("Nothing was drawn: " + rendering.note + ".");
     return;
   }
-  page.plot(drawing_figure(report));
+  if (drawings_of(report, "blend", false).size() > 1) page.plot(drawing_figure(report));
   page.table(rendering_table(report));
+  add_left_out(report, kDrawnCrowd, page);
   page.paragraph(fmt::format(
       "Device: {}, {} x {} pixels, one sample each, three lights; time until the device has finished. Blend is the "
       "four "

@@ -4,6 +4,9 @@
 #include "report/page/number_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace coif {
 namespace {
@@ -43,13 +46,17 @@ std::string drawing_sentence(const CostReport& report) {
 
 std::string cost_summary(const CostReport& report) { return simulation_sentences(report) + drawing_sentence(report); }
 
-std::string left_out_text(const CostReport& report) {
-  std::string text;
+std::string left_out_text(const CostReport& report, const std::string& what) {
+  std::vector<std::uint32_t> sizes;
+  std::string why;
   for (const CostLeftOut& crowd : report.left_out) {
-    text += fmt::format("{}{}, {}: not measured; {}.", text.empty() ? "" : " ", crowd.what, heads_text(crowd.heads),
-                        crowd.why);
+    if (crowd.what != what) continue;
+    if (sizes.empty()) why = crowd.why;
+    sizes.push_back(crowd.heads);
   }
-  return text;
+  if (sizes.empty()) return "";
+  return fmt::format("Not measured: {} {} {} heads; {}.", what, what == kDrawnCrowd ? "of" : "with",
+                     fmt::join(sizes, ", "), why);
 }
 
 }  // namespace coif

@@ -17,7 +17,7 @@ Cell count_cell(std::uint64_t count) { return {std::to_string(count)}; }
 Cell spread_cell(double spread_pct) {
   // Samples that differ by a quarter are of a machine that had other work.
   constexpr double kUnsteadyPct = 25;
-  const std::string text = fmt::format("\u00b1{} %", number_text(spread_pct / 2));
+  const std::string text = fmt::format("\u00b1{:.1f} %", spread_pct / 2);
   return {text, spread_pct > kUnsteadyPct ? CellLook::kWarning : CellLook::kPlain};
 }
 
@@ -94,15 +94,19 @@ Table memory_table(const CostReport& report) {
 }
 
 Table chunks_table(const CostReport& report) {
-  Table table{{{"part of the file"}, {"bytes", kNumbers}, {"share", kNumbers}, {"is for"}}, {}};
+  Table table{{{"part of the file"}, {"what"}, {"bytes", kNumbers}, {"share", kNumbers}, {"is for"}}, {}};
   const auto share = [&report](std::uint64_t bytes) {
-    return percent_text(100 * double(bytes) / double(report.asset.total));
+    return fmt::format("{:.2f} %", 100 * double(bytes) / double(report.asset.total));
   };
   for (const ChunkBytes& chunk : report.asset.chunks) {
-    table.rows.push_back({{chunk.id}, count_cell(chunk.bytes), {share(chunk.bytes)}, {name_of(chunk.use)}});
+    table.rows.push_back(
+        {{chunk.id}, {chunk.what}, count_cell(chunk.bytes), {share(chunk.bytes)}, {name_of(chunk.use)}});
   }
-  table.rows.push_back({{"header, table, padding"}, count_cell(report.asset.framing), {share(report.asset.framing)}});
-  table.rows.push_back({{"whole file"}, count_cell(report.asset.total), {"100 %"}});
+  table.rows.push_back({{""},
+                        {"header, table of these parts, padding"},
+                        count_cell(report.asset.framing),
+                        {share(report.asset.framing)}});
+  table.rows.push_back({{""}, {"whole file"}, count_cell(report.asset.total), {"100 %"}});
   return table;
 }
 

@@ -44,8 +44,12 @@ std::string rendering_text(const RenderingCost& rendering) {
 
 std::string cost_text(const ReportHeading& heading, const CostReport& report) {
   std::string text = heading_text(heading) + "\n" + simulation_text(report) + rendering_text(report.rendering);
-  const std::string left_out = left_out_text(report);
-  if (!left_out.empty()) text += "  " + left_out + "\n";
+  std::vector<std::string> subjects = solvers_of(report);
+  subjects.emplace_back(kDrawnCrowd);
+  for (const std::string& subject : subjects) {
+    const std::string left_out = left_out_text(report, subject);
+    if (!left_out.empty()) text += "  " + left_out + "\n";
+  }
   return text + cost_summary(report) + "\n";
 }
 

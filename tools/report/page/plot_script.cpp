@@ -93,7 +93,9 @@ std::string axis(char name, bool logarithmic, Range range, std::vector<double> t
     text = fmt::format("set logscale {0}\nset {0}range [{1:.9g}:{2:.9g}]\n", name, range.low, range.high);
     if (ticks.empty()) ticks = log_ticks(range);
   } else {
-    const double margin = range.high > range.low ? 0.05 * (range.high - range.low) : 0.5;
+    // From 0 on where nothing is below it; the margin is of what is shown, or points at the top would be cut.
+    const double shown = range.high - std::min(range.low, 0.0);
+    const double margin = shown > 0 ? 0.05 * shown : 0.5;
     const double low = range.low >= 0 ? 0 : range.low - margin;
     text = fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, low, range.high + margin);
   }
