@@ -22,6 +22,7 @@ class AssetFile {
   static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path);
 
   [[nodiscard]] const Asset& asset() const { return asset_; }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_.span(); }
 
  private:
   explicit AssetFile(FileBytes bytes) : bytes_(std::move(bytes)) {}

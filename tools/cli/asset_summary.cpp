@@ -1,5 +1,6 @@
 #include "cli/asset_summary.h"
 
+#include "cli/chunk_choice.h"
 #include "cli/json_text.h"
 #include "cli/tuning_summary.h"
 
@@ -14,15 +15,6 @@ namespace coif {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string chunk_name(std::uint32_t id) {
-  std::string name;
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    const char c = static_cast<char>(id >> shift & 0xFF);
-    name += c >= 0x20 && c < 0x7F ? c : '?';
-  }
-  return name;
-}
 
 struct Range {
   float low = std::numeric_limits<float>::max();

@@ -26,5 +26,6 @@ Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_report(CLI::App& program);
+Command add_strip(CLI::App& program);
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #include "cli/asset_file.h"
 #include "cli/asset_issues.h"
+#include "cli/chunk_choice.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
@@ -33,9 +34,8 @@ bool is_source(const fs::path& path, std::span<const std::byte> bytes) {
 
 std::string place(const LoadStatus& status) {
   if (status.chunk == 0) return "";
-  char id[4];
-  std::memcpy(id, &status.chunk, sizeof id);
-  return fmt::format("chunk {}, record {}", std::string_view(id, sizeof id), status.item);
+  const std::string chunk = "chunk " + chunk_name(status.chunk);
+  return status.code == LoadCode::kHash ? chunk : fmt::format("{}, record {}", chunk, status.item);
 }
 
 std::vector<Issue> validate_asset(std::span<const std::byte> bytes) {

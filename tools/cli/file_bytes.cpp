@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <new>
@@ -41,15 +42,24 @@ tl::expected<std::size_t, ToolError> readable_size(const std::filesystem::path& 
 
 }  // namespace
 
+FileBytes::FileBytes(std::size_t size) : size_(size) {
+  bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, (size / kAlignment + 1) * kAlignment)));
+  if (!bytes_) throw std::bad_alloc();
+}
+
+FileBytes FileBytes::copy(std::span<const std::byte> bytes) {
+  FileBytes result(bytes.size());
+  std::ranges::copy(bytes, result.bytes_.get());
+  return result;
+}
+
 tl::expected<FileBytes, ToolError> FileBytes::read(const std::filesystem::path& path) {
   const auto size = readable_size(path);
   if (!size) return tl::unexpected(size.error());
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return cannot_open(path, std::error_code(errno, std::generic_category()));
 
-  const std::size_t capacity = (*size / kAlignment + 1) * kAlignment;
-  FileBytes result(static_cast<std::byte*>(std::aligned_alloc(kAlignment, capacity)), *size);
-  if (!result.bytes_) throw std::bad_alloc();
+  FileBytes result(*size);
   if (std::fread(result.bytes_.get(), 1, *size, file.get()) != *size) {
     return tl::unexpected(ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot read", path.string())});
   }

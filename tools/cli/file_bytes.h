@@ -21,6 +21,9 @@ class FileBytes {
   /// Errors: kFileAccess where the file is absent, not a regular file or not readable, kBadInput above kMaxBytes.
   static tl::expected<FileBytes, ToolError> read(const std::filesystem::path& path);
 
+  /// Bytes that were never in a file, placed as one's are.
+  static FileBytes copy(std::span<const std::byte> bytes);
+
   [[nodiscard]] std::span<const std::byte> span() const { return {bytes_.get(), size_}; }
 
  private:
@@ -28,7 +31,7 @@ class FileBytes {
     void operator()(std::byte* bytes) const { std::free(bytes); }
   };
 
-  FileBytes(std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
+  explicit FileBytes(std::size_t size);
 
   std::unique_ptr<std::byte, Free> bytes_;
   std::size_t size_ = 0;

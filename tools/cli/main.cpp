@@ -43,7 +43,8 @@ Exit run_program(int argc, char** argv) {
   program.require_subcommand(0, 1);
   program.footer(kExitCodeHelp);
   std::vector<Command> commands;
-  for (const auto add : {add_cook, add_validate, add_info, add_simulate, add_render, add_compare, add_report}) {
+  for (const auto add :
+       {add_cook, add_validate, add_info, add_simulate, add_render, add_compare, add_report, add_strip}) {
     commands.push_back(add(program));
     commands.back().app->footer(kExitCodeHelp);
   }
@@ -55,7 +56,8 @@ Exit run_program(int argc, char** argv) {
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command);
   }
-  Messages("").error("needs a verb: cook, validate, info, simulate, render, compare or report; see 'coif --help'");
+  Messages("").error(
+      "needs a verb: cook, validate, info, simulate, render, compare, report or strip; see 'coif --help'");
   return Exit::kUsage;
 }
 

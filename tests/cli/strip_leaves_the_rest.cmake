@@ -1,0 +1,48 @@
+# Every group alone and with every other strips to an asset that is valid, smaller and the same each time; one without its
+# mesh moves as before; a file may be stripped in place. ASSET: a good one.
+cmake_minimum_required(VERSION 3.24)
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+
+function(run)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${FOLDER}"
+                  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: exit code ${code}\n${out}\n${err}")
+  endif()
+endfunction()
+
+function(must_be_equal a b why)
+  file(SHA256 "${a}" hash_a)
+  file(SHA256 "${b}" hash_b)
+  if(NOT hash_a STREQUAL hash_b)
+    message(FATAL_ERROR "${why}: ${a} and ${b} differ")
+  endif()
+endfunction()
+
+set(groups names provenance quality tuning colliders motion lods textures material mesh)
+file(SIZE "${ASSET}" whole)
+foreach(one IN LISTS groups)
+  foreach(other IN LISTS groups)
+    run(strip "${ASSET}" -o out.coif --without ${one},${other})
+    run(validate out.coif)
+    file(SIZE "${FOLDER}/out.coif" size)
+    if(NOT size LESS whole)
+      message(FATAL_ERROR "without ${one},${other} the asset has ${size} bytes of ${whole}")
+    endif()
+  endforeach()
+endforeach()
+
+run(strip "${ASSET}" -o a.coif --without names,mesh)
+run(strip "${ASSET}" -o b.coif --without mesh,NAME)
+must_be_equal("${FOLDER}/a.coif" "${FOLDER}/b.coif" "order of the list")
+file(COPY_FILE "${ASSET}" "${FOLDER}/in_place.coif")
+run(strip in_place.coif -o in_place.coif --without mesh,names)
+must_be_equal("${FOLDER}/a.coif" "${FOLDER}/in_place.coif" "in place")
+run(strip a.coif -o c.coif --without names)
+must_be_equal("${FOLDER}/a.coif" "${FOLDER}/c.coif" "nothing to remove")
+
+run(strip "${ASSET}" -o moves.coif --without mesh,quality,provenance)
+run(simulate "${ASSET}" --motion tumble --seconds 1 -o whole.csv)
+run(simulate moves.coif --motion tumble --seconds 1 -o without.csv)
+must_be_equal("${FOLDER}/whole.csv" "${FOLDER}/without.csv" "motion without mesh")
