@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How many bytes of code and constants a shipped archive holds: .text, .rodata and .data of every member, after strip.
-A program takes at most that, as it links only the members that it refers to. The archives that it needs beside are
-measured too, without a limit.
+"""How many bytes of code and constants a program takes of a shipped archive: .text, .rodata and .data, after strip, of the
+members that the linker's map says it took. The archives that it needs beside are measured too, without a limit, and each as
+a whole.
 
-usage: archive_size.py LIMIT AR STRIP OBJDUMP ARCHIVE [NEEDED...] | --self-test AR STRIP OBJDUMP COMPILER
+usage: archive_size.py LIMIT MAP AR STRIP OBJDUMP ARCHIVE [NEEDED...] | --self-test AR STRIP OBJDUMP COMPILER
 """
 import re
 import subprocess
@@ -13,6 +13,8 @@ from pathlib import Path
 
 # With -ffunction-sections each function has a section of its own: .text._ZN4coif...
 COUNTED = re.compile(r"\.(text|rodata|data)(\.|$)")
+# In the map: /where/libcoif_sim.a(hair.cpp.o), and who asked for it.
+MEMBER = re.compile(r"^(?:\S*/)?([^/\s]+\.a)\(([^)\s]+)\)", re.MULTILINE)
 SECTION = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s")
 
 
@@ -21,51 +23,61 @@ def output(*command, folder=None):
 
 
 def code_bytes(ar, strip, objdump, archive):
-    """Bytes of the counted sections of all members."""
-    total = 0
+    """Bytes of the counted sections of each member."""
+    sizes = {}
     with tempfile.TemporaryDirectory() as folder:
         output(ar, "x", str(Path(archive).resolve()), folder=folder)
         for member in sorted(Path(folder).iterdir()):
             output(strip, "--strip-unneeded", member)
-            for match in map(SECTION.match, output(objdump, "-h", "-w", member).splitlines()):
-                if match and COUNTED.match(match[1]):
-                    total += int(match[2], 16)
-    return total
+            sections = filter(None, map(SECTION.match, output(objdump, "-h", "-w", member).splitlines()))
+            sizes[member.name] = sum(int(found[2], 16) for found in sections if COUNTED.match(found[1]))
+    return sizes
 
 
-def check(limit, ar, strip, objdump, archives):
-    """A line for each archive and one for all, and the complaints. The limit is the first archive's."""
-    sizes = {Path(archive).name: code_bytes(ar, strip, objdump, archive) for archive in archives}
-    lines = [f"{name}: {size} bytes of code" for name, size in sizes.items()]
-    lines[0] += f", {limit} allowed"
-    lines.append(f"together: {sum(sizes.values())}")
-    bad = [f"{name}: nothing in it: nothing was measured" for name, size in sizes.items() if size == 0]
-    name, size = next(iter(sizes.items()))
-    if size > limit:
-        bad.append(f"{name}: {size - limit} bytes more than allowed; leave something out, or out of line")
+def check(limit, link_map, ar, strip, objdump, archives):
+    """A line for each archive, and the complaints. The limit is the first archive's."""
+    taken = set(MEMBER.findall(Path(link_map).read_text()))
+    lines, bad = [], []
+    for archive in archives:
+        name = Path(archive).name
+        sizes = code_bytes(ar, strip, objdump, archive)
+        linked = sum(size for member, size in sizes.items() if (name, member) in taken)
+        lines.append(f"{name}: {linked} bytes linked, {sum(sizes.values())} in all")
+        if linked == 0:
+            bad.append(f"{name}: nothing of it is linked: nothing was measured")
+        if archive == archives[0]:
+            lines[0] += f"; {limit} linked allowed"
+            if linked > limit:
+                bad.append(f"{name}: {linked - limit} bytes more than allowed; leave something out, or out of line")
     return lines, bad
 
 
 def self_test(ar, strip, objdump, compiler):
-    data = "extern const char table[3000]; const char table[3000] = {1}; int code(int x) { return x * table[x]; }\n"
-    must_fail = [(data, 2999), ("", 1 << 20)]
-    must_pass = [(data, 3200)]
+    """Of an archive of two members a program takes the one it names; only that counts."""
+    sources = {
+        "named": "extern const char table[3000]; const char table[3000] = {1}; int f(int x) { return x * table[x]; }\n",
+        "unnamed": "extern const char other[9000]; const char other[9000] = {1};\n",
+        "main": "int f(int); int main() { return f(0); }\n",
+        "alone": "int main() {}\n"}
+    cases = [("main", 3300, False), ("main", 2999, True), ("alone", 3300, True)]
     bad = []
-    for number, (body, limit) in enumerate(must_fail + must_pass):
-        with tempfile.TemporaryDirectory() as folder:
-            Path(folder, "case.cpp").write_text(body)
-            output(compiler, "-Os", "-g", "-ffunction-sections", "-fdata-sections", "-c", "case.cpp", folder=folder)
-            output(ar, "cr", "case.a", "case.o", folder=folder)
-            fired = bool(check(limit, ar, strip, objdump, [Path(folder, "case.a")])[1])
-            if fired != (number < len(must_fail)):
-                bad.append(f"{'fired on' if fired else 'did not fire on'} case {number}, limit {limit}")
-    return [f"archive size: {len(must_fail) + len(must_pass)} cases checked"], bad
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in sources.items():
+            Path(folder, f"{name}.cpp").write_text(text)
+            output(compiler, "-Os", "-g", "-ffunction-sections", "-fdata-sections", "-c", f"{name}.cpp", folder=folder)
+        output(ar, "cr", "case.a", "named.o", "unnamed.o", folder=folder)
+        for program, limit, must_fail in cases:
+            output(compiler, f"{program}.o", "case.a", f"-Wl,-Map={program}.map", "-o", program, folder=folder)
+            found = check(limit, Path(folder, f"{program}.map"), ar, strip, objdump, [Path(folder, "case.a")])[1]
+            if bool(found) != must_fail:
+                bad.append(f"{program}, limit {limit}: {found or 'did not fire'}")
+    return [f"archive size: {len(cases)} cases checked"], bad
 
 
 if __name__ == "__main__":
     if sys.argv[1] == "--self-test":
         report, problems = self_test(*sys.argv[2:])
     else:
-        report, problems = check(int(sys.argv[1]), *sys.argv[2:5], sys.argv[5:])
+        report, problems = check(int(sys.argv[1]), *sys.argv[2:6], sys.argv[6:])
     print("\n".join(report + problems))
     sys.exit(1 if problems else 0)

@@ -39,6 +39,7 @@ LAYERS = {
 # Third-party header -> the folders that may include it.
 HOMES = {
     "assimp/": ["tools/import"],
+    "hwy/": ["runtime/sim"],
     "CLI/": ["tools/cli"],
     "meshoptimizer.h": ["tools/cook"],
     "nlohmann/": ["tools/", "tests/"],
@@ -138,8 +139,10 @@ def self_test():
                  ("runtime/include/coif/a.h", "#include <string>"), ("tools/cook/a.cpp", "#include <assimp/scene.h>"),
                  ("tools/cook/a.cpp", '#include "render/picture.h"'), ("tools/import/a.cpp", '#include "cook/cook.h"'),
                  ("tools/cook/a.cpp", "#include <CLI/CLI.hpp>"), ("tools/cook/a.cpp", "#include <newlib/new.h>"),
+                 ("runtime/include/coif/hair.h", "#include <hwy/highway.h>"),
                  ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", "")]
     must_pass = [("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
+                 ("runtime/sim/lanes/a.cpp", "#include <hwy/highway.h>"),
                  ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
                  ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <sys/stat.h>')]
     bad = [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]

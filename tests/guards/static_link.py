@@ -19,7 +19,9 @@ FEATURES = {
     "load messages": r"describe\(coif::Load",
     "status messages": r"describe\(coif::Status",
     "levels of detail": r"choose_lod|screen_share",
-    "simulation": r"Hair::|\w*StepJob|PaletteJob|PlacedColliders|HeadTrack",
+    "crowd": r"Hair::|step_block|CrowdState",
+    "solver coif": r"kCoifSolver|coif_row_code",
+    "solver thesis": r"kThesisSolver|thesis_row_code",
     "renderer": r"HairRenderer::create",
     "drawing": r"HairRenderer::draw|fill_draw_block",
     "upload": r"HairModel::upload|upload_texture",
@@ -29,7 +31,8 @@ FEATURES = {
 PROGRAMS = {
     "only_open": {"reader", "hash"},
     "only_lod": {"levels of detail"},
-    "load_and_step": {"reader", "hash", "simulation", "load messages"},
+    "load_and_step": {"reader", "hash", "crowd", "solver coif", "load messages"},
+    "step_by_thesis": {"crowd", "solver thesis"},
     "make_renderer": {"renderer"},
 }
 
