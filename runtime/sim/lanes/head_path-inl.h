@@ -75,13 +75,17 @@ HWY_INLINE V3<D> vector_of(D d, const Q<D>& q) {
   constexpr float kArcTangent[] = {-0.0603324163f, 0.105728144f, -0.142399829f, 0.199982108f, -0.333333075f, 1.0f};
   const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
   const auto sine2 = dot(d, axis_of(q), axis_of(q)), sine = hn::Sqrt(sine2), cosine = hn::Abs(q.w);
-  // Beyond a quarter of the way to the pole, atan(t) = pi/4 + atan((t - 1) / (t + 1)), with t = sine / cosine.
+  // With t = sine / cosine: beyond a quarter of the way to the pole, atan(t) = pi/4 + atan((t - 1) / (t + 1)); in the last
+  // quarter, pi/2 - atan(1 / t).
   const auto is_wide = hn::Gt(sine, hn::Mul(hn::Set(d, 0.414213562f), cosine));
-  const auto rise = hn::IfThenElse(is_wide, hn::Sub(sine, cosine), sine);
-  const auto run = hn::IfThenElse(is_wide, hn::Add(sine, cosine), cosine);
+  const auto is_steep = hn::Gt(sine, hn::Mul(hn::Set(d, 2.41421356f), cosine));
+  const auto wide_rise = hn::IfThenElse(is_steep, hn::Neg(cosine), hn::Sub(sine, cosine));
+  const auto rise = hn::IfThenElse(is_wide, wide_rise, sine);
+  const auto run = hn::IfThenElse(is_wide, hn::IfThenElse(is_steep, sine, hn::Add(sine, cosine)), cosine);
   const auto tangent = hn::Div(rise, run);
   const auto factor = polynomial(d, hn::Mul(tangent, tangent), kArcTangent);
-  const auto angle = hn::Add(hn::Mul(tangent, factor), hn::Set(d, 0.785398163f));
+  const auto begin = hn::IfThenElse(is_steep, hn::Set(d, 1.57079633f), hn::Set(d, 0.785398163f));
+  const auto angle = hn::Add(hn::Mul(tangent, factor), begin);
   const auto per_sine = hn::Div(angle, hn::IfThenElse(is_wide, sine, one));
   const auto half = hn::IfThenElse(is_wide, per_sine, hn::Div(factor, hn::IfThenElse(is_wide, one, cosine)));
   const auto twice = hn::Add(half, half);
