@@ -43,10 +43,8 @@ TEST(Allocation, HairNeverAllocates) {
   for (int frame = 0; frame < 40; ++frame) {
     const HeadPose pose{{0, 1.7, (frame % 5 == 0 ? 10 : 0.1) * frame}, {}};  // some of them detected as teleports
     ok = ok && (frame % 7 == 0 ? hair.teleport(3, pose) : hair.set_head(3, pose)) == Status::kOk;
-    const Solver solver = frame % 3 == 0 ? Solver::kThesis : Solver::kCoif;
     const DynamicsScale scale{.stiffness = 1 + 0.1f * float(frame)};
-    ok =
-        ok && hair.step({.solver = solver, .substeps = 1 + std::uint32_t(frame) % 4, .dynamics = scale}) == Status::kOk;
+    ok = ok && hair.step({.substeps = 1 + std::uint32_t(frame) % 4, .dynamics = scale}) == Status::kOk;
     ok = ok && hair.palette(3).size() == 10;
   }
   const bool refused = hair.step({.dt = -1}) == Status::kBadTimeStep;

@@ -22,10 +22,9 @@ TestRig rig() {
 }
 
 TEST(Inertia, OfNothingCarriesHairRigidly) {
-  for (const Solver solver : {Solver::kCoif, Solver::kThesis}) {
-    TestHair test(rig());
-    StepSettings settings = feeling(0, solver == Solver::kCoif ? 3 : 1);
-    settings.solver = solver;
+  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+    TestHair test(rig(), {.solver = solver});
+    StepSettings settings = feeling(0, solver == &kCoifSolver ? 3 : 1);
     Violence violence(2);
     for (int i = 0; i < 500; ++i) {
       ASSERT_EQ(test.hair.set_head(0, violence.next()), Status::kOk);

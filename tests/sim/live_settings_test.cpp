@@ -54,16 +54,14 @@ TEST(LiveSettings, SubStepsChangeNextToNothing) {
   EXPECT_LT(change_of_one_step({.substeps = 64}, 1.0f / 60), 1e-3f);
 }
 
-TEST(LiveSettings, TheSolverMayChange) {
-  // The thesis solver moves each bone by its resistance, a tenth of the way to its pose, whatever the step's length.
-  EXPECT_LT(change_of_one_step({.solver = Solver::kThesis}, 1.0f / 60), 0.03f);
-  TestHair test(rig());
-  for (int frame = 1; frame <= 300; ++frame) {
-    const std::vector<Vec3> before = test.ends();
-    ASSERT_EQ(test.hair.set_head(0, nod(frame / 60.0)), Status::kOk);
-    ASSERT_EQ(test.hair.step({.solver = frame % 7 < 3 ? Solver::kThesis : Solver::kCoif}), Status::kOk);
-    ASSERT_LT(largest_distance(test.ends(), before), 0.04f) << frame;
-  }
+TEST(LiveSettings, ScalesMultiplyWhatTheAssetSays) {
+  TestRig soft = rig(), scaled = rig();
+  for (DynamicsRecord& bone : soft.dynamics) bone.stiffness = 100, bone.damping = 5, bone.friction = 2;
+  for (DynamicsRecord& bone : scaled.dynamics) bone.stiffness = 300, bone.damping = 10, bone.friction = 1;
+  const StepSettings factors{.dynamics = {.stiffness = 3, .damping = 2, .friction = 0.5f}};
+  const Playback a = play(soft, wander, even_frames(60, 2), factors), b = play(scaled, wander, even_frames(60, 2));
+  EXPECT_EQ(rms_tip_difference(a, b), 0.0);
+  EXPECT_GT(rms_tip_difference(a, play(soft, wander, even_frames(60, 2))), 1e-3);
 }
 
 TEST(LiveSettings, DefaultsAfterAChangeAreTheDefaultsAgain) {

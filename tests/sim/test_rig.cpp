@@ -28,6 +28,23 @@ DynamicsRecord dynamics_of(const TestBone& bone) {
   return record;
 }
 
+/// Levels want a mesh; one triangle for each will do.
+void add_levels(AssetContents& contents, const std::vector<std::uint8_t>& levels) {
+  const std::uint32_t count = *std::max_element(levels.begin(), levels.end());
+  for (int i = 0; i < 3; ++i) {
+    VertexRecord vertex{};
+    vertex.normal[0] = vertex.tangent[1] = 32767;
+    contents.vertices.push_back(vertex);
+    contents.skin.push_back({{}, {255, 0, 0, 0}});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    contents.indices.insert(contents.indices.end(), {0, 1, 2});
+    contents.patches.push_back({3 * i, 3, 0, 0});
+    contents.lods.push_back({i, 1, float(count - 1 - i), float(i)});
+  }
+  contents.lod_bones = levels;
+}
+
 }  // namespace
 
 TestRig::TestRig() {
@@ -105,6 +122,7 @@ AssetContents TestRig::contents() const {
   contents.dynamics = dynamics;
   contents.colliders = colliders;
   if (substep_rate > 0) contents.tuning = {{substep_rate, 0, 0, 0, 0, 30, 120, 1}};
+  if (!levels.empty()) add_levels(contents, levels);
   for (std::uint32_t i = 1; i < bones.size(); ++i) {
     if (bones[i].chain == contents.chains.size()) contents.chains.push_back({i, 0, 0, 0});
     ++contents.chains.back().bone_count;
@@ -144,37 +162,19 @@ TestRig calm_strand(int count, float length) {
   return rig;
 }
 
-TestStep::TestStep(const TestRig& from) : rig(from), friction_factors(from.simulated_count(), 1.0f) {
-  for (const Vec3& end : rig.rest_ends()) particles.push_back({end, {}});
-  scratch.resize(rig.simulated_count());
-}
-
-ThesisStepJob TestStep::job() {
-  ThesisStepJob job;
-  job.dt = 0.1f;
-  job.gravity = {};
-  job.bones = rig.bones;
-  job.dynamics = rig.dynamics;
-  job.colliders = rig.colliders;
-  job.friction_factors = friction_factors;
-  job.scratch = scratch;
-  job.particles = particles;
-  return job;
-}
-
 namespace {
 
-AlignedBytes hair_memory(Asset& asset, AlignedBytes& file, std::uint32_t instances) {
+AlignedBytes hair_memory(Asset& asset, AlignedBytes& file, const HairDesc& desc) {
   if (!asset.open(file.bytes())) std::abort();  // the rig is the test's own
-  const MemoryNeed need = Hair::memory_need(asset, {.instances = instances});
+  const MemoryNeed need = Hair::memory_need(asset, desc);
   return AlignedBytes(std::vector<std::byte>(need.bytes));
 }
 
 }  // namespace
 
-TestHair::TestHair(const TestRig& rig, std::uint32_t instances)
-    : file_(write_asset(rig.contents())), memory_(hair_memory(asset, file_, instances)) {
-  if (hair.create(asset, {.instances = instances}, memory_.bytes()) != Status::kOk) std::abort();
+TestHair::TestHair(const TestRig& rig, const HairDesc& desc)
+    : file_(write_asset(rig.contents())), memory_(hair_memory(asset, file_, desc)) {
+  if (hair.create(asset, desc, memory_.bytes()) != Status::kOk) std::abort();
 }
 
 std::vector<std::byte> TestHair::memory_copy() {
@@ -183,8 +183,18 @@ std::vector<std::byte> TestHair::memory_copy() {
 }
 
 std::vector<Vec3> TestHair::ends(std::uint32_t instance) const {
-  const auto all = hair.bone_ends(instance);
-  return {all.begin() + 1, all.end()};
+  std::vector<Vec3> all(hair.bone_count());
+  if (hair.bone_ends(instance, all) != Status::kOk) return {};
+  all.erase(all.begin());
+  return all;
+}
+
+std::vector<InstructionSet> runnable_sets() {
+  std::vector<InstructionSet> sets;
+  for (int i = 1; i <= int(InstructionSet::kWasm); ++i) {
+    if (can_run(InstructionSet(i))) sets.push_back(InstructionSet(i));
+  }
+  return sets;
 }
 
 float distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }

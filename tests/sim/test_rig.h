@@ -5,7 +5,6 @@
 
 #include <coif/asset.h>
 #include <coif/hair.h>
-#include <coif/thesis_step_job.h>
 
 #include <cstdint>
 #include <vector>
@@ -50,6 +49,8 @@ class TestRig {
   std::vector<DynamicsRecord> dynamics;
   std::vector<ColliderRecord> colliders;
   float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
+  /// In how many levels of detail each bone is simulated, bone 0's 0; empty for an asset with one level.
+  std::vector<std::uint8_t> levels;
 };
 
 /// Three chains of three bones behind and beside a head sphere, as a small hair style has.
@@ -59,22 +60,12 @@ class TestRig {
 /// the tip, critically damped: hair whose motion does not depend on the last digit of anything.
 [[nodiscard]] TestRig calm_strand(int count, float length);
 
-/// One step of one instance: the rig, its particles at rest, and everything else of a ThesisStepJob.
-class TestStep {
- public:
-  explicit TestStep(const TestRig& rig);
-  ThesisStepJob job();  ///< dt 0.1, no gravity, no friction, head at rest; change what the test is about.
-
-  TestRig rig;
-  std::vector<Particle> particles;
-  std::vector<float> friction_factors;
-  std::vector<BoneScratch> scratch;
-};
-
 /// A Hair with the asset and the memory it needs.
 class TestHair {
  public:
-  explicit TestHair(const TestRig& rig, std::uint32_t instances = 1);
+  explicit TestHair(const TestRig& rig, std::uint32_t instances = 1)
+      : TestHair(rig, HairDesc{.instances = instances}) {}
+  TestHair(const TestRig& rig, const HairDesc& desc);
   [[nodiscard]] std::vector<std::byte> memory_copy();
   /// Bone ends of the simulated bones.
   [[nodiscard]] std::vector<Vec3> ends(std::uint32_t instance = 0) const;
@@ -86,6 +77,9 @@ class TestHair {
   AlignedBytes file_;
   AlignedBytes memory_;
 };
+
+/// All that this build has and this processor knows, kScalar included.
+[[nodiscard]] std::vector<InstructionSet> runnable_sets();
 
 [[nodiscard]] float distance(const Vec3& a, const Vec3& b);
 [[nodiscard]] float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
