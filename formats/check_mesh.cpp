@@ -50,6 +50,7 @@ LoadStatus skin_error(const SkinRecord& skin, std::size_t i, std::uint32_t bones
 
 LoadStatus check_skin(const Asset& asset) {
   const auto skin = asset.skin();
+  if (skin.empty()) return {};  // rigid hair
   if (skin.size() != asset.vertices().size()) {
     return {LoadCode::kChunkSize, chunk::kSkin, 0, asset.vertices().size(), skin.size()};
   }
@@ -126,7 +127,6 @@ LoadStatus check_mesh(const Asset& asset) {
     if (!asset.patches().empty()) return {LoadCode::kChunkMissing, chunk::kVertices};
     return {};
   }
-  if (asset.skin().empty()) return {LoadCode::kChunkMissing, chunk::kSkin};
   if (asset.indices().empty()) return {LoadCode::kChunkMissing, chunk::kIndices};
   if (asset.patches().empty()) return {LoadCode::kChunkMissing, chunk::kPatches};
   if (const LoadStatus status = check_vertices(asset.vertices()); !status) return status;

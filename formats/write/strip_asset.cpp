@@ -16,11 +16,11 @@ struct Need {
 };
 
 constexpr Need kNeeds[] = {
-    {chunk::kChains, chunk::kDynamics},  {chunk::kDynamics, chunk::kChains}, {chunk::kTuning, chunk::kDynamics},
-    {chunk::kQuality, chunk::kDynamics}, {chunk::kVertices, chunk::kSkin},   {chunk::kVertices, chunk::kIndices},
-    {chunk::kVertices, chunk::kPatches}, {chunk::kSkin, chunk::kVertices},   {chunk::kIndices, chunk::kVertices},
-    {chunk::kPatches, chunk::kVertices}, {chunk::kLods, chunk::kPatches},    {chunk::kLods, chunk::kLodBones},
-    {chunk::kLodBones, chunk::kLods},    {chunk::kTextures, chunk::kTexels}, {chunk::kTexels, chunk::kTextures},
+    {chunk::kChains, chunk::kDynamics},  {chunk::kDynamics, chunk::kChains},  {chunk::kTuning, chunk::kDynamics},
+    {chunk::kQuality, chunk::kDynamics}, {chunk::kVertices, chunk::kIndices}, {chunk::kVertices, chunk::kPatches},
+    {chunk::kSkin, chunk::kVertices},    {chunk::kIndices, chunk::kVertices}, {chunk::kPatches, chunk::kVertices},
+    {chunk::kLods, chunk::kPatches},     {chunk::kLods, chunk::kLodBones},    {chunk::kLodBones, chunk::kLods},
+    {chunk::kTextures, chunk::kTexels},  {chunk::kTexels, chunk::kTextures},
 };
 
 bool contains(std::span<const std::uint32_t> ids, std::uint32_t id) { return std::ranges::find(ids, id) != ids.end(); }

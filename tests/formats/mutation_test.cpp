@@ -48,7 +48,8 @@ double touch_everything(const Asset& asset) {
   for (const PatchRecord& patch : asset.patches()) {
     for (std::uint32_t k = 0; k < patch.index_count; ++k) {
       const std::uint32_t v = asset.indices()[patch.first_index + k];
-      sum += asset.vertices()[v].position[0] + asset.bones()[asset.skin()[v].bone[0]].joint[0];
+      sum += asset.vertices()[v].position[0];
+      if (!asset.skin().empty()) sum += asset.bones()[asset.skin()[v].bone[0]].joint[0];
     }
   }
   for (const TextureRecord& t : asset.textures()) {

@@ -76,6 +76,12 @@ TEST(Open, RefusesSkinOnABoneThatDoesNotExist) {
   EXPECT_EQ(open_written(contents).code, LoadCode::kReference);
 }
 
+TEST(Open, AcceptsAMeshWithoutSkin) {
+  AssetContents contents = small_asset();
+  contents.skin.clear();
+  EXPECT_EQ(open_written(contents).code, LoadCode::kOk);
+}
+
 TEST(Open, AcceptsASkeletonAlone) {
   AssetContents contents = small_asset();
   contents.vertices.clear();
@@ -160,7 +166,6 @@ TEST(Open, RefusesBrokenMeshes) {
   EXPECT_EQ(refusal([](auto& a) { a.indices[4] = 9; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.indices.pop_back(); }), LoadCode::kChunkSize);
   EXPECT_EQ(refusal([](auto& a) { a.skin.pop_back(); }), LoadCode::kChunkSize);
-  EXPECT_EQ(refusal([](auto& a) { a.skin.clear(); }), LoadCode::kChunkMissing);
   EXPECT_EQ(refusal([](auto& a) { a.vertices.clear(); }), LoadCode::kChunkMissing);
   EXPECT_EQ(refusal([](auto& a) { a.skin[0].bone[3] = 5; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.skin[5].weight[0] = 0; }), LoadCode::kWeightSum);

@@ -25,7 +25,10 @@ Eigen::Vector3f patch_color(std::size_t patch) {
 
 using Rows = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
 
-Rows blended(const SkinRecord& skin, std::span<const Mat34> palette) {
+/// What moves a vertex; nothing where the hair is rigid.
+Rows blended(const Asset& asset, std::uint32_t index, std::span<const Mat34> palette) {
+  if (asset.skin().empty()) return Rows::Identity();
+  const SkinRecord& skin = asset.skin()[index];
   Rows sum = Rows::Zero();
   for (int k = 0; k < 4; ++k) {
     sum += float(skin.weight[k]) / 255.0f * Eigen::Map<const Rows>(&palette[skin.bone[k]].m[0][0]);
@@ -35,7 +38,7 @@ Rows blended(const SkinRecord& skin, std::span<const Mat34> palette) {
 
 SolidVertex skinned(const Asset& asset, std::span<const Mat34> palette, std::uint32_t index) {
   const VertexRecord& vertex = asset.vertices()[index];
-  const Rows rows = blended(asset.skin()[index], palette);
+  const Rows rows = blended(asset, index, palette);
   const Eigen::Map<const Eigen::Vector3f> position(vertex.position);
   const Eigen::Vector3f normal(float(vertex.normal[0]), float(vertex.normal[1]), float(vertex.normal[2]));
   return {rows * position.homogeneous(), (rows.leftCols<3>() * (normal / kSnorm)).normalized()};
