@@ -39,6 +39,8 @@ PlacedCollider place(const ColliderRecord& record, const Quat& head_rotation) {
   placed.bound_center = placed.center + half;
   // A little more than exact, so that what rounding says of a grazing bone does not matter.
   placed.bound_radius = is_plane ? 0.0f : (largest(placed.radii) + length(half)) * 1.0001f;
+  const bool is_endless = is_plane || placed.keeps_inside;
+  placed.farthest = is_endless ? 3e18f : (length(placed.bound_center) + placed.bound_radius) * 1.0001f;
   return placed;
 }
 

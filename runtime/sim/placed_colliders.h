@@ -20,6 +20,7 @@ struct PlacedCollider {
   Quat rotation;      ///< Ellipsoid: world from its own axes.
   Vec3 bound_center;  ///< A ball around the whole collider. Plane: a point on it.
   float bound_radius = 0;
+  float farthest = 0;  ///< See PlacedColliders::farthest().
 };
 
 /// The ball out of which a capsule is made that is nearest to a point.
@@ -53,6 +54,17 @@ class PlacedColliders {
 
   /// True where each of `set` is a sphere that keeps hair outside.
   [[nodiscard]] bool only_spheres(std::uint32_t set) const { return (set & ~spheres_) == 0; }
+
+  /// Metres from the head's position within which each of `set` lies, whatever way the head is turned; infinite for planes
+  /// and for what keeps hair inside.
+  [[nodiscard]] float farthest(std::uint32_t set) const {
+    float most = 0;
+    for (std::uint32_t left = set & existing_; left != 0; left &= left - 1) {
+      const float own = placed_[std::countr_zero(left)].farthest;
+      most = own > most ? own : most;
+    }
+    return most;
+  }
 
   /// Calls `visit(collider)` for each collider of `set`.
   template <typename Visit>

@@ -65,10 +65,11 @@ class CoifChain {
   }
 
  private:
-  HWY_INLINE Carrier<D> joint_on_head(const BoneLanes& bone) const {
+  HWY_INLINE void advance(std::size_t i);
+
+  HWY_INLINE void joint_on_head(const BoneLanes& bone, Carrier<D>& carrier) const {
     const MoveLanes& move = *row_.move;
     const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
-    Carrier<D> carrier;
     carrier.position = load(d_, bone.joint, lane_);
     carrier.angular_velocity = load(d_, move.angular_velocity, lane_);
     carrier.angular_velocity_before = load(d_, move.angular_velocity_before, lane_);
@@ -79,65 +80,20 @@ class CoifChain {
     carrier.velocity_before =
         add(d_, load(d_, move.velocity_before, lane_), cross(d_, carrier.angular_velocity_before, before));
     carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-    return carrier;
-  }
-
-  HWY_INLINE void advance(std::size_t i) {
-    const RowBone& shape = row_.bones[i];
-    const BoneLanes& bone = row_.constants[i];
-    CoifState& state = state_[i];
-    const Carrier<D> from = (shape.features & kRowHangsFromHead) ? joint_on_head(bone) : carriers_[shape.parent_slot];
-    const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
-    const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
-    const V3<D> speed_before = load(d_, state.velocity, lane_);
-    const Target<D> target = target_of(shape, bone, from, arm_before, length);
-
-    BoneMotion<D> now{target.arm, target.velocity};
-    if (row_.level < shape.most_levels) {
-      now = move_freely(i, shape, from, target, before, arm_before, speed_before, length);
-      if (shape.features & kRowHasLimit) keep_in_limit(bone, target, now);
-    }
-    V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
-    if (shape.features & kRowCollides) keep_clear_of(shape, bone, from, before, now, direction);
-    if (row_.level >= shape.fewest_levels) stay_rigid(bone, from, target, length, now, direction);
-
-    const V3<D> rest = load(d_, bone.rest, lane_);
-    Bent<D> bent = bend(d_, from.frame, rest, target.by_parent, direction);
-    auto spin = hn::Zero(d_);
-    const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), per_length);
-    if (shape.features & kRowTwists) {
-      spin = twist(i, bone, from, now, direction, rest, bent);
-    } else if (shape.features & kRowHasChildren) {
-      spin = spin_of_arc(shape, from, target, now, swing, bent.per_fold);
-    }
-    store(d_, now.direction, state.direction, lane_);
-    store(d_, target.arm, state.arm, lane_);
-    store(d_, now.velocity, state.velocity, lane_);
-    motion_ = hn::Add(motion_, dot(d_, now.velocity, now.velocity));
-
-    if (shape.features & kRowHasChildren) {
-      leave_carrier(shape, state, from, now, before, speed_before, swing, spin, length, per_length, bent.frame,
-                    direction);
-    }
-    if (row_.palette != nullptr) {
-      store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i, used_);
-    }
   }
 
   /// What the children hang from. The motion before the step is put together from what was stored after the last one.
-  HWY_INLINE void leave_carrier(const RowBone& shape, CoifState& state, const Carrier<D>& from,
-                                const BoneMotion<D>& now, const V3<D>& before, const V3<D>& speed_before,
+  HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now, const V3<D>& before, const V3<D>& speed_before,
                                 const V3<D>& swing, V<D> spin, V<D> length, V<D> per_length, const M3<D>& frame,
                                 const V3<D>& direction) {
     const V3<D> swing_before = scale(d_, cross(d_, before, speed_before), per_length);
     const auto spin_before = load(d_, state.spin, lane_);
-    Carrier<D>& tail = carriers_[shape.slot];
     tail.way = add_scaled(d_, from.way, sub(d_, now.direction, before), length);
     tail.velocity_before = add(d_, from.velocity_before, speed_before);
     tail.angular_velocity_before = add_scaled(d_, swing_before, before, spin_before);
     tail.velocity = add(d_, from.velocity, now.velocity);
     tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
-    tail.frame = frame;
+    copy(d_, frame, tail.frame);
     tail.position = add_scaled(d_, from.position, direction, length);
     store(d_, spin, state.spin, lane_);
   }
@@ -182,23 +138,25 @@ class CoifChain {
     const V3<D> way = add_scaled(d_, from.way, sub(d_, target.arm, arm_before), length);
     const V3<D> gravity = same(d_, row_.gravity);
 
-    V3<D> free = add_scaled(d_, target.arm, offset_before, load(d_, c.offset_from_offset, lane_));
-    free = add_scaled(d_, free, velocity_before, load(d_, c.offset_from_velocity, lane_));
-    free = add_scaled(d_, free, target_before, load(d_, c.offset_from_target_before, lane_));
-    free = add_scaled(d_, free, target_velocity, load(d_, c.offset_from_target_velocity, lane_));
-    free = add_scaled(d_, free, way, load(d_, c.offset_from_way, lane_));
-    free = add_scaled(d_, free, gravity, load(d_, c.offset_from_gravity, lane_));
-    V3<D> velocity = add_scaled(d_, target.velocity, offset_before, load(d_, c.velocity_from_offset, lane_));
-    velocity = add_scaled(d_, velocity, velocity_before, load(d_, c.velocity_from_velocity, lane_));
-    velocity = add_scaled(d_, velocity, target_before, load(d_, c.velocity_from_target_before, lane_));
-    velocity = add_scaled(d_, velocity, target_velocity, load(d_, c.velocity_from_target_velocity, lane_));
-    velocity = add_scaled(d_, velocity, way, load(d_, c.velocity_from_way, lane_));
-    velocity = add_scaled(d_, velocity, gravity, load(d_, c.velocity_from_gravity, lane_));
+    // What is known early comes first: the sums are long, and the parent's motion is what everything waits for.
+    V3<D> free = scale(d_, gravity, load(d_, c.offset_from_gravity, lane_));
+    V3<D> velocity = scale(d_, gravity, load(d_, c.velocity_from_gravity, lane_));
     if (shape.features & kRowFeelsAir) {
       const V3<D> air = load(d_, row_.move->air, lane_);
       free = add_scaled(d_, free, air, load(d_, c.offset_from_air, lane_));
       velocity = add_scaled(d_, velocity, air, load(d_, c.velocity_from_air, lane_));
     }
+    free = add_scaled(d_, free, offset_before, load(d_, c.offset_from_offset, lane_));
+    velocity = add_scaled(d_, velocity, offset_before, load(d_, c.velocity_from_offset, lane_));
+    free = add_scaled(d_, free, velocity_before, load(d_, c.offset_from_velocity, lane_));
+    velocity = add_scaled(d_, velocity, velocity_before, load(d_, c.velocity_from_velocity, lane_));
+    free = add_scaled(d_, free, target_before, load(d_, c.offset_from_target_before, lane_));
+    velocity = add_scaled(d_, velocity, target_before, load(d_, c.velocity_from_target_before, lane_));
+    free = add(d_, add_scaled(d_, free, way, load(d_, c.offset_from_way, lane_)), target.arm);
+    velocity = add_scaled(d_, velocity, way, load(d_, c.velocity_from_way, lane_));
+    free = add_scaled(d_, free, target_velocity, load(d_, c.offset_from_target_velocity, lane_));
+    velocity = add_scaled(d_, velocity, target_velocity, load(d_, c.velocity_from_target_velocity, lane_));
+    velocity = add(d_, velocity, target.velocity);
     return keep_length(free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
@@ -208,8 +166,9 @@ class CoifChain {
                                        V<D> velocity_per_way) const {
     const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
     const V3<D> mean = add(d_, free, before);  // no need of unit length: the root below is homogeneous
-    const auto mean2 = dot(d_, mean, mean), along = dot(d_, free, mean);
-    const auto excess = hn::Sub(dot(d_, free, free), one);
+    const auto free2 = dot(d_, free, free), cosine = dot(d_, free, before);
+    const auto along = hn::Add(free2, cosine);  // free mean, of which mean mean is left to add
+    const auto mean2 = hn::Add(along, hn::Add(cosine, one)), excess = hn::Sub(free2, one);
     const auto along2 = hn::Mul(along, along);
     const auto root2 = hn::Sub(along2, hn::Mul(mean2, excess));
     const auto has_mean =
@@ -257,11 +216,15 @@ class CoifChain {
                                 const V3<D>& before, BoneMotion<D>& now, V3<D>& direction) const {
     const PlacedColliders& colliders = *row_.colliders;
     const auto length = load(d_, bone.length, lane_), hit_radius = load(d_, bone.hit_radius, lane_);
+    const auto is_near = in_reach(d_, colliders, shape.colliders, from.position, hn::Add(length, hit_radius));
+    if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
+    // Far enough in one step, the bone may have jumped through a collider.
     auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
     for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
       const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
       reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
     }
+    reached = hn::And(reached, is_near);
     if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
     const MoveLanes& move = *row_.move;
     TouchingBone<D> touching;
@@ -305,7 +268,7 @@ class CoifChain {
                         const V3<D>& direction, const V3<D>& rest, Bent<D>& bent) const {
     const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), half = hn::Set(d_, 0.5f);
     TwistState& state = row_.twist[i];
-    const V3<D> before = load(d_, state.before, lane_), after = rotate_back(d_, from.frame, direction);
+    const V3<D> before = load(d_, state.before, lane_), after = bent.seen;
     const auto cosine = load(d_, state.cosine, lane_), sine = load(d_, state.sine, lane_);
     // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
     const auto rest_after = dot(d_, rest, after);
@@ -348,8 +311,55 @@ class CoifChain {
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
   V<D> motion_;
+  Carrier<D> joint_;
   Carrier<D> carriers_[kMaxOpenBones];
 };
+
+template <class D>
+HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
+  const RowBone& shape = row_.bones[i];
+  const BoneLanes& bone = row_.constants[i];
+  CoifState& state = state_[i];
+  if (shape.features & kRowHangsFromHead) joint_on_head(bone, joint_);
+  const Carrier<D>& from = (shape.features & kRowHangsFromHead) ? joint_ : carriers_[shape.parent_slot];
+  const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
+  const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
+  const V3<D> speed_before = load(d_, state.velocity, lane_);
+  const Target<D> target = target_of(shape, bone, from, arm_before, length);
+
+  BoneMotion<D> now{target.arm, target.velocity};
+  if (row_.level < shape.most_levels) {
+    now = move_freely(i, shape, from, target, before, arm_before, speed_before, length);
+    if (shape.features & kRowHasLimit) keep_in_limit(bone, target, now);
+  }
+  V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
+  if (shape.features & kRowCollides) keep_clear_of(shape, bone, from, before, now, direction);
+  if (row_.level >= shape.fewest_levels) stay_rigid(bone, from, target, length, now, direction);
+
+  const V3<D> rest = load(d_, bone.rest, lane_);
+  Bent<D> bent = bend(d_, from.frame, rest, target.by_parent, direction);
+  auto spin = hn::Zero(d_);
+  const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), per_length);
+  if (shape.features & kRowTwists) {
+    spin = twist(i, bone, from, now, direction, rest, bent);
+  } else if (shape.features & kRowHasChildren) {
+    spin = spin_of_arc(shape, from, target, now, swing, bent.per_fold);
+  }
+  store(d_, now.direction, state.direction, lane_);
+  store(d_, target.arm, state.arm, lane_);
+  store(d_, now.velocity, state.velocity, lane_);
+  if (row_.palette != nullptr) {
+    store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i, used_);
+  }
+  if (shape.features & kRowHasChildren) {
+    // Last, since it may take the place of what the bone itself hangs from.
+    leave_carrier(carriers_[shape.slot], state, from, now, before, speed_before, swing, spin, length, per_length,
+                  bent.frame, direction);
+  } else {
+    const V3<D> velocity = sub(d_, add(d_, from.velocity, now.velocity), load(d_, row_.move->velocity, lane_));
+    motion_ = hn::Add(motion_, dot(d_, velocity, velocity));
+  }
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace coif

@@ -34,6 +34,22 @@ HWY_INLINE V3<D> across(D d, const V3<D>& velocity, const V3<D>& direction) {
   return sub_scaled(d, velocity, direction, dot(d, velocity, direction));
 }
 
+/// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its direction.
+template <class D>
+HWY_INLINE hn::Mask<D> in_reach(D d, const PlacedColliders& colliders, std::uint32_t set, const V3<D>& start,
+                                V<D> reach) {
+  const auto zero = hn::Zero(d);
+  auto is_near = hn::Lt(zero, zero);
+  for (std::uint32_t left = set; left != 0; left &= left - 1) {
+    const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
+    if (collider.keeps_inside || collider.shape == ColliderShape::kPlane) return hn::Eq(zero, zero);
+    const V3<D> from = sub(d, start, same(d, collider.bound_center));
+    const auto farthest = hn::Add(hn::Set(d, collider.bound_radius), reach);
+    is_near = hn::Or(is_near, hn::Lt(dot(d, from, from), hn::Mul(farthest, farthest)));
+  }
+  return is_near;
+}
+
 /// Where the bone, a segment with a thickness, comes nearer than it may to the ball around the collider.
 template <class D>
 HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction,

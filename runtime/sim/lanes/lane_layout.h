@@ -11,9 +11,9 @@ namespace coif {
 
 inline constexpr std::uint32_t kLanes = 16;
 
-/// One number of each lane.
+/// One number of each lane. Not initialised unless written Lanes{}.
 struct alignas(64) Lanes {
-  float v[kLanes] = {};
+  float v[kLanes];
 };
 
 struct Lanes3 {
@@ -55,9 +55,8 @@ struct BoneLanes {
   Lanes parent_share;
   Lanes torsion;
   Lanes resistance;
-  alignas(64) std::uint32_t colliders[kLanes] = {};  ///< Sets.
-  alignas(
-      64) std::int32_t levels[kLanes] = {};  ///< In how many levels of detail, from the finest, the bone is simulated.
+  alignas(64) std::uint32_t colliders[kLanes];  ///< Sets.
+  alignas(64) std::int32_t levels[kLanes];  ///< In how many levels of detail, from the finest, the bone is simulated.
 };
 
 /// What the step of `coif` multiplies with: everything that depends on the bone and on dt, from compute_coefficients().
@@ -133,7 +132,7 @@ struct HeadLanes {
   Lanes3 mean_angular_velocity;
   Lanes last_dt;                         ///< Seconds; 0: there was no step yet.
   Lanes quiet;                           ///< Seconds for which head and hair have been at rest.
-  double next_position[3][kLanes] = {};  ///< World, metres.
+  double next_position[3][kLanes];  ///< World, metres.
 };
 
 /// What a step makes of them before it moves any bone.

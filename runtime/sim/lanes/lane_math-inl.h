@@ -36,6 +36,21 @@ struct M3 {
   V3<D> x, y, z;
 };
 
+/// Copies vector by vector. Left to the compiler, the assignment of a large struct goes through memory in parts that the
+/// processor cannot forward to the loads that follow.
+template <class D>
+HWY_INLINE void copy(D, const V3<D>& from, V3<D>& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+template <class D>
+HWY_INLINE void copy(D d, const M3<D>& from, M3<D>& to) {
+  copy(d, from.x, to.x);
+  copy(d, from.y, to.y);
+  copy(d, from.z, to.z);
+}
+
 template <class D>
 HWY_INLINE V<D> load(D d, const Lanes& from, std::size_t lane) {
   return hn::Load(d, from.v + lane);
@@ -128,11 +143,17 @@ HWY_INLINE M3<D> choose(M mask, const M3<D>& yes, const M3<D>& no) {
   return {choose<D>(mask, yes.x, no.x), choose<D>(mask, yes.y, no.y), choose<D>(mask, yes.z, no.z)};
 }
 
+/// False where this is the square of no length, or of one that is not finite.
+template <class D>
+HWY_INLINE hn::Mask<D> has_length(D d, V<D> length2) {
+  return hn::And(hn::Gt(length2, hn::Set(d, 1e-18f)), hn::Lt(length2, hn::Set(d, 1e38f)));
+}
+
 /// `offset` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() does it.
 template <class D>
 HWY_INLINE V3<D> direction_or(D d, const V3<D>& offset, const V3<D>& fallback) {
   const auto length2 = dot(d, offset, offset);
-  const auto fits = hn::And(hn::Gt(length2, hn::Set(d, 1e-18f)), hn::Lt(length2, hn::Set(d, 1e38f)));
+  const auto fits = has_length(d, length2);
   const auto per_length = hn::Div(hn::Set(d, 1.0f), hn::Sqrt(length2));
   return choose<D>(fits, scale(d, offset, per_length), fallback);
 }
@@ -151,23 +172,24 @@ HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
 template <class D>
 struct Bent {
   M3<D> frame;
+  V3<D> seen;      ///< `to` in the frame `parent`.
   V<D> per_fold;
 };
 
 template <class D>
 HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
-  const auto one = hn::Set(d, 1.0f);
-  const auto unfolded = hn::Add(one, dot(d, from, to));
-  const auto is_folded = hn::Lt(unfolded, hn::Set(d, 1e-7f));
-  const auto k = hn::Div(one, hn::Max(unfolded, hn::Set(d, 1e-7f)));
-  const V3<D> sum = add(d, from, to);
-  const V3<D> share = scale(d, add(d, rest, rotate_back(d, parent, to)), k);
-  const V3<D> twice = add(d, rest, rest);
+  const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-7f);
+  const V3<D> seen = rotate_back(d, parent, to);
+  const auto unfolded = hn::Add(one, dot(d, rest, seen));
+  const auto k = hn::Div(one, hn::Max(unfolded, least));
+  const V3<D> sum = add(d, from, to), share = scale(d, add(d, rest, seen), k), twice = add(d, to, to);
+  const auto is_folded = hn::Lt(unfolded, least);
   Bent<D> bent;
+  bent.seen = seen;
   bent.per_fold = k;
-  bent.frame.x = add_scaled(d, sub_scaled(d, parent.x, sum, share.x), to, twice.x);
-  bent.frame.y = add_scaled(d, sub_scaled(d, parent.y, sum, share.y), to, twice.y);
-  bent.frame.z = add_scaled(d, sub_scaled(d, parent.z, sum, share.z), to, twice.z);
+  bent.frame.x = add_scaled(d, sub_scaled(d, parent.x, sum, share.x), twice, rest.x);
+  bent.frame.y = add_scaled(d, sub_scaled(d, parent.y, sum, share.y), twice, rest.y);
+  bent.frame.z = add_scaled(d, sub_scaled(d, parent.z, sum, share.z), twice, rest.z);
   if (HWY_UNLIKELY(!hn::AllFalse(d, is_folded))) {
     // Folded back onto itself, every arc is as short: half a turn about a hinge chosen in the rest frame.
     const V3<D> own = any_perpendicular(d, rest), hinge = rotate(d, parent, own);

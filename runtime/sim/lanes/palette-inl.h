@@ -13,11 +13,9 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
-/// Stores one row of each lane's matrix, 16 bytes to its own place.
+/// Turns one row of the matrices from a vector for each column into four floats for each lane.
 template <class D>
-HWY_INLINE void store_matrix_row(D d, V<D> a, V<D> b, V<D> c, V<D> t, Mat34* const* to, std::size_t bone, int row,
-                                 std::size_t lanes) {
-  alignas(64) float rows[4 * kLanes];
+HWY_INLINE void gather_row(D d, V<D> a, V<D> b, V<D> c, V<D> t, float* rows) {
   if constexpr (hn::MaxLanes(D()) == 1) {
     hn::Store(a, d, rows);
     hn::Store(b, d, rows + 1);
@@ -26,20 +24,23 @@ HWY_INLINE void store_matrix_row(D d, V<D> a, V<D> b, V<D> c, V<D> t, Mat34* con
   } else {
     hn::StoreInterleaved4(a, b, c, t, d, rows);
   }
-  for (std::size_t i = 0; i < lanes; ++i) {
-    float* const row_of_lane = to[i][bone].m[row];
-    for (int k = 0; k < 4; ++k) row_of_lane[k] = rows[4 * i + k];
-  }
 }
 
-/// Rotates about the bone's rest joint, then carries that joint to `start`: rest pose in head space -> present pose.
+/// Rotates about the bone's rest joint, then carries that joint to `start`: rest pose in head space -> present pose. Each
+/// lane's matrix goes to its own place, where it is written as a whole.
 template <class D>
 HWY_INLINE void store_matrix(D d, const M3<D>& frame, const V3<D>& joint, const V3<D>& start, Mat34* const* to,
                              std::size_t bone, std::size_t lanes) {
+  const hn::CappedTag<float, 4> four;
+  alignas(64) float rows[3][4 * kLanes];
   const V3<D> shift = sub(d, start, rotate(d, frame, joint));
-  store_matrix_row(d, frame.x.x, frame.y.x, frame.z.x, shift.x, to, bone, 0, lanes);
-  store_matrix_row(d, frame.x.y, frame.y.y, frame.z.y, shift.y, to, bone, 1, lanes);
-  store_matrix_row(d, frame.x.z, frame.y.z, frame.z.z, shift.z, to, bone, 2, lanes);
+  gather_row(d, frame.x.x, frame.y.x, frame.z.x, shift.x, rows[0]);
+  gather_row(d, frame.x.y, frame.y.y, frame.z.y, shift.y, rows[1]);
+  gather_row(d, frame.x.z, frame.y.z, frame.z.z, shift.z, rows[2]);
+  for (std::size_t i = 0; i < lanes; ++i) {
+    Mat34& matrix = to[i][bone];
+    for (int row = 0; row < 3; ++row) hn::StoreU(hn::Load(four, rows[row] + 4 * i), four, matrix.m[row]);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -36,34 +36,12 @@ class ThesisChain {
     // would mean stiffer hair. Lengths and head are what the thesis iterates "to get a closer approximation".
     for (std::uint32_t pass = 0; pass < row_.iterations; ++pass) {
       for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_length(i);
-      for (std::size_t i = 0; i < row_.bones.size(); ++i) {
-        if (row_.bones[i].features & kRowCollides) keep_clear(i);
-      }
+      for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_clear(i);
     }
     for (std::size_t i = 0; i < row_.bones.size(); ++i) finish(i);
   }
 
  private:
-  /// What a bone hangs from, head space.
-  struct Parent {
-    M3<D> frame;
-    V3<D> position;
-  };
-
-  [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
-
-  /// World axes.
-  HWY_INLINE V3<D> start_of(std::size_t i) const {
-    if (is_first(i)) return rotate(d_, turn_, load(d_, row_.constants[i].joint, lane_));
-    return load(d_, state_[row_.bones[i].parent].position, lane_);
-  }
-
-  HWY_INLINE Parent parent_of(std::size_t i) const {
-    if (!is_first(i)) return parents_[row_.bones[i].parent_slot];
-    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
-    return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}, load(d_, row_.constants[i].joint, lane_)};
-  }
-
   /// Lines 1-8: forces to velocity, velocity to position, towards the default position. Parents come first, so each bone
   /// sees its parent already pulled. The resistance is taken per step, whatever the step's length: the published method
   /// has no correction. Positions are relative to the head: when it moves one way, everything else moves the other way.
@@ -79,7 +57,7 @@ class ThesisChain {
     const V3<D> before = sub(d_, load(d_, state.position, lane_), load(d_, row_.move->way, lane_));
     V3<D> position = add_scaled(d_, before, velocity, hn::Set(d_, row_.dt));
 
-    const Parent parent = parent_of(i);
+    const Parent& parent = parent_of(i);
     const V3<D> start = start_of(i), rest = load(d_, bone.rest, lane_);
     const V3<D> by_parent = rotate(d_, parent.frame, rest), arm = rotate(d_, turn_, by_parent);
     const V3<D> target = add_scaled(d_, start, arm, load(d_, bone.length, lane_));
@@ -89,7 +67,7 @@ class ThesisChain {
     store(d_, before, state.velocity, lane_);
     if (!(shape.features & kRowHasChildren)) return;
     const V3<D> direction = rotate_back(d_, turn_, direction_or(d_, sub(d_, position, start), arm));
-    parents_[shape.slot] = {bend(d_, parent.frame, rest, by_parent, direction).frame, parent.position};
+    copy(d_, bend(d_, parent.frame, rest, by_parent, direction).frame, parents_[shape.slot].frame);
   }
 
   /// Lines 9-12: particle and parent each take half of the length error; a fixed start takes nothing.
@@ -97,21 +75,31 @@ class ThesisChain {
     const BoneLanes& bone = row_.constants[i];
     const V3<D> position = load(d_, state_[i].position, lane_), start = start_of(i);
     const V3<D> offset = sub(d_, position, start);
-    const V3<D> direction = direction_or(d_, offset, rotate(d_, turn_, load(d_, bone.rest, lane_)));
-    const auto excess = hn::Sub(hn::Sqrt(dot(d_, offset, offset)), load(d_, bone.length, lane_));
-    if (is_first(i)) return store(d_, sub_scaled(d_, position, direction, excess), state_[i].position, lane_);
-    const auto half = hn::Mul(excess, hn::Set(d_, 0.5f));
-    store(d_, sub_scaled(d_, position, direction, half), state_[i].position, lane_);
-    store(d_, add_scaled(d_, start, direction, half), state_[row_.bones[i].parent].position, lane_);
+    const auto length = load(d_, bone.length, lane_), now2 = dot(d_, offset, offset), now = hn::Sqrt(now2);
+    const auto has_direction = has_length(d_, now2);
+    V3<D> excess = scale(d_, offset, hn::Div(hn::Sub(now, length), now));
+    if (HWY_UNLIKELY(!hn::AllTrue(d_, has_direction))) {
+      const V3<D> any = rotate(d_, turn_, load(d_, bone.rest, lane_));
+      excess = choose<D>(has_direction, excess, scale(d_, any, hn::Sub(now, length)));
+    }
+    if (is_first(i)) return store(d_, sub(d_, position, excess), state_[i].position, lane_);
+    const V3<D> half = scale(d_, excess, hn::Set(d_, 0.5f));
+    store(d_, sub(d_, position, half), state_[i].position, lane_);
+    store(d_, add(d_, start, half), state_[row_.bones[i].parent].position, lane_);
   }
 
   /// Lines 13-16, for whatever the asset has where the thesis has a head.
   HWY_INLINE void keep_clear(std::size_t i) {
+    if (!(row_.bones[i].features & kRowCollides)) return;
     const BoneLanes& bone = row_.constants[i];
     const PlacedColliders& colliders = *row_.colliders;
     const std::uint32_t set = row_.bones[i].colliders;
     const auto hit_radius = load(d_, bone.hit_radius, lane_);
-    V3<D> position = rotate_back(d_, turn_, load(d_, state_[i].position, lane_));
+    const V3<D> now = load(d_, state_[i].position, lane_);
+    // Seen from the head's position, where colliders turn about, distances need no rotation.
+    const auto farthest = hn::Add(hn::Set(d_, colliders.farthest(set)), hit_radius);
+    if (HWY_LIKELY(hn::AllTrue(d_, hn::Gt(dot(d_, now, now), hn::Mul(farthest, farthest))))) return;
+    V3<D> position = rotate_back(d_, turn_, now);
     if (!colliders.only_spheres(set)) return clear_one_by_one(i, position);
     auto moved = hn::Lt(hit_radius, hn::Neg(hit_radius));
     for (std::uint32_t left = set; left != 0; left &= left - 1) {
@@ -129,10 +117,56 @@ class ThesisChain {
       moved = hn::Or(moved, is_inside);
     }
     if (hn::AllFalse(d_, moved)) return;
-    const V3<D> now = load(d_, state_[i].position, lane_);
     store(d_, choose<D>(moved, rotate(d_, turn_, position), now), state_[i].position, lane_);
   }
 
+  /// Lines 17-19, and the matrices. They follow the segments' directions: a stretched bone does not scale.
+  HWY_INLINE void finish(std::size_t i) {
+    const RowBone& shape = row_.bones[i];
+    const BoneLanes& bone = row_.constants[i];
+    ThesisState& state = state_[i];
+    const V3<D> position = load(d_, state.position, lane_);
+    const V3<D> moved = sub(d_, position, load(d_, state.velocity, lane_));
+    const V3<D> velocity = scale(d_, moved, hn::Set(d_, 1.0f / row_.dt));
+    store(d_, velocity, state.velocity, lane_);
+    const V3<D> change = sub(d_, velocity, load(d_, row_.move->velocity, lane_));
+    store(d_, hn::Add(load(d_, *row_.motion, lane_), dot(d_, change, change)), *row_.motion, lane_);
+    if (row_.palette == nullptr) return;
+
+    const Parent& parent = parent_of(i);
+    const V3<D> rest = load(d_, bone.rest, lane_), by_parent = rotate(d_, parent.frame, rest);
+    const V3<D> tail = rotate_back(d_, turn_, position);
+    const V3<D> direction = direction_or(d_, sub(d_, tail, parent.position), by_parent);
+    const M3<D> frame = bend(d_, parent.frame, rest, by_parent, direction).frame;
+    store_matrix(d_, frame, load(d_, bone.joint, lane_), parent.position, row_.palette + lane_, i, used_);
+    if (!(shape.features & kRowHasChildren)) return;
+    copy(d_, frame, parents_[shape.slot].frame);
+    copy(d_, tail, parents_[shape.slot].position);
+  }
+
+  /// What a bone hangs from, head space.
+  struct Parent {
+    M3<D> frame;
+    V3<D> position;
+  };
+
+  [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
+
+  /// World axes.
+  HWY_INLINE V3<D> start_of(std::size_t i) const {
+    if (is_first(i)) return rotate(d_, turn_, load(d_, row_.constants[i].joint, lane_));
+    return load(d_, state_[row_.bones[i].parent].position, lane_);
+  }
+
+  HWY_INLINE const Parent& parent_of(std::size_t i) {
+    if (!is_first(i)) return parents_[row_.bones[i].parent_slot];
+    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
+    joint_.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    joint_.position = load(d_, row_.constants[i].joint, lane_);
+    return joint_;
+  }
+
+  /// What is not only spheres.
   HWY_NOINLINE void clear_one_by_one(std::size_t i, const V3<D>& in_head_space) {
     const BoneLanes& bone = row_.constants[i];
     Lanes3 position, cleared;
@@ -152,28 +186,6 @@ class ThesisChain {
     store(d_, choose<D>(has_moved, then, now), state_[i].position, lane_);
   }
 
-  /// Lines 17-19, and the matrices. They follow the segments' directions: a stretched bone does not scale.
-  HWY_INLINE void finish(std::size_t i) {
-    const RowBone& shape = row_.bones[i];
-    const BoneLanes& bone = row_.constants[i];
-    ThesisState& state = state_[i];
-    const V3<D> position = load(d_, state.position, lane_);
-    const V3<D> moved = sub(d_, position, load(d_, state.velocity, lane_));
-    const V3<D> velocity = scale(d_, moved, hn::Set(d_, 1.0f / row_.dt));
-    store(d_, velocity, state.velocity, lane_);
-    const V3<D> change = sub(d_, velocity, load(d_, row_.move->velocity, lane_));
-    store(d_, hn::Add(load(d_, *row_.motion, lane_), dot(d_, change, change)), *row_.motion, lane_);
-    if (row_.palette == nullptr) return;
-
-    const Parent parent = parent_of(i);
-    const V3<D> rest = load(d_, bone.rest, lane_), by_parent = rotate(d_, parent.frame, rest);
-    const V3<D> tail = rotate_back(d_, turn_, position);
-    const V3<D> direction = direction_or(d_, sub(d_, tail, parent.position), by_parent);
-    const M3<D> frame = bend(d_, parent.frame, rest, by_parent, direction).frame;
-    parents_[shape.slot] = {frame, tail};
-    store_matrix(d_, frame, load(d_, bone.joint, lane_), parent.position, row_.palette + lane_, i, used_);
-  }
-
   const D d_;
   const RowStep& row_;
   const ThesisCoefficients* const coefficients_;
@@ -181,6 +193,7 @@ class ThesisChain {
   const std::size_t lane_;
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
+  Parent joint_;
   Parent parents_[kMaxOpenBones];
 };
 
