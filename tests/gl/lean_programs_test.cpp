@@ -170,6 +170,31 @@ TEST_F(LeanPrograms, ReadMatricesFromOnePlace) {
   }
 }
 
+TEST_F(LeanPrograms, ReadNoMatricesForRigidHair) {
+  AssetContents contents = textured();
+  draw_lit(contents);
+  const Pixel skinned = middle_pixel();
+  contents.skin.clear();
+  draw_lit(contents);
+  EXPECT_EQ(middle_pixel(), skinned) << "at rest";
+  EXPECT_FALSE(used_palette_block());
+  EXPECT_FALSE(used("palette_texture"));
+
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  DrawDesc desc = at_rest(0);
+  EXPECT_EQ(renderer_.draw(model, desc), Status::kOk) << "no palette is needed";
+  Mat34 elsewhere;
+  elsewhere.m[0][3] = 5;
+  desc.palette = std::span(&elsewhere, 1);
+  clear();
+  EXPECT_EQ(renderer_.draw(model, desc), Status::kOk) << "nor does one matter";
+  EXPECT_EQ(middle_pixel()[3], 255);
+  desc = at_rest(2);
+  EXPECT_EQ(renderer_.draw(model, desc), Status::kSizeMismatch);
+  model.destroy();
+}
+
 TEST_F(LeanPrograms, HaveNoAlphaTestWhereEveryTexelPasses) {
   Card card, hole;
   hole.rgba[3] = 0;
