@@ -5,7 +5,7 @@ coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: no
   TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
 coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
 coif_cli_case(report_unknown_subject EXIT 1
-  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability" ARGS report a.coif speed)
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, cost" ARGS report a.coif speed)
 coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
   ARGS report a.coif accuracy -o out.pdf)
 coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
@@ -42,5 +42,35 @@ coif_cli_case(report_stability_json EXIT 0 SAMPLE TIMEOUT 300
   JSON asset cases,0,case cases,0,solver cases,0,outcome cases,0,stretch_max_pct cases,0,penetration_max_pct
        cases,0,max_speed cases,0,settle_error_pct descriptions,0,description
   ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis --format json)
+
+set(quick_cost --heads 1,10 --time 0.3 --size 32x24)
+coif_cli_case(report_cost_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
+  STDOUT "bob.coif: [0-9]+ bones, .*\n  coif +[0-9]+ +1 .*\n  as-cooked .*Simulating one head takes .*out.html: written"
+  ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} -o out.html)
+coif_cli_case(report_cost_json EXIT 0 SAMPLE TIMEOUT 300
+  JSON asset machine instruction_set simulation,1,heads simulation,1,solver simulation,1,us_per_frame
+       simulation,1,ns_per_bone_frame simulation,1,spread_pct simulation,1,bytes_per_head features,0,feature
+       features,1,change_pct memory,bytes_per_head file,bytes file,chunks,0,bytes rendering rendering_note
+  ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --format json)
+coif_cli_case(report_cost_not_drawn EXIT 0 SAMPLE STDOUT "\n  not drawn: drawing was not asked for\n"
+  ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --no-drawing)
+# Where there is no EGL the numbers of the simulation are there, and a sentence says why those of drawing are not.
+coif_cli_case(report_cost_without_device EXIT 0 SAMPLE STDOUT "  coif +.*\n  not drawn: no EGL display with OpenGL ES 3.0"
+  ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost})
+set_tests_properties(cli.report_cost_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
+coif_cli_case(report_cost_of_history EXIT 1 SAMPLE
+  STDERR "bob.coif: 'xpbd' is no solver that a game can run; cost is measured of coif, thesis"
+  ARGS report ${COIF_COOKED_SAMPLE} cost --solver xpbd)
+coif_cli_case(report_rates_for_cost EXIT 1
+  STDERR "coif report: error: --fps is for 'coif report FILE.coif accuracy' only; leave it out"
+  ARGS report a.coif cost --fps 30)
+coif_cli_case(report_heads_for_accuracy EXIT 1
+  STDERR "coif report: error: --heads is for 'coif report FILE.coif cost' only; leave it out"
+  ARGS report a.coif accuracy --heads 30)
+coif_cli_case(report_undrawn_stability EXIT 1
+  STDERR "coif report: error: --no-drawing is for 'coif report FILE.coif cost' only; leave it out"
+  ARGS report a.coif stability --no-drawing)
+coif_cli_case(report_no_heads EXIT 1 STDERR "coif report: error: --heads" ARGS report a.coif cost --heads 10,0)
+coif_cli_case(report_no_time EXIT 1 STDERR "coif report: error: --time" ARGS report a.coif cost --time 0)
 
 coif_cli_script(report_needs_gnuplot SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})

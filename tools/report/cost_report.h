@@ -41,7 +41,7 @@ struct CostLeftOut {
   std::string why;
 };
 
-/// Memory of a crowd of n heads: bytes_shared + n * bytes_per_head.
+/// Memory of a crowd of n heads, where n is large: bytes_shared + n * bytes_per_head.
 struct CrowdMemory {
   double bytes_per_head = 0;
   double bytes_shared = 0;

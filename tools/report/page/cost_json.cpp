@@ -65,7 +65,7 @@ ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
   json["left_out"] = list(report.left_out);
   json["memory"] = {{"bytes_per_head", number_json(report.memory.bytes_per_head)},
                     {"bytes_shared", number_json(report.memory.bytes_shared)}};
-  json["asset"] = {
+  json["file"] = {
       {"bytes", report.asset.total}, {"chunks", list(report.asset.chunks)}, {"framing_bytes", report.asset.framing}};
   json["rendering"] = list(report.rendering.rows, report.rendering.device);
   const std::string& note = report.rendering.note;

@@ -67,7 +67,7 @@ void add_memory(const CostReport& report, PlottedPage& page) {
   if (!report.simulation.empty()) {
     page.table(memory_table(report));
     page.paragraph(
-        fmt::format("A crowd of n heads takes {:.0f} bytes, and {:.0f} for each head. The game gives that "
+        fmt::format("Large crowds take about {:.0f} bytes, and {:.0f} for each head. The game gives that "
                     "memory once; nothing is allocated after.",
                     report.memory.bytes_shared, report.memory.bytes_per_head));
   }

@@ -25,8 +25,8 @@ std::string simulation_sentences(const CostReport& report) {
     text += fmt::format("; {} take {} ({} a bone)", heads_text(most.heads), time_text(1e3 * most.us_per_frame),
                         time_text(most.ns_per_bone_frame));
   }
-  return text +
-         fmt::format(". Each head takes {} of memory beside the asset.", bytes_text(report.memory.bytes_per_head));
+  return text + fmt::format(". Each head of a large crowd takes {} of memory beside the asset.",
+                            bytes_text(report.memory.bytes_per_head));
 }
 
 std::string drawing_sentence(const CostReport& report) {

@@ -102,11 +102,11 @@ Table chunks_table(const CostReport& report) {
     table.rows.push_back(
         {{chunk.id}, {chunk.what}, count_cell(chunk.bytes), {share(chunk.bytes)}, {name_of(chunk.use)}});
   }
-  table.rows.push_back({{""},
-                        {"header, table of these parts, padding"},
-                        count_cell(report.asset.framing),
-                        {share(report.asset.framing)}});
-  table.rows.push_back({{""}, {"whole file"}, count_cell(report.asset.total), {"100 %"}});
+  const auto add_sum = [&](const char* what, std::uint64_t bytes) {
+    table.rows.push_back({{""}, {what}, count_cell(bytes), {share(bytes)}, {""}});
+  };
+  add_sum("header, table of these parts, padding", report.asset.framing);
+  add_sum("whole file", report.asset.total);
   return table;
 }
 
