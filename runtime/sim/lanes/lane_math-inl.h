@@ -176,6 +176,23 @@ struct Bent {
   V<D> per_fold;
 };
 
+/// The same for `to` nearly opposite to `from`, where 1 + from to is mostly rounding: the reflection that swaps the two,
+/// then the one that brings what this made of `from` to `to`. However inexact the sum is, the result is a rotation.
+template <class D>
+HWY_NOINLINE M3<D> bend_back(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
+  const auto two = hn::Set(d, 2.0f);
+  const auto reflected = [&](const M3<D>& frame, const V3<D>& normal) {
+    const V3<D> share = scale(d, rotate_back(d, frame, normal), hn::Div(two, dot(d, normal, normal)));
+    return M3<D>{sub_scaled(d, frame.x, normal, share.x), sub_scaled(d, frame.y, normal, share.y),
+                 sub_scaled(d, frame.z, normal, share.z)};
+  };
+  // Folded back onto itself, every arc is as short: half a turn about a hinge chosen in the rest frame.
+  const V3<D> sum = add(d, from, to), beside_hinge = rotate(d, parent, cross(d, any_perpendicular(d, rest), rest));
+  const auto is_folded = hn::Lt(dot(d, sum, sum), hn::Set(d, 2e-7f));
+  const M3<D> swapped = reflected(parent, choose<D>(is_folded, beside_hinge, sum));
+  return reflected(swapped, sub(d, rotate(d, swapped, rest), to));
+}
+
 template <class D>
 HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-7f);
@@ -183,20 +200,15 @@ HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>
   const auto unfolded = hn::Add(one, dot(d, rest, seen));
   const auto k = hn::Div(one, hn::Max(unfolded, least));
   const V3<D> sum = add(d, from, to), share = scale(d, add(d, rest, seen), k), twice = add(d, to, to);
-  const auto is_folded = hn::Lt(unfolded, least);
   Bent<D> bent;
   bent.seen = seen;
   bent.per_fold = k;
   bent.frame.x = add_scaled(d, sub_scaled(d, parent.x, sum, share.x), twice, rest.x);
   bent.frame.y = add_scaled(d, sub_scaled(d, parent.y, sum, share.y), twice, rest.y);
   bent.frame.z = add_scaled(d, sub_scaled(d, parent.z, sum, share.z), twice, rest.z);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, is_folded))) {
-    // Folded back onto itself, every arc is as short: half a turn about a hinge chosen in the rest frame.
-    const V3<D> own = any_perpendicular(d, rest), hinge = rotate(d, parent, own);
-    const V3<D> doubled = add(d, own, own);
-    const M3<D> half_turn{sub(d, scale(d, hinge, doubled.x), parent.x), sub(d, scale(d, hinge, doubled.y), parent.y),
-                          sub(d, scale(d, hinge, doubled.z), parent.z)};
-    bent.frame = choose<D>(is_folded, half_turn, bent.frame);
+  const auto is_back = hn::Lt(unfolded, hn::Set(d, 0.02f));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, is_back))) {
+    bent.frame = choose<D>(is_back, bend_back(d, parent, rest, from, to), bent.frame);
   }
   return bent;
 }

@@ -39,7 +39,12 @@ HWY_INLINE void store_matrix(D d, const M3<D>& frame, const V3<D>& joint, const 
   gather_row(d, frame.x.z, frame.y.z, frame.z.z, shift.z, rows[2]);
   for (std::size_t i = 0; i < lanes; ++i) {
     Mat34& matrix = to[i][bone];
-    for (int row = 0; row < 3; ++row) hn::StoreU(hn::Load(four, rows[row] + 4 * i), four, matrix.m[row]);
+    for (int row = 0; row < 3; ++row) {
+      // Once, but for an instruction set with one lane.
+      for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
+        hn::StoreU(hn::Load(four, rows[row] + 4 * i + k), four, matrix.m[row] + k);
+      }
+    }
   }
 }
 
