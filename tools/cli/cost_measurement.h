@@ -11,7 +11,7 @@ struct CostChoice {
   CostSettings simulation;                  ///< Its time is set from `seconds`.
   std::uint32_t width = 512, height = 384;  ///< Pixels of a drawn frame.
   bool draws = true;
-  double seconds = 16;  ///< About, for all.
+  double seconds = 14;  ///< About, for all.
 };
 
 /// Simulation by tools/report and drawing by tools/render as one report. Hair that cannot be drawn, here or at all, is

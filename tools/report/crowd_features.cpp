@@ -31,8 +31,11 @@ void add_intervals(const CrowdSettings& usual, std::vector<CrowdFeature>& featur
   for (const std::uint32_t interval : {2u, 4u}) {
     CrowdSettings settings = usual;
     settings.detail.interval = interval;
-    features.push_back({fmt::format("every-{}{}-frame", interval, interval == 2 ? "nd" : "th"),
-                        "each head's hair is stepped that often, in turns", settings});
+    settings.substeps = 0;  // a number of them would be meant for each frame, and nothing be saved
+    features.push_back(
+        {fmt::format("every-{}{}-frame", interval, interval == 2 ? "nd" : "th"),
+         "each head is stepped that often, in turns, with the sub-steps that the asset asks for such a step",
+         settings});
   }
 }
 

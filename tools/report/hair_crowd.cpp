@@ -2,6 +2,7 @@
 
 #include "motion/head_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -54,7 +55,8 @@ HairCrowd::HairCrowd(const CrowdSettings& settings)
     : settings_(settings), poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)) {
   const bool published = settings.solver == kPublished;
   step_.dt = float(1 / kCrowdRate);
-  (published ? step_.iterations : step_.substeps) = settings.substeps;
+  step_.substeps = settings.substeps;
+  if (published) step_.iterations = std::max(settings.substeps, 1u);
   if (!settings.sleeps) step_.sleep_after = std::numeric_limits<float>::infinity();
 }
 

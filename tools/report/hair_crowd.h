@@ -28,7 +28,7 @@ inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
 struct CrowdSettings {
   std::uint32_t heads = 1;           ///< 1..kMaxInstances.
   std::string_view solver = "coif";  ///< One of crowd_solvers().
-  std::uint32_t substeps = 1;        ///< Iterations of "thesis".
+  std::uint32_t substeps = 1;        ///< 0: as many as the asset asks for. Iterations of "thesis".
   bool heads_move = true;            ///< They run, each at another time of the same motion; else they stand still.
   bool frame_time_varies = false;    ///< Frames last up to a tenth more or less, each another time.
   Detail detail{};                   ///< Of every head.
