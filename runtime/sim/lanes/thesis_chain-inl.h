@@ -99,9 +99,10 @@ class ThesisChain {
     // Seen from the head's position, where colliders turn about, distances need no rotation.
     const auto farthest = hn::Add(hn::Set(d_, colliders.farthest(set)), hit_radius);
     if (HWY_LIKELY(hn::AllTrue(d_, hn::Gt(dot(d_, now, now), hn::Mul(farthest, farthest))))) return;
-    V3<D> position = rotate_back(d_, turn_, now);
-    if (!colliders.only_spheres(set)) return clear_one_by_one(i, position);
-    auto moved = hn::Lt(hit_radius, hn::Neg(hit_radius));
+    const V3<D> before = rotate_back(d_, turn_, now);
+    if (!colliders.only_spheres(set)) return clear_one_by_one(i, before);
+    // To the last bit as PlacedColliders::clear() does it: which of both a bone gets depends on its neighbours too.
+    V3<D> position = before;
     for (std::uint32_t left = set; left != 0; left &= left - 1) {
       const std::uint32_t k = std::uint32_t(std::countr_zero(left));
       const V3<D> center = same(d_, colliders[k].center), offset = sub(d_, position, center);
@@ -109,13 +110,14 @@ class ThesisChain {
       const auto radius2 = hn::Mul(radius, radius), distance2 = dot(d_, offset, offset);
       const auto is_inside = hn::And(lanes_with(d_, bone, lane_, k), hn::Lt(distance2, radius2));
       if (hn::AllFalse(d_, is_inside)) continue;
-      const auto is_central = hn::Lt(distance2, hn::Mul(hn::Set(d_, 1e-12f), radius2));
+      const auto is_central = hn::Lt(distance2, hn::Mul(hn::Mul(hn::Set(d_, 1e-12f), radius), radius));
       const auto distance = hn::Sqrt(hn::IfThenElse(is_central, hn::Set(d_, 1.0f), distance2));
-      const V3<D> outwards = choose<D>(is_central, same(d_, colliders[k].way_out),
-                                       scale(d_, offset, hn::Div(hn::Set(d_, 1.0f), distance)));
-      position = choose<D>(is_inside, add_scaled(d_, center, outwards, radius), position);
-      moved = hn::Or(moved, is_inside);
+      const V3<D> out = choose<D>(is_central, scale(d_, same(d_, colliders[k].way_out), radius),
+                                  scale(d_, offset, hn::Div(radius, distance)));
+      position = choose<D>(is_inside, add(d_, center, out), position);
     }
+    const V3<D> change = sub(d_, position, before);
+    const auto moved = hn::Gt(hn::Max(hn::Max(hn::Abs(change.x), hn::Abs(change.y)), hn::Abs(change.z)), hn::Zero(d_));
     if (hn::AllFalse(d_, moved)) return;
     store(d_, choose<D>(moved, rotate(d_, turn_, position), now), state_[i].position, lane_);
   }
