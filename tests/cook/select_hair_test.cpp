@@ -22,7 +22,7 @@ TEST(SelectHair, TakesWhatIsCalledHairAndSaysWhatItLeft) {
   ASSERT_TRUE(hair);
   EXPECT_EQ(hair->mesh.triangle_count(), 10u);
   ASSERT_EQ(hair->left_out.size(), 1u);
-  EXPECT_EQ(hair->left_out[0], "mesh 'body' (12 triangles): not hair");
+  EXPECT_EQ(hair->left_out[0].text(), "mesh 'body' (12 triangles): not hair");
 }
 
 TEST(SelectHair, TakesEverythingWhereNothingIsCalledHair) {
@@ -40,7 +40,7 @@ TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
   const auto hair = select_hair(model, recipe);
   ASSERT_TRUE(hair);
   EXPECT_EQ(hair->mesh.triangle_count(), 10u) << "the piece keeps its root, which follows the scalp";
-  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 8 triangles of pieces that are not hair");
+  EXPECT_EQ(hair->left_out[0].text(), "mesh 'hair', 8 triangles: of pieces that are not hair");
 }
 
 TEST(SelectHair, APatternThatMatchesNothingNamesWhatThereIs) {
@@ -58,7 +58,7 @@ TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
   model.meshes[0].triangles.insert(model.meshes[0].triangles.end(), {0, 0, 1, 2, 2, 2});
   const auto hair = select_hair(model, default_recipe());
   EXPECT_EQ(hair->mesh.triangle_count(), 10u);
-  EXPECT_EQ(hair->left_out[0], "mesh 'hair': 2 triangles without area");
+  EXPECT_EQ(hair->left_out[0].text(), "mesh 'hair', 2 triangles: without area");
 }
 
 TEST(SelectHair, AModelWithoutAreaSaysSo) {

@@ -103,7 +103,7 @@ TEST_F(SpringCollidersTest, WhatIsNotOnTheHeadIsLeftOutOnceByName) {
   EXPECT_TRUE(result.colliders.shapes.empty());
   EXPECT_EQ(result.colliders.of_bone, (std::vector<std::uint32_t>{0, 0, 0}));
   ASSERT_EQ(result.left_out.size(), 1u);
-  EXPECT_NE(result.left_out[0].find("'root'"), std::string::npos) << result.left_out[0];
+  EXPECT_NE(result.left_out[0].what.find("'root'"), std::string::npos) << result.left_out[0].what;
   EXPECT_EQ(spring_colliders(model_, kNoIndex, skeleton_).left_out.size(), 1u) << "without a head nothing is on it";
 }
 

@@ -41,6 +41,23 @@ std::string folded(const std::vector<std::string>& lines, const char* prefix) {
   return text;
 }
 
+nlohmann::ordered_json left_out_json(const CookReport& report) {
+  auto list = nlohmann::ordered_json::array();
+  for (const LeftOut& left_out : report.left_out) {
+    list.push_back({{"what", left_out.what},
+                    {"why", left_out.why},
+                    {"bytes", left_out.bytes},
+                    {"ns_per_frame", left_out.ns_per_frame}});
+  }
+  return list;
+}
+
+std::vector<std::string> left_out_lines(const CookReport& report) {
+  std::vector<std::string> lines;
+  for (const LeftOut& left_out : report.left_out) lines.push_back(left_out.text());
+  return lines;
+}
+
 }  // namespace
 
 std::string cook_json(const CookSummary& summary) {
@@ -60,7 +77,7 @@ std::string cook_json(const CookSummary& summary) {
                     {"bones", report.bones},
                     {"simulated_bones", report.simulated_bones},
                     {"notes", report.notes},
-                    {"left_out", report.left_out}});
+                    {"left_out", left_out_json(report)}});
 }
 
 std::string cook_text(const CookSummary& summary) {
@@ -74,7 +91,7 @@ std::string cook_text(const CookSummary& summary) {
   text += fmt::format("  {} bytes in {:.0f} ms, {}\n", summary.bytes, total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
   text += folded(report.notes, "");
-  text += folded(report.left_out, "left out: ");
+  text += folded(left_out_lines(report), "left out: ");
   return text + fmt::format("  next: {}\n", next_step(summary));
 }
 

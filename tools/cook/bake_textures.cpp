@@ -52,12 +52,36 @@ std::vector<Image> bake_base(const BaseColor& color, const HairMesh& hair, const
   return mips;
 }
 
-std::vector<Image> bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
-                                   bool strands_along_u, const Recipe& recipe) {
+struct ShiftMask {
+  std::vector<Image> mips;
+  bool is_constant = false;
+};
+
+bool is_constant(const Image& image) {
+  for (std::size_t i = image.channels; i < image.texels.size(); ++i) {
+    if (image.texels[i] != image.texels[i - image.channels]) return false;
+  }
+  return true;
+}
+
+ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
+                          bool strands_along_u, const Recipe& recipe) {
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
   Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
-  if (color.atlas) whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
-  return make_mips(std::move(whole), recipe.texture_max_size, TexelMeaning::kNumbers);
+  const bool constant = is_constant(whole);
+  if (color.atlas && !constant) {
+    whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
+  }
+  return {make_mips(std::move(whole), recipe.texture_max_size, TexelMeaning::kNumbers), constant};
+}
+
+/// One number for all of the hair is the material's: the texture would be read for every pixel to say it again.
+void keep_constants(const Image& image, TexelFormat format, std::span<const Image> mips, BakedTextures& out) {
+  out.constant_shift = image.texels[0] / 255.0;
+  out.constant_mask = image.texels[1] / 255.0;
+  std::uint64_t bytes = sizeof(TextureRecord);
+  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) bytes += mip_bytes(format, image.width, image.height, mip);
+  out.left_out.push_back({"texture of shift and mask", "both are the same everywhere; the material says them", bytes});
 }
 
 }  // namespace
@@ -74,17 +98,22 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   const bool textured = color.image.has_value() && !hair.uvs.empty();
   if (!textured) baked.transparency = choose_transparency(color, nullptr, {}, recipe);
   if (hair.uvs.empty()) {
-    baked.left_out.push_back("textures: the hair has no texture coordinates");
+    baked.left_out.push_back({"textures", "the hair has no texture coordinates"});
     return baked;
   }
-  std::vector<Image> mips[2];
+  std::vector<Image> base;
+  ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
-    if (i == 0 && textured) mips[0] = bake_base(color, hair, recipe, baked.transparency);
-    if (i == 1) mips[1] = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
+    if (i == 0 && textured) base = bake_base(color, hair, recipe, baked.transparency);
+    if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
   });
   const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
-  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, mips[0], settings.threads, baked);
-  append(TextureRole::kShiftMask, format, mips[1], settings.threads, baked);
+  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base, settings.threads, baked);
+  if (shift_mask.is_constant) {
+    keep_constants(shift_mask.mips[0], format, shift_mask.mips, baked);
+  } else {
+    append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads, baked);
+  }
   return baked;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cook/base_color.h"
+#include "cook/left_out.h"
 #include "cook/transparency.h"
 
 #include <coif/asset_records.h>
@@ -12,12 +13,14 @@ struct BakedTextures {
   std::vector<std::byte> texels;
   Transparency transparency;
   std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
-  std::vector<std::string> left_out;
+  double constant_shift = 0.5;               ///< Of all strands, where no texture says it for each: 0.5 shifts nothing.
+  double constant_mask = 1;
+  std::vector<LeftOut> left_out;
 };
 
 /// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats that the
 /// recipe asks for. In an atlas shift and mask follow each surface's own coordinates. An image that the recipe names and
-/// that cannot be read is an error. Without texture coordinates nothing is stored. `hair` has the coordinates that
+/// that cannot be read is an error. Shift and mask that are the same everywhere are numbers instead. Without texture coordinates nothing is stored. `hair` has the coordinates that
 /// find_base_color left.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
                                                      const Recipe& recipe, const CookSettings& settings);

@@ -100,10 +100,11 @@ class Chooser {
       const std::size_t count = source_.meshes[m].triangles.size() / 3;
       const auto taken = std::size_t(std::ranges::count(choice_.taken[m], true));
       if (taken == 0) {
-        choice_.left_out.push_back(fmt::format("mesh '{}' ({} triangles): not hair", source_.meshes[m].name, count));
-      } else if (taken < count) {
         choice_.left_out.push_back(
-            fmt::format("mesh '{}': {} triangles of pieces that are not hair", source_.meshes[m].name, count - taken));
+            {fmt::format("mesh '{}' ({} triangles)", source_.meshes[m].name, count), "not hair"});
+      } else if (taken < count) {
+        choice_.left_out.push_back({fmt::format("mesh '{}', {} triangles", source_.meshes[m].name, count - taken),
+                                    "of pieces that are not hair"});
       }
     }
     return std::move(choice_);

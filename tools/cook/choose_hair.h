@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/left_out.h"
 #include "cook/recipe.h"
 #include "import/source_model.h"
 #include "tool_error.h"
@@ -15,7 +16,7 @@ namespace coif {
 struct HairChoice {
   std::vector<std::vector<bool>> taken;  ///< Per source mesh and triangle; of a mesh without hair: empty.
   std::vector<std::string> reasons;      ///< One line per mesh that gave hair.
-  std::vector<std::string> left_out;     ///< One line per mesh that did not, or not wholly.
+  std::vector<LeftOut> left_out;         ///< One per mesh that did not, or not wholly.
   std::vector<std::string> warnings;
 
   [[nodiscard]] bool takes(std::size_t mesh, std::size_t triangle) const {

@@ -1,6 +1,7 @@
 #include "cook/cook.h"
 
 #include "cook/cook_passes.h"
+#include "cook/leave_out.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
 #include "payload_hash.h"
@@ -54,7 +55,7 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   contents.dynamics = parts.dynamics.records;
   contents.tuning = parts.tuned.tuning;
   contents.quality = parts.tuned.quality;
-  contents.material = {pack_material(parts.base_color, parts.textures.transparency, mesh, recipe)};
+  contents.material = {pack_material(parts.base_color, parts.textures, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);
   contents.provenance = {make_provenance(source, recipe, settings)};
@@ -62,9 +63,10 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
 }
 
 void fill_figures(const CookedParts& parts, const AssetContents& contents, CookReport& report) {
-  report.triangles = std::uint32_t(parts.lods.levels[0].triangle_count());
+  const bool is_drawn = !contents.vertices.empty();
+  report.triangles = is_drawn ? std::uint32_t(parts.lods.levels[0].triangle_count()) : 0;
   report.vertices = std::uint32_t(contents.vertices.size());
-  report.patches = std::uint32_t(parts.lods.levels[0].patch_count());
+  report.patches = is_drawn ? std::uint32_t(parts.lods.levels[0].patch_count()) : 0;
   report.patches_by_index = parts.extracted.by_index;
   report.patches_by_position = parts.extracted.by_position;
   report.chains = std::uint32_t(contents.chains.size());
@@ -81,10 +83,11 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   report.warnings = source.warnings;
   auto parts = run_passes(source, recipe, settings, report);
   if (!parts) return tl::unexpected(parts.error());
-  const AssetContents contents =
-      run_timed(settings, report, "pack", [&] { return pack(*parts, source, recipe, settings); });
-  result.asset = run_timed(settings, report, "write", [&] { return write_asset(contents); });
+  AssetContents contents = run_timed(settings, report, "pack", [&] { return pack(*parts, source, recipe, settings); });
+  const std::vector<LeftOut> left_out = leave_out_parts(recipe, contents);
+  report.left_out.insert(report.left_out.end(), left_out.begin(), left_out.end());
   fill_figures(*parts, contents, report);
+  result.asset = run_timed(settings, report, "write", [&] { return write_asset(contents); });
   if (auto ok = check_written(source, result.asset); !ok) return tl::unexpected(ok.error());
   return result;
 }

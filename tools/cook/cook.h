@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/left_out.h"
 #include "cook/recipe.h"
 #include "import/source_model.h"
 #include "tool_error.h"
@@ -38,8 +39,8 @@ struct CookReport {
   std::uint32_t chains = 0;
   std::uint32_t bones = 0;
   std::uint32_t simulated_bones = 0;
-  std::vector<std::string> notes;     ///< What was chosen, and why.
-  std::vector<std::string> left_out;  ///< What of the source is not in the asset, and why.
+  std::vector<std::string> notes;  ///< What was chosen, and why.
+  std::vector<LeftOut> left_out;   ///< What of the source is not in the asset, and why.
 };
 
 struct CookResult {

@@ -5,6 +5,7 @@
 #include "cook/condition_chains.h"
 #include "cook/fit_chains.h"
 #include "cook/hard_tips.h"
+#include "cook/leave_out.h"
 #include "cook/order_bones.h"
 #include "cook/pack_skeleton.h"
 #include "cook/smooth_normals.h"
@@ -21,6 +22,10 @@ constexpr double kBackwards = 0.5;     ///< Share of the mean strand along -Z.
 constexpr double kWidestPatch = 0.75;  ///< Of the head's radius: what hides its own back half cannot be sorted as one.
 
 void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void append(std::vector<LeftOut>& to, const std::vector<LeftOut>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
@@ -139,6 +144,10 @@ class CookRun {
       parts_.skeleton = recipe_.chain_source == "none" ? head_alone(source_, parts_.head_bone) : std::move(*skeleton);
       parts_.weights = weights_of_source(mesh(), parts_.skeleton);
     }
+    if (!recipe_.scene_simulate) {
+      append(report_.left_out,
+             leave_out_motion(head_alone(source_, parts_.head_bone), parts_.skeleton, parts_.weights));
+    }
     const std::vector<std::uint32_t> moved_to = order_bones(parts_.skeleton);
     for (auto& of_vertex : parts_.weights) {
       for (BoneWeight& weight : of_vertex) weight.bone = moved_to[weight.bone];
@@ -159,6 +168,8 @@ class CookRun {
 
   Done find_motion() {
     parts_.colliders = timed("colliders", [&] { return settle_colliders(); });
+    // Hair that nothing moves keeps its head: pictures show it.
+    if (parts_.skeleton.simulated_count() > 0) append(report_.left_out, leave_out_colliders(parts_.colliders));
     append(report_.notes, parts_.colliders.notes);
     append(report_.warnings, parts_.colliders.warnings);
     parts_.dynamics = timed("dynamics", [&] { return bake_dynamics(source_, parts_.skeleton, recipe_); });
@@ -226,6 +237,7 @@ class CookRun {
                        lod_settings(recipe_, settings_.threads));
     });
     append(report_.notes, parts_.lods.notes);
+    append(report_.left_out, leave_out_levels(recipe_, parts_.lods));
     return {};
   }
 

@@ -55,8 +55,9 @@ void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetCo
   for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
 }
 
-MaterialRecord pack_material(const BaseColor& color, const Transparency& transparency, const HairMesh& hair,
+MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
                              const Recipe& recipe) {
+  constexpr double kMostShift = 10;  // that an asset holds
   MaterialRecord record{};
   store(recipe.base_color, record.base_color);
   store(recipe.ambient, record.ambient);
@@ -64,10 +65,13 @@ MaterialRecord pack_material(const BaseColor& color, const Transparency& transpa
   store(recipe.secondary_color, record.secondary_color);
   record.primary_exponent = float(recipe.primary_exponent);
   record.secondary_exponent = float(recipe.secondary_exponent);
-  record.primary_shift = float(recipe.primary_shift);
-  record.secondary_shift = float(recipe.secondary_shift);
-  record.opaque_threshold = float(transparency.opaque_threshold);
-  record.discard_threshold = float(transparency.discard_threshold);
+  // What the shader adds and multiplies where it reads a texture (shaders/hair_shading.glsl).
+  const double shift = textures.constant_shift - 0.5;
+  record.primary_shift = float(std::clamp(recipe.primary_shift + shift, -kMostShift, kMostShift));
+  record.secondary_shift = float(std::clamp(recipe.secondary_shift + shift, -kMostShift, kMostShift));
+  for (float& c : record.secondary_color) c *= float(textures.constant_mask);
+  record.opaque_threshold = float(textures.transparency.opaque_threshold);
+  record.discard_threshold = float(textures.transparency.discard_threshold);
   const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
   if (both) record.flags |= kMaterialDoubleSided;
   for (int k = 0; k < 4; ++k) record.base_color[k] *= color.factor[k];

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "cook/bake_textures.h"
 #include "cook/recipe.h"
 #include "cook/settle_colliders.h"
 #include "cook/skeleton.h"
-#include "cook/transparency.h"
 #include "write/asset_writer.h"
 
 namespace coif {
@@ -12,8 +12,9 @@ namespace coif {
 /// frame, which at rest has the axes of the model.
 void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents);
 
-/// The recipe's material; its base colour times `color`'s factor, thresholds as chosen.
-[[nodiscard]] MaterialRecord pack_material(const BaseColor& color, const Transparency& transparency,
-                                           const HairMesh& hair, const Recipe& recipe);
+/// The recipe's material; its base colour times `color`'s factor, thresholds as chosen, highlights with the shift and mask
+/// that all strands have in common.
+[[nodiscard]] MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
+                                           const Recipe& recipe);
 
 }  // namespace coif

@@ -23,6 +23,15 @@ struct CurvePoint {
 /// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
 /// default_recipe().
 struct Recipe {
+  // scene: what it needs
+  bool scene_draw = false;
+  bool scene_simulate = false;
+  bool scene_names = false;
+  bool scene_quality = false;
+  bool scene_provenance = false;
+  bool scene_shift_mask = false;
+  double scene_largest_size = 0;  ///< Share of the viewport's height; 0: any.
+  double scene_smallest_size = 0;
   // source
   double metres_per_unit = 0;  ///< 0: from the file.
   std::string up_axis;         ///< "file", "x", "y" or "z".
@@ -60,9 +69,9 @@ struct Recipe {
   double angle_limit = 0;  ///< Degrees.
   double parent_share = 0;
   // budget
-  double budget_error = 0;     ///< Percent of the chain's length.
+  double budget_error = 0;  ///< Percent of the chain's length.
   double budget_error_mm = 0;
-  double budget_cost = 0;      ///< Nominal nanoseconds per head and frame.
+  double budget_cost = 0;  ///< Nominal nanoseconds per head and frame.
   double slowest_rate = 0;
   double fastest_rate = 0;
   // head
@@ -85,7 +94,7 @@ struct Recipe {
   // material
   std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};
-  std::string sides;  ///< "auto", "both" or "front".
+  std::string sides;            ///< "auto", "both" or "front".
   double opaque_threshold = 0;  ///< 0: chosen from the file and the texture.
   double discard_threshold = 0;
   std::array<double, 3> primary_color{};

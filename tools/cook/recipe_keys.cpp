@@ -7,6 +7,23 @@ using R = Recipe;
 
 // clang-format off
 const RecipeKey kKeys[] = {
+  {"scene", "draw", &R::scene_draw, "true", 0, 0, nullptr, "",
+   "false: the hair is simulated but never drawn from this asset; leaves mesh, material and textures out"},
+  {"scene", "simulate", &R::scene_simulate, "true", 0, 0, nullptr, "",
+   "false: the hair is rigid with the head; leaves bones and dynamics out"},
+  {"scene", "names", &R::scene_names, "true", 0, 0, nullptr, "",
+   "false: nothing looks for a bone by its name"},
+  {"scene", "quality", &R::scene_quality, "true", 0, 0, nullptr, "",
+   "false: nothing asks what other settings than the chosen would cost"},
+  {"scene", "provenance", &R::scene_provenance, "true", 0, 0, nullptr, "",
+   "false: nothing asks what the asset was made from"},
+  {"scene", "shift_mask", &R::scene_shift_mask, "true", 0, 0, nullptr, "",
+   "false: highlights are smooth, without the texture that moves and masks them"},
+  {"scene", "largest_size", &R::scene_largest_size, "0", 0, 100, nullptr, "screens",
+   "most of the screen's height that the head ever covers; leaves finer levels of detail out; 0: any"},
+  {"scene", "smallest_size", &R::scene_smallest_size, "0", 0, 100, nullptr, "screens",
+   "least of the screen's height that the head ever covers; leaves coarser levels of detail out"},
+
   {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
    "size of the file's unit; 0 takes it from the file (OBJ has none: 1)"},
   {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",

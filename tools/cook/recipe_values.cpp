@@ -31,6 +31,12 @@ bool is_choice(const char* choices, const std::string& word) {
   return false;
 }
 
+Outcome read(const RecipeKey&, const json& value, bool& out) {
+  if (!value.is_boolean()) return wants("true or false", value);
+  out = value.get<bool>();
+  return {};
+}
+
 Outcome read(const RecipeKey& key, const json& value, double& out) {
   if (!allowed(key, value)) return wants("a number " + number_range(key), value);
   out = value.get<double>();

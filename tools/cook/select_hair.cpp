@@ -11,6 +11,8 @@
 namespace coif {
 namespace {
 
+constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);  ///< Of an asset's indices.
+
 bool is_degenerate(const SourceMesh& mesh, std::size_t t) {
   const Eigen::Vector3f a = mesh.positions[mesh.triangles[t]];
   const Eigen::Vector3f edge1 = mesh.positions[mesh.triangles[t + 1]] - a;
@@ -100,7 +102,7 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, SelectedHai
     if (counts.taken > 0) result.meshes.push_back(m);
     if (counts.degenerate == 0) continue;
     result.left_out.push_back(
-        fmt::format("mesh '{}': {} triangles without area", source.meshes[m].name, counts.degenerate));
+        {fmt::format("mesh '{}', {} triangles", source.meshes[m].name, counts.degenerate), "without area"});
   }
   return gathered;
 }
@@ -109,10 +111,13 @@ void merge_faces(const Recipe& recipe, SelectedHair& result) {
   const std::vector<std::uint32_t> place = weld_places(result.mesh.positions, recipe.patch_weld_distance);
   const MergedFaces merged = merge_back_faces(result.mesh, place);
   if (merged.back_faces > 0) {
-    result.left_out.push_back(fmt::format(
-        "{} triangles that only were the back of others: the hair is drawn double-sided", merged.back_faces));
+    result.left_out.push_back({fmt::format("{} triangles that only were the back of others", merged.back_faces),
+                               "the hair is drawn double-sided", merged.back_faces * kTriangleBytes});
   }
-  if (merged.copies > 0) result.left_out.push_back(fmt::format("{} triangles that were there twice", merged.copies));
+  if (merged.copies > 0) {
+    result.left_out.push_back(
+        {fmt::format("{} triangles", merged.copies), "there twice", merged.copies * kTriangleBytes});
+  }
   if (!is_closed(result.mesh, place)) result.mesh.double_sided = true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cook/hair_mesh.h"
+#include "cook/left_out.h"
 #include "cook/recipe.h"
 
 namespace coif {
@@ -9,7 +10,7 @@ struct SelectedHair {
   HairMesh mesh;                      ///< Welded; without degenerate triangles.
   std::vector<std::uint32_t> meshes;  ///< Source meshes that gave triangles.
   std::vector<std::string> notes;     ///< What was taken and why, one line each.
-  std::vector<std::string> left_out;  ///< What was not taken, one line each.
+  std::vector<LeftOut> left_out;      ///< What was not taken.
   std::vector<std::string> warnings;
 };
 

@@ -60,7 +60,7 @@ class ColliderPass {
     const SourceCollider& from = source_.colliders[collider];
     const auto leave_out = [&](const char* why) {
       out_.left_out.push_back(
-          fmt::format("the spring bones' collider {} on '{}': {}", collider, source_.nodes[from.node].name, why));
+          {fmt::format("the spring bones' collider {} on '{}'", collider, source_.nodes[from.node].name), why});
       return kNone;
     };
     if (head_node_ == kNoIndex || !is_below(source_, from.node, head_node_)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/left_out.h"
 #include "cook/settle_colliders.h"
 #include "cook/spring_joints.h"
 
@@ -7,7 +8,7 @@ namespace coif {
 
 struct SpringColliders {
   Colliders colliders;  ///< Empty sets and no shapes where no spring of the hair collides with anything on the head.
-  std::vector<std::string> left_out;  ///< Shapes that the hair would touch but cannot follow the head, by node.
+  std::vector<LeftOut> left_out;  ///< Shapes that the hair would touch but cannot follow the head, by node.
 };
 
 /// The shapes that the springs of the skeleton's bones collide with, each bone with its own spring's set and its joint's

@@ -90,7 +90,7 @@ class Bench {
     QualityRecord row{};
     row.frame_rate = float(rate);
     row.substeps = parts;
-    row.cost = float(double(bones_) * (kFrameCost + kPartCost * parts));
+    row.cost = float(nominal_cost(bones_, parts));
     // What did not stay finite is as wrong as can be written down, and not right for comparing false.
     const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
     for (std::size_t m = 0; m < errors.size(); ++m) {
@@ -166,6 +166,8 @@ std::string describe(const TuningRecord& tuning) {
 }
 
 }  // namespace
+
+double nominal_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * (kFrameCost + kPartCost * parts); }
 
 tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe,
                                                  unsigned threads) {

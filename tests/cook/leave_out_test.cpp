@@ -1,0 +1,194 @@
+#include "cook/leave_out.h"
+
+#include "cook/cook.h"
+#include "cook/tune_solver.h"
+#include "formats/aligned_bytes.h"
+#include "formats/small_asset.h"
+#include "write/strip_asset.h"
+
+#include "cook/built_models.h"
+
+#include <coif/asset.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace coif {
+namespace {
+
+/// A cooked model that stays open.
+struct Cooked {
+  Cooked(const SourceModel& model, const Recipe& recipe) : result(run(model, recipe)), file(result.asset) {
+    opened = bool(asset.open(file.bytes()));
+  }
+  static CookResult run(const SourceModel& model, const Recipe& recipe) {
+    auto cooked = cook(model, recipe, {});
+    EXPECT_TRUE(cooked) << (cooked ? "" : cooked.error().message);
+    return cooked ? *cooked : CookResult{};
+  }
+  [[nodiscard]] const LeftOut* left_out(const std::string& why) const {
+    const auto found = std::ranges::find(result.report.left_out, why, &LeftOut::why);
+    return found == result.report.left_out.end() ? nullptr : &*found;
+  }
+
+  CookResult result;
+  AlignedBytes file;
+  Asset asset;
+  bool opened = false;
+};
+
+std::uint64_t chunk_bytes(const Asset& asset, std::span<const std::uint32_t> ids) {
+  std::uint64_t bytes = 0;
+  for (const ChunkEntry& entry : asset.chunks()) {
+    if (std::ranges::find(ids, entry.id) != ids.end()) bytes += entry.bytes;
+  }
+  return bytes;
+}
+
+TEST(LeaveOut, EachKeyOfTheSceneLeavesItsChunksOutAndSaysTheirBytes) {
+  struct Part {
+    const char* key;
+    bool Recipe::*field;
+    std::vector<std::uint32_t> chunks;
+  };
+  const Part parts[] = {{"names", &Recipe::scene_names, {chunk::kNames}},
+                        {"quality", &Recipe::scene_quality, {chunk::kQuality}},
+                        {"provenance", &Recipe::scene_provenance, {chunk::kProvenance}},
+                        {"draw",
+                         &Recipe::scene_draw,
+                         {chunk::kVertices, chunk::kSkin, chunk::kIndices, chunk::kPatches, chunk::kLods,
+                          chunk::kLodBones, chunk::kMaterial, chunk::kTextures, chunk::kTexels}}};
+  const Cooked whole(make_wig(), default_recipe());
+  for (const Part& part : parts) {
+    Recipe recipe = default_recipe();
+    recipe.*part.field = false;
+    const Cooked left(make_wig(), recipe);
+    ASSERT_TRUE(left.opened) << part.key;
+    EXPECT_EQ(chunk_bytes(left.asset, part.chunks), 0u) << part.key;
+    const LeftOut* note = left.left_out(std::string("\"scene.") + part.key + "\" is false");
+    ASSERT_NE(note, nullptr) << part.key;
+    EXPECT_EQ(note->bytes, chunk_bytes(whole.asset, part.chunks)) << part.key;
+    EXPECT_EQ(whole.left_out(note->why), nullptr);
+  }
+}
+
+TEST(LeaveOut, WhatIsCookedWithoutAPartIsWhatStrippingLeaves) {
+  Recipe recipe = default_recipe();
+  recipe.scene_draw = recipe.scene_names = recipe.scene_provenance = false;
+  const Cooked left(make_wig(), recipe);
+  Cooked whole(make_wig(), default_recipe());
+  std::vector<std::uint32_t> ids = {chunk::kNames, chunk::kProvenance, chunk::kVertices, chunk::kMaterial,
+                                    chunk::kTexels};
+  EXPECT_EQ(strip_asset(whole.asset, whole.file.bytes(), ids).file, left.result.asset);
+}
+
+TEST(LeaveOut, ASceneThatDoesNotSimulateGetsTheHeadAlone) {
+  Recipe recipe = default_recipe();
+  recipe.scene_simulate = false;
+  const Cooked left(make_wig(), recipe);
+  ASSERT_TRUE(left.opened);
+  EXPECT_EQ(left.asset.bones().size(), 1u);
+  EXPECT_TRUE(left.asset.dynamics().empty());
+  EXPECT_FALSE(left.asset.vertices().empty());
+  for (const SkinRecord& skin : left.asset.skin()) EXPECT_TRUE(skin.bone[0] == 0 && skin.weight[0] == 255);
+  const LeftOut* note = left.left_out("\"scene.simulate\" is false");
+  ASSERT_NE(note, nullptr);
+  const Cooked whole(make_wig(), default_recipe());
+  const std::uint64_t saved = chunk_bytes(whole.asset, std::array{chunk::kBones, chunk::kDynamics, chunk::kChains}) -
+                              chunk_bytes(left.asset, std::array{chunk::kBones});
+  EXPECT_LE(note->bytes, saved);
+  EXPECT_GE(note->bytes + sizeof(DynamicsRecord), saved) << "the head's own record of dynamics goes as well";
+  EXPECT_EQ(note->ns_per_frame, nominal_cost(2, 1));
+}
+
+TEST(LeaveOut, ShiftAndMaskGoWithoutTheBaseTexture) {
+  AssetContents contents = small_asset();
+  Recipe recipe = default_recipe();
+  recipe.scene_shift_mask = false;
+  const auto left_out = leave_out_parts(recipe, contents);
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0].bytes, 8u + 4u + sizeof(TextureRecord)) << "its texels and what lay between";
+  ASSERT_EQ(contents.textures.size(), 1u);
+  EXPECT_EQ(contents.textures[0].role, TextureRole::kBaseColor);
+  EXPECT_EQ(contents.texels.size(), contents.textures[0].bytes);
+  AlignedBytes file(write_asset(contents));
+  EXPECT_TRUE(Asset{}.open(file.bytes()));
+  EXPECT_TRUE(leave_out_parts(recipe, contents).empty()) << "what is not there is not left out";
+}
+
+Colliders three_shapes(std::vector<std::uint32_t> sets) {
+  Colliders colliders;
+  for (const double radius : {0.1, 0.2, 0.3}) {
+    colliders.shapes.emplace_back();
+    colliders.shapes.back().radii.setConstant(radius);
+  }
+  colliders.of_bone = std::move(sets);
+  return colliders;
+}
+
+TEST(LeaveOut, CollidersThatNoBoneReachesGoAndTheOthersKeepTheirBones) {
+  Colliders colliders = three_shapes({0, 0b100, 0b101});
+  const auto left_out = leave_out_colliders(colliders);
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0].text(), "collider 1: no bone can reach it (80 bytes)");
+  ASSERT_EQ(colliders.shapes.size(), 2u);
+  EXPECT_EQ(colliders.shapes[1].radii.x(), 0.3);
+  EXPECT_EQ(colliders.of_bone, (std::vector<std::uint32_t>{0, 0b10, 0b11}));
+  EXPECT_TRUE(leave_out_colliders(colliders).empty());
+}
+
+DetailLevel level(float screen_size, float error, std::vector<bool> simulated) {
+  DetailLevel level;
+  level.triangles_of = {{0, 1, 2}};
+  level.screen_size = screen_size;
+  level.error = error;
+  level.simulated = std::move(simulated);
+  return level;
+}
+
+DetailLevels four_levels() {
+  DetailLevels lods;
+  lods.levels = {level(0.5f, 0, {false, true, true}), level(0.25f, 0.001f, {false, true, false}),
+                 level(0.125f, 0.002f, {false, true, false}), level(0, 0.004f, {false, true, false})};
+  return lods;
+}
+
+Recipe sizes(double largest, double smallest) {
+  Recipe recipe = default_recipe();
+  recipe.scene_largest_size = largest;
+  recipe.scene_smallest_size = smallest;
+  return recipe;
+}
+
+TEST(LeaveOut, LevelsThatNoSizeOfTheSceneUsesGo) {
+  struct Case {
+    double largest, smallest;
+    std::vector<float> errors;  ///< Of the levels that stay.
+  };
+  const Case cases[] = {{0, 0, {0, 0.001f, 0.002f, 0.004f}},
+                        {1, 0, {0, 0.001f, 0.002f, 0.004f}},
+                        {0.5, 0, {0, 0.001f, 0.002f, 0.004f}},
+                        {0.49, 0, {0, 0.003f, 0.005f}},
+                        {0.1, 0, {0}},
+                        {0, 0.1, {0, 0.001f, 0.002f, 0.004f}},
+                        {0, 0.125, {0, 0.001f, 0.002f}},
+                        {0, 0.6, {0}},
+                        {0.3, 0.2, {0, 0.003f}},
+                        {0.3, 0.3, {0}}};
+  for (const Case& test : cases) {
+    DetailLevels lods = four_levels();
+    const auto left_out = leave_out_levels(sizes(test.largest, test.smallest), lods);
+    SCOPED_TRACE(testing::Message() << test.largest << " to " << test.smallest);
+    ASSERT_EQ(lods.levels.size(), test.errors.size());
+    EXPECT_EQ(left_out.size(), 4 - test.errors.size());
+    for (std::size_t i = 0; i < test.errors.size(); ++i) EXPECT_FLOAT_EQ(lods.levels[i].error, test.errors[i]);
+    EXPECT_EQ(lods.levels.back().screen_size, 0);
+    EXPECT_EQ(lods.levels.front().simulated, (std::vector<bool>{false, true, true})) << "bones move in some level";
+    for (const LeftOut& gone : left_out) EXPECT_EQ(gone.bytes, 12 + sizeof(PatchRecord) + sizeof(LodRecord));
+  }
+}
+
+}  // namespace
+}  // namespace coif

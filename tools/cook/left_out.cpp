@@ -1,0 +1,15 @@
+#include "cook/left_out.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace coif {
+
+std::string LeftOut::text() const {
+  std::vector<std::string> savings;
+  if (bytes > 0) savings.push_back(fmt::format("{} bytes", bytes));
+  if (ns_per_frame > 0) savings.push_back(fmt::format("{:.0f} ns a frame", ns_per_frame));
+  return fmt::format("{}: {}{}", what, why, savings.empty() ? "" : fmt::format(" ({})", fmt::join(savings, ", ")));
+}
+
+}  // namespace coif
