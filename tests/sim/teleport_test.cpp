@@ -103,6 +103,25 @@ TEST(Teleport, ASteadyHeadsHairKeepsStillThroughIt) {
   }
 }
 
+TEST(Teleport, UnderASteadyHeadMovingHairGoesOnInEveryPart) {
+  const auto steady = [](double t) { return HeadPose{{3 * t, 4 * t, 1 - t}, turned_about({0, 0.6f, 0.8f}, 1.5 * t)}; };
+  TestHair stays(rig()), jumps(rig());
+  StepSettings settings = weightless();
+  settings.substeps = 3;
+  double now = 0;
+  for (int frame = 0; frame < 12; ++frame) {  // the hair has been left behind and catches up
+    settings.dt = frame % 2 == 0 ? 0.03f : 0.02f;
+    now += double(settings.dt);
+    const HeadPose pose = steady(now), other = frame < 5 ? pose : elsewhere(pose, kTurn, {100, 200, 300});
+    ASSERT_EQ(stays.hair.set_head(0, pose), Status::kOk);
+    ASSERT_EQ(jumps.hair.set_head(0, other), Status::kOk);
+    ASSERT_EQ(stays.hair.step(settings), Status::kOk);
+    ASSERT_EQ(jumps.hair.step(settings), Status::kOk);
+    ASSERT_LT(largest_distance(stays.ends(), jumps.ends()), 2e-5f) << frame;
+    ASSERT_GT(largest_distance(stays.ends(), rig().rest_ends()), 1e-3f) << "or nothing moves";
+  }
+}
+
 TEST(Teleport, AMillionMetresAwayEverythingGoesOn) {
   TestHair there(rig()), here(rig());
   (void)play(there, wander, even_frames(60, 1));

@@ -167,7 +167,10 @@ namespace {
 AlignedBytes hair_memory(Asset& asset, AlignedBytes& file, const HairDesc& desc) {
   if (!asset.open(file.bytes())) std::abort();  // the rig is the test's own
   const MemoryNeed need = Hair::memory_need(asset, desc);
-  return AlignedBytes(std::vector<std::byte>(need.bytes));
+  // Whatever a game's memory held before: small numbers, large ones, or none.
+  static unsigned next = 0;
+  constexpr unsigned char kLeftovers[] = {0x3C, 0x00, 0x7F, 0xFF};
+  return AlignedBytes(std::vector<std::byte>(need.bytes, std::byte{kLeftovers[next++ % 4]}));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct Rows {
 };
 
 MoveLanes move_of(const ThesisStep& step) {
-  MoveLanes move;
+  MoveLanes move{};
   for (std::uint32_t i = 0; i < kLanes; ++i) {
     set_lane(move.from_head.x, i, rotated(step.head_rotation, {1, 0, 0}));
     set_lane(move.from_head.y, i, rotated(step.head_rotation, {0, 1, 0}));
@@ -72,7 +72,7 @@ std::vector<Particle> ThesisStep::stepped(const Asset& asset, InstructionSet set
     }
     Mat34* palettes[kLanes] = {};
     for (std::uint32_t i = 0; i < kInUse; ++i) palettes[i] = &(i == kLane ? palette : others)[first];
-    Lanes motion;
+    Lanes motion{};
     RowStep job;
     job.bones = std::span(rows.bones).subspan(row.first_bone, row.bone_count);
     job.constants = &rows.constants[row.first_bone];
