@@ -3,6 +3,7 @@
 #include "cook/alpha_mips.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/pack_skeleton.h"
 #include "cook/shift_mask.h"
 #include "cook/textured_hair.h"
 #include "cook/used_texels.h"
@@ -125,6 +126,46 @@ TEST(BakeTextures, ThreadsDoNotChangeTheBytes) {
   color.image = strands_beside_a_face();
   const auto one = baked(color, left_half(), default_recipe(), 1).texels;
   EXPECT_EQ(one, baked(color, left_half(), default_recipe(), 3).texels);
+}
+
+TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
+  const ImageFolder folder;
+  const auto store = [&](const char* name, bool varies) {
+    const Image image = painted(16, 16, [&](std::uint32_t x, std::uint32_t) {
+      return Rgba{std::uint8_t(varies && x == 7 ? 52 : 51), 0, 0, 255};
+    });
+    folder.write(name, encoded(image, FileFormat::kPng));
+  };
+  store("same.png", false);
+  store("one_differs.png", true);
+  Recipe recipe = default_recipe();
+  const auto baked_from = [&](const char* shift, const char* mask) {
+    recipe.shift_texture = shift;
+    recipe.mask_texture = mask;
+    auto result = bake_textures(BaseColor{}, left_half(), false, recipe, {.recipe_directory = folder.path()});
+    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    return result ? std::move(*result) : BakedTextures{};
+  };
+  EXPECT_EQ(baked_from("one_differs.png", "same.png").records.size(), 1u);
+  EXPECT_EQ(baked_from("same.png", "one_differs.png").records.size(), 1u);
+  EXPECT_EQ(baked_from("same.png", "").records.size(), 1u) << "the mask is generated";
+  const BakedTextures varying = baked_from("one_differs.png", "same.png");
+  EXPECT_EQ(varying.constant_shift, 0.5);
+  EXPECT_EQ(varying.constant_mask, 1);
+
+  const BakedTextures constant = baked_from("same.png", "same.png");
+  EXPECT_TRUE(constant.records.empty());
+  EXPECT_DOUBLE_EQ(constant.constant_shift, 0.2);
+  EXPECT_DOUBLE_EQ(constant.constant_mask, 0.2);
+  ASSERT_EQ(constant.left_out.size(), 1u);
+  EXPECT_EQ(constant.left_out[0].bytes, varying.texels.size() + sizeof(TextureRecord));
+
+  const MaterialRecord plain = pack_material(BaseColor{}, varying, left_half(), recipe);
+  const MaterialRecord said = pack_material(BaseColor{}, constant, left_half(), recipe);
+  EXPECT_NEAR(said.primary_shift, plain.primary_shift - 0.3f, 1.0e-6);
+  EXPECT_NEAR(said.secondary_shift, plain.secondary_shift - 0.3f, 1.0e-6);
+  EXPECT_NEAR(said.secondary_color[0], 0.2f * plain.secondary_color[0], 1.0e-6);
+  EXPECT_EQ(said.primary_color[0], plain.primary_color[0]) << "the mask is the secondary highlight's";
 }
 
 TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {

@@ -37,6 +37,7 @@ TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
   recipe.head_center = {0, 1.7, 0.01};
   recipe.head_radii = {0.08, 0.12, 0.1};
   recipe.texture_seed = 4294967295u;
+  recipe.scene_names = false;
   const auto again = parse_recipe(print_recipe(recipe), "r.json");
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(print_recipe(*again), print_recipe(recipe));
@@ -61,6 +62,7 @@ TEST(Recipe, ValuesOutOfRangeNameTheRange) {
   EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0.5, 0.1], [0.5, 0.2]]}})").find("ascending"),
             std::string::npos);
   EXPECT_NE(message_of(R"({"dynamics": {"resistance": [[0, 1.5]]}})").find("from 0 to 1"), std::string::npos);
+  EXPECT_EQ(message_of(R"({"scene": {"draw": 0}})"), "r.json: \"scene.draw\" wants true or false, found 0");
   EXPECT_NE(message_of(R"({"material": {"ambient": [1, 2]}})").find("3 numbers"), std::string::npos);
 }
 
