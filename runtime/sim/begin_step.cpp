@@ -2,6 +2,7 @@
 #include "treatment.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace coif {
 namespace {
@@ -51,31 +52,45 @@ StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, float 
   return parts;
 }
 
-/// True where every lane of the row's bone moves alike.
-bool is_uniform(const CrowdState& crowd, const Row& row, std::uint32_t i) {
-  const std::uint32_t first = bone_in_lane(crowd.asset, row, i, 0);
-  const BoneRecord& bone = crowd.asset.bones()[first];
-  const DynamicsRecord& dynamics = crowd.asset.dynamics()[first];
-  for (std::uint32_t lane = 1; lane < row.chain_count; ++lane) {
-    const std::uint32_t other = bone_in_lane(crowd.asset, row, i, lane);
-    const DynamicsRecord& its = crowd.asset.dynamics()[other];
-    const bool alike = its.stiffness == dynamics.stiffness && its.damping == dynamics.damping &&
-                       its.friction == dynamics.friction && its.gravity_scale == dynamics.gravity_scale &&
-                       crowd.asset.bones()[other].length == bone.length;
-    if (!alike) return false;
+/// True where the two bones of the asset move alike.
+bool alike(const Asset& asset, std::uint32_t a, std::uint32_t b) {
+  const DynamicsRecord& one = asset.dynamics()[a];
+  const DynamicsRecord& other = asset.dynamics()[b];
+  return one.stiffness == other.stiffness && one.damping == other.damping && one.friction == other.friction &&
+         one.gravity_scale == other.gravity_scale && asset.bones()[a].length == asset.bones()[b].length;
+}
+
+/// One bone of a row, all lanes. Neighbours often move alike, and then are computed once.
+void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, const StepTerms& terms,
+                           std::byte* coefficients) {
+  CoefficientLanes to{coefficients, 0, 0};
+  for (std::uint32_t lane = 0; lane < kLanes; lane = to.end) {
+    const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, lane);
+    to.begin = lane;
+    to.end = lane + 1;
+    while (to.end < kLanes && alike(crowd.asset, bone, bone_in_lane(crowd.asset, row, i, to.end))) ++to.end;
+    crowd.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
+  }
+}
+
+/// True where bone `i` of both rows moves alike in every lane.
+bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    if (!alike(asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
   }
   return true;
 }
 
-void set_row_coefficients(CrowdState& crowd, const Row& row, const StepTerms& terms, std::byte* coefficients) {
+/// Whole rows of chains often move alike too.
+void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms& terms, std::byte* all) {
+  const Row& row = crowd.rows[index];
+  const Row& last = crowd.rows[index == 0 ? 0 : index - 1];
+  const std::size_t bytes = crowd.solver->coefficient_bytes;
   for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-    CoefficientLanes to{coefficients + std::size_t(i) * crowd.solver->coefficient_bytes, 0, kLanes};
-    const bool uniform = is_uniform(crowd, row, i);
-    for (std::uint32_t lane = 0; lane < (uniform ? 1 : kLanes); ++lane) {
-      const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, lane);
-      if (!uniform) to.begin = lane, to.end = lane + 1;
-      crowd.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
-    }
+    std::byte* const to = all + (row.first_bone + i) * bytes;
+    const bool is_known = index > 0 && i < last.bone_count && alike(crowd.asset, row, last, i);
+    if (is_known) std::memcpy(to, all + (last.first_bone + i) * bytes, bytes);
+    if (!is_known) set_bone_coefficients(crowd, row, i, terms, to);
   }
 }
 
@@ -87,7 +102,7 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const D
   interval.terms = {dt, scale};
   const std::size_t bytes = crowd.solver->coefficient_bytes;
   std::byte* const all = crowd.coefficients.data() + interval_power * crowd.row_bone_count() * bytes;
-  for (const Row& row : crowd.rows) set_row_coefficients(crowd, row, interval.terms, all + row.first_bone * bytes);
+  for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, interval.terms, all);
 }
 
 /// Each step is the turn of every 2^power-th block of that interval.

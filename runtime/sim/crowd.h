@@ -62,7 +62,7 @@ struct CrowdState {
   std::span<RowBone> row_bones;
   std::span<BoneLanes> constants;     ///< Per bone of the rows.
   std::span<std::byte> coefficients;  ///< Per interval, per bone of the rows.
-  std::span<std::byte> states;        ///< Per block, or per lane of each block for kChains; per bone of the rows.
+  std::span<std::byte> states;        ///< Per block, or per instance for kChains; per bone of the rows.
   std::span<TwistState> twists;       ///< As states; empty where nothing twists.
   std::span<Mat34> palettes;          ///< Per instance, per bone.
   std::span<Block> blocks;
@@ -82,9 +82,10 @@ struct CrowdState {
   [[nodiscard]] std::uint32_t instance_count() const { return std::uint32_t(slots.size()); }
   [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(asset.bones().size()); }
   [[nodiscard]] std::size_t row_bone_count() const { return row_bones.size(); }
-  /// Where the numbers of a head begin in `states`, in bones of the rows; its lane in them is state_lane().
+  /// Where the numbers of a head begin in `states`, in bones of the rows. Those of kHeads lie in its slot's lane.
   [[nodiscard]] std::size_t first_state(std::uint32_t slot) const {
-    return std::size_t(order == LaneOrder::kHeads ? slot / kLanes : slot) * row_bone_count();
+    const Block& block = blocks[slot / kLanes];
+    return (order == LaneOrder::kHeads ? slot / kLanes : block.instance[slot % kLanes]) * row_bone_count();
   }
   [[nodiscard]] std::span<Mat34> palette(std::uint32_t instance) const {
     return palettes.subspan(std::size_t(instance) * bone_count(), bone_count());

@@ -46,7 +46,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   const std::uint32_t intervals = power_of(desc.longest_interval) + 1;
   const std::uint32_t treatments = treatment_count(levels_of(asset), intervals);
   const std::uint32_t blocks = block_count(desc.instances, treatments);
-  const std::uint64_t states = std::uint64_t(rows.bones) * blocks * (order == LaneOrder::kHeads ? 1 : kLanes);
+  const std::uint64_t states = std::uint64_t(rows.bones) * (order == LaneOrder::kHeads ? blocks : desc.instances);
   crowd.order = order;
   crowd.interval_count = intervals;
   crowd.rows = carver.take<Row>(rows.rows);

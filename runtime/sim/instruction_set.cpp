@@ -23,7 +23,7 @@ std::int64_t available() {
 #if HWY_TARGETS == HWY_STATIC_TARGET
   return HWY_TARGETS;  // the compiler was told that the processor has it
 #else
-  return hwy::SupportedTargets() & HWY_TARGETS;
+  return (hwy::SupportedTargets() | HWY_EMU128) & HWY_TARGETS;  // the portable code runs anywhere
 #endif
 }
 

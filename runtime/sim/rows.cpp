@@ -11,10 +11,15 @@ std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecor
   return parent >= chain.first_bone && parent != kNone ? std::int32_t(parent - chain.first_bone) : -1;
 }
 
-bool same_shape(const Asset& asset, const ChainRecord& a, const ChainRecord& b) {
+bool twists(const DynamicsRecord& dynamics) { return dynamics.torsion < kShortestArc; }
+
+/// Of the same bones, which either twist in both or in neither: a bone that has no twist computes other bits beside one
+/// that has. All other features compute zeros where they are not wanted.
+bool fit_in_one_row(const Asset& asset, const ChainRecord& a, const ChainRecord& b) {
   if (a.bone_count != b.bone_count) return false;
   for (std::uint32_t i = 0; i < a.bone_count; ++i) {
     if (parent_in_chain(asset.bones(), a, i) != parent_in_chain(asset.bones(), b, i)) return false;
+    if (twists(asset.dynamics()[a.first_bone + i]) != twists(asset.dynamics()[b.first_bone + i])) return false;
   }
   return true;
 }
@@ -26,7 +31,8 @@ void for_each_row(const Asset& asset, LaneOrder order, const Visit& visit) {
   const std::uint32_t most = order == LaneOrder::kHeads ? 1 : kLanes;
   for (std::uint32_t first = 0; first < chains.size();) {
     std::uint32_t count = 1;
-    while (count < most && first + count < chains.size() && same_shape(asset, chains[first], chains[first + count])) {
+    while (count < most && first + count < chains.size() &&
+           fit_in_one_row(asset, chains[first], chains[first + count])) {
       ++count;
     }
     visit(first, count);
@@ -60,7 +66,7 @@ std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics
   if (bone.colliders != 0) features |= kRowCollides;
   if (dynamics.angle_limit < kNoAngleLimit) features |= kRowHasLimit;
   if (dynamics.parent_share != 1.0f) features |= kRowSharesPull;
-  if (dynamics.torsion < kShortestArc) features |= kRowTwists;
+  if (twists(dynamics)) features |= kRowTwists;
   if (dynamics.friction != 0.0f) features |= kRowFeelsAir;
   return features;
 }

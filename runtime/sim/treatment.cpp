@@ -40,21 +40,14 @@ void swap_heads(Block& a, std::uint32_t i, Block& b, std::uint32_t k) {
   b.instance[k] = kept;
 }
 
+/// For kChains there is nothing to do: an instance's rows stay where they are.
 void swap_states(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
   const std::size_t bones = crowd.row_bone_count();
-  if (bones == 0) return;
-  const std::size_t bytes = bones * crowd.solver->state_bytes, twist_bytes = bones * sizeof(TwistState);
-  const bool has_twists = !crowd.twists.empty();
-  void* const from = &crowd.states[crowd.first_state(a) * crowd.solver->state_bytes];
-  void* const to = &crowd.states[crowd.first_state(b) * crowd.solver->state_bytes];
-  void* const twist_from = has_twists ? &crowd.twists[crowd.first_state(a)] : nullptr;
-  void* const twist_to = has_twists ? &crowd.twists[crowd.first_state(b)] : nullptr;
-  // A head that has rows of its own takes all of their lanes along.
-  const bool all = crowd.order == LaneOrder::kChains;
-  for (std::uint32_t i = 0; i < (all ? kLanes : 1); ++i) {
-    swap_lanes(from, all ? i : a % kLanes, to, all ? i : b % kLanes, bytes);
-    if (has_twists) swap_lanes(twist_from, all ? i : a % kLanes, twist_to, all ? i : b % kLanes, twist_bytes);
-  }
+  if (crowd.order == LaneOrder::kChains || bones == 0) return;
+  const std::size_t bytes = crowd.solver->state_bytes, from = crowd.first_state(a), to = crowd.first_state(b);
+  swap_lanes(&crowd.states[from * bytes], a % kLanes, &crowd.states[to * bytes], b % kLanes, bones * bytes);
+  if (crowd.twists.empty()) return;
+  swap_lanes(&crowd.twists[from], a % kLanes, &crowd.twists[to], b % kLanes, bones * sizeof(TwistState));
 }
 
 void swap_slots(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {

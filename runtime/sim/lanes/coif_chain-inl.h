@@ -83,9 +83,9 @@ class CoifChain {
   }
 
   /// What the children hang from. The motion before the step is put together from what was stored after the last one.
-  HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now, const V3<D>& before, const V3<D>& speed_before,
-                                const V3<D>& swing, V<D> spin, V<D> length, V<D> per_length, const M3<D>& frame,
-                                const V3<D>& direction) {
+  HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now,
+                                const V3<D>& before, const V3<D>& speed_before, const V3<D>& swing, V<D> spin,
+                                V<D> length, V<D> per_length, const M3<D>& frame, const V3<D>& direction) {
     const V3<D> swing_before = scale(d_, cross(d_, before, speed_before), per_length);
     const auto spin_before = load(d_, state.spin, lane_);
     tail.way = add_scaled(d_, from.way, sub(d_, now.direction, before), length);
@@ -228,8 +228,8 @@ class CoifChain {
     if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
     const MoveLanes& move = *row_.move;
     TouchingBone<D> touching;
-    touching.start = from.position;
-    touching.direction = direction;
+    copy(d_, from.position, touching.start);
+    copy(d_, direction, touching.direction);
     touching.before = rotate_back(d_, load(d_, move.from_head_before, lane_), before);
     touching.velocity = rotate_back(d_, turn_, now.velocity);
     touching.start_velocity = rotate_back(d_, turn_, sub(d_, from.velocity, load(d_, move.velocity, lane_)));

@@ -130,8 +130,8 @@ struct HeadLanes {
   Lanes3 angular_velocity;
   Lanes3 mean_velocity;  ///< Over the last step.
   Lanes3 mean_angular_velocity;
-  Lanes last_dt;                         ///< Seconds; 0: there was no step yet.
-  Lanes quiet;                           ///< Seconds for which head and hair have been at rest.
+  Lanes last_dt;                    ///< Seconds; 0: there was no step yet.
+  Lanes quiet;                      ///< Seconds for which head and hair have been at rest.
   double next_position[3][kLanes];  ///< World, metres.
 };
 

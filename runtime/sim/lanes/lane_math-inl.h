@@ -172,7 +172,7 @@ HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
 template <class D>
 struct Bent {
   M3<D> frame;
-  V3<D> seen;      ///< `to` in the frame `parent`.
+  V3<D> seen;  ///< `to` in the frame `parent`.
   V<D> per_fold;
 };
 
