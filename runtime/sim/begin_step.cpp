@@ -1,6 +1,7 @@
 #include "crowd_step.h"
 #include "treatment.h"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -21,9 +22,7 @@ bool rests_under_both(const StepSettings& a, const StepSettings& b) {
 
 void wake_all(CrowdState& crowd) {
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
-    if (!crowd.details[instance].asleep) continue;
-    crowd.details[instance].asleep = false;
-    sort_in(crowd, instance);
+    if (crowd.details[instance].asleep) wake(crowd, instance);
   }
 }
 
@@ -145,10 +144,9 @@ void begin_step(CrowdState& crowd, const StepSettings& settings) {
 void finish_step(CrowdState& crowd) {
   for (std::uint32_t job = 0; job < crowd.job_count; ++job) {
     Block& block = crowd.blocks[crowd.jobs[job]];
-    if (block.may_sleep == 0) continue;
-    // From the last lane down: whoever leaves, the lane is taken by one that was looked at already.
-    for (std::uint32_t lane = kLanes; lane-- > 0;) {
-      if (!((block.may_sleep >> lane) & 1u)) continue;
+    // The lane of whoever leaves may be taken by another that falls asleep too.
+    while (block.may_sleep != 0) {
+      const auto lane = std::uint32_t(std::countr_zero(block.may_sleep));
       const std::uint32_t instance = block.instance[lane];
       block.may_sleep = std::uint16_t(block.may_sleep & ~(1u << lane));
       crowd.details[instance].asleep = true;

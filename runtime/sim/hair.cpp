@@ -71,12 +71,6 @@ Block* block_of(CrowdState* crowd, std::uint32_t instance) {
 
 Status missing(const CrowdState* crowd) { return crowd == nullptr ? Status::kNotCreated : Status::kBadIndex; }
 
-void wake(CrowdState& crowd, std::uint32_t instance) {
-  if (!crowd.details[instance].asleep) return;
-  crowd.details[instance].asleep = false;
-  sort_in(crowd, instance);
-}
-
 /// What has been set replaces what was set before; the way is counted from where the last step left the head.
 void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
   HeadLanes& heads = block.heads;
@@ -158,14 +152,14 @@ Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
 
 Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
   if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
-  wake(*crowd_, instance);
+  if (crowd_->details[instance].asleep) wake(*crowd_, instance);
   put_to_rest(*crowd_, crowd_->slots[instance]);
   return Status::kOk;
 }
 
 Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
   if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
-  wake(*crowd_, instance);
+  if (crowd_->details[instance].asleep) wake(*crowd_, instance);
   Block& block = *block_of(crowd_, instance);
   block.teleports = std::uint16_t(block.teleports | 1u << crowd_->slots[instance] % kLanes);
   return Status::kOk;
@@ -182,7 +176,7 @@ Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   own.interval_power = std::uint8_t(power_of(detail.interval));
   own.simulated = detail.simulated;
   // Bones that were rigid have to find their own rest.
-  if (appears || refines) own.asleep = false;
+  if (own.asleep && (appears || refines)) wake(*crowd_, instance);
   sort_in(*crowd_, instance);
   if (appears) come_into_view(*crowd_, crowd_->slots[instance]);
   return Status::kOk;

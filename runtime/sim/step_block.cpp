@@ -17,7 +17,7 @@ struct BlockStep {
   const IntervalStep& interval;
   const std::byte* coefficients;
   HeadStepLanes heads;
-  Lanes motion[kLanes];  ///< For kHeads only the first; for kChains one for each head.
+  Lanes motion;  ///< See RowStep; of each head.
 };
 
 /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
@@ -73,7 +73,7 @@ void step_heads(BlockStep& step, const MoveLanes& move, bool is_last) {
     RowStep job = row_step(step, row, step.index * kLanes, move);
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
-    job.motion = &step.motion[0];
+    job.motion = &step.motion;
     crowd.step_row(job);
   }
 }
@@ -92,8 +92,11 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, bo
     RowStep job = row_step(step, row, step.index * kLanes + head, move);
     job.lanes = row.chain_count;
     job.palette = is_last ? palettes : nullptr;
-    job.motion = &step.motion[head];
+    Lanes motion{};
+    job.motion = &motion;
     crowd.step_row(job);
+    // In the order of the chains, as for kHeads, and without the lanes that are not in use.
+    for (std::uint32_t i = 0; i < row.chain_count; ++i) step.motion.v[head] += motion.v[i];
   }
 }
 
@@ -110,21 +113,13 @@ void run_parts(BlockStep& step) {
     const bool is_last = part + 1 == parts.count;
     crowd.heads.move(step.block.heads, step.heads, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_heads(step, carried);
-    for (Lanes& motion : step.motion) motion = Lanes{};
+    step.motion = Lanes{};
     if (crowd.order == LaneOrder::kHeads) {
       step_heads(step, move, is_last);
     } else {
       for (std::uint32_t i = 0; i < step.block.count; ++i) step_chains(step, i, move, is_last);
     }
   }
-}
-
-/// Sum of the squared speeds of one head's bones.
-float motion_of(const BlockStep& step, std::uint32_t head) {
-  if (step.crowd.order == LaneOrder::kHeads) return step.motion[0].v[head];
-  float sum = 0;
-  for (const float motion : step.motion[head].v) sum += motion;
-  return sum;
 }
 
 /// How long a head and its hair have been at rest.
@@ -152,7 +147,7 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
   run_parts(step);
   crowd.heads.finish(block.heads, step.heads);
   for (std::uint32_t i = 0; i < block.count; ++i) {
-    const float motion = motion_of(step, i);
+    const float motion = step.motion.v[i];
     const bool is_lost = ((block.is_lost >> i) & 1u) != 0;
     if (is_lost || !(motion < kFastest2)) {
       put_to_rest(crowd, index * kLanes + i);

@@ -115,6 +115,13 @@ void fill_blocks(CrowdState& crowd) {
   }
 }
 
+void wake(CrowdState& crowd, std::uint32_t instance) {
+  crowd.details[instance].asleep = false;
+  const std::uint32_t slot = crowd.slots[instance];
+  crowd.blocks[slot / kLanes].heads.quiet.v[slot % kLanes] = 0.0f;
+  sort_in(crowd, instance);
+}
+
 void sort_in(CrowdState& crowd, std::uint32_t instance) {
   const std::uint32_t from = crowd.blocks[crowd.slots[instance] / kLanes].treatment;
   const std::uint32_t to = treatment_of(crowd, crowd.details[instance]);

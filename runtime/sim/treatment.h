@@ -19,6 +19,9 @@ namespace coif {
 /// All instances, in order, in blocks of the treatment that new instances get.
 void fill_blocks(CrowdState& crowd);
 
+/// Ends the sleep of an instance: it has to be at rest for the whole time again before the next.
+void wake(CrowdState& crowd, std::uint32_t instance);
+
 /// Moves the instance to where crowd.details says that it belongs. Its numbers move along; nothing is computed.
 void sort_in(CrowdState& crowd, std::uint32_t instance);
 

@@ -25,7 +25,8 @@ class ThesisChain {
         coefficients_(static_cast<const ThesisCoefficients*>(row.coefficients)),
         state_(static_cast<ThesisState*>(row.state)),
         lane_(lane),
-        turn_(load(d, row.move->from_head, lane)) {
+        turn_(load(d, row.move->from_head, lane)),
+        motion_(hn::Zero(d)) {
     const std::size_t left = row.lanes - lane;
     used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
   }
@@ -39,6 +40,7 @@ class ThesisChain {
       for (std::size_t i = 0; i < row_.bones.size(); ++i) keep_clear(i);
     }
     for (std::size_t i = 0; i < row_.bones.size(); ++i) finish(i);
+    store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
   }
 
  private:
@@ -132,7 +134,7 @@ class ThesisChain {
     const V3<D> velocity = scale(d_, moved, hn::Set(d_, 1.0f / row_.dt));
     store(d_, velocity, state.velocity, lane_);
     const V3<D> change = sub(d_, velocity, load(d_, row_.move->velocity, lane_));
-    store(d_, hn::Add(load(d_, *row_.motion, lane_), dot(d_, change, change)), *row_.motion, lane_);
+    motion_ = hn::Add(motion_, dot(d_, change, change));
     if (row_.palette == nullptr) return;
 
     const Parent& parent = parent_of(i);
@@ -195,6 +197,7 @@ class ThesisChain {
   const std::size_t lane_;
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
+  V<D> motion_;
   Parent joint_;
   Parent parents_[kMaxOpenBones];
 };
