@@ -22,7 +22,7 @@ struct RigBone {
   double gravity_scale = 1;
   double authoring_rate = 60;
   double hit_radius = 0;
-  double torsion = 0;                          ///< 1/s
+  double torsion = 0;                          ///< 1/s; kShortestArc: never a twist.
   double angle_limit = double(kNoAngleLimit);  ///< Radians.
   double parent_share = 1;
   std::uint32_t colliders = 0;

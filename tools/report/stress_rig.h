@@ -18,7 +18,7 @@ struct StressRig {
   double root_resistance = 0.3, tip_resistance = 0.08;
   double friction = 1;  ///< 1/s
   double gravity_scale = 1;
-  double torsion = 20;        ///< 1/s
+  double torsion = 20;        ///< 1/s; kShortestArc: never a twist.
   double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.
   double root_offset = 0.01;  ///< Metres from the surface to the chains' roots; negative: inside the head.
 };

@@ -1,5 +1,7 @@
 #include "report/reference/reference_model.h"
 
+#include <algorithm>
+
 namespace coif {
 namespace {
 
@@ -16,6 +18,28 @@ double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Ve
   const Quaterniond twist = in_parent * shortest_arc(bone.rest_direction, direction).conjugate();
   const double sine = twist.vec().dot(direction), cosine = twist.w();
   return 2 * sine * cosine / (sine * sine + cosine * cosine);
+}
+
+/// About the bone's own direction, 1/s, where its frame is the shortest arc from its parent's: the derivative of
+/// shortest_arc() with both ends moving. Without bound where the bone folds over, as the arc flips there.
+double spin_of_arc(const RigBone& bone, const BoneMotion& parent, const Vector3d& direction, const Vector3d& turning) {
+  constexpr double kLeastUnfolded = 1.0e-7;  // As the runtime's.
+  const Vector3d arm = parent.frame * bone.rest_direction;
+  const Vector3d swing = direction.cross(turning);
+  const double along = (arm + direction).dot(parent.angular_velocity) - arm.dot(swing);
+  return along / std::max(1 + arm.dot(direction), kLeastUnfolded);
+}
+
+/// About the bone's own direction, 1/s: as the parent turns, less what of a twist goes back.
+double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quaterniond& frame,
+                     const Vector3d& direction) {
+  const double carried = parent.angular_velocity.dot(direction);
+  if (bone.torsion == 0) return carried;
+  const Quaterniond to_parent = parent.frame.conjugate();
+  const Vector3d in_parent = to_parent * direction;
+  // Weakened where the bone folds over: there the shortest arc turns with every small movement.
+  const double unfolded = 0.5 * (1 + bone.rest_direction.dot(in_parent));
+  return carried - bone.torsion * unfolded * sine_of_twist(bone, to_parent * frame, in_parent);
 }
 
 /// m/s^2 on the mass at the bone's tail, but for what keeps its length.
@@ -76,15 +100,13 @@ BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadSt
 
 Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
   const Vector3d direction = state.frame * bone.rest_direction;
-  double axial = parent.angular_velocity.dot(direction);
-  if (bone.torsion > 0) {
-    const Quaterniond to_parent = parent.frame.conjugate();
-    const Vector3d in_parent = to_parent * direction;
-    // Weakened where the bone folds over: there the shortest arc turns with every small movement.
-    const double unfolded = 0.5 * (1 + bone.rest_direction.dot(in_parent));
-    axial -= bone.torsion * unfolded * sine_of_twist(bone, to_parent * state.frame, in_parent);
-  }
-  return direction.cross(state.turning) + direction * axial;
+  const double spin = never_twists(bone) ? spin_of_arc(bone, parent, direction, state.turning)
+                                         : spin_of_twist(bone, parent, state.frame, direction);
+  return direction.cross(state.turning) + direction * spin;
+}
+
+Quaterniond frame_of_arc(const RigBone& bone, const Quaterniond& parent_frame, const Vector3d& direction) {
+  return shortest_arc(parent_frame * bone.rest_direction, direction) * parent_frame;
 }
 
 void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,

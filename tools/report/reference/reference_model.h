@@ -43,9 +43,16 @@ struct BoneTarget {
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head);
 
 /// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate at
-/// which a twist between them goes back.
+/// which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame turns.
 [[nodiscard]] Eigen::Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent,
                                                   const BoneState& state);
+
+/// Does a bone with this rate of torsion keep the shortest arc from its parent's frame at all times?
+[[nodiscard]] inline bool never_twists(const RigBone& bone) { return bone.torsion >= double(kShortestArc); }
+
+/// The frame of a bone that never twists and points along the unit vector `direction` (world).
+[[nodiscard]] Eigen::Quaterniond frame_of_arc(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
+                                              const Eigen::Vector3d& direction);
 
 /// Equations of motion of bones whose parents come first, without contacts. `motions` is scratch; all spans are as long
 /// as `bones`.

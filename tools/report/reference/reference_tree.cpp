@@ -11,7 +11,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A twist that goes back faster is as good as none, and would need shorter steps than everything else.
+/// A twist that goes back faster hardly shows, and would need shorter steps than everything else. Bones that never twist
+/// have no such rate.
 constexpr double kFastestTorsion = 5000;  // 1/s
 
 /// Directions nearer than this to each other have no plane between them.
@@ -24,6 +25,11 @@ Vector3d across(const Vector3d& vector, const Vector3d& direction) {
 void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
   state.frame = shortest_arc(state.frame * bone.rest_direction, direction) * state.frame;
   state.turning = across(state.turning, direction);
+}
+
+/// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is gone.
+void untwist(const RigBone& bone, const Quaterniond& parent_frame, BoneState& state) {
+  if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, state.frame * bone.rest_direction);
 }
 
 BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
@@ -78,7 +84,7 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   for (std::size_t i = 0; i < members_.size(); ++i) {
     RigBone bone = rig.bones[members_[i]];
     if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
-    bone.torsion = std::min(bone.torsion, kFastestTorsion);
+    if (!never_twists(bone)) bone.torsion = std::min(bone.torsion, kFastestTorsion);
     if (solids_.size() < 32) bone.colliders &= (1u << solids_.size()) - 1;
     is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit);
     place[members_[i]] = int(i);
@@ -134,6 +140,14 @@ void ReferenceTree::integrate(const HeadStep& step) {
     state.turning += step.dt / 6 * mean([](const BoneRates& r) { return r.turning; });
     state.turning = across(state.turning, state.frame * bones_[i].rest_direction);
   }
+  untwist_all(step.end.rotation);
+}
+
+void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const int parent = bones_[i].parent;
+    untwist(bones_[i], parent < 0 ? head_rotation : states_[std::size_t(parent)].frame, states_[i]);
+  }
 }
 
 void ReferenceTree::hold(const HeadState& head) {
@@ -148,6 +162,7 @@ void ReferenceTree::hold(const HeadState& head) {
     if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], states_[i]);
     if (hold_limit(bone, parent, head, states_[i])) moved_[i] = true;
     if (hold_colliders(bone, parent, head, states_[i])) moved_[i] = true;
+    untwist(bone, parent.frame, states_[i]);
     motions_[i] = motion_of(bone, parent, states_[i]);
   }
 }
@@ -216,7 +231,8 @@ double ReferenceTree::fastest_turning() const {
 double ReferenceTree::least_steps_per_second() const {
   double fastest = 0;
   for (const RigBone& bone : bones_) {
-    fastest = std::max({fastest, std::sqrt(bone.stiffness), bone.damping + bone.friction, bone.torsion});
+    const double torsion = never_twists(bone) ? 0 : bone.torsion;
+    fastest = std::max({fastest, std::sqrt(bone.stiffness), bone.damping + bone.friction, torsion});
   }
   return fastest;
 }

@@ -44,6 +44,7 @@ class ReferenceTree {
 
  private:
   void integrate(const HeadStep& step);
+  void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
   bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
