@@ -54,6 +54,8 @@ class PlacedColliders {
 
   /// True where each of `set` is a sphere that keeps hair outside.
   [[nodiscard]] bool only_spheres(std::uint32_t set) const { return (set & ~spheres_) == 0; }
+  /// The set of them.
+  [[nodiscard]] std::uint32_t spheres() const { return spheres_; }
 
   /// Metres from the head's position within which each of `set` lies, whatever way the head is turned; infinite for planes
   /// and for what keeps hair inside.

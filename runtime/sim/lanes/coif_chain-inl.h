@@ -219,13 +219,17 @@ class CoifChain {
     const auto is_near = in_reach(d_, colliders, shape.colliders, from.position, hn::Add(length, hit_radius));
     if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
     // Far enough in one step, the bone may have jumped through a collider.
-    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
+    const auto moved_far = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
+    auto reached = moved_far;
     for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
       const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
       reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
     }
     reached = hn::And(reached, is_near);
     if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
+    if (shape.features & kRowMixesColliders) {
+      reached = reaches_own(d_, colliders, shape.colliders, bone, lane_, moved_far, from.position, direction);
+    }
     const MoveLanes& move = *row_.move;
     TouchingBone<D> touching;
     copy(d_, from.position, touching.start);

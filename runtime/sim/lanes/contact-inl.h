@@ -155,6 +155,32 @@ HWY_INLINE hn::Mask<D> lanes_with(D d, const BoneLanes& bone, std::size_t lane, 
   return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << collider)));
 }
 
+/// The lanes of a set of colliders that have one of these.
+template <class D>
+HWY_INLINE hn::Mask<D> lanes_with_any(D d, const BoneLanes& bone, std::size_t lane, std::uint32_t colliders) {
+  const hn::RebindToUnsigned<D> du;
+  const auto own = hn::And(hn::Load(du, bone.colliders + lane), hn::Set(du, colliders));
+  return hn::RebindMask(d, hn::Ne(own, hn::Zero(du)));
+}
+
+/// Where the bone reaches one of its own lane's colliders, or could have jumped through one because it moved so far: what
+/// in_reach() and reaches() say where all lanes may touch the same.
+template <class D>
+HWY_NOINLINE hn::Mask<D> reaches_own(D d, const PlacedColliders& colliders, std::uint32_t set, const BoneLanes& bone,
+                                     std::size_t lane, hn::Mask<D> moved_far, const V3<D>& start,
+                                     const V3<D>& direction) {
+  const auto length = load(d, bone.length, lane), hit_radius = load(d, bone.hit_radius, lane);
+  const auto none = hn::Lt(length, hn::Neg(length));
+  auto is_near = none, reached = none;
+  for (std::uint32_t left = set; left != 0; left &= left - 1) {
+    const std::uint32_t i = std::uint32_t(std::countr_zero(left));
+    const auto own = lanes_with(d, bone, lane, i);
+    is_near = hn::Or(is_near, hn::And(own, in_reach(d, colliders, 1u << i, start, hn::Add(length, hit_radius))));
+    reached = hn::Or(reached, hn::And(own, reaches(d, colliders[i], start, direction, length, hit_radius)));
+  }
+  return hn::And(is_near, hn::Or(reached, moved_far));
+}
+
 /// All spheres of the set, in the lanes of `takes_part`.
 template <class D>
 HWY_INLINE void clear_of_spheres(D d, hn::Mask<D> takes_part, const PlacedColliders& colliders, std::uint32_t set,
@@ -203,14 +229,14 @@ HWY_NOINLINE void clear_one_by_one(D d, hn::Mask<D> lanes, const PlacedColliders
 template <class D>
 HWY_INLINE void keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set, const BoneLanes& constants,
                            std::size_t lane, hn::Mask<D> reached, TouchingBone<D>& bone) {
-  const auto is_far = hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn));
-  const auto in_lanes = hn::AndNot(is_far, reached);
-  if (colliders.only_spheres(set)) {
-    clear_of_spheres(d, in_lanes, colliders, set, constants, lane, bone);
-    if (HWY_LIKELY(hn::AllFalse(d, is_far))) return;
-    return clear_one_by_one(d, is_far, colliders, constants, lane, bone);
+  auto alone = hn::And(reached, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
+  if (!colliders.only_spheres(set)) {
+    // Which way a lane goes must not depend on what its neighbours may touch.
+    const auto others = lanes_with_any(d, constants, lane, set & ~colliders.spheres());
+    alone = hn::Or(alone, hn::And(reached, others));
   }
-  clear_one_by_one(d, hn::Or(is_far, reached), colliders, constants, lane, bone);
+  clear_of_spheres(d, hn::AndNot(alone, reached), colliders, set & colliders.spheres(), constants, lane, bone);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, alone))) clear_one_by_one(d, alone, colliders, constants, lane, bone);
 }
 
 }  // namespace HWY_NAMESPACE
