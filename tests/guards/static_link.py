@@ -34,6 +34,7 @@ PROGRAMS = {
     "load_and_step": {"reader", "hash", "crowd", "solver coif", "load messages"},
     "step_by_thesis": {"crowd", "solver thesis"},
     "make_renderer": {"renderer"},
+    "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers"},
 }
 
 
