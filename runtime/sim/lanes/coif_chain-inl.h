@@ -34,6 +34,7 @@ template <class D>
 struct Target {
   V3<D> by_parent;        ///< Unit, head space: the rest direction in the parent's frame.
   V3<D> arm;              ///< World.
+  V3<D> turning;          ///< Velocity of `arm` at the end of the step, 1/s.
   V3<D> velocity;         ///< Relative to the carrier's, m/s; at the end of the step.
   V3<D> velocity_before;  ///< At its start.
 };
@@ -120,6 +121,7 @@ class CoifChain {
       turning_before = add(d_, cross(d_, from.angular_velocity_before, by_parent_before),
                            cross(d_, load(d_, move.angular_velocity_before, lane_), by_head_before));
     }
+    target.turning = turning;
     target.velocity = scale(d_, turning, length);
     target.velocity_before = scale(d_, turning_before, length);
     return target;
@@ -154,7 +156,9 @@ class CoifChain {
     velocity = add_scaled(d_, velocity, target_before, load(d_, c.velocity_from_target_before, lane_));
     free = add(d_, add_scaled(d_, free, way, load(d_, c.offset_from_way, lane_)), target.arm);
     velocity = add_scaled(d_, velocity, way, load(d_, c.velocity_from_way, lane_));
-    free = add_scaled(d_, free, target_velocity, load(d_, c.offset_from_target_velocity, lane_));
+    const auto from_target_velocity = load(d_, c.offset_from_target_velocity, lane_);
+    free = add_scaled(d_, free, from.velocity, from_target_velocity);
+    free = add_scaled(d_, free, target.turning, hn::Mul(from_target_velocity, length));
     velocity = add_scaled(d_, velocity, target_velocity, load(d_, c.velocity_from_target_velocity, lane_));
     velocity = add(d_, velocity, target.velocity);
     return keep_length(free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
@@ -168,12 +172,12 @@ class CoifChain {
     const V3<D> mean = add(d_, free, before);  // no need of unit length: the root below is homogeneous
     const auto free2 = dot(d_, free, free), cosine = dot(d_, free, before);
     const auto along = hn::Add(free2, cosine);  // free mean, of which mean mean is left to add
-    const auto mean2 = hn::Add(along, hn::Add(cosine, one)), excess = hn::Sub(free2, one);
-    const auto along2 = hn::Mul(along, along);
-    const auto root2 = hn::Sub(along2, hn::Mul(mean2, excess));
+    const auto mean2 = hn::Add(along, hn::Add(cosine, one));
+    const auto along2 = hn::Mul(along, along), lack = hn::Sub(one, free2);
+    const auto root2 = hn::Add(along2, hn::Mul(mean2, lack));
     const auto has_mean =
         hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d_, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
-    const auto reach = hn::Neg(hn::Div(excess, hn::Add(along, hn::Sqrt(hn::Max(root2, zero)))));
+    const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // not a number without a mean: replaced below
     V3<D> kept = add_scaled(d_, free, mean, reach);
     // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
     const auto size2 = dot(d_, kept, kept);

@@ -197,15 +197,18 @@ template <class D>
 HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-7f);
   const V3<D> seen = rotate_back(d, parent, to);
-  const auto unfolded = hn::Add(one, dot(d, rest, seen));
-  const auto k = hn::Div(one, hn::Max(unfolded, least));
+  // The order of these sums is that in which their terms are known: the children wait for the frame.
+  const auto unfolded = hn::Max(hn::Add(hn::Add(hn::Mul(rest.x, seen.x), hn::Mul(rest.y, seen.y)),
+                                        hn::Add(hn::Mul(rest.z, seen.z), one)),
+                                least);
+  const auto k = hn::Div(one, unfolded);
   const V3<D> sum = add(d, from, to), share = scale(d, add(d, rest, seen), k), twice = add(d, to, to);
   Bent<D> bent;
   bent.seen = seen;
   bent.per_fold = k;
-  bent.frame.x = add_scaled(d, sub_scaled(d, parent.x, sum, share.x), twice, rest.x);
-  bent.frame.y = add_scaled(d, sub_scaled(d, parent.y, sum, share.y), twice, rest.y);
-  bent.frame.z = add_scaled(d, sub_scaled(d, parent.z, sum, share.z), twice, rest.z);
+  bent.frame.x = sub_scaled(d, add_scaled(d, parent.x, twice, rest.x), sum, share.x);
+  bent.frame.y = sub_scaled(d, add_scaled(d, parent.y, twice, rest.y), sum, share.y);
+  bent.frame.z = sub_scaled(d, add_scaled(d, parent.z, twice, rest.z), sum, share.z);
   const auto is_back = hn::Lt(unfolded, hn::Set(d, 0.02f));
   if (HWY_UNLIKELY(!hn::AllFalse(d, is_back))) {
     bent.frame = choose<D>(is_back, bend_back(d, parent, rest, from, to), bent.frame);

@@ -62,13 +62,16 @@ class ThesisChain {
     const Parent& parent = parent_of(i);
     const V3<D> start = start_of(i), rest = load(d_, bone.rest, lane_);
     const V3<D> by_parent = rotate(d_, parent.frame, rest), arm = rotate(d_, turn_, by_parent);
-    const V3<D> target = add_scaled(d_, start, arm, load(d_, bone.length, lane_));
-    position = add_scaled(d_, position, sub(d_, target, position), load(d_, bone.resistance, lane_));
+    // Seen from the start, so that the sum ends with what comes last.
+    const auto pull = load(d_, bone.resistance, lane_), left = hn::Sub(hn::Set(d_, 1.0f), pull);
+    const V3<D> offset =
+        add_scaled(d_, scale(d_, sub(d_, position, start), left), arm, hn::Mul(load(d_, bone.length, lane_), pull));
+    position = add(d_, start, offset);
     // The velocity has done its work; until line 19 its place holds where the particle was.
     store(d_, position, state.position, lane_);
     store(d_, before, state.velocity, lane_);
     if (!(shape.features & kRowHasChildren)) return;
-    const V3<D> direction = rotate_back(d_, turn_, direction_or(d_, sub(d_, position, start), arm));
+    const V3<D> direction = rotate_back(d_, turn_, direction_or(d_, offset, arm));
     copy(d_, bend(d_, parent.frame, rest, by_parent, direction).frame, parents_[shape.slot].frame);
   }
 
