@@ -11,7 +11,7 @@ namespace coif {
 /// are scalp bones, rigid; bones below are simulated. Simulated too are a bone alone below the head, which as a scalp
 /// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves. Nodes
 /// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Errors: kBadInput for
-/// patterns without a match, kUnsupported above 256 bones.
+/// patterns without a match, kUnsupported above kMaxBones bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
                                                  const Recipe& recipe);
 
