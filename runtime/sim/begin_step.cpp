@@ -26,6 +26,16 @@ void wake_all(CrowdState& crowd) {
   }
 }
 
+void take_up_intervals(CrowdState& crowd) {
+  crowd.has_asked = false;
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    const InstanceDetail& detail = crowd.details[instance];
+    if (detail.interval_power == detail.asked_power) continue;
+    take_up_interval(crowd, instance);
+    sort_in(crowd, instance);
+  }
+}
+
 std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, float dt) {
   if (!crowd.solver->has_substeps) return 1;
   // What several frames make up may be longer than a step may be.
@@ -104,19 +114,13 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const D
   for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, interval.terms, all);
 }
 
-/// Each step is the turn of every 2^power-th block of that interval.
-bool is_its_turn(const CrowdState& crowd, std::uint32_t block, std::uint32_t power) {
-  return ((crowd.step_index + block) & ((1u << power) - 1u)) == 0;
-}
-
 void choose_blocks(CrowdState& crowd) {
   crowd.job_count = 0;
   for (std::uint32_t block = 0; block < crowd.blocks.size(); ++block) {
     const Block& candidate = crowd.blocks[block];
     if (candidate.count == 0 || candidate.treatment == kIdle) continue;
-    const std::uint32_t power = interval_power_of(crowd, candidate.treatment);
-    if (!is_its_turn(crowd, block, power)) continue;
-    crowd.intervals[power].is_due = true;
+    if (!has_its_turn(crowd, candidate.treatment)) continue;
+    crowd.intervals[interval_power_of(crowd, candidate.treatment)].is_due = true;
     crowd.jobs[crowd.job_count++] = block;
   }
 }
@@ -125,6 +129,7 @@ void choose_blocks(CrowdState& crowd) {
 
 void begin_step(CrowdState& crowd, const StepSettings& settings) {
   if (crowd.has_stepped && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
+  if (crowd.has_asked) take_up_intervals(crowd);
   crowd.settings = settings;
   crowd.has_stepped = true;
   ++crowd.step_index;

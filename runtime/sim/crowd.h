@@ -32,6 +32,7 @@ struct Block {
 struct InstanceDetail {
   std::uint8_t level = 0;
   std::uint8_t interval_power = 0;  ///< The interval is 2 to this.
+  std::uint8_t asked_power = 0;     ///< What it will be at the next step that ends both intervals.
   bool simulated = true;
   bool asleep = false;
 };
@@ -78,6 +79,7 @@ struct CrowdState {
   std::uint32_t step_index = 0;
   std::uint32_t job_count = 0;
   bool has_stepped = false;
+  bool has_asked = false;  ///< Some instance has another interval than it was asked to have.
 
   [[nodiscard]] std::uint32_t instance_count() const { return std::uint32_t(slots.size()); }
   [[nodiscard]] std::uint32_t bone_count() const { return std::uint32_t(asset.bones().size()); }

@@ -1,6 +1,6 @@
 #include "treatment.h"
 
-#include <cstring>
+#include <bit>
 
 namespace coif {
 namespace {
@@ -73,13 +73,22 @@ void remove_last_block(CrowdState& crowd, std::uint32_t treatment) {
   crowd.first_free = block;
 }
 
+/// Of all intervals together: 1, 1 + 2, 1 + 2 + 4.
+constexpr std::uint32_t phase_count(std::uint32_t intervals) { return (1u << intervals) - 1; }
+
+bool ends_interval(const CrowdState& crowd, std::uint32_t phase, std::uint32_t power) {
+  return ((crowd.step_index + phase) & ((1u << power) - 1u)) == 0;
+}
+
 bool has_room(const CrowdState& crowd, std::uint32_t block) {
   return block != kNone && crowd.blocks[block].count < kLanes;
 }
 
 }  // namespace
 
-std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals) { return 1 + levels * intervals; }
+std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals) {
+  return 1 + levels * phase_count(intervals);
+}
 
 std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments) {
   // Each list has at most one block that is not full, and no list has less than one head.
@@ -87,17 +96,35 @@ std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments) {
   return (instances + kLanes - 1) / kLanes + lists - 1;
 }
 
-std::uint32_t treatment_of(const CrowdState& crowd, const InstanceDetail& detail) {
+std::uint32_t treatment_of(const CrowdState& crowd, std::uint32_t instance) {
+  const InstanceDetail& detail = crowd.details[instance];
   if (!detail.simulated || detail.asleep) return kIdle;
-  return 1 + detail.level * crowd.interval_count + detail.interval_power;
+  const std::uint32_t interval = 1u << detail.interval_power, phase = instance / kLanes % interval;
+  return 1 + detail.level * phase_count(crowd.interval_count) + (interval - 1) + phase;
 }
 
 std::uint32_t level_of(const CrowdState& crowd, std::uint32_t treatment) {
-  return (treatment - 1) / crowd.interval_count;
+  return (treatment - 1) / phase_count(crowd.interval_count);
 }
 
 std::uint32_t interval_power_of(const CrowdState& crowd, std::uint32_t treatment) {
-  return (treatment - 1) % crowd.interval_count;
+  const std::uint32_t phase = (treatment - 1) % phase_count(crowd.interval_count);
+  return std::uint32_t(std::bit_width(phase + 1)) - 1;
+}
+
+bool has_its_turn(const CrowdState& crowd, std::uint32_t treatment) {
+  const std::uint32_t phase = (treatment - 1) % phase_count(crowd.interval_count);
+  const std::uint32_t power = interval_power_of(crowd, treatment);
+  return ends_interval(crowd, phase + 1 - (1u << power), power);
+}
+
+void take_up_interval(CrowdState& crowd, std::uint32_t instance) {
+  InstanceDetail& detail = crowd.details[instance];
+  const std::uint8_t longer = detail.asked_power > detail.interval_power ? detail.asked_power : detail.interval_power;
+  // No time has passed for one that is not simulated, nor before the first step.
+  const bool is_free = treatment_of(crowd, instance) == kIdle || crowd.step_index == 0;
+  if (is_free || ends_interval(crowd, instance / kLanes, longer)) detail.interval_power = detail.asked_power;
+  if (detail.interval_power != detail.asked_power) crowd.has_asked = true;
 }
 
 void fill_blocks(CrowdState& crowd) {
@@ -105,8 +132,8 @@ void fill_blocks(CrowdState& crowd) {
   const std::uint32_t blocks = std::uint32_t(crowd.blocks.size());
   crowd.first_free = 0;
   for (std::uint32_t i = 0; i < blocks; ++i) crowd.blocks[i].previous = i + 1 < blocks ? i + 1 : kNone;
-  const std::uint32_t treatment = treatment_of(crowd, InstanceDetail{});
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    const std::uint32_t treatment = treatment_of(crowd, instance);
     std::uint32_t block = crowd.last_block[treatment];
     if (!has_room(crowd, block)) block = append_block(crowd, treatment);
     Block& to = crowd.blocks[block];
@@ -124,7 +151,7 @@ void wake(CrowdState& crowd, std::uint32_t instance) {
 
 void sort_in(CrowdState& crowd, std::uint32_t instance) {
   const std::uint32_t from = crowd.blocks[crowd.slots[instance] / kLanes].treatment;
-  const std::uint32_t to = treatment_of(crowd, crowd.details[instance]);
+  const std::uint32_t to = treatment_of(crowd, instance);
   if (from == to) return;
 
   // To the end of its list first, so that taking it away leaves no hole.
