@@ -1,6 +1,8 @@
 // The step of the model in runtime/docs/MODEL.md for one row of chains, from root to tip. Compiled once per instruction
 // set. Section names below are those of MODEL.md, "The step".
 
+#include "bone_frame-inl.h"
+#include "coif_bone-inl.h"
 #include "contact-inl.h"
 #include "lane_math-inl.h"
 #include "palette-inl.h"
@@ -16,34 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
-
-/// How what a bone hangs from moves during the step: its parent's tail, or its joint on the head.
-template <class D>
-struct Carrier {
-  V3<D> way;  ///< Metres, from where the head was to where it is.
-  V3<D> velocity_before;
-  V3<D> angular_velocity_before;
-  V3<D> velocity;
-  V3<D> angular_velocity;
-  M3<D> frame;     ///< At the end, head space.
-  V3<D> position;  ///< At the end, head space.
-};
-
-/// The default position: where it goes, as directions and velocities seen from the carrier.
-template <class D>
-struct Target {
-  V3<D> by_parent;        ///< Unit, head space: the rest direction in the parent's frame.
-  V3<D> arm;              ///< World.
-  V3<D> turning;          ///< Velocity of `arm` at the end of the step, 1/s.
-  V3<D> velocity;         ///< Relative to the carrier's, m/s; at the end of the step.
-  V3<D> velocity_before;  ///< At its start.
-};
-
-template <class D>
-struct BoneMotion {
-  V3<D> direction;  ///< Unit, world.
-  V3<D> velocity;   ///< Of the tail relative to the carrier's, m/s.
-};
 
 template <class D>
 class CoifChain {
@@ -161,58 +135,7 @@ class CoifChain {
     free = add_scaled(d_, free, target.turning, hn::Mul(from_target_velocity, length));
     velocity = add_scaled(d_, velocity, target_velocity, load(d_, c.velocity_from_target_velocity, lane_));
     velocity = add(d_, velocity, target.velocity);
-    return keep_length(free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
-  }
-
-  /// Section 3, in bone lengths. The force along the bone has its mean direction over the step: with either end's the
-  /// method is of first order.
-  HWY_INLINE BoneMotion<D> keep_length(const V3<D>& free, const V3<D>& velocity, const V3<D>& before,
-                                       V<D> velocity_per_way) const {
-    const auto one = hn::Set(d_, 1.0f), zero = hn::Zero(d_);
-    const V3<D> mean = add(d_, free, before);  // no need of unit length: the root below is homogeneous
-    const auto free2 = dot(d_, free, free), cosine = dot(d_, free, before);
-    const auto along = hn::Add(free2, cosine);  // free mean, of which mean mean is left to add
-    const auto mean2 = hn::Add(along, hn::Add(cosine, one));
-    const auto along2 = hn::Mul(along, along), lack = hn::Sub(one, free2);
-    const auto root2 = hn::Add(along2, hn::Mul(mean2, lack));
-    const auto has_mean =
-        hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d_, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
-    const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // not a number without a mean: replaced below
-    V3<D> kept = add_scaled(d_, free, mean, reach);
-    // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
-    const auto size2 = dot(d_, kept, kept);
-    const auto is_unit = hn::And(has_mean, hn::Lt(hn::Abs(hn::Sub(size2, one)), hn::Set(d_, 1e-3f)));
-    V3<D> way = scale(d_, mean, reach);
-    kept = scale(d_, kept, hn::Sub(hn::Set(d_, 1.5f), hn::Mul(hn::Set(d_, 0.5f), size2)));
-    if (HWY_UNLIKELY(!hn::AllTrue(d_, is_unit))) {
-      // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead. Straight
-      // back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
-      const V3<D> straight = direction_or(d_, free, before);
-      const auto is_back = hn::And(hn::Not(has_mean), hn::Lt(dot(d_, straight, before), hn::Set(d_, -0.9999f)));
-      const V3<D> now = choose<D>(is_back, before, straight);
-      kept = choose<D>(is_unit, kept, now);
-      way = choose<D>(is_unit, way, sub(d_, now, free));
-    }
-    return {kept, across(d_, add_scaled(d_, velocity, way, velocity_per_way), kept)};
-  }
-
-  /// Section 4. Against the stop, the bone moves as its default position does.
-  HWY_INLINE void keep_in_limit(const BoneLanes& bone, const Target<D>& target, BoneMotion<D>& now) const {
-    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
-    const auto cosine = load(d_, bone.limit_cosine, lane_);
-    const V3<D> axis = direction_or(d_, target.arm, rotate(d_, turn_, target.by_parent));
-    const auto is_over = hn::Lt(dot(d_, now.direction, axis), cosine);
-    if (HWY_LIKELY(hn::AllFalse(d_, is_over))) return;
-    const V3<D> limited = tilted(d_, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
-    const V3<D> inwards = across(d_, axis, limited);
-    const auto size2 = dot(d_, inwards, inwards);
-    V3<D> velocity = across(d_, now.velocity, limited);
-    const auto leaving = dot(d_, sub(d_, velocity, target.velocity), inwards);
-    const auto stops = hn::And(hn::Gt(size2, hn::Set(d_, 1e-6f)), hn::Lt(leaving, zero));
-    const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
-    velocity = choose<D>(stops, sub_scaled(d_, velocity, inwards, taken), velocity);
-    now.direction = choose<D>(is_over, limited, now.direction);
-    now.velocity = choose<D>(is_over, velocity, now.velocity);
+    return keep_length(d_, free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
   /// Section 4. `direction` is now.direction in head space and follows it.
@@ -270,47 +193,6 @@ class CoifChain {
     return hn::Mul(hn::Sub(along, dot(d_, arm, swing)), per_fold);
   }
 
-  /// Section 5: carries the frame along, without any twist from one direction to the next seen from the parent, then back
-  /// towards the shortest arc at the rate `torsion`. The arc alone would flip when the bone folds over its parent.
-  HWY_INLINE V<D> twist(std::size_t i, const BoneLanes& bone, const Carrier<D>& from, const BoneMotion<D>& now,
-                        const V3<D>& direction, const V3<D>& rest, Bent<D>& bent) const {
-    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), half = hn::Set(d_, 0.5f);
-    TwistState& state = row_.twist[i];
-    const V3<D> before = load(d_, state.before, lane_), after = bent.seen;
-    const auto cosine = load(d_, state.cosine, lane_), sine = load(d_, state.sine, lane_);
-    // The triangle rest, before, after on the unit sphere turns what is carried around it by its area (Oosterom, Strackee).
-    const auto rest_after = dot(d_, rest, after);
-    const auto area_sine = dot(d_, rest, cross(d_, before, after));
-    const auto area_cosine = hn::Add(hn::Add(one, dot(d_, rest, before)), hn::Add(dot(d_, before, after), rest_after));
-    auto twist_cosine = hn::Sub(hn::Mul(cosine, area_cosine), hn::Mul(sine, area_sine));
-    auto twist_sine = hn::Add(hn::Mul(sine, area_cosine), hn::Mul(cosine, area_sine));
-    const auto fold = hn::Mul(half, hn::Add(one, rest_after));  // 1 at rest, 0 folded over
-    const auto rate = hn::Mul(load(d_, bone.torsion, lane_), fold);
-    const auto decay = hn::Mul(rate, hn::Set(d_, row_.dt));
-    twist_sine = hn::Div(twist_sine, hn::Add(one, hn::Mul(decay, hn::Add(one, hn::Mul(half, decay)))));
-    const auto size2 = hn::Add(hn::Mul(twist_cosine, twist_cosine), hn::Mul(twist_sine, twist_sine));
-    const auto is_defined = hn::Gt(size2, hn::Set(d_, 1e-12f));
-    const auto per_size = hn::Div(one, hn::Sqrt(hn::IfThenElse(is_defined, size2, one)));
-    twist_cosine = hn::IfThenElse(is_defined, hn::Mul(twist_cosine, per_size), one);
-    twist_sine = hn::IfThenElse(is_defined, hn::Mul(twist_sine, per_size), zero);
-    store(d_, after, state.before, lane_);
-    store(d_, twist_cosine, state.cosine, lane_);
-    store(d_, twist_sine, state.sine, lane_);
-    const auto double_sine = hn::Mul(hn::Add(twist_sine, twist_sine), twist_cosine);
-    bent.frame = twisted(bent.frame, direction, double_sine, hn::Mul(hn::Add(twist_sine, twist_sine), twist_sine));
-    return hn::Sub(dot(d_, now.direction, from.angular_velocity), hn::Mul(rate, double_sine));
-  }
-
-  /// The frame turned about the unit vector `axis` by the angle with this sine and this 1 - cosine.
-  HWY_INLINE M3<D> twisted(const M3<D>& frame, const V3<D>& axis, V<D> sine, V<D> versine) const {
-    return {twisted(frame.x, axis, sine, versine), twisted(frame.y, axis, sine, versine),
-            twisted(frame.z, axis, sine, versine)};
-  }
-  HWY_INLINE V3<D> twisted(const V3<D>& v, const V3<D>& axis, V<D> sine, V<D> versine) const {
-    const V3<D> sideways = cross(d_, axis, v);
-    return add_scaled(d_, add_scaled(d_, v, sideways, sine), cross(d_, axis, sideways), versine);
-  }
-
   const D d_;
   const RowStep& row_;
   const CoifCoefficients* const coefficients_;
@@ -338,7 +220,9 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   BoneMotion<D> now{target.arm, target.velocity};
   if (row_.level < shape.most_levels) {
     now = move_freely(i, shape, from, target, before, arm_before, speed_before, length);
-    if (shape.features & kRowHasLimit) keep_in_limit(bone, target, now);
+    if (shape.features & kRowHasLimit) {
+      keep_in_limit(d_, load(d_, bone.limit_cosine, lane_), rotate(d_, turn_, target.by_parent), target, now);
+    }
   }
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
   if (shape.features & kRowCollides) keep_clear_of(shape, bone, from, before, now, direction);
@@ -349,7 +233,9 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   auto spin = hn::Zero(d_);
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), per_length);
   if (shape.features & kRowTwists) {
-    spin = twist(i, bone, from, now, direction, rest, bent);
+    const auto unwinding =
+        twist(d_, rest, direction, load(d_, bone.torsion, lane_), row_.dt, row_.twist[i], lane_, bent);
+    spin = hn::Sub(dot(d_, now.direction, from.angular_velocity), unwinding);
   } else if (shape.features & kRowHasChildren) {
     spin = spin_of_arc(shape, from, target, now, swing, bent.per_fold);
   }

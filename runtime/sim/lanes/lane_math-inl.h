@@ -166,56 +166,6 @@ HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
   return direction_or(d, choose<D>(is_flat, by_x, by_y), v);
 }
 
-/// The frame that the shortest arc from `from`, which is `rest` in the frame `parent`, to `to` makes of `parent`, and
-/// 1 / (1 + from to). All three directions are unit. Each column c of `parent` becomes c - k (from + to) c (from + to) + 2
-/// (from c) to, where k is that factor and (from c) is the constant rest direction's own coordinate.
-template <class D>
-struct Bent {
-  M3<D> frame;
-  V3<D> seen;  ///< `to` in the frame `parent`.
-  V<D> per_fold;
-};
-
-/// The same for `to` nearly opposite to `from`, where 1 + from to is mostly rounding: the reflection that swaps the two,
-/// then the one that brings what this made of `from` to `to`. However inexact the sum is, the result is a rotation.
-template <class D>
-HWY_NOINLINE M3<D> bend_back(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
-  const auto two = hn::Set(d, 2.0f);
-  const auto reflected = [&](const M3<D>& frame, const V3<D>& normal) {
-    const V3<D> share = scale(d, rotate_back(d, frame, normal), hn::Div(two, dot(d, normal, normal)));
-    return M3<D>{sub_scaled(d, frame.x, normal, share.x), sub_scaled(d, frame.y, normal, share.y),
-                 sub_scaled(d, frame.z, normal, share.z)};
-  };
-  // Folded back onto itself, every arc is as short: half a turn about a hinge chosen in the rest frame.
-  const V3<D> sum = add(d, from, to), beside_hinge = rotate(d, parent, cross(d, any_perpendicular(d, rest), rest));
-  const auto is_folded = hn::Lt(dot(d, sum, sum), hn::Set(d, 2e-7f));
-  const M3<D> swapped = reflected(parent, choose<D>(is_folded, beside_hinge, sum));
-  return reflected(swapped, sub(d, rotate(d, swapped, rest), to));
-}
-
-template <class D>
-HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
-  const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-7f);
-  const V3<D> seen = rotate_back(d, parent, to);
-  // The order of these sums is that in which their terms are known: the children wait for the frame.
-  const auto unfolded = hn::Max(hn::Add(hn::Add(hn::Mul(rest.x, seen.x), hn::Mul(rest.y, seen.y)),
-                                        hn::Add(hn::Mul(rest.z, seen.z), one)),
-                                least);
-  const auto k = hn::Div(one, unfolded);
-  const V3<D> sum = add(d, from, to), share = scale(d, add(d, rest, seen), k), twice = add(d, to, to);
-  Bent<D> bent;
-  bent.seen = seen;
-  bent.per_fold = k;
-  bent.frame.x = sub_scaled(d, add_scaled(d, parent.x, twice, rest.x), sum, share.x);
-  bent.frame.y = sub_scaled(d, add_scaled(d, parent.y, twice, rest.y), sum, share.y);
-  bent.frame.z = sub_scaled(d, add_scaled(d, parent.z, twice, rest.z), sum, share.z);
-  const auto is_back = hn::Lt(unfolded, hn::Set(d, 0.02f));
-  if (HWY_UNLIKELY(!hn::AllFalse(d, is_back))) {
-    bent.frame = choose<D>(is_back, bend_back(d, parent, rest, from, to), bent.frame);
-  }
-  return bent;
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace coif
 HWY_AFTER_NAMESPACE();

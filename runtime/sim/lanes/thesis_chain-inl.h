@@ -1,5 +1,6 @@
 // One step of Algorithm 1 for one row of chains, pass by pass as published (thesis 5.2). Compiled once per instruction set.
 
+#include "bone_frame-inl.h"
 #include "contact-inl.h"
 #include "lane_math-inl.h"
 #include "palette-inl.h"

@@ -1,0 +1,103 @@
+// One bone on its way through a step of the model in runtime/docs/MODEL.md. Section names are those of MODEL.md, "The
+// step". Compiled once per instruction set.
+
+#include "contact-inl.h"
+#include "lane_math-inl.h"
+
+#if defined(COIF_SIM_LANES_COIF_BONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_COIF_BONE_INL_H_
+#undef COIF_SIM_LANES_COIF_BONE_INL_H_
+#else
+#define COIF_SIM_LANES_COIF_BONE_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+/// How what a bone hangs from moves during the step: its parent's tail, or its joint on the head.
+template <class D>
+struct Carrier {
+  V3<D> way;  ///< Metres, from where the head was to where it is.
+  V3<D> velocity_before;
+  V3<D> angular_velocity_before;
+  V3<D> velocity;
+  V3<D> angular_velocity;
+  M3<D> frame;     ///< At the end, head space.
+  V3<D> position;  ///< At the end, head space.
+};
+
+/// The default position: where it goes, as directions and velocities seen from the carrier.
+template <class D>
+struct Target {
+  V3<D> by_parent;        ///< Unit, head space: the rest direction in the parent's frame.
+  V3<D> arm;              ///< World.
+  V3<D> turning;          ///< Velocity of `arm` at the end of the step, 1/s.
+  V3<D> velocity;         ///< Relative to the carrier's, m/s; at the end of the step.
+  V3<D> velocity_before;  ///< At its start.
+};
+
+template <class D>
+struct BoneMotion {
+  V3<D> direction;  ///< Unit, world.
+  V3<D> velocity;   ///< Of the tail relative to the carrier's, m/s.
+};
+
+/// Section 3, in bone lengths. The force along the bone has its mean direction over the step: with either end's the
+/// method is of first order.
+template <class D>
+HWY_INLINE BoneMotion<D> keep_length(D d, const V3<D>& free, const V3<D>& velocity, const V3<D>& before,
+                                     V<D> velocity_per_way) {
+  const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const V3<D> mean = add(d, free, before);  // no need of unit length: the root below is homogeneous
+  const auto free2 = dot(d, free, free), cosine = dot(d, free, before);
+  const auto along = hn::Add(free2, cosine);  // free mean, of which mean mean is left to add
+  const auto mean2 = hn::Add(along, hn::Add(cosine, one));
+  const auto along2 = hn::Mul(along, along), lack = hn::Sub(one, free2);
+  const auto root2 = hn::Add(along2, hn::Mul(mean2, lack));
+  const auto has_mean =
+      hn::And(hn::And(hn::Gt(along2, hn::Mul(hn::Set(d, 0.1f), mean2)), hn::Gt(along, zero)), hn::Gt(root2, zero));
+  const auto reach = hn::Div(lack, hn::Add(along, hn::Sqrt(root2)));  // not a number without a mean: replaced below
+  V3<D> kept = add_scaled(d, free, mean, reach);
+  // Unit but for rounding, for which one step of Newton's method does; unless a free end many lengths away left only that.
+  const auto size2 = dot(d, kept, kept);
+  const auto is_unit = hn::And(has_mean, hn::Lt(hn::Abs(hn::Sub(size2, one)), hn::Set(d, 1e-3f)));
+  V3<D> way = scale(d, mean, reach);
+  kept = scale(d, kept, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
+  if (HWY_UNLIKELY(!hn::AllTrue(d, is_unit))) {
+    // A free end far to the side, or behind the start, has no sensible mean: straight to the length instead. Straight
+    // back through the start it cannot go: balanced on that line it stays, off it the next step finds the side.
+    const V3<D> straight = direction_or(d, free, before);
+    const auto is_back = hn::And(hn::Not(has_mean), hn::Lt(dot(d, straight, before), hn::Set(d, -0.9999f)));
+    const V3<D> now = choose<D>(is_back, before, straight);
+    kept = choose<D>(is_unit, kept, now);
+    way = choose<D>(is_unit, way, sub(d, now, free));
+  }
+  return {kept, across(d, add_scaled(d, velocity, way, velocity_per_way), kept)};
+}
+
+/// Section 4. `cosine` of the largest angle; `by_parent` as the target's, in world axes. Against the stop, the bone moves as
+/// its default position does.
+template <class D>
+HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Target<D>& target, BoneMotion<D>& now) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V3<D> axis = direction_or(d, target.arm, by_parent);
+  const auto is_over = hn::Lt(dot(d, now.direction, axis), cosine);
+  if (HWY_LIKELY(hn::AllFalse(d, is_over))) return;
+  const V3<D> limited = tilted(d, now.direction, axis, cosine, Vec3{0.0f, 1.0f, 0.0f});
+  const V3<D> inwards = across(d, axis, limited);
+  const auto size2 = dot(d, inwards, inwards);
+  V3<D> velocity = across(d, now.velocity, limited);
+  const auto leaving = dot(d, sub(d, velocity, target.velocity), inwards);
+  const auto stops = hn::And(hn::Gt(size2, hn::Set(d, 1e-6f)), hn::Lt(leaving, zero));
+  const auto taken = hn::Div(leaving, hn::IfThenElse(stops, size2, one));
+  velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
+  now.direction = choose<D>(is_over, limited, now.direction);
+  now.velocity = choose<D>(is_over, velocity, now.velocity);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif
