@@ -46,7 +46,7 @@ TEST(StressRig, BranchesAsDeepAsItSays) {
   ASSERT_TRUE(tree.is_open());
   const Rig rig = rig_of(tree.asset());
   EXPECT_EQ(rig.tips.size(), 8u);
-  EXPECT_EQ(rig.bones[14].parent, 6);
+  EXPECT_EQ(rig.bones[14].parent, 12);
 }
 
 TEST(StressRun, GentleCaseIsOkAndSettles) {

@@ -66,17 +66,31 @@ class StressContents {
   }
 
  private:
+  /// A bone to be: its number in the tree, level by level, and where its parent is stored.
+  struct Place {
+    std::uint32_t number;
+    std::uint32_t parent;
+  };
+
   void add_chain(std::uint32_t chain) {
     const double side = (double(chain) - 0.5 * (rig_.chains - 1)) * rig_.chain_spacing;
     const auto first = std::uint32_t(contents_.bones.size());
     contents_.chains.push_back({first, rig_.bones_per_chain, 0, 0});
     depth_.clear();
-    for (std::uint32_t i = 0; i < rig_.bones_per_chain; ++i) {
-      const std::uint32_t up = (i + rig_.branching - 1) / rig_.branching - 1;  // Wraps for the root, which has none.
-      if (i == 0) {
-        add_bone(chain, 0, Vector3d(side, 0, -kBehind - rig_.root_offset), 0, 0);
+    // Depth first, as the format wants trees: bone i of the tree has the children branching * i + 1 and on.
+    std::vector<Place> waiting = {{0, 0}};
+    while (!waiting.empty()) {
+      const Place place = waiting.back();
+      waiting.pop_back();
+      const auto here = std::uint32_t(contents_.bones.size());
+      if (place.number == 0) {
+        add_bone(chain, 0, Vector3d(side, 0, -kBehind - rig_.root_offset), 0, place.number);
       } else {
-        add_bone(chain, first + up, end_of(first + up), depth_[up] + 1, (i - 1) % rig_.branching);
+        add_bone(chain, place.parent, end_of(place.parent), depth_[place.parent - first] + 1, place.number);
+      }
+      for (std::uint32_t k = rig_.branching; k > 0; --k) {
+        const std::uint32_t child = rig_.branching * place.number + k;
+        if (child < rig_.bones_per_chain) waiting.push_back({child, here});
       }
     }
   }
@@ -89,7 +103,8 @@ class StressContents {
   }
 
   void add_bone(std::uint32_t chain, std::uint32_t parent, const Vector3d& joint, std::uint32_t depth,
-                std::uint32_t sibling) {
+                std::uint32_t number) {
+    const std::uint32_t sibling = number == 0 ? 0 : (number - 1) % rig_.branching;
     BoneRecord bone{};
     bone.parent = parent;
     bone.kind = BoneKind::kSimulated;
@@ -101,7 +116,7 @@ class StressContents {
     store(Vector3d(fan, -1, depth == 0 ? -0.6 : -0.05).normalized(), bone.rest_direction);
     bone.length = float(rig_.bone_length * (depth % 2 == 1 ? rig_.length_ratio : 1));
     contents_.bones.push_back(bone);
-    const double share = rig_.bones_per_chain > 1 ? double(depth_.size()) / (rig_.bones_per_chain - 1) : 0.0;
+    const double share = rig_.bones_per_chain > 1 ? double(number) / (rig_.bones_per_chain - 1) : 0.0;
     const double resistance = rig_.root_resistance + (rig_.tip_resistance - rig_.root_resistance) * share;
     contents_.dynamics.push_back(dynamics_of(rig_, resistance));
     depth_.push_back(depth);
