@@ -118,7 +118,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   crowd.solver = desc.solver;
   crowd.step_row = desc.solver->row_code(set);
   crowd.heads = head_code(set);
-  crowd.colliders = PlacedColliders(asset.colliders(), Quat{});
+  crowd.colliders = PlacedColliders(asset.colliders());
   crowd.level_count = levels_of(asset);
   crowd.substep_rate = asset.tuning() != nullptr ? asset.tuning()->substep_rate : 0.0f;
   make_rows(asset, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);

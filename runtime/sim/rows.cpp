@@ -112,7 +112,6 @@ void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& sha
     set_constants(asset, bone, lane, constants);
     shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
     shape.colliders |= constants.colliders[lane];
-    if (constants.colliders[lane] != constants.colliders[0]) shape.features |= kRowMixesColliders;
     if (levels < shape.fewest_levels) shape.fewest_levels = levels;
     if (levels > shape.most_levels) shape.most_levels = levels;
   }

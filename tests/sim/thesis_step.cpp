@@ -59,7 +59,7 @@ ThesisStep::ThesisStep(const TestRig& rig) : palette(rig.bones.size()), rig_(rig
 
 std::vector<Particle> ThesisStep::stepped(const Asset& asset, InstructionSet set) {
   Rows rows(asset, dt);
-  const PlacedColliders colliders(asset.colliders(), Quat{});
+  const PlacedColliders colliders(asset.colliders());
   const MoveLanes move = move_of(*this);
   std::vector<Mat34> others(palette.size());
   std::vector<Particle> after(particles.size());

@@ -146,17 +146,13 @@ class CoifChain {
     const auto is_near = in_reach(d_, colliders, shape.colliders, from.position, hn::Add(length, hit_radius));
     if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
     // Far enough in one step, the bone may have jumped through a collider.
-    const auto moved_far = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
-    auto reached = moved_far;
+    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
     for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
       const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
       reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
     }
     reached = hn::And(reached, is_near);
     if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
-    if (shape.features & kRowMixesColliders) {
-      reached = reaches_own(d_, colliders, shape.colliders, bone, lane_, moved_far, from.position, direction);
-    }
     const MoveLanes& move = *row_.move;
     TouchingBone<D> touching;
     copy(d_, from.position, touching.start);
@@ -167,10 +163,11 @@ class CoifChain {
     touching.head_turning = rotate_back(d_, turn_, load(d_, move.angular_velocity, lane_));
     touching.length = length;
     touching.hit_radius = hit_radius;
-    keep_clear(d_, colliders, shape.colliders, bone, lane_, reached, touching);
-    direction = choose<D>(reached, touching.direction, direction);
-    now.direction = choose<D>(reached, rotate(d_, turn_, direction), now.direction);
-    now.velocity = choose<D>(reached, rotate(d_, turn_, touching.velocity), now.velocity);
+    const auto touched = keep_clear(d_, colliders, shape.colliders, bone, lane_, reached, touching);
+    if (hn::AllFalse(d_, touched)) return;
+    direction = choose<D>(touched, touching.direction, direction);
+    now.direction = choose<D>(touched, rotate(d_, turn_, direction), now.direction);
+    now.velocity = choose<D>(touched, rotate(d_, turn_, touching.velocity), now.velocity);
   }
 
   /// Levels of detail: where the bone is not simulated it keeps its rest direction in its parent's frame.

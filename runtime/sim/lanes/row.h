@@ -18,7 +18,6 @@ enum RowFeature : std::uint32_t {
   kRowSharesPull = 1u << 4,  ///< The default direction is not the parent's alone.
   kRowTwists = 1u << 5,
   kRowFeelsAir = 1u << 6,
-  kRowMixesColliders = 1u << 7,  ///< Not all lanes may touch the same.
 };
 
 /// One bone of all chains in a row.

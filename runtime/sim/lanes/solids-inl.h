@@ -18,6 +18,25 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+/// The lanes of a set of colliders that have one of them.
+template <class D>
+HWY_INLINE hn::Mask<D> lanes_with(D d, const BoneLanes& bone, std::size_t lane, std::uint32_t collider) {
+  const hn::RebindToUnsigned<D> du;
+  const auto sets = hn::Load(du, bone.colliders + lane);
+  return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << collider)));
+}
+
+/// Between head space and a collider's own axes.
+template <class D>
+HWY_INLINE V3<D> into(D d, const OwnAxes& axes, const V3<D>& v) {
+  return {dot(d, same(d, axes.x), v), dot(d, same(d, axes.y), v), dot(d, same(d, axes.z), v)};
+}
+template <class D>
+HWY_INLINE V3<D> out_of(D d, const OwnAxes& axes, const V3<D>& v) {
+  const V3<D> flat = add_scaled(d, scale(d, same(d, axes.x), v.x), same(d, axes.y), v.y);
+  return add_scaled(d, flat, same(d, axes.z), v.z);
+}
+
 /// A start no deeper in a collider than this, share of its size, is on the surface.
 inline constexpr float kContactSkin = 1e-3f;
 
@@ -73,12 +92,17 @@ class SolidSphere {
 
   HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
     const auto nearest = between<D>(hn::Neg(dot(d_, from_, direction)), hn::Zero(d_), length_);
-    return at(direction, hn::IfThenElse(is_deep_, length_, nearest));
+    Deepest<D> found = at(direction, hn::IfThenElse(is_deep_, length_, nearest));
+    const auto least = hn::Mul(hn::Set(d_, 1e-6f), radius_);
+    const auto is_central = hn::Not(hn::Gt(distance2_, hn::Mul(least, least)));
+    found.gap = hn::IfThenElse(is_central, hn::Zero(d_), found.gap);  // from there every direction is as good
+    return found;
   }
   HWY_INLINE Deepest<D> at(const V3<D>& direction, V<D> along) const {
     return in_ball(d_, add_scaled(d_, from_, direction, along), radius_, along, way_out_);
   }
 
+  V<D> length() const { return length_; }
   /// The start as seen from the centre, and its distance squared.
   const V3<D>& from() const { return from_; }
   V<D> distance2() const { return distance2_; }
@@ -109,13 +133,8 @@ class SolidEllipsoid {
     is_deep_ = hn::Lt(dot(d, from_, from_), hn::Mul(skin, skin));
   }
 
-  HWY_INLINE V3<D> into(const V3<D>& v) const {
-    return {dot(d_, same(d_, axes_.x), v), dot(d_, same(d_, axes_.y), v), dot(d_, same(d_, axes_.z), v)};
-  }
-  HWY_INLINE V3<D> out_of(const V3<D>& v) const {
-    const V3<D> flat = add_scaled(d_, scale(d_, same(d_, axes_.x), v.x), same(d_, axes_.y), v.y);
-    return add_scaled(d_, flat, same(d_, axes_.z), v.z);
-  }
+  HWY_INLINE V3<D> into(const V3<D>& v) const { return HWY_NAMESPACE::into(d_, axes_, v); }
+  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return HWY_NAMESPACE::out_of(d_, axes_, v); }
   [[nodiscard]] Vec3 own_way_out() const { return {0.0f, 1.0f, 0.0f}; }
 
   HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
@@ -145,6 +164,20 @@ class SolidEllipsoid {
   hn::Mask<D> is_deep_;
 };
 
+/// The ball out of which a plain or tapered capsule is made that is nearest to a point, as a share of the axis from 0 at
+/// `center`, where the point is seen from.
+template <class D>
+HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& point) {
+  const V3<D> axis = same(d, capsule.axis);
+  auto share = hn::Mul(dot(d, point, axis), hn::Set(d, capsule.per_axis2));
+  if (capsule.taper > 0.0f || capsule.taper < 0.0f) {
+    // Its surface is nearest not beside the point but where the cone's normal through the point starts.
+    const V3<D> beside = sub_scaled(d, point, axis, share);
+    share = hn::Sub(share, hn::Mul(hn::Sqrt(dot(d, beside, beside)), hn::Set(d, capsule.slant)));
+  }
+  return between<D>(share, hn::Zero(d), hn::Set(d, 1.0f));
+}
+
 /// Plain and tapered. Points are seen from the end at PlacedCollider::center.
 template <class D>
 class SolidCapsule {
@@ -156,7 +189,7 @@ class SolidCapsule {
         from_(sub(d, bone.start, same(d, capsule.center))),
         axis_(same(d, capsule.axis)) {
     thickness_ = hn::Add(hn::Set(d, capsule.radii.x), bone.hit_radius);
-    const auto share = nearest_ball(from_);
+    const auto share = nearest_ball(d, capsule, from_);
     const V3<D> offset = sub_scaled(d, from_, axis_, share);
     const auto deep = hn::Mul(radius_at(share), hn::Set(d, 1.0f - kContactSkin));
     is_deep_ = hn::Lt(dot(d, offset, offset), hn::Mul(deep, deep));
@@ -173,30 +206,19 @@ class SolidCapsule {
     const V3<D> point = add_scaled(d_, from_, direction, along);
     // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the
     // segment's end, the end is.
-    const auto share = hn::IfThenElse(hn::Eq(along, nearest), line_share, nearest_ball(point));
+    const auto share = hn::IfThenElse(hn::Eq(along, nearest), line_share, nearest_ball(d_, capsule_, point));
     return in_ball(d_, sub_scaled(d_, point, axis_, share), radius_at(share), along, capsule_.way_out);
   }
 
  private:
-  /// The ball out of which the capsule is made that is nearest to the point, as a share of the axis.
-  HWY_INLINE V<D> nearest_ball(const V3<D>& point) const {
-    auto share = hn::Mul(dot(d_, point, axis_), hn::Set(d_, capsule_.per_axis2));
-    if (capsule_.slant > 0.0f || capsule_.slant < 0.0f) {
-      // Its surface is nearest not beside the point but where the cone's normal through the point starts.
-      const V3<D> beside = sub_scaled(d_, point, axis_, share);
-      share = hn::Sub(share, hn::Mul(hn::Sqrt(dot(d_, beside, beside)), hn::Set(d_, capsule_.slant)));
-    }
-    return between<D>(share, hn::Zero(d_), hn::Set(d_, 1.0f));
-  }
-
-  /// The same for the bone's whole line.
+  /// The ball nearest to the bone's whole line, as nearest_ball() has it.
   HWY_INLINE V<D> nearest_to_line(const V3<D>& direction) const {
     const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), taper = hn::Set(d_, capsule_.taper);
     const V3<D> beside = sub_scaled(d_, from_, direction, dot(d_, from_, direction));
     const V3<D> slope = sub_scaled(d_, axis_, direction, dot(d_, axis_, direction));
     const auto slope2 = dot(d_, slope, slope), spread = hn::Sub(slope2, hn::Mul(taper, taper));
     auto share = hn::Div(dot(d_, beside, slope), slope2);
-    if (capsule_.slant > 0.0f || capsule_.slant < 0.0f) {
+    if (capsule_.taper > 0.0f || capsule_.taper < 0.0f) {
       const V3<D> apart = sub_scaled(d_, beside, slope, share);
       const auto per_apart = hn::Div(taper, hn::Sqrt(hn::Mul(slope2, spread)));
       share = hn::Sub(share, hn::Mul(hn::Sqrt(dot(d_, apart, apart)), per_apart));

@@ -1,9 +1,9 @@
 // One step of Algorithm 1 for one row of chains, pass by pass as published (thesis 5.2). Compiled once per instruction set.
 
 #include "bone_frame-inl.h"
-#include "contact-inl.h"
 #include "lane_math-inl.h"
 #include "palette-inl.h"
+#include "particle_contact-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_THESIS_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -106,21 +106,11 @@ class ThesisChain {
     const auto farthest = hn::Add(hn::Set(d_, colliders.farthest(set)), hit_radius);
     if (HWY_LIKELY(hn::AllTrue(d_, hn::Gt(dot(d_, now, now), hn::Mul(farthest, farthest))))) return;
     const V3<D> before = rotate_back(d_, turn_, now);
-    if (!colliders.only_spheres(set)) return clear_one_by_one(i, before);
-    // To the last bit as PlacedColliders::clear() does it: which of both a bone gets depends on its neighbours too.
     V3<D> position = before;
     for (std::uint32_t left = set; left != 0; left &= left - 1) {
       const std::uint32_t k = std::uint32_t(std::countr_zero(left));
-      const V3<D> center = same(d_, colliders[k].center), offset = sub(d_, position, center);
-      const auto radius = hn::Add(hn::Set(d_, colliders[k].radii.x), hit_radius);
-      const auto radius2 = hn::Mul(radius, radius), distance2 = dot(d_, offset, offset);
-      const auto is_inside = hn::And(lanes_with(d_, bone, lane_, k), hn::Lt(distance2, radius2));
-      if (hn::AllFalse(d_, is_inside)) continue;
-      const auto is_central = hn::Lt(distance2, hn::Mul(hn::Mul(hn::Set(d_, 1e-12f), radius), radius));
-      const auto distance = hn::Sqrt(hn::IfThenElse(is_central, hn::Set(d_, 1.0f), distance2));
-      const V3<D> out = choose<D>(is_central, scale(d_, same(d_, colliders[k].way_out), radius),
-                                  scale(d_, offset, hn::Div(radius, distance)));
-      position = choose<D>(is_inside, add(d_, center, out), position);
+      const V3<D> cleared = clear_of(d_, colliders[k], hit_radius, position);
+      position = choose<D>(lanes_with(d_, bone, lane_, k), cleared, position);
     }
     const V3<D> change = sub(d_, position, before);
     const auto moved = hn::Gt(hn::Max(hn::Max(hn::Abs(change.x), hn::Abs(change.y)), hn::Abs(change.z)), hn::Zero(d_));
@@ -172,26 +162,6 @@ class ThesisChain {
     joint_.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
     joint_.position = load(d_, row_.constants[i].joint, lane_);
     return joint_;
-  }
-
-  /// What is not only spheres.
-  HWY_NOINLINE void clear_one_by_one(std::size_t i, const V3<D>& in_head_space) {
-    const BoneLanes& bone = row_.constants[i];
-    Lanes3 position, cleared;
-    store(d_, in_head_space, position, 0);
-    Lanes moved;
-    for (std::uint32_t k = 0; k < used_; ++k) {
-      const Vec3 before = coif::lane(position, k);
-      const Vec3 after = row_.colliders->clear(bone.colliders[lane_ + k], bone.hit_radius.v[lane_ + k], before);
-      set_lane(cleared, k, after);
-      const bool is_same = before.x == after.x && before.y == after.y && before.z == after.z;
-      moved.v[k] = is_same ? 0.0f : 1.0f;
-    }
-    const auto has_moved = hn::Gt(load(d_, moved, 0), hn::Zero(d_));
-    if (hn::AllFalse(d_, has_moved)) return;
-    const V3<D> now = load(d_, state_[i].position, lane_);
-    const V3<D> then = rotate(d_, turn_, load(d_, cleared, 0));
-    store(d_, choose<D>(has_moved, then, now), state_[i].position, lane_);
   }
 
   const D d_;

@@ -47,8 +47,7 @@ HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, con
   const auto per_size = hn::Div(one, hn::Sqrt(size2));
   const auto turn = hn::Mul(hn::Div(hn::Sub(hn::Set(d, overshoot), at.gap), at.along), per_size);
   const auto angle = hn::Min(turn, hn::Set(d, kLargestTurn));
-  const auto tangent =
-      hn::Mul(angle, hn::Add(one, hn::Mul(hn::Mul(angle, angle), hn::Set(d, 1.0f / 3.0f))));
+  const auto tangent = hn::Mul(angle, hn::Add(one, hn::Mul(hn::Mul(angle, angle), hn::Set(d, 1.0f / 3.0f))));
   const V3<D> turned = add_scaled(d, direction, side, hn::Mul(tangent, per_size));
   return scale(d, turned, hn::Div(one, hn::Sqrt(dot(d, turned, turned))));
 }
@@ -56,12 +55,14 @@ HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, con
 /// Newton's method on the angle, in the lanes of `inside`, to a depth of kTolerance of the collider's size. `at` is where
 /// `direction` is deepest, and follows it.
 template <class D, class Solid>
-HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const Solid& solid, float size, V3<D>& direction, Deepest<D>& at) {
-  const auto least = hn::Set(d, -kTolerance * size);
+HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const Solid& solid, const PlacedCollider& collider, V3<D>& direction,
+                         Deepest<D>& at) {
+  const float overshoot = kOvershoot * collider.size;
+  const auto least = hn::Set(d, -kTolerance * collider.size);
   for (int i = 0; i < kNewtonSteps; ++i) {
     const auto goes_on = hn::And(inside, hn::And(hn::Lt(at.gap, least), hn::Gt(at.along, hn::Zero(d))));
     if (hn::AllFalse(d, goes_on)) return;
-    const V3<D> turned = turned_outwards(d, at, kOvershoot * size, solid.own_way_out(), direction);
+    const V3<D> turned = turned_outwards(d, at, overshoot, solid.own_way_out(), direction);
     direction = choose<D>(goes_on, turned, direction);
     at = solid.deepest(direction);
   }
@@ -70,7 +71,8 @@ HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const Solid& solid, float size
 /// The directions from a point outside that meet a ball form a cone: no need of Newton. A segment that ends before the
 /// tangent's point only has to keep its end out.
 template <class D>
-HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const SolidSphere<D>& solid, const PlacedCollider& sphere, V<D> reach, V3<D>& direction, Deepest<D>& at) {
+HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const SolidSphere<D>& solid, const PlacedCollider& sphere, V<D> reach,
+                         V3<D>& direction, Deepest<D>& at) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), reach2 = hn::Mul(reach, reach);
   const auto radius = solid.radius(), radius2 = hn::Mul(radius, radius);
   const auto distance2 = hn::IfThenElse(inside, solid.distance2(), one), distance = hn::Sqrt(distance2);
@@ -86,3 +88,127 @@ HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const SolidSphere<D>& solid, c
   direction = choose<D>(inside, tilted(d, direction, inward, cosine, sphere.way_out), direction);
   at = solid.at(direction, hn::IfThenElse(inside, hn::IfThenElse(ends_before, reach, tangent), at.along));
 }
+
+inline constexpr float kFarTurn =
+    0.9f;                              ///< A bone that turned further (its cosine) may have jumped through a collider.
+inline constexpr float kDeep = 0.35f;  ///< Share of the collider's size: deeper than this is through, not along.
+inline constexpr int kHalvings = 3;
+inline constexpr int kLooks = 1 << kHalvings;
+
+/// In the lanes of `far`, where the bone went through the solid on the way from `before`, the shorter way round, or ended
+/// deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
+template <class D, class Solid>
+HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const Solid& solid, const PlacedCollider& collider,
+                                       const V3<D>& before, V3<D>& direction) {
+  const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), deep = hn::Set(d, -kDeep * collider.size);
+  auto cosine = between<D>(dot(d, before, direction), hn::Neg(one), one);
+  V3<D> side = sub_scaled(d, direction, before, cosine);
+  const auto sine2 = dot(d, side, side);
+  // Straight over the top or around: no telling.
+  auto undecided = hn::And(far, hn::Gt(sine2, hn::Set(d, 1e-6f)));
+  if (hn::AllFalse(d, undecided)) return undecided;
+  const auto out = hn::AndNot(undecided, undecided);
+  side = scale(d, side, hn::Div(one, hn::Sqrt(sine2)));
+  // The sine of a half by the sine of the whole, but for the first: near half a turn that one is rounding.
+  auto sine = hn::Sqrt(hn::Mul(half, hn::Sub(one, cosine)));
+  cosine = hn::Sqrt(hn::Mul(half, hn::Add(one, cosine)));
+  for (int i = 1; i < kHalvings; ++i) {
+    cosine = hn::Sqrt(hn::Mul(half, hn::Add(one, cosine)));
+    sine = hn::Div(hn::Mul(half, sine), cosine);
+  }
+  auto along = one, sideways = hn::Zero(d);
+  auto crossed = out;
+  for (int i = 0; i < kLooks; ++i) {
+    const V3<D> last = add_scaled(d, scale(d, before, along), side, sideways);
+    const auto next = hn::Sub(hn::Mul(along, cosine), hn::Mul(sideways, sine));
+    sideways = hn::Add(hn::Mul(along, sine), hn::Mul(sideways, cosine));
+    along = next;
+    const V3<D> look = add_scaled(d, scale(d, before, along), side, sideways);
+    const auto is_through = hn::And(undecided, hn::Lt(solid.deepest(look).gap, deep));
+    if (HWY_LIKELY(hn::AllFalse(d, is_through))) continue;
+    direction = choose<D>(is_through, direction_or(d, last, before), direction);
+    crossed = hn::Or(crossed, is_through);
+    undecided = hn::AndNot(is_through, undecided);
+    if (hn::AllFalse(d, undecided)) break;
+  }
+  return crossed;
+}
+
+/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside. Returns the lanes that
+/// touch it.
+template <class D, class Solid>
+HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, const PlacedCollider& collider,
+                                      TouchingBone<D>& bone, Contact<D>& contact) {
+  const Solid solid(d, collider, bone);
+  V3<D> direction = solid.into(bone.direction);
+  const auto is_far = hn::And(takes_part, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
+  auto touches = hn::AndNot(takes_part, takes_part);
+  if (HWY_UNLIKELY(!hn::AllFalse(d, is_far))) {
+    touches = undo_crossing(d, is_far, solid, collider, solid.into(bone.before), direction);
+  }
+  Deepest<D> at = solid.deepest(direction);
+  const auto inside = hn::And(takes_part, hn::Lt(at.gap, hn::Zero(d)));
+  touches = hn::Or(touches, inside);
+  if (hn::AllFalse(d, touches)) return touches;
+  turn_out(d, inside, solid, collider, direction, at);
+  bone.direction = choose<D>(touches, solid.out_of(direction), bone.direction);
+  contact.normal = solid.out_of(at.normal);
+  contact.along = at.along;
+  return touches;
+}
+
+/// The same for a plane, on which a bone cannot fold over: its end tells.
+template <class D>
+HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedCollider& plane, TouchingBone<D>& bone,
+                                      Contact<D>& contact) {
+  contact.normal = same(d, plane.axis);
+  contact.along = bone.length;
+  const auto height = dot(d, sub(d, bone.start, same(d, plane.center)), contact.normal);
+  const auto missing = hn::Sub(bone.hit_radius, height);
+  const auto rise = hn::Mul(bone.length, dot(d, bone.direction, contact.normal));
+  const auto touches = hn::And(takes_part, hn::Lt(rise, missing));
+  if (hn::AllFalse(d, touches)) return touches;
+  const auto cosine = hn::Div(missing, bone.length);
+  bone.direction = choose<D>(touches, tilted(d, bone.direction, contact.normal, cosine, plane.axis), bone.direction);
+  return touches;
+}
+
+/// Keeps the ends in a sphere, or in the ball of a capsule that is nearest to them.
+template <class D>
+HWY_NOINLINE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
+                                     Contact<D>& contact) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V3<D> start = sub(d, bone.start, same(d, collider.center));
+  auto touches = hn::AndNot(takes_part, takes_part);
+  contact.along = bone.length;
+  contact.normal = bone.direction;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const V3<D> end = add_scaled(d, start, bone.direction, bone.length);
+    const auto share = collider.shape == ColliderShape::kSphere ? zero : nearest_ball(d, collider, end);
+    const V3<D> center = scale(d, same(d, collider.axis), share);
+    const auto radius = hn::Sub(hn::Set(d, collider.radii.x), hn::Mul(hn::Set(d, collider.taper), share));
+    const auto room = hn::Max(hn::Sub(radius, bone.hit_radius), zero);
+    const V3<D> offset = sub(d, end, center), from = sub(d, start, center);
+    const auto distance2 = dot(d, offset, offset), distance = hn::Sqrt(distance2), start2 = dot(d, from, from);
+    const auto most = hn::Mul(room, hn::Set(d, 1.0f + kTolerance));
+    const auto is_out = hn::And(takes_part, hn::And(hn::Gt(distance, most), hn::Gt(distance, zero)));
+    if (hn::AllFalse(d, is_out)) break;
+    touches = hn::Or(touches, is_out);
+    contact.normal = choose<D>(is_out, scale(d, offset, hn::Neg(hn::Div(one, distance))), contact.normal);
+    const auto far_start = hn::Sqrt(start2);
+    takes_part = hn::And(is_out, hn::Gt(far_start, hn::Mul(hn::Set(d, 1e-6f), bone.length)));
+    const auto rise = hn::Sub(hn::Add(start2, hn::Mul(bone.length, bone.length)), hn::Mul(room, room));
+    const auto cosine = hn::Div(rise, hn::Mul(hn::Add(far_start, far_start), bone.length));
+    const V3<D> inward = scale(d, from, hn::Neg(hn::Div(one, far_start)));
+    const V3<D> turned = tilted(d, bone.direction, inward, cosine, collider.way_out);
+    bone.direction = choose<D>(takes_part, turned, bone.direction);
+    if (collider.shape == ColliderShape::kSphere) break;  // closed form
+  }
+  return touches;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif
