@@ -12,7 +12,7 @@ namespace {
 
 void add_colliders(TestRig& rig) {
   rig.add_sphere({0, 0, 0}, 0.1f);
-  rig.add_ellipsoid({0, 0.02f, 0}, {0.09f, 0.13f, 0.11f}, turned_about({1, 0, 0}, 0.4));
+  rig.add_ellipsoid({0, 0.02f, 0}, {0.09f, 0.13f, 0.11f}, {0.28f, 0, 0, 0.96f});
   rig.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.04f);
   rig.add_tapered_capsule({-0.1f, -0.25f, -0.05f}, 0.05f, {0.1f, -0.25f, -0.05f}, 0.03f);
   rig.add_plane({0, -0.4f, 0}, {0, 1, 0});
@@ -22,13 +22,12 @@ void add_colliders(TestRig& rig) {
 
 /// The `i`-th bone added: its neighbours in a row differ from it in everything.
 TestBone bone_of(std::uint32_t i, std::uint32_t parent) {
-  const float angle = 0.7f * float(i);
-  TestBone bone{.parent = parent, .joint = {0.1f * std::sin(angle), 0.03f, -0.1f * std::cos(angle)}};
+  TestBone bone{.parent = parent, .joint = {0.02f * float(i % 7) - 0.06f, 0.03f, -0.07f - 0.01f * float(i % 5)}};
   bone.rest_direction = i % 2 == 0 ? Vec3{0, -0.8f, -0.6f} : Vec3{0.36f, -0.8f, -0.48f};
   bone.length = 0.05f + 0.007f * float(i % 5);
   bone.resistance = 0.05f + 0.06f * float(i % 4);
-  bone.stiffness = i % 9 == 4 ? 0 : 100 + 130 * float(i % 7);
-  bone.damping = 2 + 9 * float(i % 6);
+  bone.stiffness = 60 + 130 * float(i % 7);
+  bone.damping = 12 + 9 * float(i % 6);
   bone.friction = i % 3 == 0 ? 0 : 1.5f * float(i % 4);
   bone.hit_radius = 0.002f * float(i % 4);
   bone.torsion = i % 3 == 1 ? kShortestArc : 6 * float(i % 3);
@@ -53,12 +52,20 @@ void add_fork(TestRig& rig) {
   rig.levels.insert(rig.levels.end(), {3, 2, 1, 2});
 }
 
-/// What each instance's own life is made of.
+/// Swings between -1 and 1 with the period 4, as parabolas.
+double wave(double t) {
+  const double x = t - 4 * std::floor(t / 4) - 2;
+  return x < 0 ? -x * (2 + x) : -x * (2 - x);
+}
+
+/// What each instance's own life is made of: it wanders, stands still for most of a second, and goes on.
 HeadPose pose_of(std::uint32_t instance, double t) {
   const double still = 0.9 + 0.1 * (instance % 3);
-  HeadPose pose = wander((t < still ? t : std::max(still, t - 0.8)) * (1 + 0.1 * instance));
-  pose.position[0] += 3.0 * instance;
-  return pose;
+  const double s = (t < still ? t : std::max(still, t - 0.8)) * (1 + 0.1 * instance);
+  const double x = 0.3 * wave(3 * s), y = 0.5 * wave(4 * s), z = 0.2 * wave(5 * s);
+  const double size = std::sqrt(x * x + y * y + z * z + 1);
+  return {{3.0 * instance + 0.2 * wave(4 * s), 0.05 * wave(7 * s), s},
+          {float(x / size), float(y / size), float(z / size), float(1 / size)}};
 }
 
 Detail detail_of(std::uint32_t instance, int frame) {
@@ -67,15 +74,15 @@ Detail detail_of(std::uint32_t instance, int frame) {
   return {.level = phase % 3, .interval = intervals[phase / 3], .simulated = phase != 5};
 }
 
-StepSettings settings_of(int frame, Violence& random) {
+StepSettings settings_of(int frame, float sleep_after, Violence& random) {
   StepSettings settings{.dt = float(random.between(0.006, 0.03)), .substeps = 1 + std::uint32_t(frame) / 8 % 3};
   settings.environment.air_follow = 0.5f;
   settings.inertia = frame / 40 % 2 == 0 ? 1.0f : 0.6f;
   settings.iterations = 1 + std::uint32_t(frame) % 2;
-  if (frame >= 110) settings.environment.wind = {2, 0, -1};
-  if (frame >= 130) settings.dynamics.stiffness = 2;
-  settings.sleep_after = 0.2f;
-  settings.sleep_speed = 0.02f;
+  if (frame >= 85) settings.environment.wind = {2, 0, -1};
+  if (frame >= 100) settings.dynamics.stiffness = 2;
+  settings.sleep_after = sleep_after;
+  settings.sleep_speed = 1.5f;
   return settings;
 }
 
@@ -99,7 +106,7 @@ void direct(Hair& hair, std::uint32_t instance, int frame, double now, bool chan
   const Detail detail = changes_detail ? detail_of(instance, frame) : Detail{};
   EXPECT_EQ(hair.set_detail(instance, detail), Status::kOk);
   if (when % 71 == 70) {
-    EXPECT_EQ(hair.teleport(instance, {{9, 8, 7}, turned_about({0.6f, 0.8f, 0}, 2)}), Status::kOk);
+    EXPECT_EQ(hair.teleport(instance, {{9, 8, 7}, {0.48f, 0.64f, 0, 0.6f}}), Status::kOk);
   } else if (when % 97 == 96) {
     EXPECT_EQ(hair.reset(instance, pose), Status::kOk);
   } else {
@@ -139,7 +146,7 @@ std::vector<std::uint64_t> digests(const FeaturePlay& play) {
   Violence random(21);
   double now = 0;
   for (int frame = 0; frame < play.frames; ++frame) {
-    const StepSettings settings = settings_of(frame, random);
+    const StepSettings settings = settings_of(frame, play.sleep_after, random);
     now += double(settings.dt);
     for (std::uint32_t i = 0; i < play.instances; ++i) {
       direct(test.hair, play.descending_heads ? play.instances - 1 - i : i, frame, now, play.changes_detail);

@@ -15,12 +15,14 @@ namespace coif {
 enum class JobOrder : std::uint8_t { kAscending, kDescending, kTwoThreads };
 
 /// A game of `frames` frames, of different lengths and in up to three parts. Each instance's head lives its own life, which
-/// depends on the instance's index alone: it wanders, stands still, is put elsewhere and reset.
+/// depends on the instance's index alone: it wanders, stands still, is put elsewhere and reset. Made without libm, so that
+/// it is the same game everywhere.
 struct FeaturePlay {
   const Solver* solver = &kCoifSolver;
   InstructionSet set = InstructionSet::kBest;
   std::uint32_t instances = 1;
-  int frames = 150;
+  int frames = 120;
+  float sleep_after = 0.1f;
   bool changes_detail = false;  ///< Levels, intervals, out of sight and back.
   bool descending_heads = false;
   JobOrder jobs = JobOrder::kAscending;
