@@ -1,6 +1,7 @@
 // Everything that is timed of the runtime. tests/bench/README.md says how to run it and read it.
 #include "bench/crowd_bench.h"
 #include "bench/load_bench.h"
+#include "bench/sleep_bench.h"
 
 #include <benchmark/benchmark.h>
 
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
   coif::add_substeps();
   coif::add_varying_frames();
   coif::add_crowd_sizes();
+  coif::add_sleep_benchmark(10'000);
   coif::add_load_benchmarks(COIF_BENCH_SAMPLES);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

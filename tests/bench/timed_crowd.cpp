@@ -67,6 +67,7 @@ std::vector<std::string> instruction_set_names() {
 TimedCrowd::TimedCrowd(const CrowdRun& run)
     : run_(run), file_(write_asset(crowd_contents(run.shape))), memory_(memory_for(asset_, file_, run)) {
   settings_.substeps = run.substeps;
+  settings_.sleep_after = run.sleep_after;
   if (hair_.create(asset_, desc_of(run), memory_.bytes()) != Status::kOk) give_up("create() refuses the workload");
   poses_.resize(run.shape.heads);
   plan(0);
@@ -89,6 +90,20 @@ void TimedCrowd::set_heads() {
 void TimedCrowd::step(float dt) {
   settings_.dt = dt;
   refused_ = hair_.step(settings_) != Status::kOk || refused_;
+}
+
+void TimedCrowd::step_with(JobCrew& crew, float dt, bool is_shared) {
+  settings_.dt = dt;
+  refused_ = hair_.begin_step(settings_) != Status::kOk || refused_;
+  const JobCrew::Work run_job = [this](std::uint32_t job) { hair_.run_job(job); };
+  is_shared ? crew.run(hair_.job_count(), run_job) : crew.run_alone(hair_.job_count(), run_job);
+  hair_.finish_step();
+}
+
+std::uint32_t TimedCrowd::sleeping_heads() const {
+  std::uint32_t sleeping = 0;
+  for (std::uint32_t head = 0; head < run_.shape.heads; ++head) sleeping += hair_.is_asleep(head) ? 1 : 0;
+  return sleeping;
 }
 
 double TimedCrowd::bytes_per_head() const {

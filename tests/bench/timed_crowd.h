@@ -1,6 +1,7 @@
 #pragma once
 // The one place of these programs that knows the class Hair.
 
+#include "bench/job_crew.h"
 #include "bench/workload.h"
 #include "formats/aligned_bytes.h"
 
@@ -25,6 +26,7 @@ struct CrowdRun {
   std::string solver = solver_names().front();
   std::string instruction_set = instruction_set_names().front();
   std::uint32_t substeps = 1;
+  float sleep_after = StepSettings{}.sleep_after;  ///< Seconds; infinity for hair that never sleeps.
 };
 
 /// A crowd whose heads move as head_pose_at() says.
@@ -34,13 +36,17 @@ class TimedCrowd {
   /// folder's own.
   explicit TimedCrowd(const CrowdRun& run);
 
-  /// Computes where the heads will be `dt` seconds later. Not part of what is timed: a game has the poses.
+  /// Computes where the heads will be `dt` seconds later; 0 for heads that stand still. Not part of what is timed: a game
+  /// has the poses.
   void plan(double dt);
-  /// Hands the planned poses to the runtime.
-  void set_heads();
+  /// Hands the planned poses to the runtime. Found by its name as step() is.
+  [[gnu::noinline]] void set_heads();
   /// One frame of `dt` seconds. Kept out of line, so that tools that count instructions find it by its name.
   [[gnu::noinline]] void step(float dt);
+  /// The same frame with its jobs shared out among the threads of `crew`, or all left to the one that calls.
+  void step_with(JobCrew& crew, float dt, bool is_shared);
 
+  [[nodiscard]] std::uint32_t sleeping_heads() const;
   [[nodiscard]] double bytes_per_head() const;
   /// False where a step was refused, or hair is not finite or flew away.
   [[nodiscard]] bool is_sane() const;
