@@ -1,8 +1,7 @@
 #include "cook/spring_dynamics.h"
 
 #include "cook/vrm_chain.h"
-
-#include <coif/thesis_step_job.h>
+#include "sim/thesis_step.h"
 
 #include <gtest/gtest.h>
 
@@ -24,52 +23,33 @@ SourceSpringJoint joint_of(double stiffness, double gravity_power, double drag, 
   return joint;
 }
 
-/// Algorithm 1 on a chain along +X whose dynamics come from the mapping, one step per frame of 1/60 s.
+/// A chain along +X whose dynamics come from the mapping. `lengths` of the cooked bones.
+TestRig mapped_rig(const std::vector<SourceSpringJoint>& joints, const std::vector<double>& lengths) {
+  TestRig rig;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    rig.add({.parent = std::uint32_t(j), .rest_direction = {1, 0, 0}, .length = float(lengths[j])});
+    rig.dynamics.back() = dynamics_of_joint(joints[j], lengths[j]);
+  }
+  return rig;
+}
+
+/// Algorithm 1 on such a chain, one step per frame of 1/60 s.
 class MappedChain {
  public:
-  /// `lengths` of the cooked bones.
   MappedChain(const std::vector<SourceSpringJoint>& joints, const std::vector<double>& lengths)
-      : bones_(joints.size() + 1),
-        dynamics_(joints.size() + 1),
-        particles_(joints.size()),
-        scratch_(joints.size()),
-        factors_(joints.size()) {
-    bones_[0].parent = kNone;
-    bones_[0].kind = BoneKind::kHead;
-    double reach = 0;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      BoneRecord& bone = bones_[j + 1];
-      bone.parent = std::uint32_t(j);
-      bone.kind = BoneKind::kSimulated;
-      bone.joint[0] = float(reach);
-      bone.length = float(lengths[j]);
-      bone.rest_direction[0] = 1;
-      dynamics_[j + 1] = dynamics_of_joint(joints[j], lengths[j]);
-      reach += lengths[j];
-      particles_[j].position.x = float(reach);
-    }
+      : step_(mapped_rig(joints, lengths)) {
+    step_.dt = 1.0f / 60.0f;
   }
 
   void step(const Vec3& gravity, const Vec3& head_displacement = {}) {
-    ThesisStepJob job;
-    job.gravity = gravity;
-    job.head_displacement = head_displacement;
-    job.bones = bones_;
-    job.dynamics = dynamics_;
-    compute_friction_factors(dynamics_, job.dt, factors_);
-    job.friction_factors = factors_;
-    job.scratch = scratch_;
-    job.particles = particles_;
-    ASSERT_EQ(job.run(), Status::kOk);
+    step_.gravity = gravity;
+    step_.head_displacement = head_displacement;
+    step_.run();
   }
-  [[nodiscard]] std::vector<Particle>& particles() { return particles_; }
+  [[nodiscard]] std::vector<Particle>& particles() { return step_.particles; }
 
  private:
-  std::vector<BoneRecord> bones_;
-  std::vector<DynamicsRecord> dynamics_;
-  std::vector<Particle> particles_;
-  std::vector<BoneScratch> scratch_;
-  std::vector<float> factors_;
+  ThesisStep step_;
 };
 
 double angle_below_horizon(const Vector3d& direction) { return std::atan2(-direction.y(), direction.x()); }
