@@ -69,7 +69,7 @@ HWY_INLINE void stop_at_contact(D d, hn::Mask<D> touches, const Contact<D>& cont
   const auto own = hn::Div(dot(d, sub(d, bone.velocity, with_head), side), safe_size2);
   const auto lost = hn::Div(approach, hn::Mul(hn::IfThenElse(has_lever, share, one), safe_size2));
   const auto taken = hn::IfThenElse(hn::Gt(own, lost), hn::Min(own, zero), lost);
-  bone.velocity = choose<D>(stops, sub_scaled(d, bone.velocity, side, taken), bone.velocity);
+  set_where(d, stops, sub_scaled(d, bone.velocity, side, taken), bone.velocity);
 }
 
 /// Turns the bones in the lanes of `takes_part` clear of one collider. Returns the lanes that touch it.
@@ -106,7 +106,7 @@ HWY_INLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::ui
       if (hn::AllFalse(d, touches)) continue;
       moved = hn::Or(moved, touches);
       touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
-      bone.velocity = choose<D>(touches, across(d, bone.velocity, bone.direction), bone.velocity);
+      set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
       stop_at_contact(d, touches, contact, bone);
     }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));

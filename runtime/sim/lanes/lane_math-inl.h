@@ -143,6 +143,14 @@ HWY_INLINE M3<D> choose(M mask, const M3<D>& yes, const M3<D>& no) {
   return {choose<D>(mask, yes.x, no.x), choose<D>(mask, yes.y, no.y), choose<D>(mask, yes.z, no.z)};
 }
 
+/// `to` becomes `value` in the lanes of `mask`. Vector by vector, as copy().
+template <class D>
+HWY_INLINE void set_where(D, hn::Mask<D> mask, const V3<D>& value, V3<D>& to) {
+  to.x = hn::IfThenElse(mask, value.x, to.x);
+  to.y = hn::IfThenElse(mask, value.y, to.y);
+  to.z = hn::IfThenElse(mask, value.z, to.z);
+}
+
 /// False where this is the square of no length, or of one that is not finite.
 template <class D>
 HWY_INLINE hn::Mask<D> has_length(D d, V<D> length2) {

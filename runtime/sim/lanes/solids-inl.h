@@ -86,8 +86,8 @@ class SolidSphere {
     is_deep_ = hn::Lt(distance2_, hn::Mul(deep, deep));
   }
 
-  HWY_INLINE V3<D> into(const V3<D>& direction) const { return direction; }
-  HWY_INLINE V3<D> out_of(const V3<D>& direction) const { return direction; }
+  HWY_INLINE V3<D> into(const V3<D>& v) const { return {v.x, v.y, v.z}; }
+  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return {v.x, v.y, v.z}; }
   [[nodiscard]] Vec3 own_way_out() const { return way_out_; }
 
   HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
@@ -195,8 +195,8 @@ class SolidCapsule {
     is_deep_ = hn::Lt(dot(d, offset, offset), hn::Mul(deep, deep));
   }
 
-  HWY_INLINE V3<D> into(const V3<D>& direction) const { return direction; }
-  HWY_INLINE V3<D> out_of(const V3<D>& direction) const { return direction; }
+  HWY_INLINE V3<D> into(const V3<D>& v) const { return {v.x, v.y, v.z}; }
+  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return {v.x, v.y, v.z}; }
   [[nodiscard]] Vec3 own_way_out() const { return capsule_.way_out; }
 
   HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {

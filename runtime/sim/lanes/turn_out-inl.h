@@ -63,7 +63,7 @@ HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const Solid& solid, const Plac
     const auto goes_on = hn::And(inside, hn::And(hn::Lt(at.gap, least), hn::Gt(at.along, hn::Zero(d))));
     if (hn::AllFalse(d, goes_on)) return;
     const V3<D> turned = turned_outwards(d, at, overshoot, solid.own_way_out(), direction);
-    direction = choose<D>(goes_on, turned, direction);
+    set_where(d, goes_on, turned, direction);
     at = solid.deepest(direction);
   }
 }
@@ -85,7 +85,7 @@ HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const SolidSphere<D>& solid, c
   // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
   const auto on_surface = hn::AndNot(solid.is_deep(), hn::Le(tangent2, zero));
   cosine = hn::IfThenElse(on_surface, hn::Min(cosine, zero), cosine);
-  direction = choose<D>(inside, tilted(d, direction, inward, cosine, sphere.way_out), direction);
+  set_where(d, inside, tilted(d, direction, inward, cosine, sphere.way_out), direction);
   at = solid.at(direction, hn::IfThenElse(inside, hn::IfThenElse(ends_before, reach, tangent), at.along));
 }
 
@@ -98,8 +98,10 @@ inline constexpr int kLooks = 1 << kHalvings;
 /// In the lanes of `far`, where the bone went through the solid on the way from `before`, the shorter way round, or ended
 /// deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
 template <class D, class Solid>
-HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const Solid& solid, const PlacedCollider& collider,
-                                       const V3<D>& before, V3<D>& direction) {
+HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider,
+                                       const TouchingBone<D>& bone, V3<D>& direction) {
+  const Solid solid(d, collider, bone);
+  const V3<D> before = solid.into(bone.before);
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), deep = hn::Set(d, -kDeep * collider.size);
   auto cosine = between<D>(dot(d, before, direction), hn::Neg(one), one);
   V3<D> side = sub_scaled(d, direction, before, cosine);
@@ -126,7 +128,7 @@ HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const Solid& solid,
     const V3<D> look = add_scaled(d, scale(d, before, along), side, sideways);
     const auto is_through = hn::And(undecided, hn::Lt(solid.deepest(look).gap, deep));
     if (HWY_LIKELY(hn::AllFalse(d, is_through))) continue;
-    direction = choose<D>(is_through, direction_or(d, last, before), direction);
+    set_where(d, is_through, direction_or(d, last, before), direction);
     crossed = hn::Or(crossed, is_through);
     undecided = hn::AndNot(is_through, undecided);
     if (hn::AllFalse(d, undecided)) break;
@@ -144,15 +146,15 @@ HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, const PlacedC
   const auto is_far = hn::And(takes_part, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
   auto touches = hn::AndNot(takes_part, takes_part);
   if (HWY_UNLIKELY(!hn::AllFalse(d, is_far))) {
-    touches = undo_crossing(d, is_far, solid, collider, solid.into(bone.before), direction);
+    touches = undo_crossing<D, Solid>(d, is_far, collider, bone, direction);
   }
   Deepest<D> at = solid.deepest(direction);
   const auto inside = hn::And(takes_part, hn::Lt(at.gap, hn::Zero(d)));
   touches = hn::Or(touches, inside);
   if (hn::AllFalse(d, touches)) return touches;
   turn_out(d, inside, solid, collider, direction, at);
-  bone.direction = choose<D>(touches, solid.out_of(direction), bone.direction);
-  contact.normal = solid.out_of(at.normal);
+  set_where(d, touches, solid.out_of(direction), bone.direction);
+  copy(d, solid.out_of(at.normal), contact.normal);
   contact.along = at.along;
   return touches;
 }
@@ -161,7 +163,7 @@ HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, const PlacedC
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedCollider& plane, TouchingBone<D>& bone,
                                       Contact<D>& contact) {
-  contact.normal = same(d, plane.axis);
+  copy(d, same(d, plane.axis), contact.normal);
   contact.along = bone.length;
   const auto height = dot(d, sub(d, bone.start, same(d, plane.center)), contact.normal);
   const auto missing = hn::Sub(bone.hit_radius, height);
@@ -169,7 +171,7 @@ HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedC
   const auto touches = hn::And(takes_part, hn::Lt(rise, missing));
   if (hn::AllFalse(d, touches)) return touches;
   const auto cosine = hn::Div(missing, bone.length);
-  bone.direction = choose<D>(touches, tilted(d, bone.direction, contact.normal, cosine, plane.axis), bone.direction);
+  set_where(d, touches, tilted(d, bone.direction, contact.normal, cosine, plane.axis), bone.direction);
   return touches;
 }
 
@@ -181,7 +183,7 @@ HWY_NOINLINE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCo
   const V3<D> start = sub(d, bone.start, same(d, collider.center));
   auto touches = hn::AndNot(takes_part, takes_part);
   contact.along = bone.length;
-  contact.normal = bone.direction;
+  copy(d, bone.direction, contact.normal);
   for (int i = 0; i < kNewtonSteps; ++i) {
     const V3<D> end = add_scaled(d, start, bone.direction, bone.length);
     const auto share = collider.shape == ColliderShape::kSphere ? zero : nearest_ball(d, collider, end);
@@ -194,14 +196,14 @@ HWY_NOINLINE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCo
     const auto is_out = hn::And(takes_part, hn::And(hn::Gt(distance, most), hn::Gt(distance, zero)));
     if (hn::AllFalse(d, is_out)) break;
     touches = hn::Or(touches, is_out);
-    contact.normal = choose<D>(is_out, scale(d, offset, hn::Neg(hn::Div(one, distance))), contact.normal);
+    set_where(d, is_out, scale(d, offset, hn::Neg(hn::Div(one, distance))), contact.normal);
     const auto far_start = hn::Sqrt(start2);
     takes_part = hn::And(is_out, hn::Gt(far_start, hn::Mul(hn::Set(d, 1e-6f), bone.length)));
     const auto rise = hn::Sub(hn::Add(start2, hn::Mul(bone.length, bone.length)), hn::Mul(room, room));
     const auto cosine = hn::Div(rise, hn::Mul(hn::Add(far_start, far_start), bone.length));
     const V3<D> inward = scale(d, from, hn::Neg(hn::Div(one, far_start)));
     const V3<D> turned = tilted(d, bone.direction, inward, cosine, collider.way_out);
-    bone.direction = choose<D>(takes_part, turned, bone.direction);
+    set_where(d, takes_part, turned, bone.direction);
     if (collider.shape == ColliderShape::kSphere) break;  // closed form
   }
   return touches;
