@@ -9,9 +9,6 @@
 namespace coif {
 namespace {
 
-/// Jobs that a thread takes at once: the counter travels from core to core less often.
-constexpr std::uint32_t kHandful = 2;
-
 std::int64_t nanoseconds(clockid_t clock) {
   timespec time{};
   clock_gettime(clock, &time);
@@ -41,8 +38,10 @@ void stay_on_core(const cpu_set_t& cores, std::uint32_t which) {
 
 }  // namespace
 
-/// Of one thread, in a cache line of its own.
-struct alignas(64) JobCrew::Times {
+/// A thread of the crew, in cache lines of its own.
+struct alignas(64) JobCrew::Member {
+  std::atomic<std::uint32_t> next{0};  ///< The first job of its share that nobody has taken.
+  std::uint32_t end = 0;
   std::int64_t clock = 0, own = 0;  ///< At the end of the last round, nanoseconds.
   std::int64_t absence = 0;
 
@@ -55,14 +54,9 @@ struct alignas(64) JobCrew::Times {
 };
 
 JobCrew::JobCrew(std::uint32_t threads) {
-  for (std::uint32_t i = 0; i < threads; ++i) times_.push_back(std::make_unique<Times>());
   pthread_getaffinity_np(pthread_self(), sizeof(cores_), &cores_);
-  for (std::uint32_t i = 1; i < threads; ++i) {
-    workers_.emplace_back([this, i] {
-      stay_on_core(cores_, i);
-      serve(*times_[i]);
-    });
-  }
+  for (std::uint32_t i = 0; i < threads; ++i) members_.push_back(std::make_unique<Member>());
+  for (std::uint32_t i = 1; i < threads; ++i) workers_.emplace_back([this, i] { serve(i); });
   stay_on_core(cores_, 0);
 }
 
@@ -75,52 +69,61 @@ JobCrew::~JobCrew() {
 
 void JobCrew::run(std::uint32_t jobs, const Work& work) {
   start_round(jobs, work, true);
-  take_jobs();
+  take_jobs(0);
   end_round();
 }
 
 void JobCrew::run_alone(std::uint32_t jobs, const Work& work) {
   start_round(jobs, work, false);
-  take_jobs();
+  for (std::uint32_t job = 0; job < jobs; ++job) work(job);
+  alone_until_.store(round_.load(std::memory_order_relaxed), std::memory_order_relaxed);
   end_round();
+}
+
+double JobCrew::longest_absence() const {
+  std::int64_t longest = 0;
+  for (const auto& member : members_) longest = std::max(longest, member->absence);
+  return 1e-9 * double(longest);
 }
 
 void JobCrew::start_round(std::uint32_t jobs, const Work& work, bool is_shared) {
   work_ = &work;
-  jobs_ = jobs;
   is_shared_ = is_shared;
-  next_.store(0, std::memory_order_relaxed);
+  const auto count = std::uint32_t(members_.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    members_[i]->next.store(jobs * i / count, std::memory_order_relaxed);
+    members_[i]->end = jobs * (i + 1) / count;
+  }
   at_work_.store(std::uint32_t(workers_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
 }
 
 void JobCrew::end_round() {
   while (at_work_.load(std::memory_order_acquire) != 0) wait_a_moment();
-  times_[0]->end_round();
+  members_[0]->end_round();
 }
 
-double JobCrew::longest_absence() const {
-  std::int64_t longest = 0;
-  for (const auto& times : times_) longest = std::max(longest, times->absence);
-  return 1e-9 * double(longest);
-}
-
-void JobCrew::serve(Times& times) {
-  for (std::uint32_t served = 0;; ++served) {
-    while (round_.load(std::memory_order_acquire) == served) wait_a_moment();
+void JobCrew::serve(std::uint32_t index) {
+  stay_on_core(cores_, index);
+  for (std::uint32_t round = 1;; ++round) {
+    while (round_.load(std::memory_order_acquire) != round) wait_a_moment();
     if (is_over_) return;
-    if (is_shared_) take_jobs();
-    while (next_.load(std::memory_order_relaxed) < jobs_) wait_a_moment();
-    times.end_round();
+    if (is_shared_) take_jobs(index);
+    while (!is_shared_ && alone_until_.load(std::memory_order_relaxed) != round) wait_a_moment();
+    members_[index]->end_round();
     at_work_.fetch_sub(1, std::memory_order_release);
   }
 }
 
-void JobCrew::take_jobs() {
-  for (;;) {
-    const std::uint32_t first = next_.fetch_add(kHandful, std::memory_order_relaxed);
-    if (first >= jobs_) return;
-    for (std::uint32_t job = first; job < std::min(first + kHandful, jobs_); ++job) (*work_)(job);
+void JobCrew::take_jobs(std::uint32_t index) {
+  const auto count = std::uint32_t(members_.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Member& share = *members_[(index + i) % count];
+    for (;;) {
+      const std::uint32_t job = share.next.fetch_add(1, std::memory_order_relaxed);
+      if (job >= share.end) break;
+      (*work_)(job);
+    }
   }
 }
 

@@ -11,8 +11,10 @@
 
 namespace coif {
 
-/// The least that a game's own scheduler does: threads that stay alive from frame to frame and take jobs from a counter.
-/// They never sleep, since waking a thread takes as long as a frame of this folder's crowds.
+/// The least that a game's own scheduler does: threads that stay alive from frame to frame and take jobs from counters.
+/// Each begins with its own share, so that what a job touches is still in the cache of the core that ran it in the last
+/// frame, and goes on with what others have left. They never sleep, since waking a thread takes as long as a frame of this
+/// folder's crowds.
 class JobCrew {
  public:
   /// Calls work(job). May be called from all threads of the crew at once.
@@ -35,22 +37,21 @@ class JobCrew {
   [[nodiscard]] double longest_absence() const;
 
  private:
-  struct Times;
+  struct Member;
 
   void start_round(std::uint32_t jobs, const Work& work, bool is_shared);
   void end_round();
-  void serve(Times& times);
-  void take_jobs();
+  void serve(std::uint32_t index);
+  void take_jobs(std::uint32_t index);
 
-  std::vector<std::unique_ptr<Times>> times_;  ///< Per thread, the caller's first.
+  std::vector<std::unique_ptr<Member>> members_;  ///< The caller first.
   std::vector<std::thread> workers_;
   cpu_set_t cores_{};  ///< That the caller may run on.
   const Work* work_ = nullptr;
-  std::uint32_t jobs_ = 0;
   bool is_shared_ = true;
-  std::atomic<bool> is_over_{false};
-  alignas(64) std::atomic<std::uint32_t> round_{0};  ///< A new number sends the workers off.
-  alignas(64) std::atomic<std::uint32_t> next_{0};   ///< The first job that nobody has taken.
+  bool is_over_ = false;
+  alignas(64) std::atomic<std::uint32_t> round_{0};        ///< A new number sends the workers off.
+  alignas(64) std::atomic<std::uint32_t> alone_until_{0};  ///< The last round of run_alone() that has ended.
   alignas(64) std::atomic<std::uint32_t> at_work_{0};
 };
 
