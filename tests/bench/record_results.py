@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Adds the medians of one run to this machine's table and prints them, with each peer's ratio to the runtime.
+"""Adds the medians of one run to this machine's table and prints them, with each peer's ratio to the runtime and what
+other benchmarks compare.
 
 usage: record_results.py COMMIT RESULT.json...      what the programs of this folder wrote
        record_results.py --self-test
@@ -14,7 +15,7 @@ from pathlib import Path
 
 COLUMNS = ["date", "commit", "processor", "benchmark", "heads", "chains", "bones", "solver", "instruction_set", "substeps",
            "ns_per_bone", "step_ns_per_bone", "set_head_ns", "us_per_frame", "us_per_call", "bytes_per_head", "file_bytes",
-           "spread_pct", "repetitions"]
+           "spread_pct", "repetitions", "ratio"]
 MICROSECONDS = {"ns": 1e-3, "us": 1.0, "ms": 1e3, "s": 1e6}
 
 
@@ -74,17 +75,22 @@ def step_times(rows):
     return times
 
 
-def print_table(rows):
+def add_peer_ratios(rows):
     ours = step_times(rows)
-    print(f"{'benchmark':24}{'solver':28}{'on':9}{'ns/bone':>9}{'step':>9}{'set ns':>8}{'us':>11}{'B/head':>9}{'+-%':>9}{'ratio':>8}")
     for row in rows:
         peer = re.match(r"peer_(\w)_", row["benchmark"])
-        own = ours.get(peer.group(1)) if peer else None
-        ratio = f"{row['step_ns_per_bone'] / own:.1f}" if own else ""
+        if peer and peer.group(1) in ours:
+            row["ratio"] = row["step_ns_per_bone"] / ours[peer.group(1)]
+
+
+def print_table(rows):
+    print(f"{'benchmark':24}{'solver':28}{'on':9}{'ns/bone':>9}{'step':>9}{'set ns':>8}{'us':>11}{'B/head':>9}{'+-%':>9}{'ratio':>10}")
+    for row in rows:
         time = row["us_per_frame"] if row["us_per_frame"] is not None else row["us_per_call"]
         print(f"{row['benchmark']:24}{row['solver']:28}{row['instruction_set']:9}{number(row['ns_per_bone']):>9}"
               f"{number(row['step_ns_per_bone']):>9}{number(row['set_head_ns']):>8}{number(time):>11}"
-              f"{number(row['bytes_per_head']):>9}{number(row['spread_pct']):>9}{ratio:>8}")
+              f"{number(row['bytes_per_head']):>9}{number(row['spread_pct']):>9}"
+              f"{number(row['ratio']):>10}")
 
 
 def write_rows(out, rows, with_heading):
@@ -103,6 +109,7 @@ def record(commit, reports, folder):
     date = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%MZ")
     for row in rows:
         row.update(date=date, commit=commit, processor=name)
+    add_peer_ratios(rows)
     print_table(rows)
     path = folder / file_name(name)
     is_new = not path.exists()
@@ -120,6 +127,8 @@ def self_test():
         {**common, "name": "simulate_a_coif/manual_time_cv", "aggregate_name": "cv", "us_per_frame": 0.5},
         {"name": "open_bob_median", "aggregate_name": "median", "repetitions": 3, "cpu_time": 2.0, "time_unit": "ms"}]}
     crowd, opened = rows_of(report)
+    peers = [dict(crowd, benchmark="peer_a_slow", step_ns_per_bone=200.0), dict(crowd, benchmark="peer_b_slow")]
+    add_peer_ratios([crowd, *peers])
     out = io.StringIO()
     write_rows(out, [crowd], True)
     checks = {
@@ -132,6 +141,7 @@ def self_test():
         "numbers are short": (number(435520.0), number(1234567.8), number(0.123456), number(None))
         == ("435520", "1235000", "0.1235", ""),
         "a file's name": file_name("Intel(R) Xeon(R) E5 @ 2.0GHz") == "intel_xeon_e5_2_0ghz.csv",
+        "ratios are to the same workload": (peers[0]["ratio"], peers[1]["ratio"], crowd["ratio"]) == (50, None, None),
         "peers stand beside the default solver": step_times([crowd]) == {"a": 4.0}}
     bad = [promise for promise, kept in checks.items() if not kept]
     print("\n".join(f"not so: {promise}" for promise in bad) or f"record_results: {len(checks)} checks")

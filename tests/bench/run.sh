@@ -15,11 +15,12 @@ results=
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCOIF_BENCH=ON >/dev/null
 cmake --build "$build" --target coif_bench_all
 
-# measure PROGRAM NAME: pinned, repetitions of all benchmarks shuffled, so that a slow minute does not hit just one.
+# measure PROGRAM NAME [CORES]: on one core, repetitions of all benchmarks shuffled, so that a slow minute does not hit
+# just one.
 measure() {
   echo "measuring $2"
   rm -f "$bench/$2.json"
-  taskset -c "$core" "$1" --benchmark_filter="$filter" --benchmark_repetitions="$repetitions" \
+  taskset -c "${3:-$core}" "$1" --benchmark_filter="$filter" --benchmark_repetitions="$repetitions" \
     --benchmark_min_time=0.1 --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_out="$bench/$2.json" --benchmark_out_format=json >/dev/null 2>&1
   results="$results $bench/$2.json"
@@ -45,8 +46,16 @@ measure_cooking() {
   results="$results $bench/cook.json"
 }
 
+measure_fused_arithmetic() {
+  echo "measuring fused arithmetic"
+  taskset -c "$core" python3 -B tests/bench/fused_arithmetic.py "$build" "$repetitions" >"$bench/fused.json"
+  results="$results $bench/fused.json"
+}
+
 measure "$bench/coif_bench" coif
 if [ "$filter" = . ]; then
+  if [ "$(nproc)" -gt 1 ]; then measure "$bench/coif_bench_threads" threads "0-$(($(nproc) - 1))"; fi
+  measure_fused_arithmetic
   if [ -x "$build/tools/cli/coif" ]; then measure_cooking; fi
   if [ -x "$bench/coif_bench_bullet" ]; then
     measure "$bench/coif_bench_bullet" bullet
