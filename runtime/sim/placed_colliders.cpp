@@ -12,9 +12,10 @@ bool is_capsule(ColliderShape shape) {
   return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
 }
 
-Vec3 way_out_of(const ColliderRecord& record, const PlacedCollider& placed) {
-  if (!is_capsule(record.shape)) return placed.axes.y;
-  return any_perpendicular(placed.axis * (1.0f / length(placed.axis)));
+Vec3 way_out_of(const ColliderRecord& record) {
+  if (!is_capsule(record.shape)) return rotate(to_quat(record.rotation), {0, 1, 0});
+  const Vec3 axis = to_vec3(record.axis);
+  return any_perpendicular(axis * (1.0f / length(axis)));
 }
 
 float largest(const Vec3& radii) {
@@ -28,6 +29,12 @@ float smallest(const Vec3& radii) {
   return radii.z > 0.0f && radii.z < side ? radii.z : side;
 }
 
+void place_ellipsoid(PlacedCollider& placed, const Quat& rotation) {
+  const Vec3 x = rotate(rotation, {1, 0, 0}), y = rotate(rotation, {0, 1, 0}), z = rotate(rotation, {0, 0, 1});
+  placed.axes = {x, y, z};
+  placed.unit_axes = {x * (1.0f / placed.radii.x), y * (1.0f / placed.radii.y), z * (1.0f / placed.radii.z)};
+}
+
 void place_capsule(PlacedCollider& placed) {
   placed.taper = placed.shape == ColliderShape::kTaperedCapsule ? placed.radii.x - placed.radii.y : 0.0f;
   placed.axis2 = dot(placed.axis, placed.axis);
@@ -35,15 +42,14 @@ void place_capsule(PlacedCollider& placed) {
   placed.slant = placed.taper / std::sqrt(placed.axis2 * (placed.axis2 - placed.taper * placed.taper));
 }
 
-/// A ball around the collider, a little larger than exact, so that what rounding says of a grazing bone does not matter.
+/// By a ball around the collider.
 void bound(PlacedCollider& placed) {
-  constexpr float kMargin = 1.0001f;
   const bool is_plane = placed.shape == ColliderShape::kPlane;
   const Vec3 half = is_plane ? Vec3{} : placed.axis * 0.5f;  // the axis of round shapes is zero
   placed.bound_center = placed.center + half;
-  placed.bound_radius = is_plane ? 0.0f : (largest(placed.radii) + length(half)) * kMargin;
+  placed.bound_radius = is_plane ? 0.0f : (largest(placed.radii) + length(half)) * kBoundMargin;
   const bool is_endless = is_plane || placed.keeps_inside;
-  placed.farthest = is_endless ? 3e18f : (length(placed.bound_center) + placed.bound_radius) * kMargin;
+  placed.farthest = is_endless ? 3e18f : (length(placed.bound_center) + placed.bound_radius) * kBoundMargin;
 }
 
 PlacedCollider place(const ColliderRecord& record) {
@@ -53,10 +59,9 @@ PlacedCollider place(const ColliderRecord& record) {
   placed.center = to_vec3(record.center);
   placed.axis = to_vec3(record.axis);
   placed.radii = to_vec3(record.radii);
-  const Quat rotation = to_quat(record.rotation);
-  placed.axes = {rotate(rotation, {1, 0, 0}), rotate(rotation, {0, 1, 0}), rotate(rotation, {0, 0, 1})};
-  placed.way_out = way_out_of(record, placed);
+  placed.way_out = way_out_of(record);
   placed.size = smallest(placed.radii);
+  if (placed.shape == ColliderShape::kEllipsoid) place_ellipsoid(placed, to_quat(record.rotation));
   if (is_capsule(placed.shape)) place_capsule(placed);
   bound(placed);
   return placed;

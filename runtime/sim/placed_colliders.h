@@ -9,7 +9,10 @@
 
 namespace coif {
 
-/// The axes of a collider in head space; unit, at right angles.
+/// By how much bounds are larger than exact, so that what rounding says of a grazing bone does not matter.
+inline constexpr float kBoundMargin = 1.0001f;
+
+/// The axes of a collider in head space, at right angles.
 struct OwnAxes {
   Vec3 x, y, z;
 };
@@ -21,9 +24,10 @@ struct PlacedCollider {
   Vec3 center;
   Vec3 axis;  ///< Capsules: to the segment's other end. Plane: unit normal.
   Vec3 radii;
-  Vec3 way_out;    ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
-  OwnAxes axes;    ///< Of an ellipsoid.
-  float size = 0;  ///< The smallest radius: what depths are compared with.
+  Vec3 way_out;       ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
+  OwnAxes axes;       ///< Of an ellipsoid; unit.
+  OwnAxes unit_axes;  ///< By the semi-axes, 1/m: into the space where the ellipsoid is the unit sphere.
+  float size = 0;     ///< The smallest radius: what depths are compared with.
 
   float taper = 0;  ///< Capsules: how much thinner the other end is; negative: thicker.
   float axis2 = 0;  ///< Capsules: the axis's length squared, and one by it.

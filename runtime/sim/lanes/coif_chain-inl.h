@@ -146,18 +146,20 @@ class CoifChain {
     const auto is_near = in_reach(d_, colliders, shape.colliders, from.position, hn::Add(length, hit_radius));
     if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
     // Far enough in one step, the bone may have jumped through a collider.
-    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, row_.move->near_cosine, lane_));
+    const MoveLanes& move = *row_.move;
+    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, move.near_cosine, lane_));
+    const V3<D> head_before = rotate_back(d_, load(d_, move.from_head_before, lane_), before);
+    reached = hn::And(reached, hn::Lt(dot(d_, head_before, direction), hn::Set(d_, kFarTurn)));
     for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
       const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
       reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
     }
     reached = hn::And(reached, is_near);
     if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
-    const MoveLanes& move = *row_.move;
     TouchingBone<D> touching;
     copy(d_, from.position, touching.start);
     copy(d_, direction, touching.direction);
-    touching.before = rotate_back(d_, load(d_, move.from_head_before, lane_), before);
+    copy(d_, head_before, touching.before);
     touching.velocity = rotate_back(d_, turn_, now.velocity);
     touching.start_velocity = rotate_back(d_, turn_, sub(d_, from.velocity, load(d_, move.velocity, lane_)));
     touching.head_turning = rotate_back(d_, turn_, load(d_, move.angular_velocity, lane_));

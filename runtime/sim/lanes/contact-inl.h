@@ -33,12 +33,27 @@ HWY_INLINE hn::Mask<D> in_reach(D d, const PlacedColliders& colliders, std::uint
   return is_near;
 }
 
-/// Where the bone, a segment with a thickness, comes nearer than it may to the ball around the collider.
+/// In the space where the ellipsoid is the unit sphere; there the hair's radius is less than by its smallest semi-axis.
+template <class D>
+HWY_INLINE hn::Mask<D> reaches_ellipsoid(D d, const PlacedCollider& ellipsoid, const V3<D>& start,
+                                         const V3<D>& direction, V<D> length, V<D> hit_radius) {
+  const V3<D> from = into(d, ellipsoid.unit_axes, sub(d, start, same(d, ellipsoid.center)));
+  const V3<D> way = into(d, ellipsoid.unit_axes, direction);
+  const auto farthest = hn::Neg(hn::Div(dot(d, from, way), dot(d, way, way)));
+  const V3<D> offset = add_scaled(d, from, way, between<D>(farthest, hn::Zero(d), length));
+  const auto radius = hn::Add(hn::Set(d, kBoundMargin), hn::Div(hit_radius, hn::Set(d, ellipsoid.size)));
+  return hn::Lt(dot(d, offset, offset), hn::Mul(radius, radius));
+}
+
+/// Where the bone, a segment with a thickness, may touch the collider: everywhere that it does, and hardly elsewhere.
 template <class D>
 HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction,
                                V<D> length, V<D> hit_radius) {
   const auto zero = hn::Zero(d);
   if (collider.keeps_inside) return hn::Eq(zero, zero);
+  if (collider.shape == ColliderShape::kEllipsoid) {
+    return reaches_ellipsoid(d, collider, start, direction, length, hit_radius);
+  }
   const V3<D> from = sub(d, start, same(d, collider.bound_center));
   if (collider.shape == ColliderShape::kPlane) {
     const V3<D> normal = same(d, collider.axis);
@@ -47,7 +62,11 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
   const auto nearest = between<D>(hn::Neg(dot(d, from, direction)), zero, length);
   const V3<D> offset = add_scaled(d, from, direction, nearest);
   const auto radius = hn::Add(hn::Set(d, collider.bound_radius), hit_radius);
-  return hn::Lt(dot(d, offset, offset), hn::Mul(radius, radius));
+  const auto in_bound = hn::Lt(dot(d, offset, offset), hn::Mul(radius, radius));
+  if (collider.shape == ColliderShape::kSphere || hn::AllFalse(d, in_bound)) return in_bound;
+  const SolidCapsule<D> capsule(d, collider, start, length, hit_radius);
+  const auto margin = hn::Set(d, (kBoundMargin - 1.0f) * collider.bound_radius);
+  return hn::And(in_bound, hn::Lt(capsule.deepest(direction).gap, margin));
 }
 
 /// The velocity of the contact's point into the collider is lost.

@@ -40,19 +40,6 @@ HWY_INLINE V3<D> out_of(D d, const OwnAxes& axes, const V3<D>& v) {
 /// A start no deeper in a collider than this, share of its size, is on the surface.
 inline constexpr float kContactSkin = 1e-3f;
 
-/// A bone on its way through a step, as its colliders see it: in head space, where they stand still.
-template <class D>
-struct TouchingBone {
-  V3<D> start;           ///< Metres.
-  V3<D> direction;       ///< Unit.
-  V3<D> before;          ///< The direction before the step, unit.
-  V3<D> velocity;        ///< Of the tail relative to the start, m/s.
-  V3<D> start_velocity;  ///< Relative to the head's position.
-  V3<D> head_turning;    ///< The head's angular velocity, rad/s.
-  V<D> length;
-  V<D> hit_radius;
-};
-
 /// The deepest point of a segment in a collider.
 template <class D>
 struct Deepest {
@@ -78,9 +65,9 @@ HWY_INLINE V<D> between(V<D> value, V<D> least, V<D> most) {
 template <class D>
 class SolidSphere {
  public:
-  SolidSphere(D d, const PlacedCollider& sphere, const TouchingBone<D>& bone)
-      : d_(d), way_out_(sphere.way_out), length_(bone.length), from_(sub(d, bone.start, same(d, sphere.center))) {
-    radius_ = hn::Add(hn::Set(d, sphere.radii.x), bone.hit_radius);
+  SolidSphere(D d, const PlacedCollider& sphere, const V3<D>& start, V<D> length, V<D> hit_radius)
+      : d_(d), way_out_(sphere.way_out), length_(length), from_(sub(d, start, same(d, sphere.center))) {
+    radius_ = hn::Add(hn::Set(d, sphere.radii.x), hit_radius);
     const auto deep = hn::Mul(radius_, hn::Set(d, 1.0f - kContactSkin));
     distance2_ = dot(d, from_, from_);
     is_deep_ = hn::Lt(distance2_, hn::Mul(deep, deep));
@@ -123,13 +110,13 @@ class SolidSphere {
 template <class D>
 class SolidEllipsoid {
  public:
-  SolidEllipsoid(D d, const PlacedCollider& ellipsoid, const TouchingBone<D>& bone)
-      : d_(d), length_(bone.length), axes_(ellipsoid.axes) {
+  SolidEllipsoid(D d, const PlacedCollider& ellipsoid, const V3<D>& start, V<D> length, V<D> hit_radius)
+      : d_(d), length_(length), axes_(ellipsoid.axes) {
     const auto one = hn::Set(d, 1.0f), skin = hn::Set(d, 1.0f - kContactSkin);
-    const V3<D> radii = add(d, same(d, ellipsoid.radii), V3<D>{bone.hit_radius, bone.hit_radius, bone.hit_radius});
+    const V3<D> radii = add(d, same(d, ellipsoid.radii), V3<D>{hit_radius, hit_radius, hit_radius});
     per_radius_ = {hn::Div(one, radii.x), hn::Div(one, radii.y), hn::Div(one, radii.z)};
     height_ = radii.y;
-    from_ = shrunk(into(sub(d, bone.start, same(d, ellipsoid.center))));
+    from_ = shrunk(into(sub(d, start, same(d, ellipsoid.center))));
     is_deep_ = hn::Lt(dot(d, from_, from_), hn::Mul(skin, skin));
   }
 
@@ -182,13 +169,13 @@ HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& po
 template <class D>
 class SolidCapsule {
  public:
-  SolidCapsule(D d, const PlacedCollider& capsule, const TouchingBone<D>& bone)
+  SolidCapsule(D d, const PlacedCollider& capsule, const V3<D>& start, V<D> length, V<D> hit_radius)
       : d_(d),
         capsule_(capsule),
-        length_(bone.length),
-        from_(sub(d, bone.start, same(d, capsule.center))),
+        length_(length),
+        from_(sub(d, start, same(d, capsule.center))),
         axis_(same(d, capsule.axis)) {
-    thickness_ = hn::Add(hn::Set(d, capsule.radii.x), bone.hit_radius);
+    thickness_ = hn::Add(hn::Set(d, capsule.radii.x), hit_radius);
     const auto share = nearest_ball(d, capsule, from_);
     const V3<D> offset = sub_scaled(d, from_, axis_, share);
     const auto deep = hn::Mul(radius_at(share), hn::Set(d, 1.0f - kContactSkin));

@@ -16,6 +16,19 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+/// A bone on its way through a step, as its colliders see it: in head space, where they stand still.
+template <class D>
+struct TouchingBone {
+  V3<D> start;           ///< Metres.
+  V3<D> direction;       ///< Unit.
+  V3<D> before;          ///< The direction before the step, unit.
+  V3<D> velocity;        ///< Of the tail relative to the start, m/s.
+  V3<D> start_velocity;  ///< Relative to the head's position.
+  V3<D> head_turning;    ///< The head's angular velocity, rad/s.
+  V<D> length;
+  V<D> hit_radius;
+};
+
 inline constexpr int kNewtonSteps = 8;
 inline constexpr float kLargestTurn = 0.5f;  ///< Radians per Newton step: further the linear model says nothing.
 inline constexpr float kTolerance = 1e-6f;   ///< Depth that counts as clear, share of the collider's size.
@@ -100,7 +113,7 @@ inline constexpr int kLooks = 1 << kHalvings;
 template <class D, class Solid>
 HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider,
                                        const TouchingBone<D>& bone, V3<D>& direction) {
-  const Solid solid(d, collider, bone);
+  const Solid solid(d, collider, bone.start, bone.length, bone.hit_radius);
   const V3<D> before = solid.into(bone.before);
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), deep = hn::Set(d, -kDeep * collider.size);
   auto cosine = between<D>(dot(d, before, direction), hn::Neg(one), one);
@@ -141,7 +154,7 @@ HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollide
 template <class D, class Solid>
 HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, const PlacedCollider& collider,
                                       TouchingBone<D>& bone, Contact<D>& contact) {
-  const Solid solid(d, collider, bone);
+  const Solid solid(d, collider, bone.start, bone.length, bone.hit_radius);
   V3<D> direction = solid.into(bone.direction);
   const auto is_far = hn::And(takes_part, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
   auto touches = hn::AndNot(takes_part, takes_part);
