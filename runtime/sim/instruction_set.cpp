@@ -18,6 +18,9 @@ constexpr Known kKnown[] = {
     {InstructionSet::kWasm, HWY_WASM, "WASM"},      {InstructionSet::kPortable, HWY_EMU128, "portable"},
 };
 
+/// A build for one instruction set has no scalar path beside it.
+constexpr bool kHasScalar = HWY_TARGETS != HWY_STATIC_TARGET || HWY_STATIC_TARGET == HWY_SCALAR;
+
 /// Bits of what this build has and the processor knows.
 std::int64_t available() {
 #if HWY_TARGETS == HWY_STATIC_TARGET
@@ -38,7 +41,8 @@ InstructionSet best_instruction_set() {
 }
 
 bool can_run(InstructionSet set) {
-  if (set == InstructionSet::kBest || set == InstructionSet::kScalar) return true;
+  if (set == InstructionSet::kBest) return true;
+  if (set == InstructionSet::kScalar) return kHasScalar;
   const std::int64_t targets = available();
   for (const Known& known : kKnown) {
     if (known.set == set) return (known.target & targets) != 0;

@@ -70,7 +70,7 @@ HWY_INLINE V<D> polynomial(D d, V<D> x, const float (&coefficients)[N]) {
 
 /// The shorter of the two ways to turn by the unit quaternion q, as axis times angle: length at most pi.
 template <class D>
-HWY_INLINE V3<D> vector_of(D d, const Q<D>& q) {
+HWY_NOINLINE V3<D> vector_of(D d, const Q<D>& q) {
   // atan(sqrt(z)) / sqrt(z) for z up to tan(pi/8)^2, to 6e-10: Chebyshev's interpolation.
   constexpr float kArcTangent[] = {-0.0603324163f, 0.105728144f, -0.142399829f, 0.199982108f, -0.333333075f, 1.0f};
   const auto one = hn::Set(d, 1.0f), zero = hn::Zero(d);
@@ -94,7 +94,7 @@ HWY_INLINE V3<D> vector_of(D d, const Q<D>& q) {
 
 /// The rotation about v by its length, radians, up to some turns.
 template <class D>
-HWY_INLINE Q<D> rotation_by(D d, const V3<D>& v) {
+HWY_NOINLINE Q<D> rotation_by(D d, const V3<D>& v) {
   // sin(sqrt(z)) / sqrt(z) and cos(sqrt(z)) for z up to (pi/2)^2, to 4e-9 and 2e-10: Chebyshev's interpolation.
   constexpr float kSine[] = {2.60516625e-06f, -1.98090464e-04f, 8.33305062e-03f, -1.66666580e-01f, 1.0f};
   constexpr float kCosine[] = {-2.60510763e-07f, 2.47601355e-05f,  -1.38883608e-03f,

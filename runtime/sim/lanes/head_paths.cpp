@@ -61,7 +61,9 @@ HeadCode code_of() {
 
 HeadCode follow_heads() { return code_of<Widest>(); }
 
-[[maybe_unused]] HeadCode follow_heads_singly() { return code_of<Single>(); }
+#if COIF_HAS_SINGLY
+HeadCode follow_heads_singly() { return code_of<Single>(); }
+#endif
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -18,6 +18,11 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The scalar path is compiled once, beside several instruction sets to compare with. Alone, an instruction set has none.
+#ifndef COIF_HAS_SINGLY
+#define COIF_HAS_SINGLY (HWY_TARGETS != HWY_STATIC_TARGET && HWY_TARGET == HWY_STATIC_TARGET)
+#endif
+
 /// As many lanes as the instruction set has, 16 at most. Sizeless vectors (SVE) cannot be members; NEON serves there.
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;

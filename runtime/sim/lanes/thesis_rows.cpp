@@ -16,7 +16,9 @@ HWY_INLINE void step_row_by(D d, const RowStep& row) {
 
 void step_row(const RowStep& row) { step_row_by(Widest(), row); }
 
-[[maybe_unused]] void step_row_singly(const RowStep& row) { step_row_by(Single(), row); }
+#if COIF_HAS_SINGLY
+void step_row_singly(const RowStep& row) { step_row_by(Single(), row); }
+#endif
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
