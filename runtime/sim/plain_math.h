@@ -2,77 +2,19 @@
 // Functions that a maths library would give, in nothing but additions and products: libraries differ from machine to
 // machine in the last bit, and the same hair has to move the same way on all of them. Used once per step or per head.
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
-
 namespace coif::plain {
 
-/// Nearest whole number; |x| below 2^62.
-constexpr double rounded(double x) { return double(std::int64_t(x < 0 ? x - 0.5 : x + 0.5)); }
-
-/// sum of x^k / k! from `first` to 17, divided by x^first: for |x| up to 1 exact to the last bits.
-constexpr double exponential_tail(double x, int first) {
-  double sum = 0;
-  for (int k = 17; k > first; --k) sum = (sum + 1) * x / k;
-  double factorial = 1;
-  for (int k = 2; k <= first; ++k) factorial *= k;
-  return (sum + 1) / factorial;
-}
-
 /// exp(x) to about 1e-15 of it; 0 below -708, the largest finite number's neighbourhood above 708.
-inline double exp(double x) {
-  if (!(x > -708)) return 0;
-  if (x > 708) x = 708;
-  constexpr double kLn2High = 0.693147180369123816490, kLn2Low = 1.90821492927058770002e-10;
-  const double power = rounded(x * 1.44269504088896340736);
-  const double rest = (x - power * kLn2High) - power * kLn2Low;
-  return exponential_tail(rest, 0) * std::bit_cast<double>(std::uint64_t(std::int64_t(power) + 1023) << 52);
-}
+[[nodiscard]] double exp(double x);
 
 /// exp(x) - 1 without cancellation.
-inline double expm1(double x) { return x > -0.5 && x < 0.5 ? x * exponential_tail(x, 1) : exp(x) - 1; }
+[[nodiscard]] double expm1(double x);
 
 struct SineCosine {
   double sine, cosine;
 };
 
 /// To about 1e-15; |x| below 1e6.
-inline SineCosine sine_cosine(double x) {
-  // pi/2 in two parts, of which the first has few enough digits for its products to be exact.
-  constexpr double kHigh = 1.57079632673412561417, kLow = 6.07710050650619224932e-11;
-  const double quarters = rounded(x * 0.63661977236758134308);
-  const double rest = (x - quarters * kHigh) - quarters * kLow, square = rest * rest;
-  double sine = 0, cosine = 0;
-  for (int k = 18; k > 0; k -= 2) {
-    sine = (1 - sine) * square / (k * (k + 1));
-    cosine = (1 - cosine) * square / (k * (k - 1));
-  }
-  sine = rest * (1 - sine);
-  cosine = 1 - cosine;
-  switch (std::int64_t(quarters) & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
-  }
-}
-
-/// The angle of the point (x, y), -pi..pi; 0 for the origin.
-inline double atan2(double y, double x) {
-  const double ay = y < 0 ? -y : y, ax = x < 0 ? -x : x;
-  if (!(ay > 0) && !(ax > 0)) return 0;
-  const bool is_steep = ay > ax;
-  double tangent = is_steep ? ax / ay : ay / ax;
-  // Twice halved, the angle is below pi/16, where the series is short.
-  for (int i = 0; i < 2; ++i) tangent = tangent / (1 + std::sqrt(1 + tangent * tangent));
-  const double square = tangent * tangent;
-  double sum = 0;
-  for (int k = 23; k > 0; k -= 2) sum = 1.0 / k - square * sum;
-  double angle = 4 * tangent * sum;
-  if (is_steep) angle = 1.57079632679489661923 - angle;
-  if (x < 0) angle = 3.14159265358979323846 - angle;
-  return y < 0 ? -angle : angle;
-}
+[[nodiscard]] SineCosine sine_cosine(double x);
 
 }  // namespace coif::plain
