@@ -148,8 +148,10 @@ class CoifChain {
     // Far enough in one step, the bone may have jumped through a collider.
     const MoveLanes& move = *row_.move;
     auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, move.near_cosine, lane_));
-    const V3<D> head_before = rotate_back(d_, load(d_, move.from_head_before, lane_), before);
-    reached = hn::And(reached, hn::Lt(dot(d_, head_before, direction), hn::Set(d_, kFarTurn)));
+    const auto in_head_space = [&] { return rotate_back(d_, load(d_, move.from_head_before, lane_), before); };
+    if (!hn::AllFalse(d_, reached)) {
+      reached = hn::And(reached, hn::Lt(dot(d_, in_head_space(), direction), hn::Set(d_, kFarTurn)));
+    }
     for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
       const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
       reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
@@ -159,7 +161,7 @@ class CoifChain {
     TouchingBone<D> touching;
     copy(d_, from.position, touching.start);
     copy(d_, direction, touching.direction);
-    copy(d_, head_before, touching.before);
+    copy(d_, in_head_space(), touching.before);
     touching.velocity = rotate_back(d_, turn_, now.velocity);
     touching.start_velocity = rotate_back(d_, turn_, sub(d_, from.velocity, load(d_, move.velocity, lane_)));
     touching.head_turning = rotate_back(d_, turn_, load(d_, move.angular_velocity, lane_));

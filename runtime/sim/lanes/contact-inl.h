@@ -64,9 +64,10 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
   const auto radius = hn::Add(hn::Set(d, collider.bound_radius), hit_radius);
   const auto in_bound = hn::Lt(dot(d, offset, offset), hn::Mul(radius, radius));
   if (collider.shape == ColliderShape::kSphere || hn::AllFalse(d, in_bound)) return in_bound;
-  const SolidCapsule<D> capsule(d, collider, start, length, hit_radius);
-  const auto margin = hn::Set(d, (kBoundMargin - 1.0f) * collider.bound_radius);
-  return hn::And(in_bound, hn::Lt(capsule.deepest(direction).gap, margin));
+  const Solid<D> capsule(d, collider, start, length, hit_radius);
+  Deepest<D> at;
+  capsule.find_deepest(direction, at);
+  return hn::And(in_bound, hn::Lt(at.gap, hn::Set(d, (kBoundMargin - 1.0f) * collider.bound_radius)));
 }
 
 /// The velocity of the contact's point into the collider is lost.
@@ -96,23 +97,21 @@ template <class D>
 HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
                                 Contact<D>& contact) {
   if (collider.keeps_inside) return keep_inside(d, takes_part, collider, bone, contact);
-  switch (collider.shape) {
-    case ColliderShape::kSphere: return clear_of_solid<D, SolidSphere<D>>(d, takes_part, collider, bone, contact);
-    case ColliderShape::kEllipsoid: return clear_of_solid<D, SolidEllipsoid<D>>(d, takes_part, collider, bone, contact);
-    case ColliderShape::kCapsule:
-    case ColliderShape::kTaperedCapsule:
-      return clear_of_solid<D, SolidCapsule<D>>(d, takes_part, collider, bone, contact);
-    case ColliderShape::kPlane: break;
-  }
-  return clear_of_plane(d, takes_part, collider, bone, contact);
+  if (collider.shape == ColliderShape::kPlane) return clear_of_plane(d, takes_part, collider, bone, contact);
+  auto crossed = hn::AndNot(takes_part, takes_part);
+  const auto is_far = hn::And(takes_part, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, is_far))) crossed = undo_crossing(d, is_far, collider, bone);
+  if (collider.shape == ColliderShape::kSphere) return clear_of_sphere(d, takes_part, crossed, collider, bone, contact);
+  return clear_of_solid(d, takes_part, crossed, collider, bone, contact);
 }
 
 /// Turns the bones in the lanes of `reached` until they are clear of their colliders and takes from their velocities what
 /// leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the bone is
 /// another.
 template <class D>
-HWY_INLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set, const BoneLanes& constants,
-                                  std::size_t lane, hn::Mask<D> reached, TouchingBone<D>& bone) {
+HWY_NOINLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
+                                    const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,
+                                    TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = reached, moved = hn::AndNot(reached, reached);
   for (int round = 0; round < kContactRounds; ++round) {

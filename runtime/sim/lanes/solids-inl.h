@@ -1,8 +1,5 @@
 // The round colliders as bones meet them: where a segment with a thickness comes nearest to a surface, or deepest below
 // it. Compiled once per instruction set.
-//
-// Each solid is made for the bones of all lanes, which only turn about their starts from then on: what does not depend on
-// their directions is computed once. Directions are in the solid's own axes, which into() and out_of() know.
 
 #include "../placed_colliders.h"
 #include "lane_math-inl.h"
@@ -48,108 +45,10 @@ struct Deepest {
   V<D> along;    ///< Metres from the segment's start.
 };
 
-/// `offset` is the deepest point seen from the ball's centre.
-template <class D>
-HWY_INLINE Deepest<D> in_ball(D d, const V3<D>& offset, V<D> radius, V<D> along, const Vec3& way_out) {
-  const auto distance = hn::Sqrt(dot(d, offset, offset));
-  const auto has_side = hn::Gt(distance, hn::Mul(hn::Set(d, 1e-6f), radius));
-  const auto per_distance = hn::Div(hn::Set(d, 1.0f), distance);
-  return {hn::Sub(distance, radius), choose<D>(has_side, scale(d, offset, per_distance), same(d, way_out)), along};
-}
-
 template <class D>
 HWY_INLINE V<D> between(V<D> value, V<D> least, V<D> most) {
   return hn::Min(hn::Max(value, least), most);
 }
-
-template <class D>
-class SolidSphere {
- public:
-  SolidSphere(D d, const PlacedCollider& sphere, const V3<D>& start, V<D> length, V<D> hit_radius)
-      : d_(d), way_out_(sphere.way_out), length_(length), from_(sub(d, start, same(d, sphere.center))) {
-    radius_ = hn::Add(hn::Set(d, sphere.radii.x), hit_radius);
-    const auto deep = hn::Mul(radius_, hn::Set(d, 1.0f - kContactSkin));
-    distance2_ = dot(d, from_, from_);
-    is_deep_ = hn::Lt(distance2_, hn::Mul(deep, deep));
-  }
-
-  HWY_INLINE V3<D> into(const V3<D>& v) const { return {v.x, v.y, v.z}; }
-  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return {v.x, v.y, v.z}; }
-  [[nodiscard]] Vec3 own_way_out() const { return way_out_; }
-
-  HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
-    const auto nearest = between<D>(hn::Neg(dot(d_, from_, direction)), hn::Zero(d_), length_);
-    Deepest<D> found = at(direction, hn::IfThenElse(is_deep_, length_, nearest));
-    const auto least = hn::Mul(hn::Set(d_, 1e-6f), radius_);
-    const auto is_central = hn::Not(hn::Gt(distance2_, hn::Mul(least, least)));
-    found.gap = hn::IfThenElse(is_central, hn::Zero(d_), found.gap);  // from there every direction is as good
-    return found;
-  }
-  HWY_INLINE Deepest<D> at(const V3<D>& direction, V<D> along) const {
-    return in_ball(d_, add_scaled(d_, from_, direction, along), radius_, along, way_out_);
-  }
-
-  V<D> length() const { return length_; }
-  /// The start as seen from the centre, and its distance squared.
-  const V3<D>& from() const { return from_; }
-  V<D> distance2() const { return distance2_; }
-  V<D> radius() const { return radius_; }
-  hn::Mask<D> is_deep() const { return is_deep_; }
-
- private:
-  const D d_;
-  const Vec3 way_out_;
-  const V<D> length_;
-  const V3<D> from_;
-  V<D> radius_, distance2_;
-  hn::Mask<D> is_deep_;
-};
-
-/// Works in the space where the ellipsoid, with the hair's radius added to its axes, is the unit sphere. The gap is that
-/// space's, brought back along the gradient: exact on the surface, which is what Newton's method needs.
-template <class D>
-class SolidEllipsoid {
- public:
-  SolidEllipsoid(D d, const PlacedCollider& ellipsoid, const V3<D>& start, V<D> length, V<D> hit_radius)
-      : d_(d), length_(length), axes_(ellipsoid.axes) {
-    const auto one = hn::Set(d, 1.0f), skin = hn::Set(d, 1.0f - kContactSkin);
-    const V3<D> radii = add(d, same(d, ellipsoid.radii), V3<D>{hit_radius, hit_radius, hit_radius});
-    per_radius_ = {hn::Div(one, radii.x), hn::Div(one, radii.y), hn::Div(one, radii.z)};
-    height_ = radii.y;
-    from_ = shrunk(into(sub(d, start, same(d, ellipsoid.center))));
-    is_deep_ = hn::Lt(dot(d, from_, from_), hn::Mul(skin, skin));
-  }
-
-  HWY_INLINE V3<D> into(const V3<D>& v) const { return HWY_NAMESPACE::into(d_, axes_, v); }
-  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return HWY_NAMESPACE::out_of(d_, axes_, v); }
-  [[nodiscard]] Vec3 own_way_out() const { return {0.0f, 1.0f, 0.0f}; }
-
-  HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
-    const auto one = hn::Set(d_, 1.0f);
-    const V3<D> way = shrunk(direction);
-    const auto nearest = hn::Neg(hn::Div(dot(d_, from_, way), dot(d_, way, way)));
-    const auto along = hn::IfThenElse(is_deep_, length_, between<D>(nearest, hn::Zero(d_), length_));
-    const V3<D> unit = add_scaled(d_, from_, way, along), gradient = shrunk(unit);
-    const auto distance = hn::Sqrt(dot(d_, unit, unit));
-    const auto per_gradient = hn::Div(one, hn::Sqrt(dot(d_, gradient, gradient)));
-    const auto has_side = hn::Gt(distance, hn::Set(d_, 1e-6f));
-    const auto gap = hn::Mul(hn::Mul(hn::Sub(distance, one), distance), per_gradient);
-    return {hn::IfThenElse(has_side, gap, hn::Neg(height_)),
-            choose<D>(has_side, scale(d_, gradient, per_gradient), same(d_, own_way_out())), along};
-  }
-
- private:
-  HWY_INLINE V3<D> shrunk(const V3<D>& v) const {
-    return {hn::Mul(v.x, per_radius_.x), hn::Mul(v.y, per_radius_.y), hn::Mul(v.z, per_radius_.z)};
-  }
-
-  const D d_;
-  const V<D> length_;
-  const OwnAxes& axes_;
-  V3<D> per_radius_, from_;
-  V<D> height_;
-  hn::Mask<D> is_deep_;
-};
 
 /// The ball out of which a plain or tapered capsule is made that is nearest to a point, as a share of the axis from 0 at
 /// `center`, where the point is seen from.
@@ -165,68 +64,148 @@ HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& po
   return between<D>(share, hn::Zero(d), hn::Set(d, 1.0f));
 }
 
-/// Plain and tapered. Points are seen from the end at PlacedCollider::center.
+/// A round collider before the bones of all lanes, which only turn about their starts from now on: what does not depend
+/// on their directions is computed once. Directions are in the collider's own axes, which into() and out_of() know. Out
+/// of line, since contacts are rare and their code is not.
 template <class D>
-class SolidCapsule {
+class Solid {
  public:
-  SolidCapsule(D d, const PlacedCollider& capsule, const V3<D>& start, V<D> length, V<D> hit_radius)
-      : d_(d),
-        capsule_(capsule),
-        length_(length),
-        from_(sub(d, start, same(d, capsule.center))),
-        axis_(same(d, capsule.axis)) {
-    thickness_ = hn::Add(hn::Set(d, capsule.radii.x), hit_radius);
-    const auto share = nearest_ball(d, capsule, from_);
-    const V3<D> offset = sub_scaled(d, from_, axis_, share);
-    const auto deep = hn::Mul(radius_at(share), hn::Set(d, 1.0f - kContactSkin));
-    is_deep_ = hn::Lt(dot(d, offset, offset), hn::Mul(deep, deep));
-  }
+  HWY_NOINLINE Solid(D d, const PlacedCollider& collider, const V3<D>& start, V<D> length, V<D> hit_radius);
 
-  HWY_INLINE V3<D> into(const V3<D>& v) const { return {v.x, v.y, v.z}; }
-  HWY_INLINE V3<D> out_of(const V3<D>& v) const { return {v.x, v.y, v.z}; }
-  [[nodiscard]] Vec3 own_way_out() const { return capsule_.way_out; }
-
-  HWY_INLINE Deepest<D> deepest(const V3<D>& direction) const {
-    const auto line_share = nearest_to_line(direction);
-    const auto nearest = dot(d_, sub(d_, scale(d_, axis_, line_share), from_), direction);
-    const auto along = hn::IfThenElse(is_deep_, length_, between<D>(nearest, hn::Zero(d_), length_));
-    const V3<D> point = add_scaled(d_, from_, direction, along);
-    // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the
-    // segment's end, the end is.
-    const auto share = hn::IfThenElse(hn::Eq(along, nearest), line_share, nearest_ball(d_, capsule_, point));
-    return in_ball(d_, sub_scaled(d_, point, axis_, share), radius_at(share), along, capsule_.way_out);
+  HWY_INLINE V3<D> into(const V3<D>& v) const {
+    return is_ellipsoid() ? HWY_NAMESPACE::into(d_, collider_.axes, v) : V3<D>{v.x, v.y, v.z};
   }
+  HWY_INLINE V3<D> out_of(const V3<D>& v) const {
+    return is_ellipsoid() ? HWY_NAMESPACE::out_of(d_, collider_.axes, v) : V3<D>{v.x, v.y, v.z};
+  }
+  [[nodiscard]] Vec3 own_way_out() const { return is_ellipsoid() ? Vec3{0.0f, 1.0f, 0.0f} : collider_.way_out; }
+
+  HWY_NOINLINE void find_deepest(const V3<D>& direction, Deepest<D>& at) const;
 
  private:
-  /// The ball nearest to the bone's whole line, as nearest_ball() has it.
-  HWY_INLINE V<D> nearest_to_line(const V3<D>& direction) const {
-    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), taper = hn::Set(d_, capsule_.taper);
-    const V3<D> beside = sub_scaled(d_, from_, direction, dot(d_, from_, direction));
-    const V3<D> slope = sub_scaled(d_, axis_, direction, dot(d_, axis_, direction));
-    const auto slope2 = dot(d_, slope, slope), spread = hn::Sub(slope2, hn::Mul(taper, taper));
-    auto share = hn::Div(dot(d_, beside, slope), slope2);
-    if (capsule_.taper > 0.0f || capsule_.taper < 0.0f) {
-      const V3<D> apart = sub_scaled(d_, beside, slope, share);
-      const auto per_apart = hn::Div(taper, hn::Sqrt(hn::Mul(slope2, spread)));
-      share = hn::Sub(share, hn::Mul(hn::Sqrt(dot(d_, apart, apart)), per_apart));
-    }
-    // Nearly parallel, the thicker end is nearest.
-    const auto is_skew = hn::Gt(spread, hn::Set(d_, 1e-6f * capsule_.axis2));
-    const auto thicker = capsule_.taper > 0.0f ? zero : one;
-    return hn::IfThenElse(is_skew, between<D>(share, zero, one), thicker);
-  }
+  [[nodiscard]] bool is_ellipsoid() const { return collider_.shape == ColliderShape::kEllipsoid; }
 
-  HWY_INLINE V<D> radius_at(V<D> share) const {
-    return hn::Sub(thickness_, hn::Mul(hn::Set(d_, capsule_.taper), share));
+  HWY_INLINE V3<D> shrunk(const V3<D>& v) const {
+    return {hn::Mul(v.x, per_radius_.x), hn::Mul(v.y, per_radius_.y), hn::Mul(v.z, per_radius_.z)};
   }
+  /// Where the bone is nearest, if its whole line is nearest there. From a deep start only the end can come out.
+  HWY_INLINE V<D> on_bone(V<D> nearest) const {
+    return hn::IfThenElse(is_deep_, length_, between<D>(nearest, hn::Zero(d_), length_));
+  }
+  HWY_INLINE V<D> capsule_radius(V<D> share) const {
+    return hn::Sub(radius_, hn::Mul(hn::Set(d_, collider_.taper), share));
+  }
+  /// `offset` is a point of the bone seen from the centre of a ball that is the collider there.
+  HWY_INLINE void look_from_ball(const V3<D>& offset, V<D> radius, V<D> along, Deepest<D>& at) const {
+    const auto distance = hn::Sqrt(dot(d_, offset, offset));
+    const auto has_side = hn::Gt(distance, hn::Mul(hn::Set(d_, 1e-6f), radius));
+    const V3<D> out = scale(d_, offset, hn::Div(hn::Set(d_, 1.0f), distance));
+    at.gap = hn::Sub(distance, radius);
+    copy(d_, choose<D>(has_side, out, same(d_, collider_.way_out)), at.normal);
+    at.along = along;
+  }
+  HWY_INLINE void find_in_sphere(const V3<D>& direction, Deepest<D>& at) const;
+  HWY_INLINE void find_in_ellipsoid(const V3<D>& direction, Deepest<D>& at) const;
+  HWY_INLINE void find_in_capsule(const V3<D>& direction, Deepest<D>& at) const;
+  HWY_INLINE V<D> nearest_to_line(const V3<D>& direction) const;
 
   const D d_;
-  const PlacedCollider& capsule_;
+  const PlacedCollider& collider_;
   const V<D> length_;
-  const V3<D> from_, axis_;
-  V<D> thickness_;  ///< With the hair's, at the end with share 0.
+  /// The start, seen from the centre of a sphere, from the end of a capsule at PlacedCollider::center or, for an ellipsoid,
+  /// in the space where that is the unit sphere.
+  V3<D> from_;
+  V3<D> per_radius_;  ///< Ellipsoid: with the hair's radius added to its semi-axes.
+  V<D> radius_;       ///< With the hair's, where the start is seen from; of an ellipsoid its second.
   hn::Mask<D> is_deep_;
 };
+
+template <class D>
+Solid<D>::Solid(D d, const PlacedCollider& collider, const V3<D>& start, V<D> length, V<D> hit_radius)
+    : d_(d), collider_(collider), length_(length) {
+  const auto one = hn::Set(d, 1.0f), skin = hn::Set(d, 1.0f - kContactSkin);
+  const V3<D> offset = sub(d, start, same(d, collider.center)), axis = same(d, collider.axis);
+  radius_ = hn::Add(hn::Set(d, is_ellipsoid() ? collider.radii.y : collider.radii.x), hit_radius);
+  if (is_ellipsoid()) {
+    per_radius_.x = hn::Div(one, hn::Add(hn::Set(d, collider.radii.x), hit_radius));
+    per_radius_.y = hn::Div(one, radius_);
+    per_radius_.z = hn::Div(one, hn::Add(hn::Set(d, collider.radii.z), hit_radius));
+    copy(d, shrunk(into(offset)), from_);
+    is_deep_ = hn::Lt(dot(d, from_, from_), hn::Mul(skin, skin));
+    return;
+  }
+  copy(d, offset, from_);
+  const auto share = collider.shape == ColliderShape::kSphere ? hn::Zero(d) : nearest_ball(d, collider, offset);
+  const V3<D> beside = sub_scaled(d, offset, axis, share);
+  const auto deep = hn::Mul(capsule_radius(share), skin);
+  is_deep_ = hn::Lt(dot(d, beside, beside), hn::Mul(deep, deep));
+}
+
+template <class D>
+HWY_INLINE void Solid<D>::find_in_sphere(const V3<D>& direction, Deepest<D>& at) const {
+  const auto along = on_bone(hn::Neg(dot(d_, from_, direction)));
+  look_from_ball(add_scaled(d_, from_, direction, along), radius_, along, at);
+  // From the very centre every direction is as good.
+  const auto least = hn::Mul(hn::Set(d_, 1e-6f), radius_);
+  const auto has_side = hn::Gt(dot(d_, from_, from_), hn::Mul(least, least));
+  at.gap = hn::IfThenElseZero(has_side, at.gap);
+}
+
+/// In the space where the ellipsoid is the unit sphere. The gap is that space's, brought back along the gradient: exact on
+/// the surface, which is what Newton's method needs.
+template <class D>
+HWY_INLINE void Solid<D>::find_in_ellipsoid(const V3<D>& direction, Deepest<D>& at) const {
+  const auto one = hn::Set(d_, 1.0f);
+  const V3<D> way = shrunk(direction);
+  const auto along = on_bone(hn::Neg(hn::Div(dot(d_, from_, way), dot(d_, way, way))));
+  const V3<D> unit = add_scaled(d_, from_, way, along), gradient = shrunk(unit);
+  const auto distance = hn::Sqrt(dot(d_, unit, unit));
+  const auto per_gradient = hn::Div(one, hn::Sqrt(dot(d_, gradient, gradient)));
+  const auto has_side = hn::Gt(distance, hn::Set(d_, 1e-6f));
+  const auto gap = hn::Mul(hn::Mul(hn::Sub(distance, one), distance), per_gradient);
+  at.gap = hn::IfThenElse(has_side, gap, hn::Neg(radius_));
+  copy(d_, choose<D>(has_side, scale(d_, gradient, per_gradient), same(d_, own_way_out())), at.normal);
+  at.along = along;
+}
+
+/// The ball of a capsule nearest to the bone's whole line, as nearest_ball() has it.
+template <class D>
+HWY_INLINE V<D> Solid<D>::nearest_to_line(const V3<D>& direction) const {
+  const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f), taper = hn::Set(d_, collider_.taper);
+  const V3<D> axis = same(d_, collider_.axis);
+  const V3<D> beside = sub_scaled(d_, from_, direction, dot(d_, from_, direction));
+  const V3<D> slope = sub_scaled(d_, axis, direction, dot(d_, axis, direction));
+  const auto slope2 = dot(d_, slope, slope), spread = hn::Sub(slope2, hn::Mul(taper, taper));
+  const auto beside_line = hn::Div(dot(d_, beside, slope), slope2);
+  const V3<D> apart = sub_scaled(d_, beside, slope, beside_line);
+  const auto lean = hn::Div(taper, hn::Sqrt(hn::Mul(slope2, spread)));
+  const auto share = hn::Sub(beside_line, hn::Mul(hn::Sqrt(dot(d_, apart, apart)), lean));
+  // Nearly parallel, the thicker end is nearest.
+  const auto is_skew = hn::Gt(spread, hn::Set(d_, 1e-6f * collider_.axis2));
+  const auto thicker = collider_.taper > 0.0f ? zero : one;
+  return hn::IfThenElse(is_skew, between<D>(share, zero, one), thicker);
+}
+
+template <class D>
+HWY_INLINE void Solid<D>::find_in_capsule(const V3<D>& direction, Deepest<D>& at) const {
+  const V3<D> axis = same(d_, collider_.axis);
+  const auto line_share = nearest_to_line(direction);
+  const auto nearest = dot(d_, sub(d_, scale(d_, axis, line_share), from_), direction);
+  const auto along = on_bone(nearest);
+  const V3<D> point = add_scaled(d_, from_, direction, along);
+  // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the bone's
+  // end, the end is.
+  const auto is_line = hn::Eq(along, nearest);
+  const auto share = hn::IfThenElse(is_line, line_share, nearest_ball(d_, collider_, point));
+  look_from_ball(sub_scaled(d_, point, axis, share), capsule_radius(share), along, at);
+}
+
+template <class D>
+void Solid<D>::find_deepest(const V3<D>& direction, Deepest<D>& at) const {
+  if (is_ellipsoid()) return find_in_ellipsoid(direction, at);
+  if (collider_.shape == ColliderShape::kSphere) return find_in_sphere(direction, at);
+  find_in_capsule(direction, at);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace coif

@@ -23,7 +23,7 @@ HWY_INLINE V3<D> across(D d, const V3<D>& vector, const V3<D>& direction) {
 /// The unit vector at the angle with this cosine (clamped to -1..1) from the unit vector `axis`, on the side where the
 /// unit vector `direction` is; where that is along the axis, on the side of `fallback`, or on any.
 template <class D>
-HWY_INLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> cosine, const Vec3& fallback) {
+HWY_NOINLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> cosine, const Vec3& fallback) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-10f);
   V3<D> side = across(d, direction, axis);
   auto size2 = dot(d, side, side);

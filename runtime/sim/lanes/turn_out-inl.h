@@ -65,56 +65,18 @@ HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, con
   return scale(d, turned, hn::Div(one, hn::Sqrt(dot(d, turned, turned))));
 }
 
-/// Newton's method on the angle, in the lanes of `inside`, to a depth of kTolerance of the collider's size. `at` is where
-/// `direction` is deepest, and follows it.
-template <class D, class Solid>
-HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const Solid& solid, const PlacedCollider& collider, V3<D>& direction,
-                         Deepest<D>& at) {
-  const float overshoot = kOvershoot * collider.size;
-  const auto least = hn::Set(d, -kTolerance * collider.size);
-  for (int i = 0; i < kNewtonSteps; ++i) {
-    const auto goes_on = hn::And(inside, hn::And(hn::Lt(at.gap, least), hn::Gt(at.along, hn::Zero(d))));
-    if (hn::AllFalse(d, goes_on)) return;
-    const V3<D> turned = turned_outwards(d, at, overshoot, solid.own_way_out(), direction);
-    set_where(d, goes_on, turned, direction);
-    at = solid.deepest(direction);
-  }
-}
-
-/// The directions from a point outside that meet a ball form a cone: no need of Newton. A segment that ends before the
-/// tangent's point only has to keep its end out.
-template <class D>
-HWY_INLINE void turn_out(D d, hn::Mask<D> inside, const SolidSphere<D>& solid, const PlacedCollider& sphere, V<D> reach,
-                         V3<D>& direction, Deepest<D>& at) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), reach2 = hn::Mul(reach, reach);
-  const auto radius = solid.radius(), radius2 = hn::Mul(radius, radius);
-  const auto distance2 = hn::IfThenElse(inside, solid.distance2(), one), distance = hn::Sqrt(distance2);
-  const auto tangent2 = hn::Sub(distance2, radius2), tangent = hn::Sqrt(hn::Max(tangent2, zero));
-  const V3<D> inward = scale(d, solid.from(), hn::Neg(hn::Div(one, distance)));
-  const auto ends_before = hn::Or(hn::Le(reach2, tangent2), hn::Le(tangent2, zero));
-  const auto rise = hn::IfThenElse(ends_before, hn::Sub(hn::Add(distance2, reach2), radius2), tangent);
-  const auto run = hn::IfThenElse(ends_before, hn::Mul(hn::Add(distance, distance), reach), distance);
-  auto cosine = hn::Div(rise, run);
-  // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
-  const auto on_surface = hn::AndNot(solid.is_deep(), hn::Le(tangent2, zero));
-  cosine = hn::IfThenElse(on_surface, hn::Min(cosine, zero), cosine);
-  set_where(d, inside, tilted(d, direction, inward, cosine, sphere.way_out), direction);
-  at = solid.at(direction, hn::IfThenElse(inside, hn::IfThenElse(ends_before, reach, tangent), at.along));
-}
-
 inline constexpr float kFarTurn =
     0.9f;                              ///< A bone that turned further (its cosine) may have jumped through a collider.
 inline constexpr float kDeep = 0.35f;  ///< Share of the collider's size: deeper than this is through, not along.
 inline constexpr int kHalvings = 3;
 inline constexpr int kLooks = 1 << kHalvings;
 
-/// In the lanes of `far`, where the bone went through the solid on the way from `before`, the shorter way round, or ended
-/// deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
-template <class D, class Solid>
-HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider,
-                                       const TouchingBone<D>& bone, V3<D>& direction) {
-  const Solid solid(d, collider, bone.start, bone.length, bone.hit_radius);
-  const V3<D> before = solid.into(bone.before);
+/// In the lanes of `far`, where the bone went through a round collider on the way from `before`, the shorter way round, or
+/// ended deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
+template <class D>
+HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
+  const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
+  const V3<D>&before = bone.before, &direction = bone.direction;
   const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), deep = hn::Set(d, -kDeep * collider.size);
   auto cosine = between<D>(dot(d, before, direction), hn::Neg(one), one);
   V3<D> side = sub_scaled(d, direction, before, cosine);
@@ -139,9 +101,11 @@ HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollide
     sideways = hn::Add(hn::Mul(along, sine), hn::Mul(sideways, cosine));
     along = next;
     const V3<D> look = add_scaled(d, scale(d, before, along), side, sideways);
-    const auto is_through = hn::And(undecided, hn::Lt(solid.deepest(look).gap, deep));
+    Deepest<D> at;
+    solid.find_deepest(solid.into(look), at);
+    const auto is_through = hn::And(undecided, hn::Lt(at.gap, deep));
     if (HWY_LIKELY(hn::AllFalse(d, is_through))) continue;
-    set_where(d, is_through, direction_or(d, last, before), direction);
+    set_where(d, is_through, direction_or(d, last, before), bone.direction);
     crossed = hn::Or(crossed, is_through);
     undecided = hn::AndNot(is_through, undecided);
     if (hn::AllFalse(d, undecided)) break;
@@ -149,26 +113,66 @@ HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollide
   return crossed;
 }
 
-/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside. Returns the lanes that
-/// touch it.
-template <class D, class Solid>
-HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, const PlacedCollider& collider,
+/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside, by Newton's method on the
+/// angle to a depth of kTolerance of its size. Those of `crossed` touch it already. Returns the lanes that touch.
+template <class D>
+HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& collider,
                                       TouchingBone<D>& bone, Contact<D>& contact) {
-  const Solid solid(d, collider, bone.start, bone.length, bone.hit_radius);
+  const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
   V3<D> direction = solid.into(bone.direction);
-  const auto is_far = hn::And(takes_part, hn::Lt(dot(d, bone.before, bone.direction), hn::Set(d, kFarTurn)));
-  auto touches = hn::AndNot(takes_part, takes_part);
-  if (HWY_UNLIKELY(!hn::AllFalse(d, is_far))) {
-    touches = undo_crossing<D, Solid>(d, is_far, collider, bone, direction);
-  }
-  Deepest<D> at = solid.deepest(direction);
+  Deepest<D> at;
+  solid.find_deepest(direction, at);
   const auto inside = hn::And(takes_part, hn::Lt(at.gap, hn::Zero(d)));
-  touches = hn::Or(touches, inside);
+  const auto touches = hn::Or(crossed, inside);
   if (hn::AllFalse(d, touches)) return touches;
-  turn_out(d, inside, solid, collider, direction, at);
-  set_where(d, touches, solid.out_of(direction), bone.direction);
+  const auto least = hn::Set(d, -kTolerance * collider.size);
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const auto goes_on = hn::And(inside, hn::And(hn::Lt(at.gap, least), hn::Gt(at.along, hn::Zero(d))));
+    if (hn::AllFalse(d, goes_on)) break;
+    set_where(d, goes_on, turned_outwards(d, at, kOvershoot * collider.size, solid.own_way_out(), direction),
+              direction);
+    solid.find_deepest(direction, at);
+  }
+  set_where(d, inside, solid.out_of(direction), bone.direction);
   copy(d, solid.out_of(at.normal), contact.normal);
   contact.along = at.along;
+  return touches;
+}
+
+/// The same for a sphere, without Newton: the directions from a point outside that meet a ball form a cone. A segment that
+/// ends before the tangent's point only has to keep its end out.
+template <class D>
+HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& sphere,
+                                       TouchingBone<D>& bone, Contact<D>& contact) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), skin = hn::Set(d, 1.0f - kContactSkin);
+  const auto radius = hn::Add(hn::Set(d, sphere.radii.x), bone.hit_radius), radius2 = hn::Mul(radius, radius);
+  const auto reach = bone.length, reach2 = hn::Mul(reach, reach), deep = hn::Mul(radius, skin);
+  const V3<D> from = sub(d, bone.start, same(d, sphere.center));
+  const auto from2 = dot(d, from, from);
+  const auto is_deep = hn::Lt(from2, hn::Mul(deep, deep));
+  const auto nearest = between<D>(hn::Neg(dot(d, from, bone.direction)), zero, reach);
+  const auto deepest = hn::IfThenElse(is_deep, reach, nearest);
+  const V3<D> offset = add_scaled(d, from, bone.direction, deepest);
+  const auto least = hn::Mul(hn::Set(d, 1e-6f), radius);
+  const auto has_side = hn::Gt(from2, hn::Mul(least, least));  // from the centre every direction is as good
+  const auto inside = hn::And(hn::And(takes_part, has_side), hn::Lt(dot(d, offset, offset), radius2));
+  const auto touches = hn::Or(crossed, inside);
+  if (hn::AllFalse(d, touches)) return touches;
+
+  const auto distance2 = hn::IfThenElse(has_side, from2, one), distance = hn::Sqrt(distance2);
+  const auto tangent2 = hn::Sub(distance2, radius2), tangent = hn::Sqrt(hn::Max(tangent2, zero));
+  const V3<D> inward = scale(d, from, hn::Neg(hn::Div(one, distance)));
+  const auto ends_before = hn::Or(hn::Le(reach2, tangent2), hn::Le(tangent2, zero));
+  const auto rise = hn::IfThenElse(ends_before, hn::Sub(hn::Add(distance2, reach2), radius2), tangent);
+  const auto run = hn::IfThenElse(ends_before, hn::Mul(hn::Add(distance, distance), reach), distance);
+  auto cosine = hn::Div(rise, run);
+  // From the surface itself every way inwards is a chord; from deep inside there is no other way for a long bone.
+  const auto on_surface = hn::AndNot(is_deep, hn::Le(tangent2, zero));
+  cosine = hn::IfThenElse(on_surface, hn::Min(cosine, zero), cosine);
+  set_where(d, inside, tilted(d, bone.direction, inward, cosine, sphere.way_out), bone.direction);
+  contact.along = hn::IfThenElse(inside, hn::IfThenElse(ends_before, reach, tangent), deepest);
+  const V3<D> point = add_scaled(d, from, bone.direction, contact.along);
+  copy(d, direction_or(d, point, same(d, sphere.way_out)), contact.normal);
   return touches;
 }
 
