@@ -20,10 +20,9 @@ HWY_INLINE V3<D> across(D d, const V3<D>& vector, const V3<D>& direction) {
   return sub_scaled(d, vector, direction, dot(d, vector, direction));
 }
 
-/// The unit vector at the angle with this cosine (clamped to -1..1) from the unit vector `axis`, on the side where the
-/// unit vector `direction` is; where that is along the axis, on the side of `fallback`, or on any.
+/// tilted(), in place and out of line: rarely needed, in several places.
 template <class D>
-HWY_NOINLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> cosine, const Vec3& fallback) {
+HWY_NOINLINE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V3<D>& direction) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-10f);
   V3<D> side = across(d, direction, axis);
   auto size2 = dot(d, side, side);
@@ -40,7 +39,19 @@ HWY_NOINLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> c
   side = across(d, side, axis);
   const auto bounded = hn::Max(hn::Min(cosine, one), hn::Neg(one));
   const auto sine2 = hn::Sub(one, hn::Mul(bounded, bounded));
-  return add_scaled(d, scale(d, axis, bounded), side, hn::Sqrt(hn::Div(sine2, dot(d, side, side))));
+  const auto sine = hn::Sqrt(hn::Div(sine2, dot(d, side, side)));
+  copy(d, add_scaled(d, scale(d, axis, bounded), side, sine), direction);
+}
+
+/// The unit vector at the angle with this cosine (clamped to -1..1) from the unit vector `axis`, on the side where the
+/// unit vector `direction` is; where that is along the axis, on the side of `fallback`, or on any.
+template <class D>
+HWY_INLINE V3<D> tilted(D d, const V3<D>& direction, const V3<D>& axis, V<D> cosine, const Vec3& fallback) {
+  // Copies, so that what a caller keeps in registers need not have an address.
+  const V3<D> about{axis.x, axis.y, axis.z};
+  V3<D> turned{direction.x, direction.y, direction.z};
+  tilt(d, about, cosine, fallback, turned);
+  return turned;
 }
 
 }  // namespace HWY_NAMESPACE
