@@ -14,6 +14,7 @@ results=
 
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCOIF_BENCH=ON >/dev/null
 cmake --build "$build" --target coif_bench_all
+commit=$(git describe --always --dirty)  # of what was built, whatever happens while it is timed
 
 # measure PROGRAM NAME [CORES]: on one core, repetitions of all benchmarks shuffled, so that a slow minute does not hit
 # just one.
@@ -68,4 +69,4 @@ if [ "$filter" = . ]; then
     echo "without three-vrm-springbone: no node and npm, or the npm registry cannot be reached"
   fi
 fi
-python3 -B tests/bench/record_results.py "$(git describe --always --dirty)" $results
+python3 -B tests/bench/record_results.py "$commit" $results
