@@ -39,8 +39,10 @@ bool live_a_while(Hair& hair, bool in_jobs) {
     ok = ok && (frame % 7 == 0 ? hair.teleport(3, pose) : hair.set_head(3, pose)) == Status::kOk;
     const Detail detail{.level = frame / 3 % 2, .interval = 1u << frame / 5 % 3, .simulated = frame % 11 != 0};
     ok = ok && hair.set_detail(frame % 30, detail) == Status::kOk;
-    StepSettings settings{
-        .substeps = 1 + frame % 4, .iterations = 1 + frame % 2, .sleep_after = 0.1f, .sleep_speed = 0.1f};
+    StepSettings settings{.substeps = frame < 150 ? 1 + frame % 4 : 2,
+                          .iterations = 1 + frame % 2,
+                          .sleep_after = 0.1f,
+                          .sleep_speed = 0.1f};
     settings.dynamics.stiffness = frame < 100 ? 1 + 0.1f * float(frame) : 1;
     settings.environment.gravity = frame < 150 ? Vec3{0, -9.81f, 0} : Vec3{};
     settings.inertia = frame % 50 < 40 ? 1 : 0.5f;
