@@ -57,7 +57,7 @@ bool live_a_while(Hair& hair, bool in_jobs) {
 TEST(Allocation, HairNeverAllocates) {
   TestRig rig = nine_bone_rig();
   rig.levels = {0, 2, 2, 1, 2, 1, 1, 2, 2, 2};
-  rig.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.03f);
+  rig.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.01f);
   AlignedBytes file(write_asset(rig.contents()));
   AlignedBytes memory{std::vector<std::byte>(1 << 20)};
   for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
