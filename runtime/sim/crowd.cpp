@@ -31,6 +31,21 @@ void put_to_rest(CrowdState& crowd, std::uint32_t slot) {
   for (Mat34& matrix : crowd.palette(block.instance[i])) matrix = Mat34{};
 }
 
+void put_idle_lanes_to_rest(CrowdState& crowd) {
+  const bool by_heads = crowd.order == LaneOrder::kHeads;
+  const std::size_t count = by_heads ? crowd.blocks.size() : crowd.slots.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t slot = by_heads ? std::uint32_t(k) * kLanes : crowd.slots[k];
+    for (const Row& row : crowd.rows) {
+      ChainLane chain = row_of(crowd, row, slot);
+      for (std::uint32_t i = by_heads ? crowd.blocks[k].count : row.chain_count; i < kLanes; ++i) {
+        chain.constant_lane = chain.state_lane = i;
+        crowd.solver->put_to_rest(chain, Quat{});
+      }
+    }
+  }
+}
+
 void come_into_view(CrowdState& crowd, std::uint32_t slot) {
   Block& block = crowd.blocks[slot / kLanes];
   const std::uint32_t i = slot % kLanes;

@@ -94,17 +94,22 @@ struct CrowdState {
   }
 };
 
+/// A row's numbers of the head in `slot`, lanes yet to be chosen.
+[[nodiscard]] inline ChainLane row_of(const CrowdState& crowd, const Row& row, std::uint32_t slot) {
+  const std::size_t state = crowd.first_state(slot) + row.first_bone;
+  ChainLane chain;
+  chain.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+  chain.constants = &crowd.constants[row.first_bone];
+  chain.state = &crowd.states[state * crowd.solver->state_bytes];
+  chain.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+  return chain;
+}
+
 /// Calls visit(chain of the asset, ChainLane) for each chain of the head in `slot`.
 template <typename Visit>
 void for_each_chain(const CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
-  const std::size_t first = crowd.first_state(slot);
   for (const Row& row : crowd.rows) {
-    const std::size_t state = first + row.first_bone;
-    ChainLane chain;
-    chain.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
-    chain.constants = &crowd.constants[row.first_bone];
-    chain.state = &crowd.states[state * crowd.solver->state_bytes];
-    chain.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+    ChainLane chain = row_of(crowd, row, slot);
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       chain.constant_lane = i;
       chain.state_lane = crowd.order == LaneOrder::kHeads ? slot % kLanes : i;
@@ -112,6 +117,9 @@ void for_each_chain(const CrowdState& crowd, std::uint32_t slot, const Visit& vi
     }
   }
 }
+
+/// Gives lanes that nobody uses hair at rest: they compute along, and numbers that are none are slow.
+void put_idle_lanes_to_rest(CrowdState& crowd);
 
 /// Puts the head at its next pose and the hair into its rest pose there, at rest, and renews its matrices.
 void put_to_rest(CrowdState& crowd, std::uint32_t slot);

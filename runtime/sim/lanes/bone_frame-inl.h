@@ -99,7 +99,7 @@ HWY_INLINE V<D> twist(D d, const V3<D>& rest, const V3<D>& to, V<D> torsion, flo
   const auto is_defined = hn::Gt(size2, hn::Set(d, 1e-12f));
   const auto per_size = hn::Div(one, hn::Sqrt(hn::IfThenElse(is_defined, size2, one)));
   twist_cosine = hn::IfThenElse(is_defined, hn::Mul(twist_cosine, per_size), one);
-  twist_sine = hn::IfThenElse(is_defined, hn::Mul(twist_sine, per_size), zero);
+  twist_sine = without_trace(d, hn::IfThenElse(is_defined, hn::Mul(twist_sine, per_size), zero));
   store(d, after, state.before, lane);
   store(d, twist_cosine, state.cosine, lane);
   store(d, twist_sine, state.sine, lane);

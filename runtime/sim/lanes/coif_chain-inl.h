@@ -242,7 +242,7 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   }
   store(d_, now.direction, state.direction, lane_);
   store(d_, target.arm, state.arm, lane_);
-  store(d_, now.velocity, state.velocity, lane_);
+  store(d_, without_trace(d_, now.velocity), state.velocity, lane_);
   if (row_.palette != nullptr) {
     store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i, used_);
   }
