@@ -17,7 +17,7 @@ bool is_interval(std::uint32_t interval) { return interval == 1 || interval == 2
 
 std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }  // 1, 2, 4 -> 0, 1, 2
 
-Status check_create(const Asset& asset, const HairDesc& desc) {
+Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (desc.instances < 1 || desc.instances > kMaxInstances || desc.solver == nullptr) return Status::kBadArgument;
   if (!is_interval(desc.longest_interval) || !can_run(desc.instruction_set)) return Status::kBadArgument;
@@ -95,7 +95,7 @@ bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
 
 MemoryNeed Hair::memory_need(const Asset& asset, const HairDesc& desc) {
   MemoryNeed need{0, MemoryCarver::kAlignment};
-  if (check_create(asset, desc) != Status::kOk) return need;
+  if (check_desc(desc, asset) != Status::kOk) return need;
   MemoryCarver counter(nullptr);
   CrowdState crowd;
   (void)counter.take<CrowdState>(1);
@@ -105,7 +105,7 @@ MemoryNeed Hair::memory_need(const Asset& asset, const HairDesc& desc) {
 }
 
 Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory) {
-  if (const Status status = check_create(asset, desc); status != Status::kOk) return status;
+  if (const Status status = check_desc(desc, asset); status != Status::kOk) return status;
   const MemoryNeed need = memory_need(asset, desc);
   if (need.bytes == 0 || memory.size() < need.bytes || !is_aligned(memory.data())) return Status::kMemoryTooSmall;
 
