@@ -140,6 +140,8 @@ class Hair {
   /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any
   /// order, on any threads, at the same time; then finish_step(). Nothing else may be called in between, and begin_step()
   /// leaves no jobs where it returns an error.
+  /// A job is sixteen heads. One that stays on its thread from step to step finds its numbers in that core's cache: give
+  /// each thread its own share first, and let it take from the others' only then.
   Status begin_step(const StepSettings& settings);
   [[nodiscard]] std::uint32_t job_count() const;
   void run_job(std::uint32_t job);
