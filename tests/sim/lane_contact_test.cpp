@@ -119,7 +119,7 @@ void add_collider(TestRig& rig, ColliderShape shape) {
     case ColliderShape::kTaperedCapsule: {
       return rig.add_tapered_capsule({-0.06f, 0, 0}, 0.09f, {0.07f, 0, 0.03f}, 0.05f);
     }
-    case ColliderShape::kPlane: return rig.add_plane({0, -0.12f, 0}, {0, 0.8f, 0.6f});
+    case ColliderShape::kPlane: return rig.add_plane({0, 0.01f, 0}, {0, 0.8f, 0.6f});
   }
 }
 
