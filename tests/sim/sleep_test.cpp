@@ -172,6 +172,22 @@ TEST(Sleep, EndsWithoutAJumpWhenTheSurroundingsChange) {
   expect_wakes_as_if_awake(&kCoifSolver, nothing, {.dynamics = {.stiffness = 0.5f}}, "softer");
 }
 
+TEST(Sleep, GivesAChangeTooSlowToBeSeenItsWholeTime) {
+  for (const Solver* const solver : kSolvers) {
+    TestHair test(rig(), {.solver = solver});
+    StepSettings settings;
+    settings.sleep_speed = 0.05f;
+    put_to_sleep(test, settings);
+    settings.environment.wind = {0, 0, -0.05f};
+    for (int frame = 0; frame < 28; ++frame) {
+      step(test, settings);
+      ASSERT_FALSE(test.hair.is_asleep(0)) << frame;
+    }
+    step(test, settings, 4);
+    EXPECT_TRUE(test.hair.is_asleep(0));
+  }
+}
+
 TEST(Sleep, EndsWithAReset) {
   TestHair test(rig());
   put_to_sleep(test);
