@@ -50,8 +50,8 @@ class PlacedColliders {
   /// `i` below the number given.
   const PlacedCollider& operator[](std::uint32_t i) const { return placed_[i]; }
 
-  /// Metres from the head's position within which each of `set` lies, whatever way the head is turned; infinite for planes
-  /// and for what keeps hair inside.
+  /// Metres from the head's position within which each of `set` lies, whatever way the head is turned; infinite for
+  /// planes and for what keeps hair inside.
   [[nodiscard]] float farthest(std::uint32_t set) const {
     float most = 0;
     for (std::uint32_t left = set & existing_; left != 0; left &= left - 1) {

@@ -38,7 +38,8 @@ double where_least(double end, const std::function<double(double)>& f) {
   return f(end) <= f(low) ? end : low;
 }
 
-/// Metres from the collider to the point less the hair's radius, negative inside; of an ellipsoid only the sign is exact.
+/// Metres from the collider to the point less the hair's radius, negative inside; of an ellipsoid only the sign is
+/// exact.
 double gap_of(const ColliderRecord& c, double hit_radius, const Point& p) {
   const Point center{c.center[0], c.center[1], c.center[2]}, axis{c.axis[0], c.axis[1], c.axis[2]};
   const Point offset = plus(p, center, -1);
@@ -169,8 +170,8 @@ std::vector<Vec3> ends_after_a_step(const TestRig& rig, InstructionSet set, cons
   return test.ends(instances - 1);
 }
 
-// As deep as one step takes it. Newton's method, where it is used, comes from inside and stops once outside: a little too far
-// from deeper, and where the bone meets the surface head-on.
+// As deep as one step takes it. Newton's method, where it is used, comes from inside and stops once outside: a little
+// too far from deeper, and where the bone meets the surface head-on.
 TEST(LaneContact, TurnsABoneToTheSurfaceAndNoFurtherThanItTakes) {
   for (const ColliderShape shape : kShapes) {
     const TestRig rig = crossing_bones(shape, 5, 300);

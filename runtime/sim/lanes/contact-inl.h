@@ -1,5 +1,5 @@
-// Bones against colliders, many at once, in head space where colliders stand still (MODEL.md, "Contacts"). Compiled once
-// per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+// Bones against colliders, many at once, in head space where colliders stand still (MODEL.md, "Contacts"). Compiled
+// once per instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
 
 #include "turn_out-inl.h"
 
@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 /// Several colliders push each other's results about: until all agree, or this often.
 inline constexpr int kContactRounds = 4;
 
-/// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its direction.
+/// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its
+/// direction.
 template <class D>
 HWY_INLINE hn::Mask<D> in_reach(D d, const PlacedColliders& colliders, std::uint32_t set, const V3<D>& start,
                                 V<D> reach) {
@@ -105,9 +106,9 @@ HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollide
   return clear_of_solid(d, takes_part, crossed, collider, bone, contact);
 }
 
-/// Turns the bones in the lanes of `reached` until they are clear of their colliders and takes from their velocities what
-/// leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the bone is
-/// another.
+/// Turns the bones in the lanes of `reached` until they are clear of their colliders and takes from their velocities
+/// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
+/// bone is another.
 template <class D>
 HWY_NOINLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
                                     const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,

@@ -68,8 +68,8 @@ HWY_INLINE V3<D> clear_of_plane(D d, const PlacedCollider& plane, V<D> hit_radiu
   return choose<D>(hn::Gt(missing, hn::Zero(d)), add_scaled(d, position, normal, missing), position);
 }
 
-/// `position` moved the shortest way that keeps `hit_radius` metres from the collider, or inside where it keeps hair in:
-/// there a hit radius beyond the collider's own leaves its centre or segment.
+/// `position` moved the shortest way that keeps `hit_radius` metres from the collider, or inside where it keeps hair
+/// in: there a hit radius beyond the collider's own leaves its centre or segment.
 template <class D>
 HWY_INLINE V3<D> clear_of(D d, const PlacedCollider& collider, V<D> hit_radius, const V3<D>& position) {
   switch (collider.shape) {

@@ -50,8 +50,8 @@ HWY_INLINE V<D> between(V<D> value, V<D> least, V<D> most) {
   return hn::Min(hn::Max(value, least), most);
 }
 
-/// The ball out of which a plain or tapered capsule is made that is nearest to a point, as a share of the axis from 0 at
-/// `center`, where the point is seen from.
+/// The ball out of which a plain or tapered capsule is made that is nearest to a point, as a share of the axis from 0
+/// at `center`, where the point is seen from.
 template <class D>
 HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& point) {
   const V3<D> axis = same(d, capsule.axis);
@@ -112,8 +112,8 @@ class Solid {
   const D d_;
   const PlacedCollider& collider_;
   const V<D> length_;
-  /// The start, seen from the centre of a sphere, from the end of a capsule at PlacedCollider::center or, for an ellipsoid,
-  /// in the space where that is the unit sphere.
+  /// The start, seen from the centre of a sphere, from the end of a capsule at PlacedCollider::center or, for an
+  /// ellipsoid, in the space where that is the unit sphere.
   V3<D> from_;
   V3<D> per_radius_;  ///< Ellipsoid: with the hair's radius added to its semi-axes.
   V<D> radius_;       ///< With the hair's, where the start is seen from; of an ellipsoid its second.
@@ -151,8 +151,8 @@ HWY_INLINE void Solid<D>::find_in_sphere(const V3<D>& direction, Deepest<D>& at)
   at.gap = hn::IfThenElseZero(has_side, at.gap);
 }
 
-/// In the space where the ellipsoid is the unit sphere. The gap is that space's, brought back along the gradient: exact on
-/// the surface, which is what Newton's method needs.
+/// In the space where the ellipsoid is the unit sphere. The gap is that space's, brought back along the gradient:
+/// exact on the surface, which is what Newton's method needs.
 template <class D>
 HWY_INLINE void Solid<D>::find_in_ellipsoid(const V3<D>& direction, Deepest<D>& at) const {
   const auto one = hn::Set(d_, 1.0f);
@@ -193,8 +193,8 @@ HWY_INLINE void Solid<D>::find_in_capsule(const V3<D>& direction, Deepest<D>& at
   const auto nearest = dot(d_, sub(d_, scale(d_, axis, line_share), from_), direction);
   const auto along = on_bone(nearest);
   const V3<D> point = add_scaled(d_, from_, direction, along);
-  // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the bone's
-  // end, the end is.
+  // The distance less the ball's radius is convex in both places: where the whole line would be nearest beyond the
+  // bone's end, the end is.
   const auto is_line = hn::Eq(along, nearest);
   const auto share = hn::IfThenElse(is_line, line_share, nearest_ball(d_, collider_, point));
   look_from_ball(sub_scaled(d_, point, axis, share), capsule_radius(share), along, at);

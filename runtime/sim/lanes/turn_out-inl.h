@@ -1,6 +1,6 @@
-// Turns bones about their starts until they are clear of one collider; nothing stretches. A start that is itself inside
-// cannot be helped: then the end comes out if the bone is long enough, and points straight out if not. Compiled once per
-// instruction set.
+// Turns bones about their starts until they are clear of one collider; nothing stretches. A start that is itself
+// inside cannot be helped: then the end comes out if the bone is long enough, and points straight out if not.
+// Compiled once per instruction set.
 
 #include "solids-inl.h"
 #include "tilt-inl.h"
@@ -65,36 +65,43 @@ HWY_INLINE V3<D> turned_outwards(D d, const Deepest<D>& at, float overshoot, con
   return scale(d, turned, hn::Div(one, hn::Sqrt(dot(d, turned, turned))));
 }
 
-inline constexpr float kFarTurn =
-    0.9f;                              ///< A bone that turned further (its cosine) may have jumped through a collider.
+/// The cosine of a turn in one step beyond which a bone may have jumped through a collider.
+inline constexpr float kFarTurn = 0.9f;
 inline constexpr float kDeep = 0.35f;  ///< Share of the collider's size: deeper than this is through, not along.
 inline constexpr int kHalvings = 3;
 inline constexpr int kLooks = 1 << kHalvings;
 
-/// In the lanes of `far`, where the bone went through a round collider on the way from `before`, the shorter way round, or
-/// ended deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
+/// From the cosine of an angle between 0 and pi, in place, and to the sine: those of the angle between two looks.
 template <class D>
-HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
-  const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
-  const V3<D>&before = bone.before, &direction = bone.direction;
-  const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f), deep = hn::Set(d, -kDeep * collider.size);
-  auto cosine = between<D>(dot(d, before, direction), hn::Neg(one), one);
-  V3<D> side = sub_scaled(d, direction, before, cosine);
-  const auto sine2 = dot(d, side, side);
-  // Straight over the top or around: no telling.
-  auto undecided = hn::And(far, hn::Gt(sine2, hn::Set(d, 1e-6f)));
-  if (hn::AllFalse(d, undecided)) return undecided;
-  const auto out = hn::AndNot(undecided, undecided);
-  side = scale(d, side, hn::Div(one, hn::Sqrt(sine2)));
+HWY_INLINE void divide_by_looks(D d, V<D>& cosine, V<D>& sine) {
+  const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
   // The sine of a half by the sine of the whole, but for the first: near half a turn that one is rounding.
-  auto sine = hn::Sqrt(hn::Mul(half, hn::Sub(one, cosine)));
+  sine = hn::Sqrt(hn::Mul(half, hn::Sub(one, cosine)));
   cosine = hn::Sqrt(hn::Mul(half, hn::Add(one, cosine)));
   for (int i = 1; i < kHalvings; ++i) {
     cosine = hn::Sqrt(hn::Mul(half, hn::Add(one, cosine)));
     sine = hn::Div(hn::Mul(half, sine), cosine);
   }
+}
+
+/// In the lanes of `far`, where the bone went through a round collider on the way from `before`, the shorter way
+/// round, or ended deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
+template <class D>
+HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
+  const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
+  const V3<D>& before = bone.before;
+  const auto one = hn::Set(d, 1.0f), deep = hn::Set(d, -kDeep * collider.size);
+  auto cosine = between<D>(dot(d, before, bone.direction), hn::Neg(one), one);
+  V3<D> side = sub_scaled(d, bone.direction, before, cosine);
+  const auto sine2 = dot(d, side, side);
+  // Straight over the top or around: no telling.
+  auto undecided = hn::And(far, hn::Gt(sine2, hn::Set(d, 1e-6f)));
+  if (hn::AllFalse(d, undecided)) return undecided;
+  side = scale(d, side, hn::Div(one, hn::Sqrt(sine2)));
+  auto sine = sine2;
+  divide_by_looks(d, cosine, sine);
   auto along = one, sideways = hn::Zero(d);
-  auto crossed = out;
+  auto crossed = hn::AndNot(undecided, undecided);
   for (int i = 0; i < kLooks; ++i) {
     const V3<D> last = add_scaled(d, scale(d, before, along), side, sideways);
     const auto next = hn::Sub(hn::Mul(along, cosine), hn::Mul(sideways, sine));
@@ -113,8 +120,9 @@ HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollide
   return crossed;
 }
 
-/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside, by Newton's method on the
-/// angle to a depth of kTolerance of its size. Those of `crossed` touch it already. Returns the lanes that touch.
+/// Turns the bones in the lanes of `takes_part` out of a round collider that keeps hair outside, by Newton's method
+/// on the angle to a depth of kTolerance of its size. Those of `crossed` touch it already. Returns the lanes that
+/// touch.
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& collider,
                                       TouchingBone<D>& bone, Contact<D>& contact) {
@@ -139,8 +147,8 @@ HWY_INLINE hn::Mask<D> clear_of_solid(D d, hn::Mask<D> takes_part, hn::Mask<D> c
   return touches;
 }
 
-/// The same for a sphere, without Newton: the directions from a point outside that meet a ball form a cone. A segment that
-/// ends before the tangent's point only has to keep its end out.
+/// The same for a sphere, without Newton: the directions from a point outside that meet a ball form a cone. A segment
+/// that ends before the tangent's point only has to keep its end out.
 template <class D>
 HWY_INLINE hn::Mask<D> clear_of_sphere(D d, hn::Mask<D> takes_part, hn::Mask<D> crossed, const PlacedCollider& sphere,
                                        TouchingBone<D>& bone, Contact<D>& contact) {
