@@ -69,18 +69,18 @@ HeadPose pose_of(std::uint32_t instance, double t) {
 }
 
 Detail detail_of(std::uint32_t instance, int frame) {
-  const std::uint32_t phase = (instance * 7 + std::uint32_t(frame) / 13) % 9;
+  const std::uint32_t phase = (instance * 7 + std::uint32_t(frame) / 9) % 9;
   const std::uint32_t intervals[] = {1, 2, 4};
   return {.level = phase % 3, .interval = intervals[phase / 3], .simulated = phase != 5};
 }
 
 StepSettings settings_of(int frame, float sleep_after, Violence& random) {
-  StepSettings settings{.dt = float(random.between(0.006, 0.03)), .substeps = 1 + std::uint32_t(frame) / 8 % 3};
+  StepSettings settings{.dt = float(random.between(0.012, 0.04)), .substeps = 1 + std::uint32_t(frame) / 8 % 3};
   settings.environment.air_follow = 0.5f;
-  settings.inertia = frame / 40 % 2 == 0 ? 1.0f : 0.6f;
+  settings.inertia = frame / 20 % 2 == 0 ? 1.0f : 0.6f;
   settings.iterations = 1 + std::uint32_t(frame) % 2;
-  if (frame >= 85) settings.environment.wind = {2, 0, -1};
-  if (frame >= 100) settings.dynamics.stiffness = 2;
+  if (frame >= 64) settings.environment.wind = {2, 0, -1};
+  if (frame >= 72) settings.dynamics.stiffness = 2;
   settings.sleep_after = sleep_after;
   settings.sleep_speed = 1.5f;
   return settings;
@@ -105,9 +105,9 @@ void direct(Hair& hair, std::uint32_t instance, int frame, double now, bool chan
   const std::uint32_t when = std::uint32_t(frame) + instance * 5;
   const Detail detail = changes_detail ? detail_of(instance, frame) : Detail{};
   EXPECT_EQ(hair.set_detail(instance, detail), Status::kOk);
-  if (when % 71 == 70) {
+  if (when % 47 == 46) {
     EXPECT_EQ(hair.teleport(instance, {{9, 8, 7}, {0.48f, 0.64f, 0, 0.6f}}), Status::kOk);
-  } else if (when % 97 == 96) {
+  } else if (when % 61 == 60) {
     EXPECT_EQ(hair.reset(instance, pose), Status::kOk);
   } else {
     EXPECT_EQ(hair.set_head(instance, pose), Status::kOk);

@@ -21,7 +21,7 @@ struct FeaturePlay {
   const Solver* solver = &kCoifSolver;
   InstructionSet set = InstructionSet::kBest;
   std::uint32_t instances = 1;
-  int frames = 120;
+  int frames = 80;
   float sleep_after = 0.1f;
   bool changes_detail = false;  ///< Levels, intervals, out of sight and back.
   bool descending_heads = false;

@@ -37,7 +37,7 @@ TEST(LaneDeterminism, EveryInstructionSetGivesTheSameBits) {
 }
 
 TEST(LaneDeterminism, HowManyOthersThereAreChangesNoBit) {
-  for (FeaturePlay play : plays(40)) {
+  for (FeaturePlay play : plays(34)) {
     const std::vector<std::uint64_t> expected = digests(play);
     for (const std::uint32_t instances : {1u, 2u, 17u}) {  // one and two in rows by chains, the rest by heads
       play.instances = instances;
@@ -50,7 +50,7 @@ TEST(LaneDeterminism, HowManyOthersThereAreChangesNoBit) {
 }
 
 TEST(LaneDeterminism, TheOrderOfCallsAndJobsChangesNoBit) {
-  for (FeaturePlay play : plays(40)) {
+  for (FeaturePlay play : plays(34)) {
     const std::vector<std::uint64_t> expected = digests(play);
     play.descending_heads = true;
     EXPECT_EQ(digests(play), expected) << "heads set in descending order, " << name_of(play);
@@ -60,7 +60,7 @@ TEST(LaneDeterminism, TheOrderOfCallsAndJobsChangesNoBit) {
 }
 
 TEST(LaneDeterminism, TwoThreadsChangeNoBit) {
-  for (FeaturePlay play : plays(40)) {
+  for (FeaturePlay play : plays(34)) {
     const std::vector<std::uint64_t> expected = digests(play);
     play.jobs = JobOrder::kTwoThreads;
     EXPECT_EQ(digests(play), expected) << name_of(play);
@@ -71,7 +71,7 @@ TEST(LaneDeterminism, TheGameMatters) {
   const std::vector<std::uint64_t> all = digests({.instances = 3});
   EXPECT_NE(all[0], all[1]);
   EXPECT_NE(all, digests({.solver = &kThesisSolver, .instances = 3}));
-  EXPECT_NE(all, digests({.instances = 3, .frames = 119}));
+  EXPECT_NE(all, digests({.instances = 3, .frames = 79}));
   EXPECT_NE(all, digests({.instances = 3, .changes_detail = true}));
   EXPECT_NE(all, digests({.instances = 3, .sleep_after = 1e9f})) << "or nobody sleeps";
 }
@@ -88,7 +88,7 @@ std::uint64_t digest(const Solver* solver, InstructionSet set) {
 /// The same bits on every processor, by every compiler, with and without optimisation. A change of how hair moves changes
 /// them: then put the numbers that this test prints here, and say in CHANGELOG.md that hair moves differently.
 TEST(LaneDeterminism, BitsAreThoseOfEveryOtherBuild) {
-  constexpr std::uint64_t kCoif = 18183733878251941770u, kThesis = 3315107075610825245u;
+  constexpr std::uint64_t kCoif = 2482186261605669836u, kThesis = 14597022654990503538u;
   for (const InstructionSet set : runnable_sets()) {
     EXPECT_EQ(digest(&kCoifSolver, set), kCoif) << coif::name_of(set);
     EXPECT_EQ(digest(&kThesisSolver, set), kThesis) << coif::name_of(set);
