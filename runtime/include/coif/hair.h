@@ -62,14 +62,16 @@ struct StepSettings {
   /// thrown. Metres and radians; infinity to believe in every movement.
   float teleport_distance = 5.0f;
   float teleport_angle = 2.8f;
-  /// Hair none of whose bones has moved faster than sleep_speed (m/s, against its start) for sleep_after seconds, under a
-  /// head that stood still, falls asleep: it costs nothing and keeps its pose until its head moves or the settings change.
+  /// Hair whose tips have not moved faster than sleep_speed (m/s, against the head) for sleep_after seconds, under a head
+  /// that stood still, falls asleep: it costs nothing and keeps its pose until its head moves or the settings change.
   /// Infinity: never.
   float sleep_after = 0.5f;
   float sleep_speed = 1e-4f;
 };
 
-/// How much of the hair on one head is simulated. May change between any two steps; nothing jumps.
+/// How much of the hair on one head is simulated. May change between any two steps. A finer level begins where the coarser
+/// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at
+/// which that is not seen.
 struct Detail {
   std::uint32_t level =
       0;  ///< Of Asset::lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents.
