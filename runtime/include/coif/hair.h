@@ -51,8 +51,7 @@ struct StepSettings {
   float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep. A paused game does not step.
   /// kCoifSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
   std::uint32_t substeps = 0;
-  std::uint32_t iterations =
-      1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
+  std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
   DynamicsScale dynamics{};  ///< kCoifSolver: may change from step to step; the hair goes on from where it is.
   /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and
@@ -73,10 +72,10 @@ struct StepSettings {
 /// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at
 /// which that is not seen.
 struct Detail {
-  std::uint32_t level =
-      0;  ///< Of Asset::lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents.
-  std::uint32_t interval =
-      1;  ///< Stepped every 1st, 2nd or 4th step, by what passed since; up to HairDesc::longest_interval.
+  /// Of Asset::lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents. kThesisSolver moves all.
+  std::uint32_t level = 0;
+  /// Stepped every 1st, 2nd or 4th step, by what passed since; up to HairDesc::longest_interval.
+  std::uint32_t interval = 1;
   /// False for a head that nobody sees: nothing is stepped, and when it is seen again the hair goes on with the shape that
   /// it had, at rest, without catching up.
   bool simulated = true;
