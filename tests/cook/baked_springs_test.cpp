@@ -126,7 +126,7 @@ TEST(BakeDynamics, SpringsGetStiffnessAndDampingAsCurvesDo) {
     EXPECT_FLOAT_EQ(pure[b].damping, float(oscillator.damping));
     const double pendulum = 2 * 9.81 * std::abs(by_spring.gravity_scale) / 0.1;
     EXPECT_NEAR(damped[b].damping + damped[b].friction, 2 * std::sqrt(oscillator.stiffness + pendulum), 1e-3);
-    EXPECT_FLOAT_EQ(damped[b].torsion, float(recipe.torsion));
+    EXPECT_FLOAT_EQ(damped[b].torsion, float(kUsualTorsion));
   }
 }
 

@@ -47,6 +47,7 @@ nlohmann::ordered_json left_out_json(const CookReport& report) {
     list.push_back({{"what", left_out.what},
                     {"why", left_out.why},
                     {"bytes", left_out.bytes},
+                    {"bytes_per_head", left_out.bytes_per_head},
                     {"ns_per_frame", left_out.ns_per_frame}});
   }
   return list;

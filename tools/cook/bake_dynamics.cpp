@@ -36,7 +36,7 @@ void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record
   record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
   const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record));
   record.damping = float(std::min(damping, kMostDamping));
-  record.torsion = float(recipe.torsion);
+  record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
   record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
   record.parent_share = float(recipe.parent_share);
 }

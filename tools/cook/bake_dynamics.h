@@ -18,6 +18,10 @@ struct BakedDynamics {
 /// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
 inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
 
+/// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair, and not
+/// so fast that it shows.
+inline constexpr double kUsualTorsion = 20;
+
 /// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
 [[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
 

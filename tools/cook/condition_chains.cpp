@@ -3,6 +3,7 @@
 #include "cook/bake_dynamics.h"
 #include "cook/chain_groups.h"
 #include "cook/chain_growth.h"
+#include "cook/chain_name.h"
 #include "cook/chain_sample.h"
 #include "cook/measure_runtime.h"
 #include "cook/parallel_for.h"
@@ -119,12 +120,6 @@ Outcome climb(const AssetContents& contents, const ChainGroup& group) {
   return outcome;
 }
 
-std::string name_of(const AssetContents& contents, std::uint32_t chain) {
-  const std::uint32_t bone = contents.chains[chain].first_bone;
-  const bool named = bone < contents.bone_names.size() && !contents.bone_names[bone].empty();
-  return named ? fmt::format("'{}'", contents.bone_names[bone]) : fmt::format("{}", chain);
-}
-
 const char* name_of(Motion motion) {
   for (const MotionInfo& info : all_motions()) {
     if (info.motion == motion) return info.name;
@@ -151,8 +146,8 @@ void report(const AssetContents& contents, const ChainGroup& group, const Outcom
   const Conditioning& rung = kLadder[outcome.rung];
   const std::string which =
       group.chains.size() == 1
-          ? fmt::format("chain {}", name_of(contents, outcome.worst_chain))
-          : fmt::format("chain {} and {} like it", name_of(contents, outcome.worst_chain), group.chains.size() - 1);
+          ? fmt::format("chain {}", chain_name(contents, outcome.worst_chain))
+          : fmt::format("chain {} and {} like it", chain_name(contents, outcome.worst_chain), group.chains.size() - 1);
   const std::string done = fmt::format("damping {:g}, friction {:g} (of the root of the stiffness), parent_share {:g}",
                                        rung.damping, rung.friction, rung.parent_share);
   if (outcome.is_good) {

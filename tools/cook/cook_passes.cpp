@@ -2,6 +2,7 @@
 
 #include "cook/build_skeleton.h"
 #include "cook/chain_sample.h"
+#include "cook/choose_twist.h"
 #include "cook/condition_chains.h"
 #include "cook/fit_chains.h"
 #include "cook/hard_tips.h"
@@ -195,6 +196,12 @@ class CookRun {
       append(report_.notes, settled.notes);
       append(report_.warnings, settled.warnings);
       rig.dynamics = dynamics = std::move(settled.dynamics);
+    }
+    if (!recipe_.torsion) {
+      ChosenTwist twist = timed("twist", [&] { return choose_twist(rig, settings_.threads); });
+      append(report_.notes, twist.notes);
+      append(report_.left_out, twist.left_out);
+      rig.dynamics = dynamics = std::move(twist.dynamics);
     }
     auto tuned = timed("tuning", [&] { return tune_solver(rig, recipe_, settings_.threads); });
     if (!tuned) return tl::unexpected(ToolError{tuned.error().kind, source_.path + ": " + tuned.error().message});

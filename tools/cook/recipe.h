@@ -64,9 +64,9 @@ struct Recipe {
   double gravity_scale = 0;
   double authoring_rate = 0;
   double damping_ratio = 0;
-  std::string conditioning;  ///< "auto" or "off".
-  double torsion = 0;
-  double angle_limit = 0;  ///< Degrees.
+  std::string conditioning;       ///< "auto" or "off".
+  std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
+  double angle_limit = 0;         ///< Degrees.
   double parent_share = 0;
   // budget
   double budget_error = 0;  ///< Percent of the chain's length.

@@ -83,8 +83,9 @@ const RecipeKey kKeys[] = {
    "at least this much of what would keep a bone from swinging past its pose; 0: only what the resistance brings"},
   {"dynamics", "conditioning", &R::conditioning, "\"auto\"", 0, 0, "auto|off", "",
    "auto: where a chain's motion would not be the same twice, damps it and says so; off: never"},
-  {"dynamics", "torsion", &R::torsion, "20", 0, 1.0e4, nullptr, "1/s",
-   "how fast a twist of a bone against its parent goes back"},
+  {"dynamics", "torsion", &R::torsion, "null", 0, 1.0e6, nullptr, "1/s",
+   "how fast a twist of a bone against its parent goes back; 1e6: there never is one; null: 20 for chains that fold back"
+   " over themselves in some motion, never one for others"},
   {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",
    "how far a bone may bend from its modelled direction; 180: any way"},
   {"dynamics", "parent_share", &R::parent_share, "1", 0, 1, nullptr, "",

@@ -96,14 +96,15 @@ Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>
   return {};
 }
 
-Outcome read(const RecipeKey& key, const json& value, std::optional<std::array<double, 3>>& out) {
+template <typename Value>
+Outcome read(const RecipeKey& key, const json& value, std::optional<Value>& out) {
   if (value.is_null()) {
     out.reset();
     return {};
   }
-  std::array<double, 3> numbers{};
-  if (Outcome outcome = read(key, value, numbers); !outcome) return outcome;
-  out = numbers;
+  Value given{};
+  if (Outcome outcome = read(key, value, given); !outcome) return outcome;
+  out = given;
   return {};
 }
 
@@ -118,7 +119,10 @@ json write(const std::vector<CurvePoint>& points) {
   return list;
 }
 
-json write(const std::optional<std::array<double, 3>>& value) { return value ? json(*value) : json(nullptr); }
+template <typename Value>
+json write(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
 
 }  // namespace
 

@@ -18,9 +18,11 @@ struct TunedSolver {
   std::vector<std::string> notes;
 };
 
-/// Nominal nanoseconds per head and frame of so many simulated bones, with a step in so many parts: a fixed figure, so that
+/// Nominal nanoseconds per head and frame of so many simulated bones without twist, with a step in so many parts: a fixed figure, so that
 /// cooking again gives the same bytes.
 [[nodiscard]] double nominal_cost(std::size_t bones, std::uint32_t parts);
+/// What a twist adds to that for each bone that carries one.
+[[nodiscard]] double nominal_twist_cost(std::size_t bones, std::uint32_t parts);
 
 /// Finds the fewest sub-steps with which the runtime keeps the recipe's "budget" at all its frame rates, by running it
 /// through the motions of the suite beside the converged reference. Of many chains the telling ones are run
