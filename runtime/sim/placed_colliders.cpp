@@ -1,6 +1,5 @@
 #include "placed_colliders.h"
 
-#include "bone_frame.h"
 #include "vector_math.h"
 
 #include <new>

@@ -16,6 +16,13 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 inline float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
+/// A unit vector at a right angle to the unit vector `v`.
+inline Vec3 any_perpendicular(const Vec3& v) {
+  const Vec3 other = std::fabs(v.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 sideways = cross(v, other);
+  return sideways * (1.0f / length(sideways));
+}
+
 inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 /// Records store vectors and quaternions as bare arrays.
