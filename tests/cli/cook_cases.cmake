@@ -33,8 +33,11 @@ coif_cli_case(cook_text EXIT 0 STDOUT "^out.coif: [1-9][0-9]* triangles in .* si
   WRITES out.coif ARGS cook ${sample} -o out.coif)
 coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
-       simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,ns_per_frame
+       simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame
   ARGS cook ${sample} -o out.coif --report report.json --format json)
+coif_cli_case(cook_without_twist EXIT 0 WRITES out.coif
+  STDOUT "left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)]"
+  ARGS cook ${sample} -o out.coif)
 coif_cli_case(cook_for_a_scene EXIT 0 WRITES out.coif
   STDOUT "left out: 12 bones, 9 of them simulated: \"scene.simulate\" is false [(][0-9]+ bytes, [0-9]+ ns a frame[)].*left out: bone names: \"scene.names\" is false [(][0-9]+ bytes[)]"
   TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}}" ARGS cook ${sample} --recipe r.json -o out.coif)

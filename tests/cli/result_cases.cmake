@@ -15,7 +15,7 @@ coif_cli_case(info_text EXIT 0 SAMPLE STDOUT "bob.coif: format 1.0, .*triangles 
   ARGS info ${COIF_COOKED_SAMPLE})
 coif_cli_case(info_json EXIT 0 SAMPLE
   JSON format,major format,minor bytes chunks,0,id chunks,0,bytes triangles vertices patches chains bones
-       simulated_bones settings collider_shapes colliding_bones lods textures,0,format sides
+       simulated_bones twisting_bones settings collider_shapes colliding_bones lods textures,0,format sides
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
 coif_cli_case(info_text_shows_tuning EXIT 0 SAMPLE
   STDOUT "stiffness.*damping.*torsion.*angle_limit .*180 [.][.] 180.*parent_share.*tuning [(]met[)].*30 [.][.] 120 .*Hz.*asked: 0.7 %.*ns per head.*quality .*worst motion\n +30 .* +[1-9][0-9]*  [a-z]+\n +"

@@ -1,8 +1,15 @@
 #include "cook/choose_twist.h"
 
+#include "cook/tune_solver.h"
+#include "motion/head_path.h"
+#include "report/opened_asset.h"
+#include "report/runtime_solver.h"
 #include "sim/test_rig.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -42,6 +49,90 @@ TEST(ChooseTwist, TakesALimitAtItsWord) {
   AssetContents limited = upright_and_hanging(1);
   limited.dynamics[1].angle_limit = 1;
   EXPECT_EQ(choose_twist(limited, 1).dynamics[1].torsion, kShortestArc);
+}
+
+TEST(ChooseTwist, ALimitFromTheHeadsDirectionIsNoneFromTheParents) {
+  // Gravity turns the first bone one way and the second the other, each by no more than the limit.
+  constexpr float kLimit = 1.7f;
+  const auto second_bone = [](float parent_share) {
+    TestRig rig;
+    rig.add(
+        {.rest_direction = {0.28f, 0.96f, 0}, .length = 0.1f, .stiffness = 1, .damping = 20, .angle_limit = kLimit});
+    rig.add({.parent = 1,
+             .rest_direction = {-0.96f, 0.28f, 0},
+             .length = 0.1f,
+             .stiffness = 1,
+             .damping = 20,
+             .torsion = kTorsion,
+             .angle_limit = kLimit,
+             .parent_share = parent_share});
+    return choose_twist(rig.contents(), 1).dynamics[2].torsion;
+  };
+  EXPECT_EQ(second_bone(1), kShortestArc);
+  EXPECT_EQ(second_bone(0), kTorsion);
+}
+
+/// Winds down and around, 0.3 m: where a bone twists, all that hang from it move.
+TestRig curl() {
+  TestRig rig;
+  std::uint32_t parent = 0;
+  for (const Vec3& direction : {Vec3{0, -0.8f, -0.6f}, {0.6f, -0.8f, 0}, {0, -0.8f, 0.6f}, {-0.6f, -0.8f, 0}}) {
+    parent = rig.add({.parent = parent,
+                      .joint = {0, 0, -0.1f},
+                      .rest_direction = direction,
+                      .length = 0.075f,
+                      .stiffness = 600,
+                      .damping = 60,
+                      .torsion = kTorsion});
+  }
+  return rig;
+}
+
+/// Largest distance of any bone's end to where it is when every bone carries a twist, as a share of the chain's length.
+double moved_by_the_choice(const AssetContents& contents) {
+  AssetContents chosen = contents;
+  chosen.dynamics = choose_twist(contents, 1).dynamics;
+  const OpenedAsset with(contents), without(chosen);
+  double worst = 0;
+  for (const MotionInfo& info : all_motions()) {
+    const auto path = path_of(info.motion);
+    RuntimeSolver twisting(with.asset(), {}, kCoifSolver, 2), plain(without.asset(), {}, kCoifSolver, 2);
+    twisting.reset(path->pose(0));
+    plain.reset(path->pose(0));
+    for (int frame = 1; frame <= 180; ++frame) {
+      EXPECT_TRUE(twisting.step(path->pose(frame / 60.0), 1 / 60.0));
+      EXPECT_TRUE(plain.step(path->pose(frame / 60.0), 1 / 60.0));
+      for (std::size_t b = 0; b < plain.bone_ends().size(); ++b) {
+        worst = std::max(worst, (plain.bone_ends()[b] - twisting.bone_ends()[b]).norm());
+      }
+    }
+  }
+  return worst / 0.3;
+}
+
+TEST(ChooseTwist, WhatIsLeftOutHardlyShows) {
+  const AssetContents contents = curl().contents();
+  EXPECT_EQ(choose_twist(contents, 1).dynamics.back().torsion, kShortestArc);
+  EXPECT_LT(moved_by_the_choice(contents), 0.02);
+  EXPECT_GT(moved_by_the_choice(contents), 0.001) << "or nothing was chosen";
+}
+
+TEST(NominalCost, ATwistCostsWhatLeavingItOutSaves) {
+  AssetContents contents = calm_strand(4, 0.3f).contents();
+  const auto cost = [&] {
+    const auto tuned = tune_solver(contents, default_recipe(), 1);
+    EXPECT_TRUE(tuned && !tuned->quality.empty());
+    return tuned ? std::pair(tuned->quality[0].cost, tuned->quality[0].substeps) : std::pair(0.0f, 0u);
+  };
+  const ChosenTwist chosen = choose_twist(contents, 1);
+  const auto [with, substeps] = cost();
+  contents.dynamics = chosen.dynamics;
+  const auto [without, same_substeps] = cost();
+  ASSERT_EQ(chosen.left_out.size(), 1u);
+  EXPECT_EQ(substeps, same_substeps);
+  EXPECT_FLOAT_EQ(with - without, float(nominal_twist_cost(4, substeps)));
+  EXPECT_GT(chosen.left_out[0].ns_per_frame, 0);
+  EXPECT_EQ(chosen.left_out[0].ns_per_frame, nominal_twist_cost(4, 1));
 }
 
 TEST(ChooseTwist, ChangesNothingButTheTorsion) {

@@ -103,6 +103,36 @@ TEST(LeaveOut, ASceneThatDoesNotSimulateGetsTheHeadAlone) {
   EXPECT_EQ(note->ns_per_frame, nominal_cost(2, 1));
 }
 
+/// Of the simulated bones, which all have the same.
+float torsion_of(const Cooked& cooked) {
+  float torsion = -1;
+  for (std::size_t b = 0; b < cooked.asset.bones().size(); ++b) {
+    if (cooked.asset.bones()[b].kind != BoneKind::kSimulated) continue;
+    EXPECT_TRUE(torsion < 0 || torsion == cooked.asset.dynamics()[b].torsion) << "bone " << b;
+    torsion = cooked.asset.dynamics()[b].torsion;
+  }
+  return torsion;
+}
+
+TEST(LeaveOut, TwistGoesUnlessTheRecipeAsksForIt) {
+  const std::string why = "no motion bends them by 120 degrees from their parents";
+  const Cooked chosen(make_wig(), default_recipe());
+  EXPECT_EQ(torsion_of(chosen), kShortestArc);
+  const LeftOut* note = chosen.left_out(why);
+  ASSERT_NE(note, nullptr);
+  EXPECT_EQ(note->what, "twist of 2 bones in 1 of 1 chains");
+  EXPECT_EQ(note->bytes, 0u) << "the asset is as long";
+  EXPECT_NE(note->text().find("(" + std::to_string(note->bytes_per_head) + " bytes a head, "), std::string::npos)
+      << note->text();
+  Recipe recipe = default_recipe();
+  for (const double torsion : {0.0, 7.0, double(kShortestArc)}) {
+    recipe.torsion = torsion;
+    const Cooked asked(make_wig(), recipe);
+    EXPECT_EQ(torsion_of(asked), float(torsion));
+    EXPECT_EQ(asked.left_out(why), nullptr);
+  }
+}
+
 TEST(LeaveOut, ShiftAndMaskGoWithoutTheBaseTexture) {
   AssetContents contents = small_asset();
   Recipe recipe = default_recipe();

@@ -44,6 +44,19 @@ TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
   EXPECT_EQ(again->friction, recipe.friction);
 }
 
+TEST(Recipe, TorsionIsANumberOrLeftToTheCooker) {
+  EXPECT_FALSE(default_recipe().torsion);
+  const auto given = parse_recipe(R"({"dynamics": {"torsion": 0}})", "r.json");
+  ASSERT_TRUE(given) << given.error().message;
+  EXPECT_EQ(given->torsion, 0.0) << "none goes back, which is not the same as left open";
+  const auto again = parse_recipe(print_recipe(*given), "r.json");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->torsion, 0.0);
+  EXPECT_FALSE(parse_recipe(R"({"dynamics": {"torsion": null}})", "r.json")->torsion);
+  EXPECT_EQ(message_of(R"({"dynamics": {"torsion": 1e7}})"),
+            "r.json: \"dynamics.torsion\" wants a number from 0 to 1000000 1/s, found 10000000.0");
+}
+
 TEST(Recipe, CommentsAreAllowed) {
   EXPECT_TRUE(parse_recipe("{ // mine\n \"dynamics\": {\"friction\": 3} }", "r.json"));
 }

@@ -129,6 +129,16 @@ std::ptrdiff_t colliding_bones(const Asset& asset) {
   return std::ranges::count_if(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
 
+/// Bones that carry a twist from step to step; the frames of all others are shortest arcs.
+std::ptrdiff_t twisting_bones(const Asset& asset) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
+    const bool moves = asset.bones()[i].kind == BoneKind::kSimulated;
+    if (moves && asset.dynamics()[i].torsion < kShortestArc) ++count;
+  }
+  return count;
+}
+
 ordered_json provenance(const ProvenanceRecord& record) {
   const auto version = [](const std::uint16_t(&v)[3]) { return fmt::format("{}.{}.{}", v[0], v[1], v[2]); };
   return {{"tool", version(record.tool_version)},
@@ -155,6 +165,7 @@ ordered_json summarize(const Asset& asset) {
                           {"chains", asset.chains().size()},
                           {"bones", asset.bones().size()},
                           {"simulated_bones", asset.skeleton().simulated_count},
+                          {"twisting_bones", twisting_bones(asset)},
                           {"colliders", asset.colliders().size()},
                           {"collider_shapes", collider_shapes(asset)},
                           {"colliding_bones", colliding_bones(asset)},
@@ -197,7 +208,8 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   const ordered_json summary = summarize(asset);
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
-  for (const char* key : {"triangles", "vertices", "patches", "chains", "bones", "simulated_bones", "colliders"}) {
+  for (const char* key :
+       {"triangles", "vertices", "patches", "chains", "bones", "simulated_bones", "twisting_bones", "colliders"}) {
     text += count_line(key, summary[key]);
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
