@@ -25,6 +25,15 @@ std::vector<ChunkEntry> lay_out(std::span<const PendingChunk> chunks) {
 
 }  // namespace
 
+std::string chunk_name(std::uint32_t id) {
+  std::string name;
+  for (unsigned shift = 0; shift < 32; shift += 8) {
+    const char c = static_cast<char>(id >> shift & 0xFF);
+    name += c >= 0x20 && c < 0x7F ? c : '?';
+  }
+  return name;
+}
+
 std::size_t chunk_alignment(std::uint32_t id) { return id == chunk::kTexels ? 64 : 16; }
 
 std::vector<std::byte> write_chunks(std::span<const PendingChunk> chunks, std::uint16_t minor) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace coif {
@@ -17,6 +18,9 @@ struct PendingChunk {
   std::span<const std::byte> bytes;
   std::size_t alignment = 16;  ///< Of its place in the file.
 };
+
+/// The four letters of a chunk's name; bytes that cannot be printed become '?'.
+[[nodiscard]] std::string chunk_name(std::uint32_t id);
 
 /// What the format asks of a chunk's place: 64 for texels, 16 for others.
 [[nodiscard]] std::size_t chunk_alignment(std::uint32_t id);

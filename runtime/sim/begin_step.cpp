@@ -36,15 +36,23 @@ void take_up_intervals(CrowdState& crowd) {
   }
 }
 
+/// A frame that is longer by rounding is not worth another part.
+float parts_of_tuning(const Asset& asset, float dt) {
+  return asset.tuning() != nullptr ? std::ceil(dt * asset.tuning()->substep_rate - 1e-3f) : 0.0f;
+}
+
+std::uint32_t in_range(float parts) {
+  return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
+}
+
 std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, float dt) {
   if (!crowd.solver->has_substeps) return 1;
   // What several frames make up may be longer than a step may be.
   const float least = std::ceil(dt / kMaxTimeStep - 1e-3f);
-  // A frame that is longer by rounding is not worth another part.
-  float parts = std::ceil(dt * crowd.substep_rate - 1e-3f);
+  float parts = parts_of_tuning(crowd.asset, dt);
   if (settings.substeps != 0) parts = float(settings.substeps) * std::ceil(dt / settings.dt - 1e-3f);
   if (parts < least) parts = least;
-  return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
+  return in_range(parts);
 }
 
 StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, float dt) {
@@ -127,11 +135,12 @@ void choose_blocks(CrowdState& crowd) {
 
 }  // namespace
 
+std::uint32_t tuned_substeps(const Asset& asset, float dt) { return in_range(parts_of_tuning(asset, dt)); }
+
 void begin_step(CrowdState& crowd, const StepSettings& settings) {
-  if (crowd.has_stepped && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
+  if (crowd.step_index != 0 && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
   if (crowd.has_asked) take_up_intervals(crowd);
   crowd.settings = settings;
-  crowd.has_stepped = true;
   ++crowd.step_index;
   for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) crowd.last_dts[i] = crowd.last_dts[i - 1];
   crowd.last_dts[0] = settings.dt;

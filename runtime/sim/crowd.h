@@ -55,9 +55,7 @@ struct CrowdState {
   HeadCode heads;
   LaneOrder order = LaneOrder::kHeads;
   PlacedColliders colliders;
-  std::uint32_t level_count = 1;
   std::uint32_t interval_count = 1;
-  float substep_rate = 0;  ///< Of the asset's tuning, Hz.
 
   std::span<Row> rows;
   std::span<RowBone> row_bones;
@@ -78,7 +76,6 @@ struct CrowdState {
   float last_dts[kMaxInterval] = {};  ///< Of the last steps, newest first.
   std::uint32_t step_index = 0;
   std::uint32_t job_count = 0;
-  bool has_stepped = false;
   bool has_asked = false;  ///< Some instance has another interval than it was asked to have.
 
   [[nodiscard]] std::uint32_t instance_count() const { return std::uint32_t(slots.size()); }

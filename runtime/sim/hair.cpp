@@ -119,8 +119,6 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   crowd.step_row = desc.solver->row_code(set);
   crowd.heads = head_code(set);
   crowd.colliders = PlacedColliders(asset.colliders());
-  crowd.level_count = levels_of(asset);
-  crowd.substep_rate = asset.tuning() != nullptr ? asset.tuning()->substep_rate : 0.0f;
   make_rows(asset, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
   fill_blocks(crowd);
   for (Block& block : crowd.blocks) {
@@ -168,7 +166,7 @@ Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
 
 Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
-  if (detail.level >= crowd_->level_count || !is_interval(detail.interval)) return Status::kBadArgument;
+  if (detail.level >= levels_of(crowd_->asset) || !is_interval(detail.interval)) return Status::kBadArgument;
   if (power_of(detail.interval) >= crowd_->interval_count) return Status::kBadArgument;
   InstanceDetail& own = crowd_->details[instance];
   const bool appears = detail.simulated && !own.simulated;

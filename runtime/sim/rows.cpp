@@ -43,21 +43,21 @@ void for_each_row(const Asset& asset, LaneOrder order, const Visit& visit) {
 /// Gives each bone with children the first slot that no bone with children still to come holds. Sixteen suffice: open()
 /// has checked it.
 void assign_slots(std::span<RowBone> bones) {
+  for (const RowBone& bone : bones) {
+    if (bone.parent >= 0) ++bones[std::size_t(bone.parent)].children;
+  }
   std::uint32_t children_left[kMaxOpenBones] = {};
-  for (std::size_t i = 0; i < bones.size(); ++i) {
-    RowBone& bone = bones[i];
+  for (RowBone& bone : bones) {
     if (bone.parent >= 0) {
       bone.parent_slot = bones[std::size_t(bone.parent)].slot;
       --children_left[bone.parent_slot];
     }
-    std::uint32_t children = 0;
-    for (std::size_t k = i + 1; k < bones.size(); ++k) children += bones[k].parent == std::int32_t(i) ? 1 : 0;
-    if (children == 0) continue;
+    if (bone.children == 0) continue;
     std::uint8_t slot = 0;
     while (slot + 1u < kMaxOpenBones && children_left[slot] != 0) ++slot;
     bone.slot = slot;
     bone.features |= kRowHasChildren;
-    children_left[slot] = children;
+    children_left[slot] = bone.children;
   }
 }
 

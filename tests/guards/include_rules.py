@@ -23,7 +23,7 @@ LAYERS = {
     "runtime/sim": SIM,
     "runtime/gl": SIM | {"runtime/include/coif/renderer.h"},
     "runtime/examples": SIM | {"runtime/include/coif/renderer.h"},
-    "tools": set(),
+    "tools": SIM,
     "tools/import": TOOL_BASE,
     "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/report"},
     "tools/motion": TOOL_BASE,

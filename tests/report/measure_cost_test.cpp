@@ -210,8 +210,9 @@ TEST_F(CostTest, CrowdsTakeTheSubstepsThatTheRuntimeWouldTake) {
     const OpenedAsset tuned(contents);
     ASSERT_TRUE(tuned.asset().is_open());
     auto asked = HairCrowd::create(tuned.asset(), {.substeps = 0});  // the runtime's own choice
-    auto told = HairCrowd::create(tuned.asset(), {.substeps = tuned_substeps(tuned.asset())});
-    auto more = HairCrowd::create(tuned.asset(), {.substeps = tuned_substeps(tuned.asset()) + 1});
+    auto told = HairCrowd::create(tuned.asset(), {.substeps = tuned_substeps(tuned.asset(), float(1 / kCrowdRate))});
+    auto more =
+        HairCrowd::create(tuned.asset(), {.substeps = tuned_substeps(tuned.asset(), float(1 / kCrowdRate)) + 1});
     ASSERT_TRUE(asked && told && more);
     for (int i = 0; i < 20; ++i) ASSERT_TRUE(asked->step() && told->step() && more->step());
     EXPECT_TRUE(same_bits(asked->palette(0), told->palette(0))) << rate;

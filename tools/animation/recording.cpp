@@ -1,13 +1,12 @@
 #include "animation/recording.h"
 
 #include "animation/constraint_error.h"
+#include "hair_memory.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <memory>
 
 namespace coif {
 namespace {
@@ -15,13 +14,6 @@ namespace {
 constexpr double kMaxFps = 1000;
 constexpr double kMaxSeconds = 3600;
 constexpr double kMaxRecordingBytes = 1024.0 * 1024.0 * 1024.0;
-
-using AlignedMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
-
-AlignedMemory allocate(const MemoryNeed& need) {
-  const std::size_t units = std::max<std::size_t>(1, (need.bytes + need.alignment - 1) / need.alignment);
-  return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
-}
 
 tl::unexpected<ToolError> usage(std::string message) {
   return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
@@ -86,7 +78,7 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
   HairDesc desc;
   desc.solver = settings.solver;
   const MemoryNeed need = Hair::memory_need(asset, desc);
-  const AlignedMemory memory = allocate(need);
+  const HairMemory memory = allocate(need);
   if (!memory) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
   Hair hair;
   if (const Status status = hair.create(asset, desc, {memory.get(), need.bytes}); status != Status::kOk) {

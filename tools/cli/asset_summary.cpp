@@ -1,8 +1,8 @@
 #include "cli/asset_summary.h"
 
-#include "cli/chunk_choice.h"
 #include "cli/json_text.h"
 #include "cli/tuning_summary.h"
+#include "write/chunk_file.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "cli/chunk_choice.h"
 
 #include "cook/nearest_word.h"
+#include "write/chunk_file.h"
 #include "write/strip_asset.h"
 
 #include <fmt/format.h>
@@ -80,15 +81,6 @@ std::span<const ChunkGroup> chunk_groups() {
        {kVertices, kSkin, kIndices, kPatches, kLods, kLodBones, kMaterial, kTextures, kTexels}},
   };
   return kGroups;
-}
-
-std::string chunk_name(std::uint32_t id) {
-  std::string name;
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    const char c = static_cast<char>(id >> shift & 0xFF);
-    name += c >= 0x20 && c < 0x7F ? c : '?';
-  }
-  return name;
 }
 
 tl::expected<std::vector<std::uint32_t>, ToolError> choose_chunks(const std::string& list, const Asset& asset) {

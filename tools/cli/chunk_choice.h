@@ -23,9 +23,6 @@ struct ChunkGroup {
 
 [[nodiscard]] std::span<const ChunkGroup> chunk_groups();
 
-/// The four letters of a chunk's name; bytes that cannot be printed become '?'.
-[[nodiscard]] std::string chunk_name(std::uint32_t id);
-
 /// The chunks that a list such as "textures,NAME" stands for, in letters of either case: groups, chunks of the format, and
 /// whatever else the asset has. Errors (kUsage) say which word is none of these, with the nearest one, and which chunks no
 /// asset is without.

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/output_file.h"
 #include "cli/results.h"
+#include "write/chunk_file.h"
 #include "write/strip_asset.h"
 
 #include <fmt/format.h>

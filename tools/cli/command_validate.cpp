@@ -1,6 +1,5 @@
 #include "cli/asset_file.h"
 #include "cli/asset_issues.h"
-#include "cli/chunk_choice.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
@@ -8,6 +7,7 @@
 #include "cli/verdict.h"
 #include "import/import.h"
 #include "import/source_format.h"
+#include "write/chunk_file.h"
 
 #include <algorithm>
 #include <cstring>

@@ -22,7 +22,7 @@ tl::expected<DrawnCrowd, ToolError> crowd_of(const Asset& asset, std::uint32_t h
     const auto rest = std::make_shared<std::vector<Mat34>>(asset.bones().size());
     return DrawnCrowd{[] {}, [rest](std::uint32_t) { return std::span<const Mat34>(*rest); }};
   }
-  auto created = HairCrowd::create(asset, {.heads = heads, .substeps = tuned_substeps(asset)});
+  auto created = HairCrowd::create(asset, {.heads = heads, .substeps = tuned_substeps(asset, float(1 / kCrowdRate))});
   if (!created) return tl::unexpected(created.error());
   const auto crowd = std::make_shared<HairCrowd>(std::move(*created));
   return DrawnCrowd{[crowd] { (void)crowd->step(); }, [crowd](std::uint32_t head) { return crowd->palette(head); }};

@@ -1,5 +1,7 @@
 #include "report/asset_bytes.h"
 
+#include "write/chunk_file.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -38,23 +40,13 @@ KnownChunk find_chunk(std::uint32_t id) {
   return found != std::end(kKnown) ? *found : KnownChunk{id, ChunkUse::kTools, ""};
 }
 
-/// Four letters; anything else in an id of a newer format becomes a question mark.
-std::string text_of(std::uint32_t id) {
-  std::string text;
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    const char letter = char(id >> shift & 0xFF);
-    text += letter >= 0x20 && letter < 0x7F ? letter : '?';
-  }
-  return text;
-}
-
 }  // namespace
 
 AssetBytes asset_bytes(const Asset& asset) {
   AssetBytes bytes{asset.total_bytes(), {}, asset.total_bytes()};
   for (const ChunkEntry& entry : asset.chunks()) {
     const KnownChunk known = find_chunk(entry.id);
-    bytes.chunks.push_back({text_of(entry.id), known.what, entry.bytes, known.use});
+    bytes.chunks.push_back({chunk_name(entry.id), known.what, entry.bytes, known.use});
     bytes.framing -= entry.bytes;
   }
   return bytes;

@@ -3,8 +3,6 @@
 #include "motion/head_path.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -42,15 +40,6 @@ tl::unexpected<ToolError> refused(ToolError::Kind kind, const std::string& why) 
 
 std::span<const std::string_view> crowd_solvers() { return kSolvers; }
 
-std::uint32_t tuned_substeps(const Asset& asset) {
-  if (asset.tuning() == nullptr) return 1;
-  // As the runtime rounds: a frame that is longer by rounding is not worth another part.
-  const double parts = std::ceil(double(asset.tuning()->substep_rate) / kCrowdRate - 1e-3);
-  return parts < 1 ? 1 : parts < kMaxSubsteps ? std::uint32_t(parts) : kMaxSubsteps;
-}
-
-void HairCrowd::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
-
 HairCrowd::HairCrowd(const CrowdSettings& settings)
     : settings_(settings), poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)) {
   const bool published = settings.solver == kPublished;
@@ -69,11 +58,10 @@ tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const C
   const MemoryNeed need = Hair::memory_need(asset, desc);
   if (need.bytes == 0) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
   HairCrowd crowd(settings);
-  void* memory = nullptr;
-  if (posix_memalign(&memory, need.alignment, need.bytes) != 0) {
+  crowd.memory_ = allocate(need);
+  if (!crowd.memory_) {
     return refused(ToolError::Kind::kUnsupported, "no memory for " + std::to_string(settings.heads) + " heads");
   }
-  crowd.memory_.reset(static_cast<std::byte*>(memory));
   const Status created = crowd.hair_.create(asset, desc, {crowd.memory_.get(), need.bytes});
   if (created != Status::kOk) return refused(ToolError::Kind::kBadInput, describe(created));
   const Status placed = crowd.place_heads();

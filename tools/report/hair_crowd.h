@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hair_memory.h"
 #include "tool_error.h"
 
 #include <coif/asset.h>
@@ -9,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,9 +21,6 @@ inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
 
 /// Names of the solvers that a game can choose.
 [[nodiscard]] std::span<const std::string_view> crowd_solvers();
-
-/// Parts that `asset` asks a step at kCrowdRate to be made of.
-[[nodiscard]] std::uint32_t tuned_substeps(const Asset& asset);
 
 struct CrowdSettings {
   std::uint32_t heads = 1;           ///< 1..kMaxInstances.
@@ -54,15 +51,11 @@ class HairCrowd {
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t head) const { return hair_.palette(head); }
 
  private:
-  struct FreeMemory {
-    void operator()(std::byte* bytes) const;
-  };
-
   explicit HairCrowd(const CrowdSettings& settings);
   [[nodiscard]] Status place_heads();
   [[nodiscard]] bool is_at_rest() const;
 
-  std::unique_ptr<std::byte[], FreeMemory> memory_;
+  HairMemory memory_{nullptr, &std::free};
   Hair hair_;
   StepSettings step_;
   CrowdSettings settings_;

@@ -78,7 +78,7 @@ class CostMeasurement {
  private:
   /// As the asset wants it; `thesis` knows no sub-steps.
   [[nodiscard]] std::uint32_t default_substeps(const std::string& solver) const {
-    return solver == "thesis" ? 1 : tuned_substeps(asset_);
+    return solver == "thesis" ? 1 : tuned_substeps(asset_, float(1 / kCrowdRate));
   }
 
   /// Tells from one head what many would take.

@@ -1,6 +1,5 @@
 #include "report/runtime_solver.h"
 
-#include <cstdlib>
 #include <new>
 
 namespace coif {
@@ -8,22 +7,15 @@ namespace {
 
 Vec3 vec3_of(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
-std::byte* aligned_memory(const MemoryNeed& need) {
-  void* memory = nullptr;
-  if (posix_memalign(&memory, need.alignment, need.bytes) != 0) throw std::bad_alloc();
-  return static_cast<std::byte*>(memory);
-}
-
 }  // namespace
-
-void RuntimeSolver::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
 
 RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort)
     : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
   HairDesc desc;
   desc.solver = &solver;
   const MemoryNeed need = Hair::memory_need(asset, desc);
-  memory_.reset(aligned_memory(need));
+  memory_ = allocate(need);
+  if (!memory_) throw std::bad_alloc();
   // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
   (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
   if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "hair_memory.h"
 #include "report/chain_solver.h"
 
 #include <coif/hair.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace coif {
@@ -24,11 +24,7 @@ class RuntimeSolver final : public ChainSolver {
   [[nodiscard]] std::span<const Mat34> palette() const { return hair_.palette(0); }
 
  private:
-  struct FreeMemory {
-    void operator()(std::byte* bytes) const;
-  };
-
-  std::unique_ptr<std::byte[], FreeMemory> memory_;
+  HairMemory memory_{nullptr, &std::free};
   Hair hair_;
   StepSettings settings_;
   std::uint32_t rigid_count_;

@@ -86,6 +86,9 @@ struct MemoryNeed {
   std::size_t alignment = 64;
 };
 
+/// Sub-steps that the asset was tuned for at this dt (seconds), 1..kMaxSubsteps: what StepSettings::substeps = 0 means.
+[[nodiscard]] std::uint32_t tuned_substeps(const Asset& asset, float dt);
+
 struct CrowdState;
 
 /// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory

@@ -29,6 +29,7 @@ struct RowBone {
   std::uint8_t parent_slot = 0;
   std::uint8_t fewest_levels = 0;  ///< In how many levels of detail the bone is simulated: in the lane with fewest,
   std::uint8_t most_levels = 0;    ///< and in the one with most.
+  std::uint16_t children = 0;      ///< Bones that hang from it.
 };
 
 /// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry for
