@@ -1,6 +1,6 @@
 # What a game takes with it: shipped libraries, public headers, the CMake package; and the coif program for its build.
 include(CMakePackageConfigHelpers)
-set(shipped coif_formats coif_sim)
+set(shipped coif_formats coif_sim coif_skinning)
 if(COIF_GL)
   list(APPEND shipped coif_gl)
 endif()

@@ -21,6 +21,7 @@ LAYERS = {
     "runtime/include": FORMATS,
     "runtime/include/coif/renderer.h": SIM,
     "runtime/sim": SIM,
+    "runtime/skinning": SIM,
     "runtime/gl": SIM | {"runtime/include/coif/renderer.h"},
     "runtime/examples": SIM | {"runtime/include/coif/renderer.h"},
     "tools": SIM,
@@ -62,7 +63,7 @@ HOMES = {
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
             "limits", "new", "numeric", "span", "type_traits", "utility"}
 SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h", "runtime/sim",
-           "runtime/gl")
+           "runtime/skinning", "runtime/gl")
 
 # Headers that the build writes, by the one layer that includes them.
 GENERATED = {"runtime/gl": {"hair_shaders.h"}}
