@@ -1,6 +1,7 @@
 // Everything that is timed of the runtime. tests/bench/README.md says how to run it and read it.
 #include "bench/crowd_bench.h"
 #include "bench/load_bench.h"
+#include "bench/skin_bench.h"
 #include "bench/sleep_bench.h"
 
 #include <benchmark/benchmark.h>
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
   coif::add_crowd_sizes();
   coif::add_sleep_benchmark(10'000);
   coif::add_load_benchmarks(COIF_BENCH_SAMPLES);
+  coif::add_skin_benchmarks();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
