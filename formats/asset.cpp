@@ -92,6 +92,8 @@ LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& 
     case chunk::kPatches: return read_chunk(file, entry, patches_);
     case chunk::kLods: return read_chunk(file, entry, lods_);
     case chunk::kLodBones: return read_chunk(file, entry, lod_bones_);
+    case chunk::kOrders: return read_chunk(file, entry, orders_);
+    case chunk::kOrderViews: return read_chunk(file, entry, order_views_);
     case chunk::kMaterial: return read_single(file, entry, material_);
     case chunk::kTextures: return read_chunk(file, entry, textures_);
     case chunk::kTexels: return read_chunk(file, entry, texels_);
@@ -113,6 +115,7 @@ LoadStatus Asset::check_content() const {
   if (const LoadStatus status = check_colliders(*this); !status) return status;
   if (const LoadStatus status = check_lods(*this); !status) return status;
   if (const LoadStatus status = check_mesh(*this); !status) return status;
+  if (const LoadStatus status = check_orders(*this); !status) return status;
   if (const LoadStatus status = check_material(*this); !status) return status;
   if (const LoadStatus status = check_textures(*this, texels_.size()); !status) return status;
   if (const LoadStatus status = check_tuning(*this); !status) return status;

@@ -26,6 +26,10 @@ std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {
   return indices_.subspan(first, patches.back().first_index + patches.back().index_count - first);
 }
 
+std::uint32_t Asset::order_count() const {
+  return patches_.empty() ? 0 : 1 + std::uint32_t(orders_.size() / patches_.size());
+}
+
 const TextureRecord* Asset::texture(TextureRole role) const {
   for (const TextureRecord& texture : textures_) {
     if (texture.role == role) return &texture;

@@ -34,7 +34,7 @@ std::uint64_t all_mip_bytes(const TextureRecord& t) {
 LoadStatus check_material(const Asset& asset) {
   const MaterialRecord* m = asset.material();
   if (m == nullptr) return {};
-  if ((m->flags & ~kMaterialDoubleSided) != 0) return {LoadCode::kReserved, chunk::kMaterial};
+  if ((m->flags & ~kMaterialFlags) != 0) return {LoadCode::kReserved, chunk::kMaterial};
   const bool good = all_in_range(m->base_color, 0.0f, kMaxColor) && all_in_range(m->ambient, 0.0f, kMaxColor) &&
                     all_in_range(m->primary_color, 0.0f, kMaxColor) &&
                     all_in_range(m->secondary_color, 0.0f, kMaxColor) &&

@@ -18,9 +18,9 @@ bool is_unit_snorm(const std::int16_t (&v)[4]) {
 std::uint32_t faults(const VertexRecord& v) {
   const std::uint32_t beyond = beyond_limit(v.position[0]) | beyond_limit(v.position[1]) | beyond_limit(v.position[2]) |
                                beyond_limit(v.uv[0]) | beyond_limit(v.uv[1]);
-  const bool bad_place = v.tangent[3] < 0;
+  const bool negative = v.normal[3] < 0 || v.tangent[3] < 0;
   return beyond >> 31 | std::uint32_t(!is_unit_snorm(v.normal)) | std::uint32_t(!is_unit_snorm(v.tangent)) |
-         std::uint32_t(bad_place) | std::uint16_t(v.normal[3]);
+         std::uint32_t(negative);
 }
 
 LoadStatus check_vertices(std::span<const VertexRecord> vertices) {
@@ -29,7 +29,7 @@ LoadStatus check_vertices(std::span<const VertexRecord> vertices) {
   if (found == 0) return {};
   std::size_t i = 0;
   while (faults(vertices[i]) == 0) ++i;
-  return {vertices[i].normal[3] != 0 ? LoadCode::kReserved : LoadCode::kNotFinite, chunk::kVertices, i};
+  return {LoadCode::kNotFinite, chunk::kVertices, i};
 }
 
 std::uint32_t weight_sum(const SkinRecord& s) {
@@ -76,31 +76,11 @@ LoadStatus check_indices(const Asset& asset) {
   return {LoadCode::kReference, chunk::kIndices, i, count, indices[i]};
 }
 
-/// Each level of detail has an order of its own. check_lods() has proved that the levels are contiguous.
-class LevelStarts {
- public:
-  explicit LevelStarts(std::span<const LodRecord> lods) : lods_(lods) {}
-
-  /// For patches asked for in ascending order.
-  bool is_start(std::size_t patch) {
-    if (next_ == lods_.size() || lods_[next_].first_patch != patch) return false;
-    ++next_;
-    return true;
-  }
-
- private:
-  std::span<const LodRecord> lods_;
-  std::size_t next_ = 0;
-};
-
 LoadStatus check_patches(const Asset& asset) {
-  LevelStarts levels(asset.lods());
   const std::uint64_t total = asset.indices().size();
   std::uint64_t next = 0;
-  float distance = 0;
   for (std::size_t i = 0; i < asset.patches().size(); ++i) {
     const PatchRecord& patch = asset.patches()[i];
-    if (levels.is_start(i)) distance = 0;
     const auto fail = [&](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
       return LoadStatus{code, chunk::kPatches, i, expected, found};
     };
@@ -108,10 +88,9 @@ LoadStatus check_patches(const Asset& asset) {
     if (patch.index_count == 0 || patch.index_count % 3 != 0 || patch.index_count > total - next) {
       return fail(LoadCode::kPatchCover, total - next, patch.index_count);
     }
-    if (!in_range(patch.head_distance, distance, kMaxCoordinate)) return fail(LoadCode::kNotFinite);
+    if (!in_range(patch.head_distance, 0.0f, kMaxCoordinate)) return fail(LoadCode::kNotFinite);
     if (patch.bone >= asset.bones().size()) return fail(LoadCode::kReference, asset.bones().size(), patch.bone);
     next += patch.index_count;
-    distance = patch.head_distance;
   }
   if (next != total) return {LoadCode::kPatchCover, chunk::kPatches, asset.patches().size(), total, next};
   return {};

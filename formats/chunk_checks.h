@@ -15,6 +15,8 @@ LoadStatus check_colliders(const Asset& asset);
 /// Before check_mesh(), which relies on it.
 LoadStatus check_lods(const Asset& asset);
 LoadStatus check_mesh(const Asset& asset);
+/// After check_lods() and check_mesh(), on which it relies.
+LoadStatus check_orders(const Asset& asset);
 LoadStatus check_material(const Asset& asset);
 LoadStatus check_textures(const Asset& asset, std::size_t texel_bytes);
 LoadStatus check_provenance(const Asset& asset);

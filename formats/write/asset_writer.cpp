@@ -49,6 +49,8 @@ std::vector<std::byte> write_asset(const AssetContents& contents) {
   add_chunk(chunks, chunk::kPatches, contents.patches);
   add_chunk(chunks, chunk::kLods, contents.lods);
   add_chunk(chunks, chunk::kLodBones, contents.lod_bones);
+  add_chunk(chunks, chunk::kOrders, contents.orders);
+  add_chunk(chunks, chunk::kOrderViews, contents.order_views);
   add_chunk(chunks, chunk::kMaterial, contents.material);
   add_chunk(chunks, chunk::kProvenance, contents.provenance);
   add_chunk(chunks, chunk::kTuning, contents.tuning);

@@ -16,10 +16,11 @@ struct Need {
 };
 
 constexpr Need kNeeds[] = {
-    {chunk::kChains, chunk::kDynamics},  {chunk::kDynamics, chunk::kChains},  {chunk::kTuning, chunk::kDynamics},
-    {chunk::kQuality, chunk::kDynamics}, {chunk::kVertices, chunk::kIndices}, {chunk::kVertices, chunk::kPatches},
-    {chunk::kSkin, chunk::kVertices},    {chunk::kIndices, chunk::kVertices}, {chunk::kPatches, chunk::kVertices},
-    {chunk::kLods, chunk::kPatches},     {chunk::kLods, chunk::kLodBones},    {chunk::kLodBones, chunk::kLods},
+    {chunk::kChains, chunk::kDynamics},  {chunk::kDynamics, chunk::kChains},   {chunk::kTuning, chunk::kDynamics},
+    {chunk::kQuality, chunk::kDynamics}, {chunk::kVertices, chunk::kIndices},  {chunk::kVertices, chunk::kPatches},
+    {chunk::kSkin, chunk::kVertices},    {chunk::kIndices, chunk::kVertices},  {chunk::kPatches, chunk::kVertices},
+    {chunk::kLods, chunk::kPatches},     {chunk::kLods, chunk::kLodBones},     {chunk::kLodBones, chunk::kLods},
+    {chunk::kOrders, chunk::kPatches},   {chunk::kOrders, chunk::kOrderViews}, {chunk::kOrderViews, chunk::kOrders},
     {chunk::kTextures, chunk::kTexels},  {chunk::kTexels, chunk::kTextures},
 };
 
@@ -88,9 +89,21 @@ class Stripper {
         break;
       case chunk::kPatches: out.resize(loses(chunk::kLods) ? asset_.lod_patches(0).size_bytes() : out.size()); break;
       case chunk::kIndices: out.resize(loses(chunk::kLods) ? asset_.lod_indices(0).size_bytes() : out.size()); break;
+      case chunk::kOrders:
+        if (loses(chunk::kLods)) keep_finest_level(out);
+        break;
       default: break;
     }
     return out;
+  }
+
+  /// The level's part of each draw order.
+  void keep_finest_level(std::vector<std::byte>& orders) const {
+    const std::size_t whole = asset_.patches().size() * sizeof(std::uint32_t);
+    const std::size_t finest = asset_.lod_patches(0).size() * sizeof(std::uint32_t);
+    const std::size_t count = orders.size() / whole;
+    for (std::size_t k = 1; k < count; ++k) std::memmove(&orders[k * finest], &orders[k * whole], finest);
+    orders.resize(count * finest);
   }
 
   template <typename Record, typename Change>

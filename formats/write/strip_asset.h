@@ -25,9 +25,10 @@ struct StrippedAsset {
 
 /// All chunks of this version of the format, in the order in which the cooker writes them.
 inline constexpr std::uint32_t kKnownChunks[] = {
-    chunk::kSkeleton, chunk::kBones,    chunk::kNames,    chunk::kChains,   chunk::kDynamics,   chunk::kColliders,
-    chunk::kPatches,  chunk::kLods,     chunk::kLodBones, chunk::kMaterial, chunk::kProvenance, chunk::kTuning,
-    chunk::kQuality,  chunk::kTextures, chunk::kVertices, chunk::kSkin,     chunk::kIndices,    chunk::kTexels};
+    chunk::kSkeleton,   chunk::kBones,    chunk::kNames,      chunk::kChains,   chunk::kDynamics,
+    chunk::kColliders,  chunk::kPatches,  chunk::kLods,       chunk::kLodBones, chunk::kOrders,
+    chunk::kOrderViews, chunk::kMaterial, chunk::kProvenance, chunk::kTuning,   chunk::kQuality,
+    chunk::kTextures,   chunk::kVertices, chunk::kSkin,       chunk::kIndices,  chunk::kTexels};
 
 /// Chunks that no asset is without: they cannot be stripped.
 [[nodiscard]] constexpr bool is_needed_chunk(std::uint32_t id) { return id == chunk::kSkeleton || id == chunk::kBones; }
@@ -37,8 +38,8 @@ inline constexpr std::uint32_t kKnownChunks[] = {
 
 /// Removes with_dependents(chunks) from the open asset that lies in `file`; those that it does not have are ignored, needed
 /// ones must not be asked for. What refers to them is rewritten: without NAME bones are nameless, without COLL they touch
-/// nothing, without CHAN or DYNA all are rigid, without LODS only the finest level's patches and indices are left. All
-/// other chunks keep their bytes and order, unknown ones too. Nothing to remove gives the bytes of `file`.
+/// nothing, without CHAN or DYNA all are rigid, without LODS only the finest level's patches, indices and draw orders are left.
+/// All other chunks keep their bytes and order, unknown ones too. Nothing to remove gives the bytes of `file`.
 [[nodiscard]] StrippedAsset strip_asset(const Asset& asset, std::span<const std::byte> file,
                                         std::span<const std::uint32_t> chunks);
 

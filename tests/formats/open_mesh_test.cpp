@@ -36,7 +36,7 @@ TEST(OpenMesh, CoordinatesAreFiniteAndWithinTheirLimit) {
   }
 }
 
-TEST(OpenMesh, DirectionsAreUnitVectorsAndPlacesNotNegative) {
+TEST(OpenMesh, DirectionsAreUnitVectorsAndSharesNotNegative) {
   const auto with = [](auto change) { return opened_after([=](AssetContents& a) { change(a.vertices[8]); }).code; };
   EXPECT_EQ(with([](VertexRecord& v) { v.normal[2] = 32767 * 95 / 100; }), LoadCode::kOk);
   EXPECT_EQ(with([](VertexRecord& v) { v.normal[2] = 32767 * 94 / 100; }), LoadCode::kNotFinite);
@@ -44,8 +44,9 @@ TEST(OpenMesh, DirectionsAreUnitVectorsAndPlacesNotNegative) {
   EXPECT_EQ(with([](VertexRecord& v) { v.tangent[1] = -32768; }), LoadCode::kOk);
   EXPECT_EQ(with([](VertexRecord& v) { v.tangent[0] = v.tangent[1] = v.tangent[2] = -32768; }), LoadCode::kNotFinite);
   EXPECT_EQ(with([](VertexRecord& v) { v.tangent[3] = -1; }), LoadCode::kNotFinite);
-  EXPECT_EQ(with([](VertexRecord& v) { v.normal[3] = 1; }), LoadCode::kReserved);
-  EXPECT_EQ(with([](VertexRecord& v) { v.normal[3] = -32768; }), LoadCode::kReserved);
+  EXPECT_EQ(with([](VertexRecord& v) { v.normal[3] = 0; }), LoadCode::kOk);
+  EXPECT_EQ(with([](VertexRecord& v) { v.normal[3] = -1; }), LoadCode::kNotFinite);
+  EXPECT_EQ(with([](VertexRecord& v) { v.normal[3] = -32768; }), LoadCode::kNotFinite);
 }
 
 TEST(OpenMesh, WeightsAndBonesOfEverySlotAreChecked) {

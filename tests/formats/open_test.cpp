@@ -51,7 +51,6 @@ AssetContents with_bones(std::uint32_t count) {
   AssetContents contents = small_asset();
   contents.lods.clear();
   contents.lod_bones.clear();
-  contents.patches[2].head_distance = contents.patches[1].head_distance;
   const std::uint32_t added = count - std::uint32_t(contents.bones.size());
   contents.bones.insert(contents.bones.begin() + 2, added, contents.bones[1]);
   contents.bone_names.clear();
@@ -88,6 +87,8 @@ TEST(Open, AcceptsASkeletonAlone) {
   contents.skin.clear();
   contents.indices.clear();
   contents.patches.clear();
+  contents.orders.clear();
+  contents.order_views.clear();
   contents.lods.clear();
   contents.lod_bones.clear();
   contents.material.clear();
@@ -172,7 +173,9 @@ TEST(Open, RefusesBrokenMeshes) {
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].first_index = 0; }), LoadCode::kPatchCover);
   EXPECT_EQ(refusal([](auto& a) { a.patches[1].index_count = 9; }), LoadCode::kPatchCover);
   EXPECT_EQ(refusal([](auto& a) { a.patches[2].index_count = 6; }), LoadCode::kPatchCover);
-  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0; }), LoadCode::kNotFinite) << "not ascending";
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = 0; }), LoadCode::kOk) << "any order may be stored";
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = -0.1f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.patches[1].head_distance = std::nanf(""); }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.vertices[2].position[1] = std::numeric_limits<float>::infinity(); }),
             LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.vertices[2].normal[2] = 0; }), LoadCode::kNotFinite);

@@ -29,7 +29,7 @@ VertexRecord vertex(float x, float y) {
   v.position[0] = x;
   v.position[1] = y;
   v.position[2] = 0.1f;
-  v.normal[2] = 32767;
+  v.normal[2] = v.normal[3] = 32767;
   v.tangent[1] = -32767;
   v.tangent[3] = 16384;
   v.uv[0] = x;
@@ -37,7 +37,7 @@ VertexRecord vertex(float x, float y) {
   return v;
 }
 
-/// Three patches of a triangle each: two of level 0, one of level 1.
+/// Three patches of a triangle each: two of level 0, one of level 1. Three draw orders: as stored, turned round, as stored.
 void add_mesh(AssetContents& asset) {
   for (int patch = 0; patch < 3; ++patch) {
     const auto first = std::uint32_t(asset.vertices.size());
@@ -46,11 +46,13 @@ void add_mesh(AssetContents& asset) {
       asset.skin.push_back({{std::uint16_t(2 + patch), 0, 0, 0}, {200, 55, 0, 0}});
       asset.indices.push_back(first + std::uint32_t(k));
     }
-    const float head_distance = 0.1f + 0.01f * float(patch % 2);  // ascends anew in each level
-    asset.patches.push_back({std::uint32_t(3 * patch), 3, head_distance, std::uint32_t(2 + patch)});
+    const auto place = std::uint32_t(patch);
+    asset.patches.push_back({3 * place, 3, 0.1f + 0.01f * float(patch % 2), 2 + place, 2 - place});
   }
   asset.lods = {{0, 2, 0.3f, 0.0f}, {2, 1, 0.0f, 0.004f}};
   asset.lod_bones = {0, 0, 2, 1, 1};
+  asset.orders = {1, 0, 2, 0, 1, 2};
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) asset.order_views.push_back(std::uint8_t(cell % 3));
 }
 
 ColliderRecord collider(ColliderShape shape, const std::array<float, 3>& radii, const std::array<float, 3>& axis) {

@@ -162,6 +162,7 @@ ordered_json summarize(const Asset& asset) {
                           {"triangles", asset.lod_indices(0).size() / 3},
                           {"vertices", asset.vertices().size()},
                           {"patches", asset.lod_patches(0).size()},
+                          {"orders", asset.order_count()},
                           {"chains", asset.chains().size()},
                           {"bones", asset.bones().size()},
                           {"simulated_bones", asset.skeleton().simulated_count},
@@ -209,7 +210,7 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
   for (const char* key :
-       {"triangles", "vertices", "patches", "chains", "bones", "simulated_bones", "twisting_bones", "colliders"}) {
+       {"triangles", "vertices", "patches", "orders", "chains", "bones", "simulated_bones", "twisting_bones", "colliders"}) {
     text += count_line(key, summary[key]);
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);

@@ -74,11 +74,12 @@ std::span<const ChunkGroup> chunk_groups() {
       {"colliders", "hair passes through the head", {kColliders}},
       {"motion", "hair is rigid with the head", {kChains, kDynamics, kColliders, kTuning, kQuality}},
       {"lods", "the finest level of detail alone", {kLods, kLodBones}},
+      {"orders", "one draw order for all directions", {kOrders, kOrderViews}},
       {"textures", "strips in one colour, without alpha", {kTextures, kTexels}},
       {"material", "drawn as the host says", {kMaterial}},
       {"mesh",
        "simulated, not drawn",
-       {kVertices, kSkin, kIndices, kPatches, kLods, kLodBones, kMaterial, kTextures, kTexels}},
+       {kVertices, kSkin, kIndices, kPatches, kLods, kLodBones, kOrders, kOrderViews, kMaterial, kTextures, kTexels}},
   };
   return kGroups;
 }

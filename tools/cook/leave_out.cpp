@@ -37,7 +37,8 @@ std::uint64_t clear_shift_mask(AssetContents& contents) {
 
 std::uint64_t clear_drawn(AssetContents& contents) {
   return clear(contents.vertices) + clear(contents.skin) + clear(contents.indices) + clear(contents.patches) +
-         clear(contents.lods) + clear(contents.lod_bones) + clear(contents.material) + clear_textures(contents);
+         clear(contents.lods) + clear(contents.lod_bones) + clear(contents.orders) + clear(contents.order_views) +
+         clear(contents.material) + clear_textures(contents);
 }
 
 std::uint64_t bytes_of(const DetailLevel& level) {

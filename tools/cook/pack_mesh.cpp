@@ -20,6 +20,7 @@ VertexRecord pack_vertex(const HairMesh& mesh, const StrandField& strands, const
     record.normal[k] = to_snorm16(mesh.normals[v][k]);
     record.tangent[k] = to_snorm16(strands.tangent[v][k]);
   }
+  record.normal[3] = to_snorm16(1);  // nothing shades it yet
   record.tangent[3] = to_snorm16(std::max(0.0f, strands.place[v]));
   const Eigen::Vector2f uv = mesh.uvs.empty() ? Eigen::Vector2f(0.5f, strands.place[v]) : mesh.uvs[v];
   record.uv[0] = uv.x();
@@ -63,7 +64,7 @@ void lay_out_level(const DetailLevel& level, const PatchOrder& order, CacheOrder
     if (triangles.empty()) continue;
     const std::vector<std::uint32_t> patch = for_cache(triangles);
     contents.patches.push_back(
-        {std::uint32_t(indices.size()), std::uint32_t(patch.size()), float(order.distance[i]), 0});
+        {std::uint32_t(indices.size()), std::uint32_t(patch.size()), float(order.distance[i]), 0, order.file_place[i]});
     indices.insert(indices.end(), patch.begin(), patch.end());
   }
   record.patch_count = std::uint32_t(contents.patches.size()) - record.first_patch;

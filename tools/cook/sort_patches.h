@@ -9,6 +9,8 @@ namespace coif {
 struct PatchOrder {
   std::vector<std::uint32_t> patch;  ///< Draw position -> patch, inner ones first.
   std::vector<double> distance;      ///< Per draw position, metres, ascending.
+  /// Per draw position: which of the patches it is in the file, by their first triangles.
+  std::vector<std::uint32_t> file_place;
 };
 
 /// The thesis's order (5.3.1): by the distance of the patch's middle, weighted by area, from the head's centre. Equal

@@ -27,6 +27,8 @@ constexpr KnownChunk kKnown[] = {
     {chunk::kPatches, ChunkUse::kDrawing, "patches in draw order"},
     {chunk::kLods, ChunkUse::kDrawing, "levels of detail"},
     {chunk::kLodBones, ChunkUse::kSimulation, "bones of each level"},
+    {chunk::kOrders, ChunkUse::kDrawing, "further draw orders"},
+    {chunk::kOrderViews, ChunkUse::kDrawing, "which order for which direction"},
     {chunk::kMaterial, ChunkUse::kDrawing, "material"},
     {chunk::kTextures, ChunkUse::kDrawing, "sizes of textures"},
     {chunk::kTexels, ChunkUse::kDrawing, "texels"},

@@ -58,6 +58,15 @@ class Asset {
   [[nodiscard]] std::span<const PatchRecord> lod_patches(std::uint32_t lod) const;
   [[nodiscard]] std::span<const std::uint32_t> lod_indices(std::uint32_t lod) const;
 
+  /// Draw orders besides the stored one: for each, the index in patches() of the patch at every position. A level's
+  /// positions hold its own patches, each once.
+  [[nodiscard]] std::span<const std::uint32_t> orders() const { return orders_; }
+  /// With the stored one, at most kMaxOrders; 0 without a mesh.
+  [[nodiscard]] std::uint32_t order_count() const;
+  /// The order for each of the kViewCells directions (coif/view_cells.h): 0 the stored one, k the k-th of orders(). Empty
+  /// where there is one order.
+  [[nodiscard]] std::span<const std::uint8_t> order_views() const { return order_views_; }
+
   [[nodiscard]] const MaterialRecord* material() const { return material_; }  ///< Null where absent.
   [[nodiscard]] std::span<const TextureRecord> textures() const { return textures_; }
   /// Null where the asset has no texture of this role.
@@ -87,6 +96,8 @@ class Asset {
   std::span<const PatchRecord> patches_;
   std::span<const LodRecord> lods_;
   std::span<const std::uint8_t> lod_bones_;
+  std::span<const std::uint32_t> orders_;
+  std::span<const std::uint8_t> order_views_;
   const MaterialRecord* material_ = nullptr;
   std::span<const TextureRecord> textures_;
   std::span<const std::byte> texels_;

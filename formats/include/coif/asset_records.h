@@ -22,6 +22,8 @@ inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has o
 inline constexpr std::uint32_t kMaxChunks = 64;
 inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
 inline constexpr std::uint32_t kMaxLods = 8;
+inline constexpr std::uint32_t kMaxOrders = 32;  ///< Draw orders of one asset, the stored one included.
+inline constexpr std::uint32_t kViewCells = 96;  ///< Directions to look from that may have an order each: view_cells.h.
 /// Bones of a chain whose children are not all behind a walk in stored order: what a solver has to keep at hand.
 inline constexpr std::uint32_t kMaxOpenBones = 16;
 
@@ -40,7 +42,9 @@ inline constexpr std::uint32_t kColliders = chunk_id("COLL");    ///< ColliderRe
 inline constexpr std::uint32_t kVertices = chunk_id("VERT");     ///< VertexRecord[].
 inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord[], one per vertex.
 inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
-inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order, inner first.
+inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order: what is behind first.
+inline constexpr std::uint32_t kOrders = chunk_id("ORDR");       ///< uint32[]: further draw orders, patches by index.
+inline constexpr std::uint32_t kOrderViews = chunk_id("VIEW");   ///< uint8[kViewCells]: the order for each direction.
 inline constexpr std::uint32_t kLods = chunk_id("LODS");         ///< LodRecord[], finest first; absent: one level.
 inline constexpr std::uint32_t kLodBones = chunk_id("LODB");     ///< uint8[], one per bone; see LodRecord.
 inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One MaterialRecord.
@@ -178,7 +182,9 @@ static_assert(sizeof(ColliderRecord) == 80);
 
 struct VertexRecord {
   float position[3];        ///< Rest pose, head space, metres.
-  std::int16_t normal[4];   ///< xyz: snorm16; w: 0.
+  /// xyz: snorm16; w: share of the light from everywhere that other hair and the head let through to here in the rest
+  /// pose, 0 none, 32767 all of it.
+  std::int16_t normal[4];
   std::int16_t tangent[4];  ///< xyz: snorm16, root to tip; w: place along the strand, 0 root, 32767 tip.
   float uv[2];              ///< V grows downwards in the image (first row of texels is V = 0).
 };
@@ -193,10 +199,15 @@ static_assert(sizeof(SkinRecord) == 12);
 struct PatchRecord {
   std::uint32_t first_index;  ///< Into INDX; patches follow each other without gap.
   std::uint32_t index_count;  ///< A multiple of 3, > 0.
-  float head_distance;        ///< Of the patch's area centre from the head's centre, metres; ascending in a level.
+  float head_distance;        ///< Of the patch's area centre from the head's centre, metres: the thesis's order.
   std::uint32_t bone;         ///< The bone with most weight on the patch.
+  std::uint32_t file_place;   ///< The patch's place in the order of the source file; levels of detail share it.
 };
-static_assert(sizeof(PatchRecord) == 16);
+static_assert(sizeof(PatchRecord) == 20);
+
+// Draw orders. Order 0 is that of PTCH; ORDR holds the others one after the other, each of them all patches, every level
+// of detail in its own range of positions. VIEW has for each cell of directions (coif/view_cells.h, from the head towards
+// the eye in head space) the number of the order that suits it.
 
 /// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for each
 /// bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
@@ -212,6 +223,11 @@ static_assert(sizeof(LodRecord) == 16);
 
 /// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
 inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
+
+/// What is blended is drawn in one go, both faces in the order of the patches; without it back faces come before front faces.
+inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
+
+inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;
 
 /// Parameters of the thesis's Algorithm 3 and the four passes of 5.3.1. Colours are linear.
 struct MaterialRecord {

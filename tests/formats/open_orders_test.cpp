@@ -1,0 +1,104 @@
+// What open() demands of draw orders. small_asset() has three patches, 0 and 1 in level 0 and 2 in level 1, and two orders
+// besides the stored one.
+
+#include "formats/refusal.h"
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+TEST(OpenOrders, AnOpenAssetGivesThemBack) {
+  const AssetContents contents = small_asset();
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.order_count(), 3u);
+  EXPECT_TRUE(std::ranges::equal(asset.orders(), contents.orders));
+  EXPECT_TRUE(std::ranges::equal(asset.order_views(), contents.order_views));
+  EXPECT_EQ(asset.patches()[0].file_place, 2u);
+  EXPECT_EQ(Asset{}.order_count(), 0u);
+}
+
+TEST(OpenOrders, WithoutThemTheStoredOneIsTheOnlyOne) {
+  AssetContents contents = small_asset();
+  contents.orders.clear();
+  contents.order_views.clear();
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.order_count(), 1u);
+}
+
+TEST(OpenOrders, OrdersAndViewsComeTogether) {
+  EXPECT_EQ(refusal([](auto& a) { a.orders.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.order_views.clear(); }), LoadCode::kChunkMissing);
+}
+
+TEST(OpenOrders, RefusesOrdersThatAreNotWholeOrTooMany) {
+  EXPECT_EQ(refusal([](auto& a) { a.orders.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.orders.push_back(0); }), LoadCode::kChunkSize);
+  const auto with = [](std::uint32_t further) {
+    return [further](AssetContents& a) {
+      a.orders.clear();
+      for (std::uint32_t i = 0; i < further; ++i) a.orders.insert(a.orders.end(), {1, 0, 2});
+    };
+  };
+  EXPECT_EQ(refusal(with(kMaxOrders - 1)), LoadCode::kOk);
+  EXPECT_EQ(refusal(with(kMaxOrders)), LoadCode::kChunkSize);
+}
+
+TEST(OpenOrders, EveryLevelKeepsItsOwnPatches) {
+  EXPECT_EQ(refusal([](auto& a) { std::swap(a.orders[1], a.orders[2]); }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.orders[5] = 3; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.orders[5] = kNone; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { std::swap(a.orders[3], a.orders[4]); }), LoadCode::kOk);
+  const auto one_level = [](AssetContents& a) {
+    a.lods.clear();
+    a.lod_bones.clear();
+    a.orders = {2, 0, 1, 1, 2, 0};
+  };
+  EXPECT_EQ(refusal(one_level), LoadCode::kOk);
+}
+
+TEST(OpenOrders, RefusesAPatchThatIsDrawnTwice) {
+  AssetContents contents = small_asset();
+  contents.orders[4] = 0;
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.code, LoadCode::kOrderCover);
+  EXPECT_EQ(status.chunk, chunk::kOrders);
+  EXPECT_EQ(status.item, 3u) << "where that order's level begins";
+}
+
+TEST(OpenOrders, NoOrderDrawsMoreIndicesThanItsLevel) {
+  AssetContents contents = small_asset();
+  contents.indices.insert(contents.indices.begin(), {0, 1, 2});
+  contents.patches[0].index_count = 6;
+  contents.patches[1].first_index = 6;
+  contents.patches[2].first_index = 9;
+  ASSERT_EQ(open_written(contents).code, LoadCode::kOk);
+  contents.orders[1] = contents.orders[0] = 0;
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.code, LoadCode::kOrderCover);
+  EXPECT_EQ(status.expected, 9u);
+  EXPECT_EQ(status.found, 12u);
+}
+
+TEST(OpenOrders, EveryDirectionHasAnOrderThatExists) {
+  EXPECT_EQ(refusal([](auto& a) { a.order_views.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.order_views.push_back(0); }), LoadCode::kChunkSize);
+  AssetContents contents = small_asset();
+  contents.order_views[95] = 3;
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.code, LoadCode::kReference);
+  EXPECT_EQ(status.chunk, chunk::kOrderViews);
+  EXPECT_EQ(status.item, 95u);
+}
+
+TEST(OpenOrders, MaterialsMayAskForBothFacesTogether) {
+  EXPECT_EQ(refusal([](auto& a) { a.material[0].flags = kMaterialDoubleSided | kMaterialFacesTogether; }),
+            LoadCode::kOk);
+}
+
+}  // namespace
+}  // namespace coif
