@@ -1,0 +1,51 @@
+#pragma once
+
+#include <coif/renderer.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace coif {
+
+/// How long the device itself was busy with what it was asked for between begin() and end(), by the extension
+/// GL_EXT_disjoint_timer_query. What the extension's absence or a disturbed clock leaves unknown has no figure. One
+/// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context, which
+/// must be current in every call.
+///
+/// What counts is up to the device. A graphics card counts all its work. Mesa's llvmpipe, where the processor is the
+/// device, counts filling pixels, from the first thread that starts to the last that ends, but not vertices.
+class GpuTimer {
+ public:
+  /// Looks for the extension in the current context and for its functions with `loader`, which only this call uses.
+  explicit GpuTimer(const GlLoader& loader);
+
+  /// False: nothing will ever be measured, and the other calls do nothing.
+  [[nodiscard]] bool is_present() const { return query_ != 0; }
+
+  /// A measurement that was not fetched yet is given up.
+  void begin();
+  void end();
+
+  /// Seconds, once. Never waits: nothing while the device is not done, so that a game asks again a frame later; after
+  /// glFinish it is. Nothing, now and later, where the device's clock was disturbed meanwhile (it changed its speed, say)
+  /// or did not count at all.
+  [[nodiscard]] std::optional<double> poll();
+
+ private:
+  /// Types of OpenGL's own header, which whoever includes this one need not have.
+  struct Functions {
+    void (*get_integer)(unsigned name, int* value) = nullptr;
+    void (*begin_query)(unsigned target, unsigned query) = nullptr;
+    void (*end_query)(unsigned target) = nullptr;
+    void (*get_uint)(unsigned query, unsigned name, unsigned* value) = nullptr;
+    void (*get_uint64)(unsigned query, unsigned name, std::uint64_t* value) = nullptr;
+  };
+
+  [[nodiscard]] bool was_disjoint() const;
+
+  Functions gl_;
+  unsigned query_ = 0;
+  bool is_waiting_ = false;
+};
+
+}  // namespace coif
