@@ -11,9 +11,9 @@ foreach(header IN LISTS public)
   endif()
 endforeach()
 
-build_game(game "${sim_games};make_renderer;only_draw" -D PARTS=formats,sim,gl)
+build_game(game "${sim_games};only_skin;make_renderer;only_draw" -D PARTS=formats,sim,skinning,gl)
 # Only who simulates needs Highway, and is told when it is not there.
-build_game(reader only_open -D PARTS=formats ${without_highway})
+build_game(reader "only_open;only_skin" -D PARTS=formats,skinning ${without_highway})
 if(SIMD STREQUAL "dispatch")
   must_fail(MATCHES "(module|dependency) hwy" ${configure_game} -B ${WORK}/lacking ${without_highway})
 endif()

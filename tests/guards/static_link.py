@@ -22,6 +22,7 @@ FEATURES = {
     "crowd": r"Hair::|step_block|CrowdState",
     "solver coif": r"kCoifSolver|coif_row_code",
     "solver thesis": r"kThesisSolver|thesis_row_code",
+    "skinning": r"skin_vertices",
     "renderer": r"HairRenderer::create",
     "drawing": r"HairRenderer::draw|fill_draw_block",
     "upload": r"HairModel::upload|upload_texture",
@@ -33,6 +34,7 @@ PROGRAMS = {
     "only_lod": {"levels of detail"},
     "load_and_step": {"reader", "hash", "crowd", "solver coif", "load messages"},
     "step_by_thesis": {"crowd", "solver thesis"},
+    "only_skin": {"skinning"},
     "make_renderer": {"renderer"},
     "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers"},
 }
