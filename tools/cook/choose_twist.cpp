@@ -1,9 +1,9 @@
 #include "cook/choose_twist.h"
 
 #include "cook/chain_name.h"
-#include "cook/parallel_for.h"
 #include "cook/tune_solver.h"
 #include "motion/head_path.h"
+#include "parallel_for.h"
 #include "report/opened_asset.h"
 #include "report/runtime_solver.h"
 

@@ -1,6 +1,6 @@
 #include "cook/eac_rg11.h"
 
-#include "cook/parallel_for.h"
+#include "parallel_for.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "cook/hair_views.h"
 
-#include "cook/parallel_for.h"
+#include "parallel_for.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,8 @@
 #include "cook/hard_tips.h"
 
 #include "cook/mesh_edges.h"
-#include "cook/parallel_for.h"
 #include "cook/patch_view.h"
+#include "parallel_for.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "cook/make_lods.h"
 
-#include "cook/parallel_for.h"
+#include "parallel_for.h"
 
 #include <fmt/format.h>
 

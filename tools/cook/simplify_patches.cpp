@@ -1,6 +1,6 @@
 #include "cook/simplify_patches.h"
 
-#include "cook/parallel_for.h"
+#include "parallel_for.h"
 
 #include <algorithm>
 #include <tuple>

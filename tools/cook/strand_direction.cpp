@@ -1,9 +1,9 @@
 #include "cook/strand_direction.h"
 
-#include "cook/parallel_for.h"
 #include "cook/strand_axis.h"
 #include "cook/strand_neighbours.h"
 #include "cook/strand_root.h"
+#include "parallel_for.h"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>

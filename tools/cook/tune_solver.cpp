@@ -3,7 +3,7 @@
 #include "cook/chain_groups.h"
 #include "cook/chain_sample.h"
 #include "cook/measure_runtime.h"
-#include "cook/parallel_for.h"
+#include "parallel_for.h"
 #include "report/opened_asset.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "render/hair_pose.h"
+#include "motion/hair_pose.h"
 
 #include <cmath>
 #include <cstddef>
