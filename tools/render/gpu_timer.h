@@ -11,12 +11,10 @@ namespace coif {
 /// GL_EXT_disjoint_timer_query. What the extension's absence or a disturbed clock leaves unknown has no figure. One
 /// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context, which
 /// must be current in every call.
-///
-/// What counts is up to the device. A graphics card counts all its work. Mesa's llvmpipe, where the processor is the
-/// device, counts filling pixels, from the first thread that starts to the last that ends, but not vertices.
 class GpuTimer {
  public:
   /// Looks for the extension in the current context and for its functions with `loader`, which only this call uses.
+  /// Absent, too, on devices that have it but count something else: Mesa's llvmpipe, where the processor draws.
   explicit GpuTimer(const GlLoader& loader);
 
   /// False: nothing will ever be measured, and the other calls do nothing.
