@@ -1,0 +1,64 @@
+#include "visibility/alpha_texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+/// The texel below a place and the one after it, around the edge, and how far it is to that one.
+struct Neighbours {
+  int first, second;
+  float share;
+};
+
+Neighbours neighbours(float place, int size) {
+  const float texel = (place - std::floor(place)) * float(size) - 0.5f;
+  const float first = std::floor(texel);
+  const int index = (int(first) + size) % size;
+  return {index, (index + 1) % size, texel - first};
+}
+
+}  // namespace
+
+AlphaTexture::AlphaTexture(const Asset& asset) {
+  if (asset.material() != nullptr) factor_ = asset.material()->base_color[3];
+  const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
+  if (texture == nullptr) return;
+  for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
+    Level level{int(std::max(1u, texture->width >> mip)), int(std::max(1u, texture->height >> mip)), {}};
+    const auto texels = asset.texels(*texture, mip);
+    for (std::size_t i = 3; i < texels.size(); i += 4) level.alpha.push_back(float(texels[i]) / 255.0f);
+    levels_.push_back(std::move(level));
+  }
+}
+
+MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vector2f& dy) const {
+  if (levels_.empty()) return {};
+  const Eigen::Vector2f size(float(levels_[0].width), float(levels_[0].height));
+  const float square = std::max(dx.cwiseProduct(size).squaredNorm(), dy.cwiseProduct(size).squaredNorm());
+  float texels = std::sqrt(square);
+  MipChoice mip;
+  for (; texels >= 2 && mip.level + 1 < levels_.size(); ++mip.level) texels *= 0.5f;
+  if (mip.level + 1 < levels_.size()) mip.next = std::clamp(texels - 1, 0.0f, 1.0f);
+  return mip;
+}
+
+float AlphaTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
+  if (levels_.empty()) return std::min(factor_, 1.0f);
+  float alpha = filtered(levels_[mip.level], uv);
+  if (mip.next > 0) alpha += mip.next * (filtered(levels_[mip.level + 1], uv) - alpha);
+  return std::clamp(alpha * factor_, 0.0f, 1.0f);
+}
+
+float AlphaTexture::filtered(const Level& level, const Eigen::Vector2f& uv) {
+  const Neighbours column = neighbours(uv.x(), level.width), row = neighbours(uv.y(), level.height);
+  const auto in_row = [&](int y) {
+    const float* texels = &level.alpha[std::size_t(y) * std::size_t(level.width)];
+    return texels[column.first] + column.share * (texels[column.second] - texels[column.first]);
+  };
+  const float upper = in_row(row.first);
+  return upper + row.share * (in_row(row.second) - upper);
+}
+
+}  // namespace coif

@@ -1,0 +1,191 @@
+#include "visibility/fragment_view.h"
+
+#include "visibility/solid_depth.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+/// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of a card
+/// never both have a line, nor do both miss it.
+constexpr int kSteps = 256;
+
+struct Corner {
+  std::int64_t x = 0, y = 0;
+};
+
+/// Twice the area of a, b, p; positive when they wind counter-clockwise.
+std::int64_t edge(const Corner& a, const Corner& b, const Corner& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
+bool owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
+
+/// First and last multiple of kSteps within low..high, divided by it.
+std::int64_t first_line(std::int64_t low) { return (low + kSteps - 1) / kSteps; }
+std::int64_t last_line(std::int64_t high) { return high / kSteps; }
+
+}  // namespace
+
+struct FragmentView::Placed {
+  std::uint32_t line;
+  Fragment fragment;
+};
+
+/// Finds the fragments of one triangle after the other.
+class FragmentView::Rasteriser {
+ public:
+  Rasteriser(const FragmentView& view, const HairSurface& hair, std::span<const Eigen::Vector3f> positions, float pixel)
+      : view_(view), hair_(hair), positions_(positions), pixel_(pixel) {}
+
+  void draw(std::uint32_t index, std::vector<Placed>& out) {
+    const HairSurface::Triangle& triangle = hair_.triangles[index];
+    for (int k = 0; k < 3; ++k) {
+      point_[k] = positions_[triangle.vertex[k]];
+      corner_[k] = corner_of(point_[k]);
+      uv_[k] = hair_.uvs[triangle.vertex[k]];
+    }
+    const std::int64_t area = edge(corner_[0], corner_[1], corner_[2]);
+    if (area == 0 || (area < 0 && !hair_.double_sided)) return;
+    base_ = {0, 0, index, triangle.patch, area > 0};
+    if (area < 0) {
+      std::swap(point_[1], point_[2]);
+      std::swap(corner_[1], corner_[2]);
+      std::swap(uv_[1], uv_[2]);
+    }
+    area_ = std::abs(area);
+    mip_ = mip();
+    visit_lines(out);
+  }
+
+ private:
+  [[nodiscard]] Corner corner_of(const Eigen::Vector3f& p) const {
+    const float to_steps = kSteps / view_.spacing_;
+    return {std::llround((p.dot(view_.right_) - view_.left_) * to_steps),
+            std::llround((p.dot(view_.up_) - view_.bottom_) * to_steps)};
+  }
+
+  /// Texture coordinates are linear in the picture, so their change from pixel to pixel is the same all over a triangle.
+  [[nodiscard]] MipChoice mip() const {
+    const Eigen::Vector2f du = uv_[1] - uv_[0], dv = uv_[2] - uv_[0];
+    const auto along = [&](const Corner& a, const Corner& b) {
+      return Eigen::Vector2f(float(b.x - a.x), float(b.y - a.y));
+    };
+    const Eigen::Vector2f e1 = along(corner_[0], corner_[1]), e2 = along(corner_[0], corner_[2]);
+    const float scale = pixel_ / view_.spacing_ * kSteps / float(area_);
+    return hair_.alpha.choose_mip((du * e2.y() - dv * e1.y()) * scale, (dv * e1.x() - du * e2.x()) * scale);
+  }
+
+  void visit_lines(std::vector<Placed>& out) const {
+    const auto [low_x, high_x] = std::minmax({corner_[0].x, corner_[1].x, corner_[2].x});
+    const auto [low_y, high_y] = std::minmax({corner_[0].y, corner_[1].y, corner_[2].y});
+    for (std::int64_t row = first_line(low_y); row <= last_line(high_y); ++row) {
+      for (std::int64_t column = first_line(low_x); column <= last_line(high_x); ++column) visit(column, row, out);
+    }
+  }
+
+  void visit(std::int64_t column, std::int64_t row, std::vector<Placed>& out) const {
+    const Corner p{column * kSteps, row * kSteps};
+    Eigen::Vector3f share;
+    for (int k = 0; k < 3; ++k) {
+      const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
+      const std::int64_t inside = edge(a, b, p);
+      if (inside < 0 || (inside == 0 && !owns_edge(a, b))) return;
+      share[k] = float(inside) / float(area_);
+    }
+    const Eigen::Vector2f uv = share[0] * uv_[0] + share[1] * uv_[1] + share[2] * uv_[2];
+    Placed placed{std::uint32_t(row) * std::uint32_t(view_.columns_) + std::uint32_t(column), base_};
+    placed.fragment.alpha = hair_.alpha.at(uv, mip_);
+    if (placed.fragment.alpha < hair_.faintest || placed.fragment.alpha <= 0) return;
+    const Eigen::Vector3f point = share[0] * point_[0] + share[1] * point_[1] + share[2] * point_[2];
+    placed.fragment.depth = -point.dot(view_.towards_eye_);
+    out.push_back(placed);
+  }
+
+  const FragmentView& view_;
+  const HairSurface& hair_;
+  std::span<const Eigen::Vector3f> positions_;
+  float pixel_;
+  Eigen::Vector3f point_[3];
+  Corner corner_[3];
+  Eigen::Vector2f uv_[3];
+  std::int64_t area_ = 1;
+  Fragment base_;
+  MipChoice mip_;
+};
+
+FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const ViewGrid& grid)
+    : towards_eye_(grid.towards_eye), spacing_(grid.spacing) {
+  const Eigen::Vector3f upright = std::abs(towards_eye_.y()) < 0.99f ? Eigen::Vector3f(Eigen::Vector3f::UnitY())
+                                                                     : Eigen::Vector3f(Eigen::Vector3f::UnitX());
+  right_ = upright.cross(towards_eye_).normalized();
+  up_ = towards_eye_.cross(right_);
+  set_extent(hair, positions);
+  std::vector<Placed> placed;
+  Rasteriser rasteriser(*this, hair, positions, grid.pixel);
+  for (std::uint32_t t = 0; t < hair.triangles.size(); ++t) rasteriser.draw(t, placed);
+  sort_into_lines(placed);
+  find_solids(hair.solids);
+}
+
+void FragmentView::set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions) {
+  constexpr float kFar = std::numeric_limits<float>::max();
+  Eigen::Array2f low(kFar, kFar), high(-kFar, -kFar);
+  for (const HairSurface::Triangle& triangle : hair.triangles) {
+    for (const std::uint32_t v : triangle.vertex) {
+      const Eigen::Array2f place(positions[v].dot(right_), positions[v].dot(up_));
+      low = low.min(place);
+      high = high.max(place);
+    }
+  }
+  if (hair.triangles.empty()) low = high = Eigen::Array2f::Zero();
+  // The first line passes half a step outside: one that touched the outermost corner would say nothing.
+  left_ = low.x() - 0.5f * spacing_;
+  bottom_ = low.y() - 0.5f * spacing_;
+  columns_ = std::size_t(std::ceil((high.x() - left_) / spacing_)) + 1;
+  rows_ = std::size_t(std::ceil((high.y() - bottom_) / spacing_)) + 1;
+}
+
+void FragmentView::sort_into_lines(std::span<const Placed> placed) {
+  begin_.assign(columns_ * rows_ + 1, 0);
+  for (const Placed& p : placed) ++begin_[p.line + 1];
+  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  fragments_.resize(placed.size());
+  for (const Placed& p : placed) fragments_[next[p.line]++] = p.fragment;
+  for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+    // Triangles come in order, and the sort is stable: equal depths stay in that order.
+    const auto line = std::span(fragments_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    std::ranges::stable_sort(line, {}, &Fragment::depth);
+  }
+}
+
+void FragmentView::find_solids(std::span<const ColliderRecord> solids) {
+  for (std::size_t i = 0; i < columns_ * rows_; ++i) {
+    const Eigen::Vector3f origin =
+        (left_ + float(i % columns_) * spacing_) * right_ + (bottom_ + float(i / columns_) * spacing_) * up_;
+    solid_.push_back(coif::solid_depth(solids, origin, -towards_eye_));
+  }
+}
+
+float FragmentView::transmittance(const Eigen::Vector3f& point, float margin) const {
+  const float column = std::round((point.dot(right_) - left_) / spacing_);
+  const float row = std::round((point.dot(up_) - bottom_) / spacing_);
+  if (!(column >= 0 && column < float(columns_) && row >= 0 && row < float(rows_))) return 1;
+  const std::size_t index = std::size_t(row) * columns_ + std::size_t(column);
+  const float depth = -point.dot(towards_eye_) - margin;
+  if (depth > solid_[index]) return 0;
+  float passes = 1;
+  for (const Fragment& fragment : line(index)) {
+    if (fragment.depth >= depth) break;
+    passes *= 1 - fragment.alpha;
+  }
+  return passes;
+}
+
+}  // namespace coif

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "visibility/hair_surface.h"
+
+#include <limits>
+
+namespace coif {
+
+/// A picture without perspective, looked at along a grid of lines.
+struct ViewGrid {
+  Eigen::Vector3f towards_eye = Eigen::Vector3f::UnitZ();  ///< Unit, head space.
+  float spacing = 0.004f;                                  ///< Metres between neighbouring lines.
+  float pixel = 0.001f;  ///< Metres: a pixel of the pictures that the view stands for, which picks the mips.
+};
+
+/// Where a line meets a triangle of the hair.
+struct Fragment {
+  float depth = 0;             ///< Metres along the line away from the eye; 0 in the plane through the head's joint.
+  float alpha = 0;             ///< faintest..1.
+  std::uint32_t triangle = 0;  ///< Of HairSurface::triangles.
+  std::uint32_t patch = 0;
+  bool is_front = false;  ///< The triangle winds counter-clockwise as seen.
+};
+
+/// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included: a software
+/// A-buffer (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). The same bits on every machine and for
+/// every number of views made at a time; fragments at equal depth are in the order of their triangles.
+///
+/// For one-sided hair back faces are not there.
+class FragmentView {
+ public:
+  /// Draws the hair with its vertices at `positions` (posed_positions()). Keeps no reference.
+  FragmentView(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const ViewGrid& grid);
+
+  [[nodiscard]] std::size_t line_count() const { return begin_.size() - 1; }
+  [[nodiscard]] std::span<const Fragment> line(std::size_t index) const {
+    return std::span(fragments_).subspan(begin_[index], begin_[index + 1] - begin_[index]);
+  }
+  /// Where the head hides what is behind it; infinity where the line passes it.
+  [[nodiscard]] float solid_depth(std::size_t line) const { return solid_[line]; }
+
+  /// Share of the light from the eye's side that reaches a point, by the line nearest to it: the product of 1 - alpha of
+  /// all fragments more than `margin` metres nearer to the eye than the point, 0 behind the head, 1 outside the grid. A point
+  /// of the hair itself wants a margin, or its own card shades it.
+  [[nodiscard]] float transmittance(const Eigen::Vector3f& point, float margin) const;
+
+ private:
+  struct Placed;
+  class Rasteriser;
+
+  void set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions);
+  void sort_into_lines(std::span<const Placed> placed);
+  void find_solids(std::span<const ColliderRecord> solids);
+
+  Eigen::Vector3f right_, up_, towards_eye_;
+  float spacing_ = 1;
+  float left_ = 0, bottom_ = 0;  ///< Of the grid's first line, along right_ and up_.
+  std::size_t columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> begin_ = {0};  ///< Per line and one more: its first fragment.
+  std::vector<Fragment> fragments_;
+  std::vector<float> solid_;
+};
+
+}  // namespace coif
