@@ -1,0 +1,147 @@
+// What lies before what along the lines of a view, on cards whose order is known.
+
+#include "visibility/fragment_view.h"
+
+#include "visibility/card_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace coif {
+namespace {
+
+struct View {
+  explicit View(const AssetContents& contents, const ViewGrid& grid = {})
+      : opened(contents), hair(opened.asset()), view(hair, posed_positions(opened.asset(), {}), grid) {}
+
+  [[nodiscard]] std::size_t lines_with(std::size_t fragments) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < view.line_count(); ++i) count += view.line(i).size() == fragments ? 1 : 0;
+    return count;
+  }
+
+  OpenedAsset opened;
+  HairSurface hair;
+  FragmentView view;
+};
+
+AssetContents two_cards() {
+  return card_contents(
+      std::array<Card, 2>{Card{.center = {0, 0, 0.1f}, .alpha = 51}, Card{.center = {0, 0, -0.1f}, .alpha = 204}});
+}
+
+TEST(FragmentView, NearestComesFirstFromEachSide) {
+  for (const float side : {1.0f, -1.0f}) {
+    const View v(two_cards(), {.towards_eye = {0, 0, side}});
+    ASSERT_GT(v.lines_with(2), 100u);
+    for (std::size_t i = 0; i < v.view.line_count(); ++i) {
+      const auto line = v.view.line(i);
+      if (line.empty()) continue;
+      ASSERT_EQ(line.size(), 2u);
+      EXPECT_EQ(line[0].patch, side > 0 ? 0u : 1u);
+      EXPECT_FLOAT_EQ(line[0].depth, -0.1f);
+      EXPECT_FLOAT_EQ(line[1].depth, 0.1f);
+      EXPECT_EQ(line[0].is_front, side > 0) << "cards turn their fronts to +Z";
+      EXPECT_NEAR(line[0].alpha, side > 0 ? 0.2f : 0.8f, 1.0e-6f);
+    }
+  }
+}
+
+TEST(FragmentView, TrianglesOfACardNeitherOverlapNorLeaveGaps) {
+  for (const float turn : {0.0f, 0.3f, 0.785398f, 1.2f}) {
+    const Eigen::Vector3f right(0.1f * std::cos(turn), 0.1f * std::sin(turn), 0);
+    const Eigen::Vector3f up(-right.y(), right.x(), 0);
+    const View v(card_contents(std::array<Card, 1>{Card{.right = right, .up = up}}), {.spacing = 0.002f});
+    EXPECT_EQ(v.lines_with(0) + v.lines_with(1), v.view.line_count()) << turn;
+    EXPECT_NEAR(double(v.lines_with(1)), 100 * 100, 250) << "its area of 0.2 m by 0.2 m at " << turn;
+  }
+}
+
+TEST(FragmentView, WhatIsTooFaintToBeDrawnIsNotThere) {
+  AssetContents contents = two_cards();
+  contents.material[0].discard_threshold = 0.5f;
+  const View v(contents);
+  EXPECT_EQ(v.lines_with(2), 0u);
+  EXPECT_GT(v.lines_with(1), 100u);
+}
+
+TEST(FragmentView, OneSidedHairHasNoBackFaces) {
+  AssetContents contents = two_cards();
+  contents.material[0].flags = 0;
+  EXPECT_GT(View(contents).lines_with(2), 100u);
+  const View behind(contents, {.towards_eye = {0, 0, -1}});
+  EXPECT_EQ(behind.lines_with(0), behind.view.line_count());
+}
+
+TEST(FragmentView, TheMaterialsAlphaCounts) {
+  AssetContents contents = two_cards();
+  contents.material[0].base_color[3] = 0.5f;
+  const View v(contents);
+  EXPECT_NEAR(v.view.line(v.view.line_count() / 2)[0].alpha, 0.1f, 1.0e-6f);
+}
+
+TEST(FragmentView, CollidersHideWhatIsBehindThem) {
+  AssetContents contents = two_cards();
+  add_ball(contents, {0, 0, 0}, 0.05f);
+  const View v(contents);
+  float nearest = std::numeric_limits<float>::infinity();
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < v.view.line_count(); ++i) {
+    nearest = std::min(nearest, v.view.solid_depth(i));
+    hidden += std::isfinite(v.view.solid_depth(i)) ? 1 : 0;
+  }
+  EXPECT_NEAR(nearest, -0.05f, 1.0e-3f);
+  const double lines_per_square_metre = 1 / (0.004 * 0.004);
+  EXPECT_NEAR(double(hidden), 3.14159 * 0.05 * 0.05 * lines_per_square_metre, 30);
+  EXPECT_EQ(v.view.transmittance({0, 0, -0.08f}, 0), 0.0f);
+  EXPECT_GT(v.view.transmittance({0, 0.08f, -0.08f}, 0), 0.0f) << "beside the ball";
+}
+
+TEST(FragmentView, TransmittanceIsWhatTheCardsBeforeAPointLetThrough) {
+  const View v(two_cards());
+  EXPECT_EQ(v.view.transmittance({0, 0, 0.2f}, 0), 1.0f);
+  EXPECT_NEAR(v.view.transmittance({0, 0, 0}, 0), 0.8f, 1.0e-6f);
+  EXPECT_NEAR(v.view.transmittance({0, 0, -0.2f}, 0), 0.8f * 0.2f, 1.0e-6f);
+  EXPECT_NEAR(v.view.transmittance({0, 0, -0.1f}, 0.01f), 0.8f, 1.0e-6f) << "a card does not shade itself";
+  EXPECT_EQ(v.view.transmittance({0.5f, 0, -1}, 0), 1.0f) << "outside of the grid";
+}
+
+/// Alpha alternates from texel to texel; mips have its mean.
+AssetContents striped_card() {
+  AssetContents contents = card_contents(std::array<Card, 1>{Card{}});
+  contents.texels.clear();
+  contents.textures[0].mip_count = 9;
+  std::uint32_t width = 256;
+  for (std::uint32_t mip = 0; mip < 9; ++mip, width /= 2) {
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const int alpha = mip > 0 ? 100 : i % 2 == 0 ? 0 : 200;
+      contents.texels.insert(contents.texels.end(), {std::byte{1}, std::byte{1}, std::byte{1}, std::byte(alpha)});
+    }
+  }
+  contents.textures[0].bytes = contents.texels.size();
+  for (std::size_t i = 0; i < 4; ++i) contents.vertices[i].uv[0] = i == 0 || i == 3 ? 0.0f : 1.0f;
+  return contents;
+}
+
+TEST(FragmentView, MipsFitThePixelNotTheGrid) {
+  const auto spread = [](float pixel) {
+    const View v(striped_card(), {.spacing = 0.003f, .pixel = pixel});
+    float low = 1, high = 0;
+    for (std::size_t i = 0; i < v.view.line_count(); ++i) {
+      for (const Fragment& fragment : v.view.line(i)) {
+        low = std::min(low, fragment.alpha);
+        high = std::max(high, fragment.alpha);
+      }
+    }
+    return high - low;
+  };
+  const float texel = 0.2f / 256;
+  EXPECT_GT(spread(0.5f * texel), 0.5f);
+  EXPECT_LT(spread(2.1f * texel), 1.0e-5f);
+}
+
+}  // namespace
+}  // namespace coif
