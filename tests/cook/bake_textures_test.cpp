@@ -3,6 +3,7 @@
 #include "cook/alpha_mips.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/keep_coverage.h"
 #include "cook/pack_skeleton.h"
 #include "cook/shift_mask.h"
 #include "cook/textured_hair.h"
@@ -66,7 +67,12 @@ TEST(BakeTextures, MipsKeepTheCoverageOfWhatTheHairShowsAtTheThresholdInUse) {
     const BakedTextures textures = baked(color, left_half(), recipe);
     const double in_use = textures.transparency.opaque_threshold;
     ASSERT_GT(in_use, 0.4);
-    const auto mips = stored_mips(textures, TextureRole::kBaseColor, 4);
+    AssetContents contents;
+    contents.textures = textures.records;
+    contents.texels = textures.texels;
+    contents.material = {pack_material(color, textures, left_half(), recipe)};
+    keep_coverage(textures.used, contents);
+    const auto mips = base_color_mips(contents);
     const auto used = make_mips(used_texels(left_half(), kSide, kSide), kSide, TexelMeaning::kNumbers);
     const double wanted = alpha_coverage(mips[0], used[0], in_use);
     ASSERT_GT(wanted, 0.05);

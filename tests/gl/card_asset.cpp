@@ -23,6 +23,7 @@ void add_card(AssetContents& out, const Card& card, float u) {
       v.normal[i] = snorm(card.normal[i]);
       v.tangent[i] = snorm(card.tangent[i]);
     }
+    v.normal[3] = snorm(1);
     v.uv[0] = u;  // the same at all corners: the card's own texel, unfiltered
     v.uv[1] = 0.5f;
     out.vertices.push_back(v);

@@ -74,6 +74,7 @@ void add_vertex(AssetContents& out, const Strip& strip, float along, float acros
     v.normal[i] = snorm(n[i]);
     v.tangent[i] = snorm(tangent[i]);
   }
+  v.normal[3] = snorm(1);
   v.tangent[3] = snorm(along);
   v.uv[0] = 0.5f * across + 0.5f;
   v.uv[1] = along;

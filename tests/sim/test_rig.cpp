@@ -33,7 +33,7 @@ void add_levels(AssetContents& contents, const std::vector<std::uint8_t>& levels
   const std::uint32_t count = *std::max_element(levels.begin(), levels.end());
   for (int i = 0; i < 3; ++i) {
     VertexRecord vertex{};
-    vertex.normal[0] = vertex.tangent[1] = 32767;
+    vertex.normal[0] = vertex.normal[3] = vertex.tangent[1] = 32767;
     contents.vertices.push_back(vertex);
     contents.skin.push_back({{}, {255, 0, 0, 0}});
   }

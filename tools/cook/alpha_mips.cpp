@@ -6,6 +6,8 @@
 namespace coif {
 namespace {
 
+/// Of 255: what a threshold loses as a single-precision number of the asset.
+constexpr double kRounding = 1.0e-3;
 constexpr double kMaxScale = 4;  ///< A level that would need more has lost its strands.
 
 std::uint8_t scaled(std::uint8_t alpha, double scale) {
@@ -16,7 +18,7 @@ double coverage_at_scale(const Image& image, const Image& used, double threshold
   std::uint64_t passing = 0, all = 0;
   for (std::size_t i = 0; i < image.texel_count(); ++i) {
     all += used.texels[i];
-    if (double(scaled(image.texels[4 * i + 3], scale)) >= threshold * 255) passing += used.texels[i];
+    if (double(scaled(image.texels[4 * i + 3], scale)) >= threshold * 255 - kRounding) passing += used.texels[i];
   }
   return all > 0 ? double(passing) / double(all) : 0;
 }

@@ -30,14 +30,12 @@ void append(TextureRole role, TexelFormat format, std::span<const Image> mips, u
   out.records.push_back(record);
 }
 
-/// Texel alpha at which the product with the factors reaches the threshold.
-double threshold_in_texture(const BaseColor& color, const Transparency& transparency, const Recipe& recipe) {
-  const double factor = double(color.factor.w()) * recipe.base_color[3];
-  return factor > 0 ? transparency.opaque_threshold / factor : 2;
-}
+struct BaseMips {
+  std::vector<Image> color;
+  std::vector<Image> used;
+};
 
-std::vector<Image> bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe,
-                             Transparency& transparency) {
+BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency) {
   Image image = *color.image;
   Image used = used_texels(hair, image.width, image.height);
   transparency = choose_transparency(color, &image, used, recipe);
@@ -45,10 +43,10 @@ std::vector<Image> bake_base(const BaseColor& color, const HairMesh& hair, const
     // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   }
-  auto mips = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
-  const auto used_mips = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
-  fill_color_under_alpha(mips);
-  keep_alpha_coverage(mips, used_mips, threshold_in_texture(color, transparency, recipe));
+  BaseMips mips;
+  mips.color = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+  mips.used = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
+  fill_color_under_alpha(mips.color);
   return mips;
 }
 
@@ -101,19 +99,20 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
     baked.left_out.push_back({"textures", "the hair has no texture coordinates"});
     return baked;
   }
-  std::vector<Image> base;
+  BaseMips base;
   ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
     if (i == 0 && textured) base = bake_base(color, hair, recipe, baked.transparency);
     if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
   });
   const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
-  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base, settings.threads, baked);
+  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads, baked);
   if (shift_mask.is_constant) {
     keep_constants(shift_mask.mips[0], format, shift_mask.mips, baked);
   } else {
     append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads, baked);
   }
+  baked.used = std::move(base.used);
   return baked;
 }
 

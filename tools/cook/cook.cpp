@@ -1,6 +1,7 @@
 #include "cook/cook.h"
 
 #include "cook/cook_passes.h"
+#include "cook/keep_coverage.h"
 #include "cook/leave_out.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
@@ -84,6 +85,11 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   auto parts = run_passes(source, recipe, settings, report);
   if (!parts) return tl::unexpected(parts.error());
   AssetContents contents = run_timed(settings, report, "pack", [&] { return pack(*parts, source, recipe, settings); });
+  // Last, since the threshold in use decides how much alpha the mips need.
+  run_timed(settings, report, "mips", [&] {
+    keep_coverage(parts->textures.used, contents);
+    return 0;
+  });
   const std::vector<LeftOut> left_out = leave_out_parts(recipe, contents);
   report.left_out.insert(report.left_out.end(), left_out.begin(), left_out.end());
   fill_figures(*parts, contents, report);
