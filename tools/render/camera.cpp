@@ -10,7 +10,6 @@
 namespace coif {
 namespace {
 
-constexpr double kMargin = 1.08;   // of the distance: a thin border, and room for hair that swings
 constexpr double kSpacing = 1.12;  // between heads of a grid, of their own size
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
@@ -83,7 +82,7 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
     distance = std::max({distance, (std::abs(p.x()) + reach.x()) / tan_x + p.z(),
                          (std::abs(p.y()) + reach.y()) / tan_y + p.z()});
   }
-  distance *= kMargin;
+  distance *= settings.margin;
 
   const double depth = box.max.z() - box.min.z() + size.norm();  // swinging hair may leave the box
   const double near = std::max(distance - depth, 0.02 * distance);

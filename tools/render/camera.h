@@ -20,6 +20,7 @@ struct CameraSettings {
   double fov_degrees = 30;   ///< Of the shorter side of the picture.
   double aspect = 4.0 / 3.0;
   std::uint32_t heads = 1;
+  double margin = 1.08;  ///< Of the distance, >= 1: a thin border, and room for hair that swings.
 };
 
 struct CrowdView {

@@ -1,0 +1,168 @@
+#include "render/gallery.h"
+
+#include "motion/held_turn.h"
+#include "render/contact_sheet.h"
+#include "render/gallery_material.h"
+
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+namespace coif {
+namespace {
+
+PictureSettings of_size(const GallerySettings& settings) {
+  PictureSettings picture;
+  picture.width = settings.width;
+  picture.height = settings.height;
+  picture.warm_up = false;
+  return picture;
+}
+
+Gallery components(const PictureSettings& picture) {
+  constexpr std::pair<const char*, Component> kParts[] = {
+      {"all components", Component::kAll},        {"ambient", Component::kAmbient},
+      {"diffuse", Component::kDiffuse},           {"both highlights", Component::kSpecular},
+      {"primary highlight", Component::kPrimary}, {"secondary highlight", Component::kSecondary}};
+  Gallery gallery{1, "Gallery 1: components of the shading", {}};
+  for (const auto& [caption, component] : kParts) {
+    PictureSettings& part = gallery.pictures.emplace_back(caption, picture).settings;
+    part.component = component;
+  }
+  return gallery;
+}
+
+/// All components, and beside them what changes.
+void add_highlights(Gallery& gallery, const std::string& caption, PictureSettings picture) {
+  gallery.pictures.push_back({caption, picture});
+  picture.component = Component::kSpecular;
+  gallery.pictures.push_back({caption + " (highlights only)", picture});
+}
+
+Gallery shifts(const Asset& asset, PictureSettings picture) {
+  constexpr std::pair<float, float> kShifts[] = {{0.7f, 0.5f}, {0.9f, 0.3f}, {0.5f, 0.7f}};
+  Gallery gallery{2, "Gallery 2: shifts of the highlights along the strands", {}};
+  for (const auto& [primary, secondary] : kShifts) {
+    picture.material = material_of(asset);
+    picture.material->primary_shift = primary;
+    picture.material->secondary_shift = secondary;
+    char caption[64];
+    std::snprintf(caption, sizeof caption, "primary %.1f, secondary %.1f", double(primary), double(secondary));
+    add_highlights(gallery, caption, picture);
+  }
+  return gallery;
+}
+
+Gallery exponents(const Asset& asset, PictureSettings picture) {
+  constexpr std::pair<float, float> kExponents[] = {{150.0f, 30.0f}, {1000.0f, 70.0f}, {5000.0f, 100.0f}};
+  Gallery gallery{3, "Gallery 3: exponents of the highlights", {}};
+  for (const auto& [primary, secondary] : kExponents) {
+    picture.material = material_of(asset);
+    picture.material->primary_exponent = primary;
+    picture.material->secondary_exponent = secondary;
+    char caption[64];
+    std::snprintf(caption, sizeof caption, "primary %g, secondary %g", double(primary), double(secondary));
+    add_highlights(gallery, caption, picture);
+  }
+  return gallery;
+}
+
+Gallery colors(const Asset& asset, PictureSettings picture) {
+  const std::pair<const char*, Eigen::Vector3d> kColors[] = {
+      {"brown", {0.09, 0.04, 0.02}}, {"green", {0.04, 0.13, 0.03}},    {"purple", {0.08, 0.025, 0.14}},
+      {"red", {0.19, 0.022, 0.015}}, {"black", {0.010, 0.009, 0.010}}, {"yellow", {0.40, 0.27, 0.07}}};
+  Gallery gallery{4, "Gallery 4: colours", {}};
+  for (const auto& [caption, color] : kColors) {
+    picture.material = dyed_material(asset, color);
+    gallery.pictures.push_back({caption, picture});
+  }
+  return gallery;
+}
+
+struct Movement {
+  const char* title;
+  std::shared_ptr<const HeadPath> path;
+  double yaw_degrees;                           ///< From where it is seen best.
+  std::array<double, kGalleryColumns> moments;  ///< Seconds.
+};
+
+std::vector<Movement> movements() {
+  const Eigen::Vector3d across = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY();
+  constexpr double kDegree = std::numbers::pi / 180;
+  return {
+      {"Gallery 5: looking down", held_turn(across, 55 * kDegree, 0.4), 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}},
+      {"Gallery 5: a rapid turn", held_turn(up, 80 * kDegree, 0.25), 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}},
+      {"Gallery 5: looking up", held_turn(across, -50 * kDegree, 0.4), 90, {0, 0.2, 0.3, 0.4, 0.5, 1.5}},
+      {"Gallery 5: charging forward", path_of(Motion::kCharge), 75, {0, 0.08, 0.16, 0.3, 0.4, 1.5}},
+  };
+}
+
+void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
+  picture.margin = 1.25;  // hair that is thrown, and heads that lean, need room
+  for (const Movement& movement : movements()) {
+    Gallery gallery{5, movement.title, {}};
+    picture.clip = movement.path;
+    picture.yaw_degrees = movement.yaw_degrees;
+    for (const double moment : movement.moments) {
+      picture.time = moment;
+      char caption[32];
+      std::snprintf(caption, sizeof caption, "%.2f s", moment);
+      gallery.pictures.push_back({caption, picture});
+    }
+    galleries.push_back(std::move(gallery));
+  }
+}
+
+tl::expected<void, ToolError> check(const GallerySettings& settings) {
+  const auto fail = [](std::string message) {
+    return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
+  };
+  const auto side_ok = [](std::uint32_t side) { return side >= 64 && side <= 1024; };
+  if (!side_ok(settings.width) || !side_ok(settings.height)) {
+    return fail("a picture of a gallery has 64 to 1024 pixels each way, not " + std::to_string(settings.width) + " x " +
+                std::to_string(settings.height));
+  }
+  if (settings.only > kGalleries) {
+    return fail("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings) {
+  const PictureSettings picture = of_size(settings);
+  std::vector<Gallery> galleries{components(picture), shifts(asset, picture), exponents(asset, picture),
+                                 colors(asset, picture)};
+  add_motion(picture, galleries);
+  if (settings.only > 0) std::erase_if(galleries, [&](const Gallery& g) { return g.number != settings.only; });
+  return galleries;
+}
+
+tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
+                                                     const std::function<void(const std::string&)>& progress) {
+  if (const auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+  auto maker = PictureMaker::create(asset);
+  if (!maker) return tl::unexpected(maker.error());
+  GallerySheet result;
+  double draw_ms = 0;
+  std::vector<SheetSection> sections;
+  for (const Gallery& gallery : thesis_galleries(asset, settings)) {
+    SheetSection& section = sections.emplace_back(gallery.title);
+    for (const auto& [caption, picture] : gallery.pictures) {
+      progress(gallery.title + ", " + caption);
+      auto taken = maker->take(picture);
+      if (!taken) return tl::unexpected(taken.error());
+      draw_ms += taken->draw_ms;
+      section.tiles.push_back({caption, std::move(*taken)});
+      ++result.pictures;
+    }
+  }
+  result.sheet = contact_sheet(sections, kGalleryColumns);
+  result.sheet.device = sections.front().tiles.front().picture.device;
+  result.sheet.draw_ms = draw_ms;
+  return result;
+}
+
+}  // namespace coif

@@ -1,0 +1,53 @@
+#pragma once
+// The five galleries of the thesis, taken of any asset.
+
+#include "render/picture.h"
+#include "tool_error.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+inline constexpr std::uint32_t kGalleries = 5;
+inline constexpr std::uint32_t kGalleryColumns = 6;
+
+struct GallerySettings {
+  std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
+  std::uint32_t height = 320;
+  std::uint32_t only = 0;  ///< One gallery, 1..kGalleries; 0: all.
+};
+
+struct GalleryPicture {
+  std::string caption;
+  PictureSettings settings;
+};
+
+/// A row or two of pictures that are to be compared.
+struct Gallery {
+  std::uint32_t number = 1;  ///< In the thesis.
+  std::string title;
+  std::vector<GalleryPicture> pictures;
+};
+
+/// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
+/// moments one after the other.
+[[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
+
+struct GallerySheet {
+  Picture sheet;  ///< draw_ms is that of all pictures together.
+  std::uint32_t pictures = 0;
+};
+
+/// Takes the pictures in one OpenGL context and puts them on a sheet. `progress` hears of each one's caption before. The
+/// same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of PictureMaker.
+tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
+                                                     const std::function<void(const std::string&)>& progress);
+
+}  // namespace coif
