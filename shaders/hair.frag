@@ -10,9 +10,11 @@ vec2 shift_mask_at(vec2 uv) { return vec2(0.5, 1.0); }
 
 const float kNearestLight = 1e-4;  // square metres: a point light in a strand is bright, not infinite
 
+float pow2(float x) { return x * x; }
+
 Accumulated sum_lights(vec3 n, vec2 shift_mask) {
   vec3 t = normalize(tangent);
-  vec3 view = normalize(eye.xyz - position);
+  vec3 view = normalize(-position);
   Accumulated sum = Accumulated(vec3(0.0), vec3(0.0), vec3(0.0));
   int count = int(shift.w);
   for (int i = 0; i < count; ++i) {
@@ -23,6 +25,8 @@ Accumulated sum_lights(vec3 n, vec2 shift_mask) {
       float square = max(dot(towards, towards), kNearestLight);
       color /= square;
       towards *= inversesqrt(square);
+      float cone = (-dot(towards, light_spot[i].xyz) - light_spot[i].w) * light_color[i].w;
+      color *= pow2(clamp(cone, 0.0, 1.0));
     }
     add_light(sum, t, n, view, towards, color, shift_mask.x, shift_mask.y);
   }
@@ -33,9 +37,9 @@ void main() {
   // Both textures are read before any discard: mip selection needs the neighbours' coordinates.
   vec4 base = base_at(uv);
   vec2 shift_mask = shift_mask_at(uv);
-  keep_to_range(base.a);
+  float coverage = keep(base.a);
   Accumulated sum = sum_lights(seen_normal(), shift_mask);
-  vec3 light = component.x * ambient.rgb + component.y * sum.diffuse + component.z * sum.primary +
+  vec3 light = component.x * openness * ambient.rgb + component.y * sum.diffuse + component.z * sum.primary +
                component.w * sum.secondary;
-  write_fragment(base.rgb * light, base.a);
+  write_fragment(base.rgb * light, coverage);
 }

@@ -1,6 +1,6 @@
-// Fourth pass: depth only, for the texels of the pass's range.
+// Depth only, for the texels that the pass keeps.
 in vec2 uv;
 
 void main() {
-  keep_to_range(base_at(uv).a);
+  keep(base_at(uv).a);
 }

@@ -6,12 +6,6 @@
 namespace coif {
 namespace {
 
-/// World from head space. Double, because the head's position in a large world is.
-struct Frame {
-  double axis[3][3];  // axis[i]: head space's i-th axis in the world
-  double origin[3];
-};
-
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 template <std::size_t N>
@@ -22,63 +16,55 @@ bool is_finite(const float (&values)[N]) {
   return true;
 }
 
-bool is_valid(const HeadPose& pose) {
-  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
-  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
-  const double square = x * x + y * y + z * z + w * w;
-  return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&
-         std::fabs(square - 1.0) < kUnitTolerance;
-}
-
 bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
 
-Frame frame_of(const HeadPose& pose) {
-  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
-  const double s = 2.0 / (x * x + y * y + z * z + w * w);
-  return {{{1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)},
-           {s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)},
-           {s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y)}},
-          {pose.position[0], pose.position[1], pose.position[2]}};
-}
-
-void direction_to_head(const Frame& frame, const double (&world)[3], float* out) {
-  for (int i = 0; i < 3; ++i) {
-    out[i] =
-        static_cast<float>(frame.axis[i][0] * world[0] + frame.axis[i][1] * world[1] + frame.axis[i][2] * world[2]);
-  }
-}
-
-void point_to_head(const Frame& frame, const Vec3& world, float* out) {
-  const double offset[3] = {world.x - frame.origin[0], world.y - frame.origin[1], world.z - frame.origin[2]};
-  direction_to_head(frame, offset, out);
-}
-
-void fill_clip_from_head(const float (&clip)[16], const Frame& frame, float (&out)[16]) {
+void fill_clip_from_view(const float (&clip)[16], const Vec3& eye, float (&out)[16]) {
   for (int row = 0; row < 4; ++row) {
-    const double x = clip[row], y = clip[4 + row], z = clip[8 + row], w = clip[12 + row];
-    for (int i = 0; i < 3; ++i) {
-      out[4 * i + row] = static_cast<float>(x * frame.axis[i][0] + y * frame.axis[i][1] + z * frame.axis[i][2]);
-    }
-    out[12 + row] = static_cast<float>(x * frame.origin[0] + y * frame.origin[1] + z * frame.origin[2] + w);
+    for (int column = 0; column < 3; ++column) out[4 * column + row] = clip[4 * column + row];
+    const double moved = double(clip[row]) * eye.x + double(clip[4 + row]) * eye.y + double(clip[8 + row]) * eye.z;
+    out[12 + row] = static_cast<float>(moved + clip[12 + row]);
   }
 }
 
-bool fill_light(const Light& light, const Frame& frame, float* position, float* color) {
-  if (!is_finite(light.position) || !is_finite(light.color)) return false;
-  if (light.kind == Light::Kind::kPoint) {
-    point_to_head(frame, light.position, position);
-    position[3] = 1.0f;
+/// Unit; false for no direction.
+bool fill_direction(const Vec3& v, float* out) {
+  const double length = std::sqrt(double(v.x) * v.x + double(v.y) * v.y + double(v.z) * v.z);
+  if (!(length > 0.0)) return false;
+  out[0] = static_cast<float>(v.x / length);
+  out[1] = static_cast<float>(v.y / length);
+  out[2] = static_cast<float>(v.z / length);
+  return true;
+}
+
+/// A light that is no spot gets a cone that everything is in.
+bool fill_cone(const Light& light, float* spot, float& sharpness) {
+  spot[3] = -2.0f;
+  sharpness = 1.0f;
+  if (light.kind != Light::Kind::kSpot) return true;
+  const bool is_cone = light.outer_cosine >= -1.0f && light.inner_cosine <= 1.0f &&
+                       light.outer_cosine < light.inner_cosine && is_finite(light.direction);
+  if (!is_cone || !fill_direction(light.direction, spot)) return false;
+  spot[3] = light.outer_cosine;
+  sharpness = 1.0f / (light.inner_cosine - light.outer_cosine);
+  return true;
+}
+
+bool fill_light(const Light& light, const Vec3& eye, std::size_t i, DrawBlock& block) {
+  if (!is_finite(light.position) || !is_finite(light.color) || light.kind > Light::Kind::kSpot) return false;
+  float* const position = block.light_position[i];
+  if (light.kind == Light::Kind::kDirectional) {
+    if (!fill_direction(light.position, position)) return false;
   } else {
-    const double x = light.position.x, y = light.position.y, z = light.position.z;
-    const double length = std::sqrt(x * x + y * y + z * z);
-    if (!(length > 0.0)) return false;
-    direction_to_head(frame, {x / length, y / length, z / length}, position);
-    position[3] = 0.0f;
+    position[0] = static_cast<float>(double(light.position.x) - eye.x);
+    position[1] = static_cast<float>(double(light.position.y) - eye.y);
+    position[2] = static_cast<float>(double(light.position.z) - eye.z);
+    position[3] = 1.0f;
   }
+  float* const color = block.light_color[i];
   color[0] = light.color.x;
   color[1] = light.color.y;
   color[2] = light.color.z;
-  return true;
+  return fill_cone(light, block.light_spot[i], color[3]);
 }
 
 void fill_rgb_and(const float (&rgb)[3], float last, float (&out)[4]) {
@@ -105,17 +91,32 @@ bool is_valid(const MaterialRecord& m) {
          m.secondary_exponent > 0.0f && is_share(m.opaque_threshold) && is_share(m.discard_threshold);
 }
 
-Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, DrawBlock& block) {
-  if (!is_valid(desc.head)) return Status::kBadPose;
+bool is_valid(const HeadPose& pose) {
+  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
+  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
+  const double square = x * x + y * y + z * z + w * w;
+  return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&
+         std::fabs(square - 1.0) < kUnitTolerance;
+}
+
+HeadMatrix head_matrix(const HeadPose& pose, const Vec3& eye) {
+  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
+  const double s = 2.0 / (x * x + y * y + z * z + w * w);
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {{{f(1 - s * (y * y + z * z)), f(s * (x * y - w * z)), f(s * (x * z + w * y)), f(pose.position[0] - eye.x)},
+           {f(s * (x * y + w * z)), f(1 - s * (x * x + z * z)), f(s * (y * z - w * x)), f(pose.position[1] - eye.y)},
+           {f(s * (x * z - w * y)), f(s * (y * z + w * x)), f(1 - s * (x * x + y * y)), f(pose.position[2] - eye.z)}}};
+}
+
+Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, std::uint32_t rows_of_head,
+                       DrawBlock& block) {
   if (!is_finite(desc.clip_from_world) || !is_finite(desc.eye) || !is_valid(material)) return Status::kBadArgument;
   if (desc.lights.size() > kMaxLights || desc.component > Component::kDirection) return Status::kBadArgument;
 
   block = {};
-  const Frame frame = frame_of(desc.head);
-  fill_clip_from_head(desc.clip_from_world, frame, block.clip_from_head);
-  point_to_head(frame, desc.eye, block.eye);
+  fill_clip_from_view(desc.clip_from_world, desc.eye, block.clip_from_view);
   for (int i = 0; i < 4; ++i) block.base_color[i] = material.base_color[i];
-  fill_rgb_and(material.ambient, 0.0f, block.ambient);
+  fill_rgb_and(material.ambient, static_cast<float>(rows_of_head), block.ambient);
   fill_rgb_and(material.primary_color, material.primary_exponent, block.primary);
   fill_rgb_and(material.secondary_color, material.secondary_exponent, block.secondary);
   block.shift[0] = material.primary_shift;
@@ -124,7 +125,7 @@ Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, Dra
   block.shift[3] = static_cast<float>(desc.lights.size());
   fill_component(desc.component, block.component);
   for (std::size_t i = 0; i < desc.lights.size(); ++i) {
-    if (!fill_light(desc.lights[i], frame, block.light_position[i], block.light_color[i])) return Status::kBadArgument;
+    if (!fill_light(desc.lights[i], desc.eye, i, block)) return Status::kBadArgument;
   }
   return Status::kOk;
 }

@@ -4,10 +4,9 @@
 
 namespace coif {
 
-/// The uniform block of shaders/draw_block.glsl, std140, head space.
+/// The uniform block of shaders/draw_block.glsl, std140, view space: the world's axes, its origin at the eye.
 struct alignas(16) DrawBlock {
-  float clip_from_head[16];
-  float eye[4];
+  float clip_from_view[16];
   float base_color[4];
   float ambient[4];
   float primary[4];
@@ -16,14 +15,26 @@ struct alignas(16) DrawBlock {
   float component[4];
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
+  float light_spot[kMaxLights][4];
 };
-static_assert(sizeof(DrawBlock) == 432);
+static_assert(sizeof(DrawBlock) == 544);
+
+/// View from head space.
+struct HeadMatrix {
+  float rows[3][4];
+};
 
 /// Finite, thresholds 0..1, exponents above 0.
 [[nodiscard]] bool is_valid(const MaterialRecord& material);
 
-/// Takes a draw call's world-space values into head space. kBadPose or kBadArgument, with `block` undefined, for values
-/// that are not finite or out of their range.
-Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, DrawBlock& block);
+/// Takes a draw call's world-space values into view space. kBadArgument, with `block` undefined, for values that are not
+/// finite or out of their range. `rows_of_head`: vec4 that an instance has in the matrices' block.
+Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, std::uint32_t rows_of_head,
+                       DrawBlock& block);
+
+[[nodiscard]] bool is_valid(const HeadPose& pose);
+
+/// Of a valid pose. Double on its way, because a head's place in a large world is.
+[[nodiscard]] HeadMatrix head_matrix(const HeadPose& pose, const Vec3& eye);
 
 }  // namespace coif

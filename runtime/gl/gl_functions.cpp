@@ -11,4 +11,10 @@ const char* load_gl_functions(const GlLoader& loader, GlFunctions& functions) {
   return nullptr;
 }
 
+void clear_errors(const GlFunctions& gl) {
+  // A lost context may report an error for ever; there are fewer kinds than this.
+  for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
 }  // namespace coif

@@ -11,6 +11,7 @@
   X(AttachShader)            \
   X(BindBuffer)              \
   X(BindBufferBase)          \
+  X(BindBufferRange)         \
   X(BindSampler)             \
   X(BindTexture)             \
   X(BindVertexArray)         \
@@ -18,6 +19,7 @@
   X(BlendFunc)               \
   X(BufferData)              \
   X(BufferSubData)           \
+  X(ClientWaitSync)          \
   X(ColorMask)               \
   X(CompileShader)           \
   X(CompressedTexSubImage2D) \
@@ -27,14 +29,16 @@
   X(DeleteBuffers)           \
   X(DeleteProgram)           \
   X(DeleteShader)            \
+  X(DeleteSync)              \
   X(DeleteTextures)          \
   X(DeleteVertexArrays)      \
   X(DepthFunc)               \
   X(DepthMask)               \
   X(Disable)                 \
-  X(DrawElements)            \
+  X(DrawElementsInstanced)   \
   X(Enable)                  \
   X(EnableVertexAttribArray) \
+  X(FenceSync)               \
   X(FrontFace)               \
   X(GenBuffers)              \
   X(GenTextures)             \
@@ -48,15 +52,16 @@
   X(GetUniformBlockIndex)    \
   X(GetUniformLocation)      \
   X(LinkProgram)             \
+  X(MapBufferRange)          \
   X(PixelStorei)             \
   X(ShaderSource)            \
-  X(TexImage2D)              \
   X(TexParameteri)           \
   X(TexStorage2D)            \
   X(TexSubImage2D)           \
   X(Uniform1i)               \
   X(Uniform3f)               \
   X(UniformBlockBinding)     \
+  X(UnmapBuffer)             \
   X(UseProgram)              \
   X(VertexAttribIPointer)    \
   X(VertexAttribPointer)
@@ -71,5 +76,7 @@ struct GlFunctions {
 
 /// Fills `functions`. Returns the name of the first function that the host does not find, null when all are there.
 const char* load_gl_functions(const GlLoader& loader, GlFunctions& functions);
+
+void clear_errors(const GlFunctions& gl);
 
 }  // namespace coif

@@ -2,6 +2,7 @@
 #include "gl/gl_functions.h"
 #include "gl/passes.h"
 #include "gl/shader_variant.h"
+#include "gl/transparency_mode.h"
 
 #include <coif/renderer.h>
 
@@ -21,7 +22,7 @@ Status HairRenderer::build_missing(const PassList& passes, std::uint32_t needs, 
     const std::uint32_t variant = variant_of(pass, needs, material, component);
     if (find_program(variant) != nullptr) continue;
     if (program_count_ == kMaxPrograms) return Status::kDriver;
-    const GLuint name = build_variant(gl, variant, failure_);
+    const GLuint name = build_variant(gl, variant, *pass.code, block_bytes_ / 16, failure_);
     if (name == 0) return Status::kDriver;
     programs_[program_count_++] = {variant, name, gl.GetUniformLocation(name, "alpha_range")};
   }
@@ -31,8 +32,9 @@ Status HairRenderer::build_missing(const PassList& passes, std::uint32_t needs, 
 Status HairRenderer::prepare(const HairModel& model, const DrawDesc& desc) {
   if (!created_ || model.renderer_ != this) return Status::kNotCreated;
   const MaterialRecord& material = desc.material != nullptr ? *desc.material : model.material_;
-  if (!is_valid(material) || desc.component > Component::kDirection) return Status::kBadArgument;
-  const PassList passes = plan_passes(material, {model.lowest_alpha_, model.highest_alpha_}, desc.transparency);
+  const bool is_good = is_valid(material) && desc.component <= Component::kDirection && desc.transparency != nullptr;
+  if (!is_good) return Status::kBadArgument;
+  const PassList passes = desc.transparency->plan_passes(material, {model.lowest_alpha_, model.highest_alpha_});
   return build_missing(passes, model.needs_, material, desc.component);
 }
 

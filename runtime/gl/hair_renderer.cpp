@@ -1,4 +1,6 @@
+#include "gl/draw_block.h"
 #include "gl/gl_functions.h"
+#include "gl/stream_buffer.h"
 
 #include <coif/renderer.h>
 
@@ -6,13 +8,28 @@
 #include <new>
 
 namespace coif {
+namespace {
+
+constexpr std::uint32_t kLeastStream = 1u << 20, kMostStream = 256u << 20;
+constexpr std::uint32_t kLeastBlock = 16u << 10, kMostBlock = 64u << 10;  // the least: what OpenGL ES 3.0 promises
+// A part of the smallest stream holds what is sent at once: a full block, or the matrices of the most bones.
+static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + kMostBlock + 512);
+static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + 512 + (kMaxBones + 1) * sizeof(Mat34));
+
+bool is_valid(const RendererDesc& desc) {
+  return desc.stream_bytes >= kLeastStream && desc.stream_bytes <= kMostStream && desc.block_bytes >= kLeastBlock &&
+         desc.block_bytes <= kMostBlock;
+}
+
+}  // namespace
+
 const GlFunctions& HairRenderer::functions() const {
   static_assert(sizeof(GlFunctions) <= kFunctionBytes);
   return *std::launder(reinterpret_cast<const GlFunctions*>(functions_));
 }
 
-Status HairRenderer::create(const GlLoader& loader) {
-  if (loader.get_proc == nullptr) return Status::kBadArgument;
+Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
+  if (loader.get_proc == nullptr || !is_valid(desc)) return Status::kBadArgument;
   destroy();
   GlFunctions* gl = new (static_cast<void*>(functions_)) GlFunctions;
   if (const char* missing = load_gl_functions(loader, *gl)) {
@@ -26,9 +43,16 @@ Status HairRenderer::create(const GlLoader& loader) {
     std::snprintf(failure_, sizeof failure_, "the current context has version %d; OpenGL ES 3.0 is needed", major);
     return Status::kDriver;
   }
-  gl->GenBuffers(1, &draw_buffer_);
-  gl->GenBuffers(1, &palette_buffer_);
-  gl->GenTextures(1, &palette_texture_);
+  GLint most = 0;
+  gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+  const auto offered = static_cast<std::uint32_t>(most);
+  block_bytes_ = (offered < desc.block_bytes ? offered : desc.block_bytes) / 16 * 16;
+  StreamBuffer stream(*gl, stream_);
+  if (!stream.create(desc.stream_bytes)) {
+    stream.destroy();
+    std::snprintf(failure_, sizeof failure_, "no memory for a stream of %u bytes", unsigned{desc.stream_bytes});
+    return Status::kDriver;
+  }
   created_ = true;
   return Status::kOk;
 }
@@ -39,10 +63,7 @@ void HairRenderer::destroy() {
   const GlFunctions& gl = functions();
   for (const Program& program : std::span(programs_).first(program_count_)) gl.DeleteProgram(program.name);
   program_count_ = 0;
-  gl.DeleteBuffers(1, &draw_buffer_);
-  gl.DeleteBuffers(1, &palette_buffer_);
-  gl.DeleteTextures(1, &palette_texture_);
-  draw_buffer_ = palette_buffer_ = palette_texture_ = 0;
+  StreamBuffer(gl, stream_).destroy();
   created_ = false;
 }
 

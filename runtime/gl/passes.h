@@ -1,16 +1,20 @@
 #pragma once
 
 #include "gl/alpha_range.h"
+#include "gl/fragment_code.h"
 #include "gl/gl_functions.h"
 
 #include <coif/asset_records.h>
 
+#include <cfloat>
 #include <cstddef>
 #include <span>
 
 namespace coif {
 
-/// One draw call over the whole level of detail.
+inline constexpr float kNoAlphaLimit = FLT_MAX;
+
+/// One draw call over a level of detail.
 struct Pass {
   bool shaded;  ///< Colour is written; otherwise depth only.
   bool blended;
@@ -19,6 +23,7 @@ struct Pass {
   float alpha_min;  ///< Drawn: alpha_min <= alpha < alpha_max.
   float alpha_max;
   bool tests_alpha = true;  ///< False: every texel is in that range.
+  const FragmentCode* code = &kRangeCode;
 };
 
 /// The passes that draw something, in their order.
@@ -26,7 +31,8 @@ class PassList {
  public:
   static constexpr std::size_t kMost = 4;
 
-  void add(const Pass& pass) { passes_[count_++] = pass; }
+  /// Leaves the pass out if no texel of these alphas is in its range, and the test if all are.
+  void add_for(const AlphaRange& alpha, Pass pass);
   [[nodiscard]] std::span<const Pass> passes() const { return std::span(passes_).first(count_); }
 
  private:
@@ -34,8 +40,13 @@ class PassList {
   std::size_t count_ = 0;
 };
 
-/// The thesis's four passes (5.3.1), without those that no texel of the asset can be in. Without `transparency` the
-/// first alone.
-[[nodiscard]] PassList plan_passes(const MaterialRecord& material, const AlphaRange& texture, bool transparency);
+/// Of the texture times the material's own alpha.
+[[nodiscard]] AlphaRange drawn_alpha(const MaterialRecord& material, const AlphaRange& texture);
+
+/// What is culled where both faces are wanted: back faces of one-sided hair.
+[[nodiscard]] GLenum unseen_faces(const MaterialRecord& material);
+
+/// Texels from the opaque threshold on, as solid, sorted by the depth buffer.
+[[nodiscard]] Pass solid_pass(const MaterialRecord& material);
 
 }  // namespace coif

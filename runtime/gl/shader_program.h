@@ -7,7 +7,7 @@
 
 namespace coif {
 
-inline constexpr std::size_t kMaxPieces = 16;
+inline constexpr std::size_t kMaxPieces = 32;
 
 /// Compiles and links a program from pieces of GLSL ES 3.00, at most kMaxPieces for each shader, without their #version
 /// line. Returns 0 on failure, with the driver's log in `log`, always ended by a zero byte.

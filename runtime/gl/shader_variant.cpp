@@ -6,6 +6,7 @@
 #include <hair_shaders.h>
 
 #include <cstddef>
+#include <cstdio>
 
 namespace coif {
 namespace {
@@ -29,12 +30,14 @@ constexpr Define kDefines[] = {
 /// One shader's source: the lines of its bits, then files of shaders/.
 class Source {
  public:
-  template <std::size_t N>
-  Source(std::uint32_t bits, const char* const (&files)[N]) {
+  explicit Source(std::uint32_t bits) {
     for (const Define& define : kDefines) {
-      if ((bits & define.bit) != 0) pieces_[count_++] = define.line;
+      if ((bits & define.bit) != 0) add(define.line);
     }
-    for (const char* file : files) pieces_[count_++] = file;
+  }
+  Source& add(const char* piece) {
+    pieces_[count_++] = piece;
+    return *this;
   }
   [[nodiscard]] std::span<const char* const> pieces() const { return std::span(pieces_).first(count_); }
 
@@ -43,18 +46,19 @@ class Source {
   std::size_t count_ = 0;
 };
 
-Source fragment_source(std::uint32_t bits) {
-  if ((bits & variant::kShaded) != 0) {
-    return {
-        bits,
-        {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairSurfaceGlsl, kShaderHairShadingGlsl, kShaderHairFrag}};
-  }
-  if ((bits & variant::kDirection) != 0) {
-    return {bits,
-            {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairSurfaceGlsl, kShaderHairDirectionGlsl,
-             kShaderHairDirectionFrag}};
-  }
-  return {bits, {kShaderDrawBlockGlsl, kShaderHairAlphaGlsl, kShaderHairDepthFrag}};
+Source vertex_source(std::uint32_t bits, const char* block_rows) {
+  Source source(bits);
+  source.add(block_rows).add(kShaderDrawBlockGlsl).add(kShaderHairVert);
+  return source;
+}
+
+Source fragment_source(std::uint32_t bits, const FragmentCode& code) {
+  Source source(bits);
+  source.add(kShaderDrawBlockGlsl).add(kShaderHairBaseGlsl).add(code.keep);
+  if ((bits & (variant::kShaded | variant::kDirection)) == 0) return source.add(kShaderHairDepthFrag);
+  source.add(code.output).add(kShaderHairSurfaceGlsl);
+  if ((bits & variant::kShaded) != 0) return source.add(kShaderHairShadingGlsl).add(kShaderHairFrag);
+  return source.add(kShaderHairDirectionGlsl).add(kShaderHairDirectionFrag);
 }
 
 void bind_block(const GlFunctions& gl, GLuint program, const char* name, GLuint index) {
@@ -91,12 +95,15 @@ std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRe
   if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
   if (!is_black(material.primary_color)) bits |= variant::kPrimary;
   if (!is_black(material.secondary_color)) bits |= variant::kSecondary;
-  return canonical(bits);
+  return canonical(bits) | pass.code->id << variant::kCodeShift;
 }
 
-GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, std::span<char> log) {
-  const Source vertex(bits, {kShaderDrawBlockGlsl, kShaderHairVert});
-  const GLuint program = build_program(gl, vertex.pieces(), fragment_source(bits).pieces(), log);
+GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const FragmentCode& code, std::uint32_t block_rows,
+                     std::span<char> log) {
+  char rows[48];
+  std::snprintf(rows, sizeof rows, "#define COIF_PALETTE_ROWS %u\n", unsigned{block_rows});
+  const GLuint program =
+      build_program(gl, vertex_source(bits, rows).pieces(), fragment_source(bits, code).pieces(), log);
   if (program != 0) bind_textures_and_blocks(gl, program);
   return program;
 }

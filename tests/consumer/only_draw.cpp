@@ -7,6 +7,6 @@ int main() {
   const coif::Asset asset;
   const bool refused = renderer.create({}) == coif::Status::kBadArgument &&
                        model.upload(renderer, asset) == coif::Status::kNotCreated &&
-                       renderer.draw(model, {}) == coif::Status::kNotCreated;
+                       renderer.draw(model, {}, {}) == coif::Status::kNotCreated;
   return refused ? 0 : 1;
 }

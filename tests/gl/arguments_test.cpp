@@ -43,7 +43,7 @@ TEST(HairRendererWithoutContext, DrawAndUploadNeedCreate) {
   HairModel model;
   const OpenedAsset asset(card_contents(std::array{Card{}}));
   EXPECT_EQ(model.upload(renderer, *asset), Status::kNotCreated);
-  EXPECT_EQ(renderer.draw(model, {}), Status::kNotCreated);
+  EXPECT_EQ(renderer.draw(model, {}, {}), Status::kNotCreated);
   model.destroy();
   renderer.destroy();
 }
@@ -64,7 +64,8 @@ class Arguments : public GlTest {
 };
 
 TEST_F(Arguments, EveryMissingFunctionIsNamed) {
-  for (const char* name : {"glActiveTexture", "glDrawElements", "glVertexAttribIPointer", "glUniformBlockBinding"}) {
+  for (const char* name :
+       {"glActiveTexture", "glDrawElementsInstanced", "glVertexAttribIPointer", "glUniformBlockBinding"}) {
     PartialHost host{context_->loader(), name};
     HairRenderer renderer;
     EXPECT_EQ(renderer.create(host.loader()), Status::kDriver);
@@ -83,27 +84,27 @@ TEST_F(Arguments, DrawRefusesBadValuesAndDrawsNothing) {
   struct Bad {
     const char* what;
     Status expected;
-    std::function<void(DrawDesc&)> spoil;
+    std::function<void(HeadDraw&)> spoil;
   };
   const std::vector<Bad> all = {
-      {"palette too large", Status::kSizeMismatch, [&](DrawDesc& d) { d.palette = two_bones; }},
-      {"palette empty", Status::kSizeMismatch, [](DrawDesc& d) { d.palette = {}; }},
-      {"too many lights", Status::kBadArgument, [&](DrawDesc& d) { d.lights = crowd; }},
-      {"light without direction", Status::kBadArgument, [&](DrawDesc& d) { d.lights = dark; }},
-      {"light without place", Status::kBadArgument, [&](DrawDesc& d) { d.lights = lost; }},
-      {"head nowhere", Status::kBadPose, [](DrawDesc& d) { d.head.position[2] = kNan; }},
-      {"rotation not unit", Status::kBadPose, [](DrawDesc& d) { d.head.rotation.w = 1.1f; }},
-      {"rotation NaN", Status::kBadPose, [](DrawDesc& d) { d.head.rotation.x = kNan; }},
-      {"matrix", Status::kBadArgument, [](DrawDesc& d) { d.clip_from_world[7] = INFINITY; }},
-      {"eye", Status::kBadArgument, [](DrawDesc& d) { d.eye.y = kNan; }},
-      {"material", Status::kBadArgument, [&](DrawDesc& d) { d.material = &bad_material; }},
-      {"level of detail", Status::kBadArgument, [](DrawDesc& d) { d.lod = 1; }},
-      {"component", Status::kBadArgument, [](DrawDesc& d) { d.component = static_cast<Component>(7); }},
+      {"palette too large", Status::kSizeMismatch, [&](HeadDraw& d) { d.palette = two_bones; }},
+      {"palette empty", Status::kSizeMismatch, [](HeadDraw& d) { d.palette = {}; }},
+      {"too many lights", Status::kBadArgument, [&](HeadDraw& d) { d.lights = crowd; }},
+      {"light without direction", Status::kBadArgument, [&](HeadDraw& d) { d.lights = dark; }},
+      {"light without place", Status::kBadArgument, [&](HeadDraw& d) { d.lights = lost; }},
+      {"head nowhere", Status::kBadPose, [](HeadDraw& d) { d.head.position[2] = kNan; }},
+      {"rotation not unit", Status::kBadPose, [](HeadDraw& d) { d.head.rotation.w = 1.1f; }},
+      {"rotation NaN", Status::kBadPose, [](HeadDraw& d) { d.head.rotation.x = kNan; }},
+      {"matrix", Status::kBadArgument, [](HeadDraw& d) { d.clip_from_world[7] = INFINITY; }},
+      {"eye", Status::kBadArgument, [](HeadDraw& d) { d.eye.y = kNan; }},
+      {"material", Status::kBadArgument, [&](HeadDraw& d) { d.material = &bad_material; }},
+      {"level of detail", Status::kBadArgument, [](HeadDraw& d) { d.lod = 1; }},
+      {"component", Status::kBadArgument, [](HeadDraw& d) { d.component = static_cast<Component>(7); }},
   };
   for (const Bad& bad : all) {
-    DrawDesc desc = at_rest();
+    HeadDraw desc = at_rest();
     bad.spoil(desc);
-    EXPECT_EQ(renderer_.draw(model_, desc), bad.expected) << bad.what;
+    EXPECT_EQ(draw_head(renderer_, model_, desc), bad.expected) << bad.what;
     EXPECT_EQ(middle_pixel(), (Pixel{0, 0, 0, 0})) << bad.what;
   }
 }
@@ -111,7 +112,7 @@ TEST_F(Arguments, DrawRefusesBadValuesAndDrawsNothing) {
 TEST_F(Arguments, DrawRefusesModelOfAnotherRenderer) {
   HairRenderer other;
   ASSERT_EQ(other.create(context_->loader()), Status::kOk);
-  EXPECT_EQ(other.draw(model_, at_rest()), Status::kNotCreated);
+  EXPECT_EQ(draw_head(other, model_, at_rest()), Status::kNotCreated);
   other.destroy();
 }
 
@@ -121,7 +122,7 @@ TEST_F(Arguments, UploadRefusesAssetWithoutMeshAndKeepsTheModel) {
   skeleton_only.texels.clear();
   EXPECT_EQ(model_.upload(renderer_, *OpenedAsset(skeleton_only)), Status::kAssetLacksData);
   EXPECT_EQ(model_.upload(renderer_, Asset{}), Status::kAssetLacksData);
-  EXPECT_EQ(renderer_.draw(model_, at_rest()), Status::kOk);
+  EXPECT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   EXPECT_TRUE(near(middle_pixel(), {255, 255, 255, 255}));
 }
 
@@ -130,7 +131,7 @@ TEST_F(Arguments, UploadReplacesTheModel) {
   red.rgba = {255, 0, 0, 255};
   ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{red}, 3))), Status::kOk);
   EXPECT_EQ(model_.bone_count(), 3u);
-  ASSERT_EQ(renderer_.draw(model_, at_rest(3)), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest(3)), Status::kOk);
   EXPECT_TRUE(near(middle_pixel(), {255, 0, 0, 255}));
 }
 
@@ -138,7 +139,7 @@ TEST_F(Arguments, DestroyTwiceIsHarmless) {
   model_.destroy();
   model_.destroy();
   EXPECT_FALSE(model_.is_uploaded());
-  EXPECT_EQ(renderer_.draw(model_, at_rest()), Status::kNotCreated);
+  EXPECT_EQ(draw_head(renderer_, model_, at_rest()), Status::kNotCreated);
   renderer_.destroy();
   renderer_.destroy();
   EXPECT_FALSE(renderer_.is_created());

@@ -32,7 +32,7 @@ void add_card(AssetContents& out, const Card& card, float u) {
   const std::array<std::uint32_t, 6> front{0, 1, 2, 0, 2, 3};
   const std::array<std::uint32_t, 6> back{0, 2, 1, 0, 3, 2};
   for (const std::uint32_t corner : card.turned ? back : front) out.indices.push_back(first_vertex + corner);
-  out.patches.push_back({first_index, 6, 0, 0});
+  out.patches.push_back({first_index, 6, 0, 0, std::uint32_t(out.patches.size())});
 }
 
 void add_texture(AssetContents& out, TextureRole role, TexelFormat format, std::span<const std::uint8_t> texels,

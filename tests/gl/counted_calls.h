@@ -22,11 +22,14 @@ class CountedCalls {
 
   /// From here on no shader compiles.
   void spoil_shaders() { spoils_shaders_ = true; }
-  void forget() { links = 0, draws = 0, textures = 0, drawn_with.clear(); }
+  void forget() { links = 0, draws = 0, instances = 0, textures = 0, objects = 0, storage = 0, drawn_with.clear(); }
 
   int links = 0;                   ///< Programs linked.
   int draws = 0;                   ///< Draw calls.
+  int instances = 0;               ///< Of all draw calls.
   int textures = 0;                ///< Textures given storage.
+  int objects = 0;                 ///< Buffers and textures made.
+  int storage = 0;                 ///< Buffers and textures given storage.
   std::vector<GLuint> drawn_with;  ///< The program of each draw call.
 
  private:

@@ -15,7 +15,7 @@ class CountedGlTest : public GlTest {
     if (!context_) return;
     renderer_.destroy();
     calls_.emplace(context_->loader());
-    ASSERT_EQ(renderer_.create(calls_->loader()), Status::kOk) << renderer_.failure();
+    ASSERT_EQ(renderer_.create(calls_->loader(), kSmallBlocks), Status::kOk) << renderer_.failure();
   }
 
   std::optional<CountedCalls> calls_;

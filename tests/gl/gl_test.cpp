@@ -25,11 +25,16 @@ void bind_target(GLsizei size) {
 
 }  // namespace
 
+Status draw_head(HairRenderer& renderer, const HairModel& model, const HeadDraw& desc) {
+  const HairInstance instance{desc.head, desc.palette, desc.lod};
+  return renderer.draw(model, {&instance, 1}, desc);
+}
+
 void GlTest::SetUp() {
   auto context = EglContext::create();
   if (!context) GTEST_SKIP() << context.error().message;
   context_.emplace(std::move(*context));
-  ASSERT_EQ(renderer_.create(context_->loader()), Status::kOk) << renderer_.failure();
+  ASSERT_EQ(renderer_.create(context_->loader(), kSmallBlocks), Status::kOk) << renderer_.failure();
   bind_target(kSize);
   clear();
 }
@@ -51,9 +56,9 @@ Pixel GlTest::pixel(int x, int y) {
   return {rgba[0], rgba[1], rgba[2], rgba[3]};
 }
 
-DrawDesc GlTest::at_rest(std::uint32_t bones) {
+HeadDraw GlTest::at_rest(std::uint32_t bones) {
   static const std::array<Mat34, kMaxBones> kRest{};
-  DrawDesc desc;
+  HeadDraw desc;
   desc.clip_from_world[0] = desc.clip_from_world[5] = desc.clip_from_world[15] = 1;
   desc.clip_from_world[10] = -0.1f;
   desc.eye = {0, 0, 3};
@@ -61,11 +66,11 @@ DrawDesc GlTest::at_rest(std::uint32_t bones) {
   return desc;
 }
 
-void GlTest::draw(const AssetContents& contents, const DrawDesc& desc) {
+void GlTest::draw(const AssetContents& contents, const HeadDraw& desc) {
   const OpenedAsset asset(contents);
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, *asset), Status::kOk);
-  ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model, desc), Status::kOk);
   model.destroy();
 }
 

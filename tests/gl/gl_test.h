@@ -16,11 +16,23 @@ namespace coif {
 
 using Pixel = std::array<int, 4>;
 
+/// One head and how it is drawn.
+struct HeadDraw : DrawDesc {
+  HeadPose head;
+  std::span<const Mat34> palette;
+  std::uint32_t lod = 0;
+};
+
+Status draw_head(HairRenderer& renderer, const HairModel& model, const HeadDraw& desc);
+
 /// A context, a renderer and a small target without sRGB encoding of its own. The view is orthographic along -Z and
 /// shows x and y from -1 to 1, z from -10 to 10 metres. Skips where there is no OpenGL ES.
 class GlTest : public testing::Test {
  protected:
   static constexpr int kSize = 32;  // pixels each way
+  /// As small as OpenGL ES 3.0 allows: a block holds 340 bones and their head.
+  static constexpr RendererDesc kSmallBlocks{.stream_bytes = 1 << 20, .block_bytes = 16 << 10};
+  static constexpr std::uint32_t kMostInBlock = 340;
 
   void SetUp() override;
   void TearDown() override;
@@ -31,11 +43,11 @@ class GlTest : public testing::Test {
   [[nodiscard]] static Pixel middle_pixel() { return pixel(kSize / 2, kSize / 2); }
 
   /// What draw() needs for an asset at rest with `bones` bones and no lights.
-  [[nodiscard]] static DrawDesc at_rest(std::uint32_t bones = 1);
+  [[nodiscard]] static HeadDraw at_rest(std::uint32_t bones = 1);
 
   /// Uploads and draws; both must succeed.
-  void draw(const AssetContents& contents, const DrawDesc& desc = at_rest());
-  void draw_cards(std::span<const Card> cards, const DrawDesc& desc = at_rest()) { draw(card_contents(cards), desc); }
+  void draw(const AssetContents& contents, const HeadDraw& desc = at_rest());
+  void draw_cards(std::span<const Card> cards, const HeadDraw& desc = at_rest()) { draw(card_contents(cards), desc); }
 
   std::optional<EglContext> context_;
   HairRenderer renderer_;

@@ -18,7 +18,7 @@ AssetContents cards_of(const std::vector<int>& alphas) {
 
 class LeanPasses : public CountedGlTest {
  protected:
-  int draws_of(const AssetContents& contents, const DrawDesc& desc = at_rest()) {
+  int draws_of(const AssetContents& contents, const HeadDraw& desc = at_rest()) {
     calls_->forget();
     draw(contents, desc);
     return calls_->draws;
@@ -77,15 +77,15 @@ TEST_F(LeanPasses, HairWithoutTextureHasTheMaterialsAlpha) {
 TEST_F(LeanPasses, TheMaterialOfTheCallDecides) {
   MaterialRecord all_opaque = plain_material();
   all_opaque.opaque_threshold = 0;
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.material = &all_opaque;
   EXPECT_EQ(draws_of(cards_of({255, 0}), desc), 1);
   EXPECT_EQ(middle_pixel()[3], 255);
 }
 
 TEST_F(LeanPasses, WithoutTransparencyThereIsAtMostOne) {
-  DrawDesc desc = at_rest();
-  desc.transparency = false;
+  HeadDraw desc = at_rest();
+  desc.transparency = &kOpaqueMode;
   EXPECT_EQ(draws_of(cards_of({255, 0}), desc), 1);
   EXPECT_EQ(draws_of(cards_of({200}), desc), 0) << "all of it is cut away";
 }

@@ -31,7 +31,7 @@ class LeanPrograms : public CountedGlTest {
  protected:
   void draw_lit(const AssetContents& contents) {
     const std::array lights{Light{Light::Kind::kDirectional, {0.2f, 0.9f, 0.4f}, {0.6f, 0.6f, 0.6f}}};
-    DrawDesc desc = at_rest(std::uint32_t(contents.bones.size()));
+    HeadDraw desc = at_rest(std::uint32_t(contents.bones.size()));
     desc.lights = lights;
     calls_->forget();
     clear();
@@ -41,11 +41,6 @@ class LeanPrograms : public CountedGlTest {
   [[nodiscard]] bool used(const char* uniform) const {
     return std::any_of(calls_->drawn_with.begin(), calls_->drawn_with.end(),
                        [&](GLuint program) { return glGetUniformLocation(program, uniform) >= 0; });
-  }
-  [[nodiscard]] bool used_palette_block() const {
-    return std::any_of(calls_->drawn_with.begin(), calls_->drawn_with.end(), [](GLuint program) {
-      return glGetUniformBlockIndex(program, "PaletteBlock") != GL_INVALID_INDEX;
-    });
   }
 };
 
@@ -77,11 +72,11 @@ TEST_F(LeanPrograms, AreAllBuiltWithTheUpload) {
     calls_->forget();
     for (std::uint8_t c = 0; c < std::uint8_t(Component::kDirection); ++c) {
       for (const bool flag : {false, true}) {
-        DrawDesc desc = at_rest();
+        HeadDraw desc = at_rest();
         desc.component = Component(c);
-        desc.transparency = flag;
+        desc.transparency = flag ? &kBlendMode : &kOpaqueMode;
         desc.framebuffer_is_srgb = flag;
-        ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+        ASSERT_EQ(draw_head(renderer_, model, desc), Status::kOk);
       }
     }
     EXPECT_EQ(calls_->links, 0);
@@ -96,16 +91,16 @@ TEST_F(LeanPrograms, PrepareBuildsWhatAnUnusualDrawNeeds) {
   std::fill_n(contents.material[0].secondary_color, 3, 0.0f);
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
-  DrawDesc direction = at_rest();
+  HeadDraw direction = at_rest();
   direction.component = Component::kDirection;
-  DrawDesc other_material = at_rest();
+  HeadDraw other_material = at_rest();
   other_material.material = &shiny;
-  for (const DrawDesc& desc : {direction, other_material}) {
+  for (const HeadDraw& desc : {direction, other_material}) {
     calls_->forget();
     ASSERT_EQ(renderer_.prepare(model, desc), Status::kOk);
     EXPECT_EQ(calls_->links, 1);
     EXPECT_EQ(calls_->draws, 0);
-    ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+    ASSERT_EQ(draw_head(renderer_, model, desc), Status::kOk);
     EXPECT_EQ(calls_->links, 1) << "built before";
   }
   MaterialRecord bad = shiny;
@@ -154,16 +149,15 @@ TEST_F(LeanPrograms, ReadTheShiftOnlyForAHighlight) {
 }
 
 TEST_F(LeanPrograms, ReadMatricesFromOnePlace) {
-  for (const std::uint32_t bones : {3u, 256u, 257u}) {
+  for (const std::uint32_t bones : {3u, kMostInBlock, kMostInBlock + 1}) {
     AssetContents contents = card_contents(std::array{Card{}}, bones);
     for (const int first : {255, 254}) {  // one bone, then two
       for (SkinRecord& skin : contents.skin)
         skin = {{0, 1, 0, 0}, {std::uint8_t(first), std::uint8_t(255 - first), 0, 0}};
       draw_lit(contents);
-      EXPECT_EQ(used_palette_block(), bones <= 256) << bones;
-      EXPECT_EQ(used("palette_texture"), bones > 256) << bones;
+      EXPECT_EQ(used("palette_texture"), bones > kMostInBlock) << bones;
     }
-    DrawDesc direction = at_rest(bones);
+    HeadDraw direction = at_rest(bones);
     direction.component = Component::kDirection;
     draw(contents, direction);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << "a program that draw() builds leaves no error";
@@ -177,21 +171,20 @@ TEST_F(LeanPrograms, ReadNoMatricesForRigidHair) {
   contents.skin.clear();
   draw_lit(contents);
   EXPECT_EQ(middle_pixel(), skinned) << "at rest";
-  EXPECT_FALSE(used_palette_block());
   EXPECT_FALSE(used("palette_texture"));
 
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
-  DrawDesc desc = at_rest(0);
-  EXPECT_EQ(renderer_.draw(model, desc), Status::kOk) << "no palette is needed";
+  HeadDraw desc = at_rest(0);
+  EXPECT_EQ(draw_head(renderer_, model, desc), Status::kOk) << "no palette is needed";
   Mat34 elsewhere;
   elsewhere.m[0][3] = 5;
   desc.palette = std::span(&elsewhere, 1);
   clear();
-  EXPECT_EQ(renderer_.draw(model, desc), Status::kOk) << "nor does one matter";
+  EXPECT_EQ(draw_head(renderer_, model, desc), Status::kOk) << "nor does one matter";
   EXPECT_EQ(middle_pixel()[3], 255);
   desc = at_rest(2);
-  EXPECT_EQ(renderer_.draw(model, desc), Status::kSizeMismatch);
+  EXPECT_EQ(draw_head(renderer_, model, desc), Status::kSizeMismatch);
   model.destroy();
 }
 
@@ -214,12 +207,12 @@ TEST_F(LeanPrograms, ARefusedShaderLeavesTheModelAndSaysWhy) {
   calls_->spoil_shaders();
   EXPECT_EQ(model.upload(renderer_, *OpenedAsset(textured(200))), Status::kDriver);
   EXPECT_STRNE(renderer_.failure(), "");
-  DrawDesc direction = at_rest();
+  HeadDraw direction = at_rest();
   direction.component = Component::kDirection;
   calls_->forget();
-  EXPECT_EQ(renderer_.draw(model, direction), Status::kDriver);
+  EXPECT_EQ(draw_head(renderer_, model, direction), Status::kDriver);
   EXPECT_EQ(calls_->draws, 0);
-  EXPECT_EQ(renderer_.draw(model, at_rest()), Status::kOk) << "what was built before still draws";
+  EXPECT_EQ(draw_head(renderer_, model, at_rest()), Status::kOk) << "what was built before still draws";
   EXPECT_EQ(calls_->draws, 1);
   model.destroy();
 }

@@ -108,7 +108,8 @@ void add_strip(AssetContents& out, const WigSettings& settings, const Strip& str
     }
   }
   const auto count = static_cast<std::uint32_t>(out.indices.size()) - first_index;
-  out.patches.push_back({first_index, count, 0.1f + strip.layer, 1 + strip.chain * settings.bones_per_chain});
+  out.patches.push_back({first_index, count, 0.1f + strip.layer, 1 + strip.chain * settings.bones_per_chain,
+                         std::uint32_t(out.patches.size())});
 }
 
 void add_chain(AssetContents& out, const WigSettings& settings, const Strip& strip) {

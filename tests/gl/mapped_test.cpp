@@ -82,10 +82,10 @@ TEST_F(MappedAsset, OpensStepsAndDrawsWithoutAWriteIntoIt) {
 
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, asset), Status::kOk);
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.palette = head.hair.palette(0);
   desc.clip_from_world[0] = desc.clip_from_world[5] = 4;  // a head fills the view
-  ASSERT_EQ(renderer_.draw(model, desc), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model, desc), Status::kOk);
   int covered = 0;
   for (int i = 0; i < kSize * kSize; ++i) covered += pixel(i % kSize, i / kSize)[3] > 0 ? 1 : 0;
   EXPECT_GT(covered, kSize * kSize / 20);

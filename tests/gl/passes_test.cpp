@@ -36,8 +36,8 @@ Pixel over(const Rgba& front, const Pixel& behind) {
 class FourPasses : public GlTest {
  protected:
   void draw_in_order(const std::vector<Card>& cards, bool transparency = true) {
-    DrawDesc desc = at_rest();
-    desc.transparency = transparency;
+    HeadDraw desc = at_rest();
+    desc.transparency = transparency ? &kBlendMode : &kOpaqueMode;
     draw_cards(cards, desc);
   }
 };

@@ -106,7 +106,7 @@ TEST_F(PictureTest, ViewComponentMotionAndTransparencyChangeThePicture) {
   other.component = Component::kAmbient;
   EXPECT_GT(difference(plain, take(other)), 0.1);
   other = settings_;
-  other.transparency = false;
+  other.transparency = &kOpaqueMode;
   EXPECT_GT(difference(plain, take(other)), 0.01);
   other = settings_;
   other.motion = Motion::kTumble;

@@ -14,9 +14,9 @@ namespace coif {
 
 struct ShadedPoint {
   Eigen::Vector3d position;
-  Eigen::Vector3d normal;   ///< Unit, on the side that is seen.
-  Eigen::Vector3d tangent;  ///< Unit, root to tip.
-  std::array<std::uint8_t, 4> base_texel{};   ///< sRGB.
+  Eigen::Vector3d normal;                    ///< Unit, on the side that is seen.
+  Eigen::Vector3d tangent;                   ///< Unit, root to tip.
+  std::array<std::uint8_t, 4> base_texel{};  ///< sRGB.
   std::array<std::uint8_t, 2> shift_mask{};
 };
 

@@ -79,8 +79,11 @@ class Shading : public GlTest {
   static Pixel expected_at(int x, int y, const Case& c, Component component = Component::kAll) {
     const auto place = [](int i) { return (i + 0.5) / (kSize / 2) - 1; };
     const double side = c.card.turned ? -1 : 1;
-    const ShadedPoint seen{{place(x), place(y), c.card.center[2]}, side * to_eigen(c.card.normal),
-                           to_eigen(c.card.tangent), c.card.rgba, c.card.shift_mask};
+    const ShadedPoint seen{{place(x), place(y), c.card.center[2]},
+                           side * to_eigen(c.card.normal),
+                           to_eigen(c.card.tangent),
+                           c.card.rgba,
+                           c.card.shift_mask};
     const auto color = reference_color(seen, {0, 0, 3}, c.lights, shiny_material(), component);
     return {color[0], color[1], color[2], 255};
   }
@@ -88,7 +91,7 @@ class Shading : public GlTest {
   void draw_case(const Case& c, Component component = Component::kAll, bool framebuffer_is_srgb = false) {
     AssetContents contents = card_contents(std::span(&c.card, 1));
     contents.material = {shiny_material()};
-    DrawDesc desc = at_rest();
+    HeadDraw desc = at_rest();
     desc.lights = c.lights;
     desc.component = component;
     desc.framebuffer_is_srgb = framebuffer_is_srgb;
@@ -149,7 +152,7 @@ TEST_F(Shading, FramebufferThatEncodesBlendsLinearLight) {
   clear();
   Card half = large_card();
   half.rgba = {255, 255, 255, 128};
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.framebuffer_is_srgb = true;
   draw_cards(std::span(&half, 1), desc);
   const auto rgba = target->read();
@@ -160,7 +163,7 @@ TEST_F(Shading, MaterialOfTheCallReplacesTheAssets) {
   const Card white;
   MaterialRecord red = plain_material();
   red.base_color[1] = red.base_color[2] = 0;
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.material = &red;
   draw_cards(std::span(&white, 1), desc);
   EXPECT_TRUE(near(middle_pixel(), {255, 0, 0, 255}));
@@ -172,7 +175,7 @@ TEST_F(Shading, AssetWithoutTexturesIsWhiteWithNeutralShiftAndFullMask) {
   contents.textures.clear();
   contents.texels.clear();
   contents.material = {shiny_material()};
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.lights = c.lights;
   draw(contents, desc);
   c.card.rgba = {255, 255, 255, 255};

@@ -28,7 +28,7 @@ Card small_card(SkinRecord skin) {
 class Skinning : public GlTest {
  protected:
   void draw_with(const Card& card, const std::vector<Mat34>& palette) {
-    DrawDesc desc = at_rest();
+    HeadDraw desc = at_rest();
     desc.palette = palette;
     draw(card_contents(std::span(&card, 1), static_cast<std::uint32_t>(palette.size())), desc);
   }
@@ -49,7 +49,7 @@ TEST_F(Skinning, FourWeightsBlendTheirBones) {
 }
 
 TEST_F(Skinning, FourWeightsBlendTheirBonesFromTheTextureToo) {
-  std::vector<Mat34> palette(300);
+  std::vector<Mat34> palette(kMostInBlock + 1);
   palette[1] = moved(1, 0);
   palette[270] = moved(0, 1);
   palette[299] = moved(-1, 1);
@@ -64,9 +64,9 @@ TEST_F(Skinning, AllWeightOnABoneThatIsNotTheFirstCounts) {
   EXPECT_TRUE(near(pixel(24, 8), kWhite));
 }
 
-// 256 bones fit into a uniform block, more go into a texture of 256 bones a row.
+// Some bones fit into a uniform block, more go into a texture of 256 bones a row.
 TEST_F(Skinning, LastOfAllBonesIsReached) {
-  for (const std::uint32_t bones : {2u, 256u, 257u, 512u, 1601u, kMaxBones}) {
+  for (const std::uint32_t bones : {2u, kMostInBlock, kMostInBlock + 1, 512u, 1601u, kMaxBones}) {
     std::vector<Mat34> palette(bones);
     palette.back() = moved(-0.5f, 0.5f);
     clear();
@@ -90,7 +90,7 @@ TEST_F(Skinning, EachOfManyBonesHasItsOwnMatrix) {
 
 TEST_F(Skinning, AHeadOfFewBonesAfterOneOfManyIsDrawnAsBefore) {
   const Card card = small_card({{1, 0, 0, 0}, {255, 0, 0, 0}});
-  draw_with(card, std::vector<Mat34>(300));
+  draw_with(card, std::vector<Mat34>(kMostInBlock + 1));
   clear();
   draw_with(card, {Mat34{}, moved(0.5f, -0.5f)});
   EXPECT_TRUE(near(pixel(24, 8), kWhite));
@@ -110,7 +110,7 @@ TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {
   std::fill_n(m.primary_color, 3, 0.5f);
   m.primary_exponent = 20;
   const std::array lights{Light{Light::Kind::kDirectional, {0, 1, 0.5f}, {0.5f, 0.5f, 0.5f}}};
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.palette = std::span(&tilt, 1);
   desc.lights = lights;
   draw(contents, desc);
@@ -124,7 +124,7 @@ TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {
 TEST_F(Skinning, HeadPoseMovesAndTurnsTheHair) {
   Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
   card.center = {0.5f, 0, 0};
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.head.position[1] = -0.25;
   desc.head.rotation = {0, 0, std::sqrt(0.5f), std::sqrt(0.5f)};  // +X becomes +Y
   draw_cards(std::span(&card, 1), desc);
@@ -135,7 +135,7 @@ TEST_F(Skinning, HeadPoseMovesAndTurnsTheHair) {
 TEST_F(Skinning, HeadFarFromTheOriginLooksTheSame) {
   const double far_away = 16'777'216;  // metres; the next float is two metres on
   Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.clip_from_world[12] = -static_cast<float>(far_away);
   desc.eye = {static_cast<float>(far_away), 0, 3};
   desc.head.position[0] = far_away + 0.5;

@@ -16,21 +16,51 @@ struct Value {
 
 // What draw() sets, with OpenGL's initial values.
 const std::vector<Value> kOwned = {
-    {GL_CURRENT_PROGRAM}, {GL_VERTEX_ARRAY_BINDING}, {GL_ACTIVE_TEXTURE, {GL_TEXTURE0}}, {GL_UNIFORM_BUFFER_BINDING},
-    {GL_BLEND}, {GL_BLEND_SRC_RGB, {GL_ONE}}, {GL_BLEND_DST_RGB, {GL_ZERO}}, {GL_BLEND_SRC_ALPHA, {GL_ONE}},
-    {GL_BLEND_DST_ALPHA, {GL_ZERO}}, {GL_BLEND_EQUATION_RGB, {GL_FUNC_ADD}}, {GL_BLEND_EQUATION_ALPHA, {GL_FUNC_ADD}},
-    {GL_DEPTH_TEST}, {GL_DEPTH_FUNC, {GL_LESS}}, {GL_DEPTH_WRITEMASK, {GL_TRUE}}, {GL_CULL_FACE},
-    {GL_CULL_FACE_MODE, {GL_BACK}}, {GL_FRONT_FACE, {GL_CCW}},
+    {GL_CURRENT_PROGRAM},
+    {GL_VERTEX_ARRAY_BINDING},
+    {GL_ACTIVE_TEXTURE, {GL_TEXTURE0}},
+    {GL_UNIFORM_BUFFER_BINDING},
+    {GL_BLEND},
+    {GL_BLEND_SRC_RGB, {GL_ONE}},
+    {GL_BLEND_DST_RGB, {GL_ZERO}},
+    {GL_BLEND_SRC_ALPHA, {GL_ONE}},
+    {GL_BLEND_DST_ALPHA, {GL_ZERO}},
+    {GL_BLEND_EQUATION_RGB, {GL_FUNC_ADD}},
+    {GL_BLEND_EQUATION_ALPHA, {GL_FUNC_ADD}},
+    {GL_DEPTH_TEST},
+    {GL_DEPTH_FUNC, {GL_LESS}},
+    {GL_DEPTH_WRITEMASK, {GL_TRUE}},
+    {GL_CULL_FACE},
+    {GL_CULL_FACE_MODE, {GL_BACK}},
+    {GL_FRONT_FACE, {GL_CCW}},
     {GL_COLOR_WRITEMASK, {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE}},
 };
 
 // What a host might have set and draw() must leave alone.
 const std::vector<GLenum> kForeign = {
-    GL_VIEWPORT, GL_SCISSOR_TEST, GL_SCISSOR_BOX, GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING,
-    GL_RENDERBUFFER_BINDING, GL_ARRAY_BUFFER_BINDING, GL_PIXEL_PACK_BUFFER_BINDING, GL_PIXEL_UNPACK_BUFFER_BINDING,
-    GL_COPY_READ_BUFFER_BINDING, GL_STENCIL_TEST, GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_WRITEMASK,
-    GL_POLYGON_OFFSET_FILL, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE, GL_DITHER, GL_RASTERIZER_DISCARD,
-    GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT, GL_TEXTURE_BINDING_CUBE_MAP,
+    GL_VIEWPORT,
+    GL_SCISSOR_TEST,
+    GL_SCISSOR_BOX,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_RENDERBUFFER_BINDING,
+    GL_ARRAY_BUFFER_BINDING,
+    GL_PIXEL_PACK_BUFFER_BINDING,
+    GL_PIXEL_UNPACK_BUFFER_BINDING,
+    GL_COPY_READ_BUFFER_BINDING,
+    GL_STENCIL_TEST,
+    GL_STENCIL_FUNC,
+    GL_STENCIL_REF,
+    GL_STENCIL_WRITEMASK,
+    GL_POLYGON_OFFSET_FILL,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_COVERAGE,
+    GL_DITHER,
+    GL_RASTERIZER_DISCARD,
+    GL_PRIMITIVE_RESTART_FIXED_INDEX,
+    GL_UNPACK_ALIGNMENT,
+    GL_PACK_ALIGNMENT,
+    GL_TEXTURE_BINDING_CUBE_MAP,
     GL_TEXTURE_BINDING_3D,
 };
 
@@ -95,15 +125,15 @@ class DrawState : public GlTest {
 TEST_F(DrawState, IsLeftAtInitialValuesWhereDrawSetsIt) {
   for (const bool transparency : {true, false}) {
     set_hostile_owned_state();
-    DrawDesc desc = at_rest();
-    desc.transparency = transparency;
-    ASSERT_EQ(renderer_.draw(model_, desc), Status::kOk);
+    HeadDraw desc = at_rest();
+    desc.transparency = transparency ? &kBlendMode : &kOpaqueMode;
+    ASSERT_EQ(draw_head(renderer_, model_, desc), Status::kOk);
     for (const Value& value : kOwned) EXPECT_EQ(query(value.name), value.initial) << std::hex << value.name;
   }
 }
 
 TEST_F(DrawState, DoesNotDependOnWhatTheHostLeft) {
-  ASSERT_EQ(renderer_.draw(model_, at_rest()), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   const Pixel expected = middle_pixel();
   clear();
   set_hostile_owned_state();
@@ -113,12 +143,12 @@ TEST_F(DrawState, DoesNotDependOnWhatTheHostLeft) {
   glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glBindSampler(0, sampler);
   glBindSampler(1, sampler);
-  ASSERT_EQ(renderer_.draw(model_, at_rest()), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   EXPECT_EQ(middle_pixel(), expected);
 }
 
 TEST_F(DrawState, TexturesSamplersAndUniformBuffersAreUnbound) {
-  ASSERT_EQ(renderer_.draw(model_, at_rest()), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   for (GLuint i = 0; i < 2; ++i) {
     glActiveTexture(GL_TEXTURE0 + i);
     EXPECT_EQ(query(GL_TEXTURE_BINDING_2D)[0], 0);
@@ -132,7 +162,7 @@ TEST_F(DrawState, TexturesSamplersAndUniformBuffersAreUnbound) {
 TEST_F(DrawState, IsUntouchedWhereDrawDoesNotClaimIt) {
   set_unusual_foreign_state();
   const auto before = query_all(kForeign);
-  ASSERT_EQ(renderer_.draw(model_, at_rest()), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   const auto after = query_all(kForeign);
   for (std::size_t i = 0; i < kForeign.size(); ++i) EXPECT_EQ(after[i], before[i]) << std::hex << kForeign[i];
 }
@@ -140,7 +170,7 @@ TEST_F(DrawState, IsUntouchedWhereDrawDoesNotClaimIt) {
 /// The same with so many bones that their matrices go into a texture.
 class ManyBonesState : public GlTest {
  protected:
-  static constexpr std::uint32_t kBones = 300;
+  static constexpr std::uint32_t kBones = kMostInBlock + 1;
 
   void SetUp() override {
     GlTest::SetUp();
@@ -158,7 +188,7 @@ class ManyBonesState : public GlTest {
 TEST_F(ManyBonesState, IsLeftAtInitialValuesWhereDrawSetsIt) {
   set_hostile_owned_state();
   set_unusual_foreign_state();
-  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest(kBones)), Status::kOk);
   for (const Value& value : kOwned) EXPECT_EQ(query(value.name), value.initial) << std::hex << value.name;
   EXPECT_EQ(query(GL_PIXEL_UNPACK_BUFFER_BINDING)[0], 0);
   EXPECT_EQ(query(GL_UNPACK_ALIGNMENT)[0], 4);
@@ -170,7 +200,7 @@ TEST_F(ManyBonesState, IsLeftAtInitialValuesWhereDrawSetsIt) {
 }
 
 TEST_F(ManyBonesState, DoesNotDependOnWhatTheHostLeft) {
-  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest(kBones)), Status::kOk);
   const Pixel expected = middle_pixel();
   EXPECT_NE(expected, Pixel({0, 0, 0, 0}));
   clear();
@@ -183,7 +213,7 @@ TEST_F(ManyBonesState, DoesNotDependOnWhatTheHostLeft) {
   glGenSamplers(1, &sampler);
   glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glBindSampler(2, sampler);
-  ASSERT_EQ(renderer_.draw(model_, at_rest(kBones)), Status::kOk);
+  ASSERT_EQ(draw_head(renderer_, model_, at_rest(kBones)), Status::kOk);
   EXPECT_EQ(middle_pixel(), expected);
 }
 

@@ -36,7 +36,7 @@ using LevelsOfDetail = GlTest;
 TEST_F(LevelsOfDetail, OnlyTheLevelsPatchesAreDrawn) {
   AssetContents contents = two_levels();
   for (int i = 0; i < 4; ++i) contents.vertices[std::size_t(i)].position[0] -= 0.8f;  // red lies left of the others
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   draw(contents, desc);
   EXPECT_TRUE(near(middle_pixel(), {0, 255, 0, 255}));
   EXPECT_TRUE(near(pixel(5, kSize / 2), {255, 0, 0, 255})) << "level 0 has both";
@@ -52,10 +52,10 @@ TEST_F(LevelsOfDetail, AreCountedAndOthersRefused) {
   EXPECT_EQ(model.lod_count(), 0u);
   ASSERT_EQ(model.upload(renderer_, *OpenedAsset(two_levels())), Status::kOk);
   EXPECT_EQ(model.lod_count(), 2u);
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   for (const std::uint32_t lod : {2u, kNone}) {
     desc.lod = lod;
-    EXPECT_EQ(renderer_.draw(model, desc), Status::kBadArgument);
+    EXPECT_EQ(draw_head(renderer_, model, desc), Status::kBadArgument);
   }
   EXPECT_EQ(middle_pixel(), kNothing);
   ASSERT_EQ(model.upload(renderer_, *OpenedAsset(card_contents(std::array{kRed}))), Status::kOk);
@@ -68,8 +68,8 @@ class Sides : public GlTest {
   Pixel middle_of(const Card& shown, bool double_sided, bool transparency = true) {
     AssetContents contents = card_contents(std::array{shown});
     contents.material[0].flags = double_sided ? kMaterialDoubleSided : 0;
-    DrawDesc desc = at_rest();
-    desc.transparency = transparency;
+    HeadDraw desc = at_rest();
+    desc.transparency = transparency ? &kBlendMode : &kOpaqueMode;
     clear();
     draw(contents, desc);
     return middle_pixel();
@@ -101,7 +101,7 @@ TEST_F(Sides, UndrawnBackFacesHideNothing) {
 TEST_F(Sides, TheMaterialOfTheCallDecides) {
   MaterialRecord single = plain_material();
   single.flags = 0;
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.material = &single;
   draw_cards(std::array{card({255, 0, 0, 255}, true)}, desc);
   EXPECT_EQ(middle_pixel(), kNothing);
@@ -135,7 +135,7 @@ TEST_F(CompressedTexture, ShadesAsTheUncompressedOne) {
       add_flat_block(compressed.texels, shiny.shift_mask[0]);
       add_flat_block(compressed.texels, shiny.shift_mask[1]);
     }
-    DrawDesc desc = at_rest();
+    HeadDraw desc = at_rest();
     const std::array lights{Light{Light::Kind::kDirectional, {0.3f, 0.8f, 0.5f}, {0.5f, 0.5f, 0.5f}}};
     desc.lights = lights;
     desc.component = Component::kSecondary;
@@ -163,7 +163,7 @@ class Direction : public GlTest {
       v.uv[0] = 0.5f + 0.5f * x;
       v.uv[1] = 0.5f - 0.5f * y;
     }
-    DrawDesc desc = at_rest();
+    HeadDraw desc = at_rest();
     desc.component = Component::kDirection;
     clear();
     draw(contents, desc);
@@ -194,7 +194,7 @@ TEST_F(Direction, RootsAreGreenAndTipsAreRedWhicheverWayTheyRun) {
 
 TEST_F(Direction, NeedsNoLightAndKeepsTheTexturesHoles) {
   Card hole = card({255, 255, 255, 0});
-  DrawDesc desc = at_rest();
+  HeadDraw desc = at_rest();
   desc.component = Component::kDirection;
   draw_cards(std::array{hole}, desc);
   EXPECT_EQ(middle_pixel(), kNothing);

@@ -8,9 +8,11 @@
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "render/picture.h"
+#include "render/transparency_modes.h"
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -28,7 +30,6 @@ constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
                                     {"secondary", {Component::kSecondary, false}},
                                     {"direction", {Component::kDirection, false}},
                                     {"patches", {Component::kAll, true}}};
-constexpr Choice<bool> kTransparency[] = {{"blend", true}, {"opaque", false}};
 
 struct RenderOptions {
   std::string file;
@@ -132,6 +133,15 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       ->needs(body);
 }
 
+void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
+  static const auto choices = [] {
+    std::vector<Choice<const TransparencyMode*>> all;
+    for (const TransparencyMode* mode : transparency_modes()) all.push_back({name_of(*mode), mode});
+    return all;
+  }();
+  add_choice<const TransparencyMode*>(app, "--transparency", choice, choices, "How soft edges are drawn");
+}
+
 }  // namespace
 
 Command add_render(CLI::App& program) {
@@ -145,7 +155,7 @@ Command add_render(CLI::App& program) {
   add_choice<Shown>(*app, "--component", options->shown, kShown,
                     "Which part of the shading; or, to check the cook, the strands' direction or the patches");
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
-  add_choice<bool>(*app, "--transparency", options->picture.transparency, kTransparency, "How soft edges are drawn");
+  add_transparency(*app, options->picture.transparency);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }

@@ -152,14 +152,15 @@ class DrawMeasurement {
     const Eigen::Vector3d& eye = scene.view.camera.eye;
     desc.eye = {float(eye.x()), float(eye.y()), float(eye.z())};
     desc.lights = scene.lights;
-    desc.lod = row.lod;
-    desc.transparency = row.transparency;
+    desc.transparency = row.transparency ? &kBlendMode : &kOpaqueMode;
     desc.framebuffer_is_srgb = true;
+    std::vector<HairInstance> heads(row.heads);
     for (std::uint32_t head = 0; head < row.heads; ++head) {
-      Eigen::Map<Eigen::Vector3d>{desc.head.position} = scene.view.places[head];
-      desc.palette = scene.crowd.palette(head);
-      if (const Status status = renderer_.draw(model_, desc); status != Status::kOk) return status;
+      Eigen::Map<Eigen::Vector3d>{heads[head].head.position} = scene.view.places[head];
+      heads[head].palette = scene.crowd.palette(head);
+      heads[head].lod = row.lod;
     }
+    if (const Status status = renderer_.draw(model_, heads, desc); status != Status::kOk) return status;
     glFinish();
     return Status::kOk;
   }

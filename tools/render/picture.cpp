@@ -1,8 +1,8 @@
 #include "render/picture.h"
 
+#include "motion/hair_pose.h"
 #include "render/camera.h"
 #include "render/egl_context.h"
-#include "render/hair_pose.h"
 #include "render/offscreen_target.h"
 #include "render/patch_surfaces.h"
 #include "render/solid_mesh.h"
@@ -81,26 +81,22 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSetti
   DrawDesc desc;
   Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.view.camera.clip_from_world;
   desc.eye = to_vec3(scene.view.camera.eye);
-  desc.head = scene.pose.head;
-  desc.palette = scene.pose.palette;
   desc.lights = lights;
   desc.component = settings.component;
-  desc.lod = settings.lod;
   desc.transparency = settings.transparency;
   desc.framebuffer_is_srgb = true;
 
   scene.stage.draw_backdrop();
+  std::vector<HairInstance> heads;
   for (const Eigen::Vector3d& place : scene.view.places) {
     // The camera follows the head: the picture's world begins at each head's joint.
-    Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
-    scene.stage.draw_bodies(scene.view.camera, desc.head, lights);
+    HeadPose pose = scene.pose.head;
+    Eigen::Map<Eigen::Vector3d>{pose.position} = place;
+    scene.stage.draw_bodies(scene.view.camera, pose, lights);
+    heads.push_back({pose, scene.pose.palette, settings.lod});
   }
   if (settings.patches) return Status::kOk;  // they are on the stage
-  for (const Eigen::Vector3d& place : scene.view.places) {
-    Eigen::Map<Eigen::Vector3d>{desc.head.position} = place;
-    if (const Status status = renderer.draw(scene.model, desc); status != Status::kOk) return status;
-  }
-  return Status::kOk;
+  return renderer.draw(scene.model, heads, desc);
 }
 
 tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRenderer& renderer, const Scene& scene,

@@ -32,7 +32,7 @@ struct PictureSettings {
   Component component = Component::kAll;
   bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
   std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
-  bool transparency = true;
+  const TransparencyMode* transparency = &kBlendMode;
   std::uint32_t heads = 1;      ///< Drawn in a grid.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   bool mannequin = true;        ///< Without `body`: draw the colliders that hair stays out of, as a plain head.

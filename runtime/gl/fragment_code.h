@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace coif {
+
+/// The parts of a fragment shader in which ways to draw differ, as GLSL. A way's own live in its own file, so that a
+/// program which does not name it does not hold them.
+struct FragmentCode {
+  std::uint32_t id;    ///< Of the programs built from it, below kMaxFragmentCodes; no two codes share one.
+  const char* keep;    ///< `float keep(float alpha)`: discards, or tells how solid the texel is, 0..1.
+  const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
+};
+
+inline constexpr std::uint32_t kMaxFragmentCodes = 16;
+
+/// Keeps a range of alpha (Pass::alpha_min and alpha_max) and writes premultiplied colour.
+extern const FragmentCode kRangeCode;
+
+}  // namespace coif

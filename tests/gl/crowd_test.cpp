@@ -1,0 +1,185 @@
+// Many heads in one call: what is drawn, with how many calls, and what is left out.
+
+#include "gl/counted_gl_test.h"
+
+#include <GLES3/gl3.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace coif {
+namespace {
+
+constexpr Pixel kNothing{0, 0, 0, 0};
+
+class Crowd : public CountedGlTest {
+ protected:
+  /// Heads side by side, each with a matrix for each of `bones` bones.
+  static std::vector<HairInstance> heads_at(const std::vector<double>& places, std::uint32_t bones = 1) {
+    std::vector<HairInstance> heads;
+    for (const double x : places) {
+      HairInstance head;
+      head.head.position[0] = x;
+      head.palette = at_rest(bones).palette;
+      heads.push_back(head);
+    }
+    return heads;
+  }
+
+  static AssetContents small_card(std::uint32_t bones = 1, int alpha = 255) {
+    Card card;
+    card.half_size = 0.05f;
+    card.rgba[3] = std::uint8_t(alpha);
+    return card_contents(std::span(&card, 1), bones);
+  }
+
+  void draw_crowd(const AssetContents& contents, const std::vector<HairInstance>& heads) {
+    HairModel model;
+    ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+    calls_->forget();
+    clear();
+    ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
+    model.destroy();
+  }
+
+  static std::vector<std::uint8_t> picture() {
+    std::vector<std::uint8_t> rgba(std::size_t{4} * kSize * kSize);
+    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+  }
+};
+
+TEST_F(Crowd, OneCallDrawsEveryHeadAtItsPlace) {
+  draw_crowd(small_card(), heads_at({-0.5, 0, 0.75}));
+  EXPECT_EQ(calls_->draws, 1);
+  EXPECT_EQ(calls_->instances, 3);
+  EXPECT_EQ(pixel(8, 16)[3], 255);
+  EXPECT_EQ(pixel(16, 16)[3], 255);
+  EXPECT_EQ(pixel(28, 16)[3], 255);
+  EXPECT_EQ(pixel(12, 16), kNothing);
+}
+
+TEST_F(Crowd, NoHeadsAreNoError) {
+  draw_crowd(small_card(), {});
+  EXPECT_EQ(calls_->draws, 0);
+  EXPECT_EQ(middle_pixel(), kNothing);
+}
+
+TEST_F(Crowd, EachHeadHasItsOwnBones) {
+  const AssetContents contents = small_card(3);
+  std::array<std::array<Mat34, 3>, 2> palettes{};
+  palettes[0][0].m[1][3] = 0.5f;
+  palettes[1][0].m[1][3] = -0.5f;
+  std::vector<HairInstance> heads = heads_at({-0.5, 0.5}, 3);
+  heads[0].palette = palettes[0];
+  heads[1].palette = palettes[1];
+  draw_crowd(contents, heads);
+  EXPECT_EQ(calls_->draws, 1);
+  EXPECT_EQ(pixel(8, 24)[3], 255);
+  EXPECT_EQ(pixel(24, 8)[3], 255);
+  EXPECT_EQ(pixel(8, 8), kNothing);
+  EXPECT_EQ(pixel(24, 24), kNothing);
+}
+
+TEST_F(Crowd, HeadsOutOfViewAreNotSent) {
+  draw_crowd(small_card(), heads_at({0, 3, -1.5, 0.5}));
+  EXPECT_EQ(calls_->instances, 2);
+  draw_crowd(small_card(), heads_at({3, -1.5}));
+  EXPECT_EQ(calls_->draws, 0);
+}
+
+TEST_F(Crowd, AHeadIsInViewAsLongAsItsHairMayBe) {
+  // The card reaches 0.05 to each side, its corners 0.071.
+  draw_crowd(small_card(), heads_at({1.01}));
+  EXPECT_EQ(calls_->instances, 1);
+  EXPECT_EQ(pixel(31, 16)[3], 255);
+  draw_crowd(small_card(), heads_at({1.1}));
+  EXPECT_EQ(calls_->instances, 0);
+}
+
+TEST_F(Crowd, MoreHeadsThanABlockHoldsTakeMoreCallsAndLookTheSame) {
+  constexpr std::uint32_t kBones = 100;  // 101 matrices: a block of 341 holds three heads
+  std::vector<double> places;
+  for (int i = 0; i < 7; ++i) places.push_back(-0.9 + 0.3 * i);
+  const std::vector<HairInstance> heads = heads_at(places, kBones);
+  draw_crowd(small_card(kBones), heads);
+  EXPECT_EQ(calls_->draws, 3);
+  EXPECT_EQ(calls_->instances, 7);
+  const auto together = picture();
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card(kBones))), Status::kOk);
+  clear();
+  for (const HairInstance& head : heads) ASSERT_EQ(renderer_.draw(model, {&head, 1}, at_rest()), Status::kOk);
+  EXPECT_EQ(picture(), together);
+  model.destroy();
+}
+
+TEST_F(Crowd, BonesInATextureAreDrawnHeadByHead) {
+  constexpr std::uint32_t kBones = kMostInBlock + 1;
+  draw_crowd(small_card(kBones), heads_at({-0.5, 0.5}, kBones));
+  EXPECT_EQ(calls_->draws, 2);
+  EXPECT_EQ(pixel(8, 16)[3], 255);
+  EXPECT_EQ(pixel(24, 16)[3], 255);
+}
+
+TEST_F(Crowd, FurtherHeadsFirstBlendAsIfDrawnOneByOne) {
+  std::vector<HairInstance> heads = heads_at({0, 0, 0.03});
+  for (int i = 0; i < 3; ++i) heads[std::size_t(i)].head.position[2] = 0.5 * i;
+  const AssetContents contents = small_card(1, 120);
+  draw_crowd(contents, heads);
+  const auto together = picture();
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  clear();
+  for (const HairInstance& head : heads) ASSERT_EQ(renderer_.draw(model, {&head, 1}, at_rest()), Status::kOk);
+  EXPECT_EQ(picture(), together);
+  EXPECT_GT(middle_pixel()[3], 120);
+  model.destroy();
+}
+
+// The stream is a megabyte; a frame of this crowd fills a third of it.
+TEST_F(Crowd, ManyFramesThroughASmallStreamStayRight) {
+  constexpr std::uint32_t kBones = 100;
+  const std::vector<HairInstance> heads = heads_at(std::vector<double>(70, 0.5), kBones);
+  const AssetContents contents = small_card(kBones);
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  clear();
+  ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
+  const auto first = picture();
+  EXPECT_EQ(pixel(24, 16)[3], 255);
+  for (int frame = 0; frame < 30; ++frame) {
+    clear();
+    ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
+    ASSERT_EQ(picture(), first) << frame;
+  }
+  model.destroy();
+}
+
+TEST_F(Crowd, FramesMakeNoObjects) {
+  const std::vector<HairInstance> heads = heads_at({-0.5, 0.5});
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card(1, 120))), Status::kOk);
+  ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
+  calls_->forget();
+  for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
+  EXPECT_GT(calls_->draws, 0);
+  EXPECT_EQ(calls_->objects, 0);
+  EXPECT_EQ(calls_->storage, 0);
+  model.destroy();
+}
+
+TEST_F(Crowd, OneBadHeadStopsAll) {
+  std::vector<HairInstance> heads = heads_at({-0.5, 0.5});
+  heads[1].head.position[1] = std::nan("");
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card())), Status::kOk);
+  clear();
+  EXPECT_EQ(renderer_.draw(model, heads, at_rest()), Status::kBadPose);
+  EXPECT_EQ(pixel(8, 16), kNothing);
+  model.destroy();
+}
+
+}  // namespace
+}  // namespace coif

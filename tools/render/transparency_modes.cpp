@@ -1,0 +1,10 @@
+#include "render/transparency_modes.h"
+
+namespace coif {
+
+std::span<const TransparencyMode* const> transparency_modes() {
+  static constexpr const TransparencyMode* kModes[] = {&kBlendMode, &kOpaqueMode};
+  return kModes;
+}
+
+}  // namespace coif
