@@ -3,7 +3,10 @@
 // the renderers of report/page. Times are medians; the spread beside each is the width of the middle half of its
 // samples, in % of the median.
 
+#include "report/thesis_table.h"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +36,12 @@ struct FeatureCostRow {
 };
 
 inline constexpr const char* kDrawnCrowd = "drawing";
+inline constexpr const char* kThesisTable = "Table 1";
 
 /// A crowd that was not measured.
 struct CostLeftOut {
   std::uint32_t heads = 0;
-  std::string what;  ///< A solver, or kDrawnCrowd.
+  std::string what;  ///< A solver, kDrawnCrowd or kThesisTable.
   std::string why;
 };
 
@@ -80,18 +84,36 @@ struct AssetBytes {
 /// One frame of a crowd that fills the picture.
 struct RenderingCostRow {
   std::uint32_t heads = 0;
-  std::string transparency;  ///< "blend": four passes; "opaque": one.
+  std::string transparency;   ///< As the command line calls it: "blend": four passes; "opaque": one.
+  std::uint32_t samples = 1;  ///< Of a pixel.
   std::uint32_t lod = 0;
   bool simulation = false;      ///< The crowd is also simulated, on the same thread, before it is drawn.
   std::uint64_t triangles = 0;  ///< Of all heads; each is drawn once a pass.
   double ms_per_frame = 0;      ///< Wall time until the device has finished.
   double spread_pct = 0;
+  std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself; nothing where it does not.
+};
+
+/// A crowd that fills the picture, the more heads the smaller and further away, each with the level of detail that
+/// choose_lod() gives it.
+struct DistanceCostRow {
+  std::uint32_t heads = 0;
+  double screen_share = 0;  ///< Of the picture's height, that of a head.
+  std::uint32_t lod = 0;
+  std::uint64_t triangles_per_head = 0;
+  double covered_pixels_per_head = 0;  ///< Pixels that hair touches / heads.
+  double ms_per_head = 0;              ///< Wall time of a frame / heads.
+  double spread_pct = 0;
+  double finest_ms_per_head = 0;  ///< The same crowd with level 0.
+  std::optional<double> gpu_ms_per_head{};
 };
 
 struct RenderingCost {
   std::string device;                   ///< What OpenGL calls itself; empty where nothing was drawn.
-  std::uint32_t width = 0, height = 0;  ///< Pixels.
+  std::uint32_t width = 0, height = 0;  ///< Pixels, but for the thesis's table.
   std::vector<RenderingCostRow> rows;
+  std::vector<DistanceCostRow> distances;
+  ThesisTable thesis_table;
   std::string note;  ///< Why there are no rows; empty where there are.
 };
 

@@ -44,11 +44,6 @@ TEST(CostJson, HasTheDocumentedKeysAndTypes) {
   EXPECT_EQ(keys_of(json["memory"]), (Keys{"bytes_per_head", "bytes_shared"}));
   EXPECT_EQ(keys_of(json["file"]), (Keys{"bytes", "chunks", "framing_bytes"}));
   EXPECT_EQ(keys_of(json["file"]["chunks"][0]), (Keys{"id", "what", "bytes", "use"}));
-  EXPECT_EQ(keys_of(json["rendering"][0]),
-            (Keys{"heads", "transparency", "lod", "simulation", "triangles", "ms_per_frame", "spread_pct", "device"}));
-  EXPECT_TRUE(json["rendering"][0]["simulation"].is_boolean());
-  EXPECT_TRUE(json["rendering"][0]["transparency"].is_string());
-  EXPECT_EQ(json["rendering"][8]["device"], "made-up device");
   EXPECT_TRUE(json["simulation"][0]["heads"].is_number_unsigned());
   EXPECT_EQ(json["file"]["chunks"][1]["use"], "drawing");
   EXPECT_TRUE(json["rendering_note"].is_null());
@@ -100,10 +95,6 @@ TEST(CostPlots, ScalingIsDoublyLogarithmic) {
   ASSERT_EQ(time.series[0].points.size(), 3u);
   EXPECT_EQ(time.series[0].points[2].x, 100);
   EXPECT_EQ(time.series[0].points[2].y, 200);
-  const Plot drawing = drawing_figure(made_up_cost()).plot;
-  EXPECT_TRUE(drawing.log_x && drawing.log_y);
-  ASSERT_EQ(drawing.series.size(), 4u);
-  for (const PlotSeries& series : drawing.series) EXPECT_EQ(series.points.size(), 2u) << series.name;
 }
 
 TEST(CostPlots, SubstepsAreOfOneHead) {
@@ -117,7 +108,7 @@ TEST(CostPlots, SubstepsAreOfOneHead) {
 TEST(CostTables, RowsHaveAsManyCellsAsThereAreColumns) {
   const CostReport report = made_up_cost();
   for (const Table& table : {scaling_table(report), substeps_table(report), features_table(report),
-                             memory_table(report), chunks_table(report), rendering_table(report)}) {
+                             memory_table(report), chunks_table(report)}) {
     EXPECT_FALSE(table.rows.empty());
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.columns[0].title;
   }
@@ -158,7 +149,7 @@ TEST(CostPage, HasAllParts) {
     EXPECT_NE(page->find(part), std::string::npos) << part;
   }
   const std::regex figure("<figure>");
-  EXPECT_EQ(std::distance(std::sregex_iterator(page->begin(), page->end(), figure), std::sregex_iterator()), 4);
+  EXPECT_EQ(std::distance(std::sregex_iterator(page->begin(), page->end(), figure), std::sregex_iterator()), 5);
 }
 
 TEST(CostPage, RigidHairWithoutADeviceStillHasItsBytes) {
@@ -179,7 +170,6 @@ TEST(CostText, HasALineForEveryRow) {
   const std::string text = cost_text(made_up_heading(), made_up_cost());
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  coif +1 +100 +200 +2.00 +200 +4.00 %\n"))) << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  no-colliders +15.0 +1.50 +-25 % +60.0 %\n"))) << text;
-  EXPECT_TRUE(std::regex_search(text, std::regex("\n  blend +1 +1 +no +100 +0.250 +2.00 %\n"))) << text;
   EXPECT_NE(cost_text(made_up_heading(), rigid_report()).find("not drawn: no device"), std::string::npos);
 }
 

@@ -20,16 +20,36 @@ void add_solver(const char* solver, double us, CostReport& report) {
   for (const std::uint32_t substeps : {2u, 4u}) report.simulation.push_back(made_up_row(solver, 10, substeps, us));
 }
 
+RenderingCostRow drawn_row(std::uint32_t heads, const char* transparency, bool simulation) {
+  return {.heads = heads,
+          .transparency = transparency,
+          .simulation = simulation,
+          .triangles = 300ull * heads,
+          .ms_per_frame = 0.5 * heads,
+          .spread_pct = 40};
+}
+
 RenderingCost made_up_rendering() {
-  RenderingCost rendering{.device = "made-up device", .width = 64, .height = 48, .rows = {}, .note = ""};
+  RenderingCost rendering;
+  rendering.device = "made-up device";
+  rendering.width = 64;
+  rendering.height = 48;
   for (const std::uint32_t heads : {1u, 10u}) {
     for (const char* transparency : {"blend", "opaque"}) {
       for (const bool simulation : {false, true}) {
-        rendering.rows.push_back({heads, transparency, 0, simulation, 300ull * heads, 0.5 * heads, 40});
+        rendering.rows.push_back(drawn_row(heads, transparency, simulation));
       }
     }
   }
-  rendering.rows.push_back({1, "blend", 1, false, 100, 0.25, 2});
+  rendering.rows.push_back({.heads = 1,
+                            .transparency = "blend",
+                            .samples = 4,
+                            .lod = 1,
+                            .triangles = 100,
+                            .ms_per_frame = 0.25,
+                            .spread_pct = 2,
+                            .gpu_ms_per_frame = 0.125});
+  rendering.distances = {{1, 0.8, 0, 300, 500, 4, 2, 4}, {10, 0.2, 1, 100, 40, 1, 2, 4}};
   return rendering;
 }
 
@@ -48,6 +68,22 @@ CostReport made_up_cost() {
       1000, {{"BONE", "bones", 480, ChunkUse::kSimulation}, {"TEXD", "texels", 400, ChunkUse::kDrawing}}, 120};
   report.rendering = made_up_rendering();
   return report;
+}
+
+ThesisTable made_up_thesis_table() {
+  ThesisTable table{.width = 64, .height = 48, .rows = {}};
+  for (const std::uint32_t heads : {20u, 7u}) {
+    for (const bool simulation : {true, false}) {
+      for (const bool transparency : {true, false}) {
+        table.rows.push_back({.heads = heads,
+                              .transparency = transparency,
+                              .simulation = simulation,
+                              .ms_per_frame = heads * (transparency ? 3 : 2) * (simulation ? 1.5 : 1),
+                              .spread_pct = 2});
+      }
+    }
+  }
+  return table;
 }
 
 }  // namespace coif

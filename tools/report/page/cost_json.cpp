@@ -1,5 +1,6 @@
 #include "report/page/cost_json.h"
 
+#include "report/page/cost_rows.h"
 #include "report/page/number_text.h"
 #include "report/page/report_frame.h"
 
@@ -37,15 +38,54 @@ ordered_json to_json(const ChunkBytes& chunk) {
   return {{"id", chunk.id}, {"what", chunk.what}, {"bytes", chunk.bytes}, {"use", name_of(chunk.use)}};
 }
 
+ordered_json optional_json(std::optional<double> number) {
+  return number ? number_json(*number) : ordered_json(nullptr);
+}
+
 ordered_json to_json(const RenderingCostRow& row, const std::string& device) {
   return {{"heads", row.heads},
           {"transparency", row.transparency},
+          {"samples", row.samples},
           {"lod", row.lod},
           {"simulation", row.simulation},
           {"triangles", row.triangles},
           {"ms_per_frame", number_json(row.ms_per_frame)},
           {"spread_pct", number_json(row.spread_pct)},
+          {"gpu_ms_per_frame", optional_json(row.gpu_ms_per_frame)},
           {"device", device}};
+}
+
+ordered_json to_json(const DistanceCostRow& row) {
+  return {{"heads", row.heads},
+          {"screen_share", number_json(row.screen_share)},
+          {"lod", row.lod},
+          {"triangles_per_head", row.triangles_per_head},
+          {"covered_pixels_per_head", number_json(row.covered_pixels_per_head)},
+          {"ms_per_head", number_json(row.ms_per_head)},
+          {"spread_pct", number_json(row.spread_pct)},
+          {"gpu_ms_per_head", optional_json(row.gpu_ms_per_head)},
+          {"finest_ms_per_head", number_json(row.finest_ms_per_head)},
+          {"saved_pct", number_json(saved_pct(row))}};
+}
+
+ordered_json to_json(const ThesisTableRow& row, const std::string& device) {
+  return {{"heads", row.heads},
+          {"transparency", row.transparency ? "blend" : "opaque"},
+          {"simulation", row.simulation},
+          {"ms_per_frame", number_json(row.ms_per_frame)},
+          {"spread_pct", number_json(row.spread_pct)},
+          {"gpu_ms_per_frame", optional_json(row.gpu_ms_per_frame)},
+          {"fps", number_json(frames_per_second(row))},
+          {"thesis_fps", optional_json(published_frames_per_second(row))},
+          {"device", device}};
+}
+
+ordered_json to_json(const ThesisTableRatio& ratio) {
+  return {{"heads", ratio.heads},
+          {"transparency_on_off", number_json(ratio.transparency_on_off)},
+          {"thesis_transparency_on_off", optional_json(ratio.published_transparency)},
+          {"simulation_on_off", number_json(ratio.simulation_on_off)},
+          {"thesis_simulation_on_off", optional_json(ratio.published_simulation)}};
 }
 
 template <typename Row, typename... More>
@@ -68,6 +108,9 @@ ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
   json["file"] = {
       {"bytes", report.asset.total}, {"chunks", list(report.asset.chunks)}, {"framing_bytes", report.asset.framing}};
   json["rendering"] = list(report.rendering.rows, report.rendering.device);
+  json["distances"] = list(report.rendering.distances);
+  json["table_1"] = list(report.rendering.thesis_table.rows, report.rendering.device);
+  json["table_1_ratios"] = list(ratios_of(report.rendering.thesis_table));
   const std::string& note = report.rendering.note;
   json["rendering_note"] = note.empty() ? ordered_json(nullptr) : ordered_json(note);
   return json;

@@ -4,6 +4,7 @@
 #include "report/page/cost_rows.h"
 #include "report/page/cost_summary.h"
 #include "report/page/cost_tables.h"
+#include "report/page/drawing_section.h"
 #include "report/page/plotted_page.h"
 #include "report/page/report_frame.h"
 
@@ -14,9 +15,8 @@ namespace {
 
 constexpr const char* kHowTimesAreTaken =
     "Times hold for this machine and this moment; compare them within this page, not with those of another machine. "
-    "All "
-    "ways to run the hair were timed in turns, many times; a time is the median of its turns, the spread is half the "
-    "width of their middle half. Simulation is processor time of one thread with frames of 1/60 s: telling every "
+    "All ways to run the hair were timed in turns, many times; a time is the median of its turns, the spread is half "
+    "the width of their middle half. Simulation is processor time of one thread with frames of 1/60 s: telling every "
     "head's pose, the step, the bone matrices. A small crowd finds its hair in the processor's caches here, which a "
     "game's other work may have emptied.";
 
@@ -44,24 +44,6 @@ void add_simulation(const CostReport& report, PlottedPage& page) {
   page.table(features_table(report));
 }
 
-void add_drawing(const CostReport& report, PlottedPage& page) {
-  const RenderingCost& rendering = report.rendering;
-  page.heading("What does drawing cost?");
-  if (rendering.rows.empty()) {
-    page.paragraph("Nothing was drawn: " + rendering.note + ".");
-    return;
-  }
-  if (drawings_of(report, "blend", false).size() > 1) page.plot(drawing_figure(report));
-  page.table(rendering_table(report));
-  add_left_out(report, kDrawnCrowd, page);
-  page.paragraph(fmt::format(
-      "Device: {}, {} x {} pixels, one sample each, three lights; time until the device has finished. Blend is the "
-      "four "
-      "passes with soft edges, opaque draws once and cuts off. Simulated frames are stepped before they are drawn, on "
-      "the same thread.",
-      rendering.device, rendering.width, rendering.height));
-}
-
 void add_memory(const CostReport& report, PlottedPage& page) {
   page.heading("What does it take in memory?");
   if (!report.simulation.empty()) {
@@ -78,8 +60,7 @@ void add_memory(const CostReport& report, PlottedPage& page) {
   page.table(chunks_table(report));
   page.paragraph(
       fmt::format("All heads share one copy of the file, which is used as it is: {} for drawing, which the graphics "
-                  "card gets a copy "
-                  "of, and {} for everything else.",
+                  "card gets a copy of, and {} for everything else.",
                   bytes_text(double(drawn)), bytes_text(double(stays))));
 }
 
@@ -92,7 +73,7 @@ tl::expected<std::string, ToolError> cost_page(const ReportHeading& heading, con
   page.summary(cost_summary(report));
   page.paragraph(kHowTimesAreTaken);
   if (!report.simulation.empty()) add_simulation(report, page);
-  add_drawing(report, page);
+  add_drawing_section(report, page);
   add_memory(report, page);
   return page.finish();
 }

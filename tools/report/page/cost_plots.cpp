@@ -8,16 +8,6 @@
 namespace coif {
 namespace {
 
-struct WayToDraw {
-  const char* name;
-  const char* transparency;
-  bool simulation;
-};
-constexpr WayToDraw kWaysToDraw[] = {{"four passes, simulated", "blend", true},
-                                     {"four passes", "blend", false},
-                                     {"opaque, simulated", "opaque", true},
-                                     {"opaque", "opaque", false}};
-
 /// One curve a solver. `rows_of`: its rows in the order of the x axis; `point_of`: where each is drawn.
 template <typename RowsOf, typename PointOf>
 void add_solvers(const CostReport& report, RowsOf rows_of, PointOf point_of, Plot& plot) {
@@ -50,7 +40,8 @@ Figure crowd_time_figure(const CostReport& report) {
     return std::ranges::any_of(report.simulation, [us](const SimulationCostRow& row) { return row.us_per_frame > us; });
   };
   if (reaches(500)) plot.markers.push_back({false, 1000, "1 ms"});
-  figure.caption = "Twice as far right, twice as high: a straight line at 45 degrees is a cost in proportion.";
+  figure.caption =
+      "Ten times as far right and ten times as high is a cost in proportion; less high, and heads share something.";
   return figure;
 }
 
@@ -86,26 +77,6 @@ Figure substeps_figure(const CostReport& report) {
       },
       plot);
   figure.caption = "Where the line starts above zero, that much of a frame is not repeated by more steps.";
-  return figure;
-}
-
-Figure drawing_figure(const CostReport& report) {
-  Figure figure;
-  Plot& plot = figure.plot;
-  plot.title = "Drawing against the size of the crowd";
-  plot.x_label = "heads";
-  plot.y_label = "milliseconds a frame";
-  plot.log_x = plot.log_y = true;
-  for (const WayToDraw& way : kWaysToDraw) {
-    PlotSeries series;
-    series.name = way.name;
-    series.color = unsigned(plot.series.size());
-    for (const RenderingCostRow& row : drawings_of(report, way.transparency, way.simulation)) {
-      series.points.push_back({double(row.heads), row.ms_per_frame});
-    }
-    plot.series.push_back(std::move(series));
-  }
-  figure.caption = "The crowd fills the picture whatever its size, so that more heads are smaller heads.";
   return figure;
 }
 

@@ -14,7 +14,4 @@ namespace coif {
 /// Time of one head against the number of sub-steps.
 [[nodiscard]] Figure substeps_figure(const CostReport& report);
 
-/// Time of a drawn frame against the size of the crowd, one curve a way to draw; both axes logarithmic.
-[[nodiscard]] Figure drawing_figure(const CostReport& report);
-
 }  // namespace coif

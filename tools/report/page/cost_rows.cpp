@@ -49,11 +49,13 @@ std::vector<SimulationCostRow> substeps_of(const CostReport& report, const std::
 std::vector<RenderingCostRow> drawings_of(const CostReport& report, const std::string& transparency, bool simulation) {
   std::vector<RenderingCostRow> rows;
   std::ranges::copy_if(report.rendering.rows, std::back_inserter(rows), [&](const RenderingCostRow& row) {
-    return row.transparency == transparency && row.simulation == simulation && row.lod == 0;
+    return row.transparency == transparency && row.simulation == simulation && row.lod == 0 && row.samples == 1;
   });
   std::ranges::stable_sort(rows, {}, &RenderingCostRow::heads);
   return rows;
 }
+
+double saved_pct(const DistanceCostRow& row) { return 100 * (1 - row.ms_per_head / row.finest_ms_per_head); }
 
 std::string time_text(double nanoseconds) { return scaled_text(nanoseconds, {"ns", "us", "ms", "s"}); }
 

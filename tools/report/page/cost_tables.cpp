@@ -1,5 +1,6 @@
 #include "report/page/cost_tables.h"
 
+#include "report/page/cost_cells.h"
 #include "report/page/cost_rows.h"
 #include "report/page/number_text.h"
 
@@ -11,15 +12,6 @@ namespace coif {
 namespace {
 
 constexpr auto kNumbers = Column::Kind::kNumbers;
-
-Cell count_cell(std::uint64_t count) { return {std::to_string(count)}; }
-
-Cell spread_cell(double spread_pct) {
-  // Samples that differ by a quarter are of a machine that had other work.
-  constexpr double kUnsteadyPct = 25;
-  const std::string text = fmt::format("\u00b1{:.1f} %", spread_pct / 2);
-  return {text, spread_pct > kUnsteadyPct ? CellLook::kWarning : CellLook::kPlain};
-}
 
 void add_simulation_row(const SimulationCostRow& row, Table& table) {
   table.rows.push_back({{row.solver},
@@ -107,29 +99,6 @@ Table chunks_table(const CostReport& report) {
   };
   add_sum("header, table of these parts, padding", report.asset.framing);
   add_sum("whole file", report.asset.total);
-  return table;
-}
-
-Table rendering_table(const CostReport& report) {
-  Table table{{{"heads", kNumbers},
-               {"level of detail", kNumbers},
-               {"transparency"},
-               {"simulated"},
-               {"triangles", kNumbers},
-               {"time a frame", kNumbers},
-               {"spread", kNumbers},
-               {"a head", kNumbers}},
-              {}};
-  for (const RenderingCostRow& row : report.rendering.rows) {
-    table.rows.push_back({count_cell(row.heads),
-                          count_cell(row.lod),
-                          {row.transparency},
-                          {row.simulation ? "yes" : "no"},
-                          count_cell(row.triangles),
-                          {time_text(1e6 * row.ms_per_frame)},
-                          spread_cell(row.spread_pct),
-                          {time_text(1e6 * row.ms_per_frame / row.heads)}});
-  }
   return table;
 }
 

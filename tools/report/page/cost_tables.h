@@ -14,6 +14,5 @@ namespace coif {
 [[nodiscard]] Table memory_table(const CostReport& report);
 /// What each part of the file takes.
 [[nodiscard]] Table chunks_table(const CostReport& report);
-[[nodiscard]] Table rendering_table(const CostReport& report);
 
 }  // namespace coif

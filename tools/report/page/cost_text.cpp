@@ -2,6 +2,7 @@
 
 #include "report/page/cost_rows.h"
 #include "report/page/cost_summary.h"
+#include "report/page/drawing_text.h"
 #include "report/page/number_text.h"
 #include "report/page/report_frame.h"
 
@@ -27,25 +28,12 @@ std::string simulation_text(const CostReport& report) {
   return text;
 }
 
-std::string rendering_text(const RenderingCost& rendering) {
-  if (rendering.rows.empty()) return rendering.note.empty() ? "" : "  not drawn: " + rendering.note + "\n";
-  std::string text = fmt::format("  {}, {} x {}\n", rendering.device, rendering.width, rendering.height);
-  text += fmt::format("  {:<8}{:>6}{:>5}{:>12}{:>12}{:>12}{:>9}\n", "drawn", "heads", "lod", "simulated", "triangles",
-                      "ms/frame", "spread");
-  for (const RenderingCostRow& row : rendering.rows) {
-    text += fmt::format("  {:<8}{:>6}{:>5}{:>12}{:>12}{:>12}{:>7} %\n", row.transparency, row.heads, row.lod,
-                        row.simulation ? "yes" : "no", row.triangles, number_text(row.ms_per_frame),
-                        number_text(row.spread_pct));
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string cost_text(const ReportHeading& heading, const CostReport& report) {
-  std::string text = heading_text(heading) + "\n" + simulation_text(report) + rendering_text(report.rendering);
+  std::string text = heading_text(heading) + "\n" + simulation_text(report) + drawing_text(report.rendering);
   std::vector<std::string> subjects = solvers_of(report);
-  subjects.emplace_back(kDrawnCrowd);
+  subjects.insert(subjects.end(), {kDrawnCrowd, kThesisTable});
   for (const std::string& subject : subjects) {
     const std::string left_out = left_out_text(report, subject);
     if (!left_out.empty()) text += "  " + left_out + "\n";
