@@ -1,9 +1,11 @@
 // Many heads in one call: what is drawn, with how many calls, and what is left out.
 
 #include "gl/counted_gl_test.h"
+#include "gl/made_up_wig.h"
 
 #include <GLES3/gl3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -96,6 +98,51 @@ TEST_F(Crowd, AHeadIsInViewAsLongAsItsHairMayBe) {
   EXPECT_EQ(pixel(31, 16)[3], 255);
   draw_crowd(small_card(), heads_at({1.1}));
   EXPECT_EQ(calls_->instances, 0);
+}
+
+/// Turns every chain as a whole about its root, by a quarter turn about Z: what hung down points to the side.
+std::vector<Mat34> lifted_chains(const Asset& asset) {
+  std::vector<Mat34> palette(asset.bones().size());
+  for (const ChainRecord& chain : asset.chains()) {
+    const float(&root)[3] = asset.bones()[chain.first_bone].joint;
+    Mat34 turn;
+    turn.m[0][0] = turn.m[1][1] = 0;
+    turn.m[0][1] = 1;
+    turn.m[1][0] = -1;
+    turn.m[0][3] = root[0] - root[1];
+    turn.m[1][3] = root[1] + root[0];
+    for (std::uint32_t b = 0; b < chain.bone_count; ++b) palette[chain.first_bone + b] = turn;
+  }
+  return palette;
+}
+
+TEST_F(Crowd, HairThatSwingsIntoViewIsDrawnThoughItsHeadIsFarOutside) {
+  const OpenedAsset wig(made_up_wig());
+  const std::vector<Mat34> palette = lifted_chains(*wig);
+  float leftmost = 0;
+  for (std::size_t v = 0; v < (*wig).vertices().size(); ++v) {
+    const Mat34& m = palette[(*wig).skin()[v].bone[0]];
+    const float(&p)[3] = (*wig).vertices()[v].position;
+    leftmost = std::min(leftmost, m.m[0][0] * p[0] + m.m[0][1] * p[1] + m.m[0][2] * p[2] + m.m[0][3]);
+  }
+  float left_at_rest = 0;
+  for (const VertexRecord& vertex : (*wig).vertices()) left_at_rest = std::min(left_at_rest, vertex.position[0]);
+  ASSERT_LT(leftmost, left_at_rest - 0.1f) << "the test needs hair that swings out";
+  HairInstance head;
+  head.head.position[0] = 1.0 - 0.5 * (leftmost + left_at_rest);  // at rest all of it is out of view
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, *wig), Status::kOk);
+  const auto draw_with = [&](std::span<const Mat34> pose) {
+    head.palette = pose;
+    clear();
+    ASSERT_EQ(renderer_.draw(model, {&head, 1}, at_rest()), Status::kOk);
+  };
+  const auto is_empty = [] { return std::ranges::all_of(picture(), [](std::uint8_t byte) { return byte == 0; }); };
+  draw_with(std::vector<Mat34>(palette.size()));
+  EXPECT_TRUE(is_empty());
+  draw_with(palette);
+  EXPECT_FALSE(is_empty());
+  model.destroy();
 }
 
 TEST_F(Crowd, MoreHeadsThanABlockHoldsTakeMoreCallsAndLookTheSame) {
