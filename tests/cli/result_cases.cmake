@@ -45,6 +45,18 @@ coif_cli_case(render_text EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240,
 coif_cli_case(render_json EXIT 0 SAMPLE WRITES bob.png JSON output width height heads triangles draw_ms device
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --view=-30,5 --motion nod --time 0.5 --transparency opaque
        --component specular --heads 4 -o bob.png --format json)
+coif_cli_case(gallery_text EXIT 0 SAMPLE WRITES sheet.png TIMEOUT 120
+  STDOUT "sheet.png: 440x[0-9]+, 48 pictures, drawn in [0-9.]+ ms\n  device: "
+  ARGS gallery ${COIF_COOKED_SAMPLE} --size 64x64 -o sheet.png)
+coif_cli_case(gallery_json EXIT 0 SAMPLE WRITES sheet.png JSON output width height pictures draw_ms device
+  ARGS gallery ${COIF_COOKED_SAMPLE} --only 4 --size 64x80 -o sheet.png --format json)
+coif_cli_case(gallery_small_pictures EXIT 1 SAMPLE
+  STDERR "coif gallery: error: .*bob.coif: a picture of a gallery has 64 to 1024 pixels each way, not 32 x 64"
+  ARGS gallery ${COIF_COOKED_SAMPLE} --size 32x64 -o sheet.png)
+coif_cli_case(gallery_text_file EXIT 3 STDERR "coif gallery: error: notes.coif: not a cooked hair asset"
+  TEXT notes.coif "this text is long enough for a header" ARGS gallery notes.coif -o sheet.png)
+coif_cli_case(gallery_no_folder EXIT 2 SAMPLE STDERR "coif gallery: error: .*nowhere"
+  ARGS gallery ${COIF_COOKED_SAMPLE} --only 1 -o nowhere/sheet.png)
 coif_cli_case(render_direction EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component direction -o bob.png)
 coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png

@@ -2,7 +2,7 @@
 coif_cli_case(no_verb EXIT 1 STDERR "coif: error: needs a verb: cook.*see 'coif --help'" ARGS)
 coif_cli_case(unknown_verb EXIT 1 STDERR "coif: error: .*braid" ARGS braid)
 coif_cli_case(version EXIT 0 STDOUT "^coif ${PROJECT_VERSION}\n$" ARGS --version)
-coif_cli_case(help EXIT 0 STDOUT "cook.*validate.*info.*simulate.*render.*compare.*report.*strip.*Exit codes: 0 ok" ARGS --help)
+coif_cli_case(help EXIT 0 STDOUT "cook.*validate.*info.*simulate.*render.*gallery.*compare.*report.*strip.*Exit codes: 0 ok" ARGS --help)
 coif_cli_case(cook_help EXIT 0 STDOUT "--recipe.*Exit codes: 0 ok" ARGS cook --help)
 coif_cli_case(unknown_option EXIT 1 STDERR "coif info: error: .*--colour.*see 'coif info --help'"
   ARGS info a.coif --colour)
@@ -25,6 +25,13 @@ coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
 coif_cli_case(simulate_too_many_substeps EXIT 1 STDERR "coif simulate: error: --substeps"
   ARGS simulate a.coif --motion nod --substeps 65 -o out.csv)
+coif_cli_case(gallery_help EXIT 0 STDOUT "shifts and exponents.*--only.*1 to 5.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"
+  ARGS gallery --help)
+coif_cli_case(gallery_unknown_number EXIT 1 STDERR "coif gallery: error: --only.*6"
+  ARGS gallery a.coif --only 6 -o sheet.png)
+coif_cli_case(gallery_unknown_suffix EXIT 1 STDERR "coif gallery: error: sheet.jpg: the suffix must be .png"
+  ARGS gallery a.coif -o sheet.jpg)
+coif_cli_case(gallery_without_output EXIT 1 STDERR "coif gallery: error: .*--output.*see 'coif gallery --help'" ARGS gallery a.coif)
 coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"
   ARGS render a.coif --size 4x4 -o out.png)
 coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)

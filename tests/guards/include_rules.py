@@ -48,6 +48,7 @@ HOMES = {
     "Eigen/": ["tools/", "tests/"],
     "fmt/": ["tools/", "tests/"],
     "tl/": ["tools/", "tests/"],
+    "stb/stb_easy_font.h": ["tools/render"],
     "stb/stb_image.h": ["tools/cook", "tests/"],
     "stb/stb_image_resize.h": ["tools/cook"],
     "stb/stb_image_write.h": ["tools/render", "tools/sample", "tests/cook"],

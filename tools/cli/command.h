@@ -24,6 +24,7 @@ Command add_validate(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
+Command add_gallery(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_strip(CLI::App& program);

@@ -44,7 +44,7 @@ Exit run_program(int argc, char** argv) {
   program.footer(kExitCodeHelp);
   std::vector<Command> commands;
   for (const auto add :
-       {add_cook, add_validate, add_info, add_simulate, add_render, add_compare, add_report, add_strip}) {
+       {add_cook, add_validate, add_info, add_simulate, add_render, add_gallery, add_compare, add_report, add_strip}) {
     commands.push_back(add(program));
     commands.back().app->footer(kExitCodeHelp);
   }
@@ -57,7 +57,7 @@ Exit run_program(int argc, char** argv) {
     if (command.app->parsed()) return run(command);
   }
   Messages("").error(
-      "needs a verb: cook, validate, info, simulate, render, compare, report or strip; see 'coif --help'");
+      "needs a verb: cook, validate, info, simulate, render, gallery, compare, report or strip; see 'coif --help'");
   return Exit::kUsage;
 }
 

@@ -25,6 +25,12 @@ tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
   return tl::unexpected(ToolError{kind, std::move(message)});
 }
 
+tl::expected<void, ToolError> check_mesh(const Asset& asset) {
+  if (asset.is_open() && !asset.vertices().empty() && !asset.indices().empty()) return {};
+  return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
+}
+
+/// Of an asset with a mesh.
 tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(settings.width) || !side_ok(settings.height)) {
@@ -38,12 +44,11 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
     return fail(ToolError::Kind::kUsage,
                 "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
   }
+  if (!(settings.margin >= 1 && settings.margin <= 10)) {
+    return fail(ToolError::Kind::kUsage, "a picture's margin is 1 to 10, not " + std::to_string(settings.margin));
+  }
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
     return fail(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
-  }
-  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return fail(ToolError::Kind::kBadInput,
-                "the asset has no mesh to draw; cook it again without leaving the mesh out");
   }
   if (settings.lod >= asset.lod_count()) {
     return fail(ToolError::Kind::kUsage, "there is no level of detail " + std::to_string(settings.lod) +
@@ -83,6 +88,7 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSetti
   desc.eye = to_vec3(scene.view.camera.eye);
   desc.lights = lights;
   desc.component = settings.component;
+  desc.material = settings.material ? &*settings.material : nullptr;
   desc.transparency = settings.transparency;
   desc.framebuffer_is_srgb = true;
 
@@ -105,8 +111,7 @@ tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRen
   if (!target) return tl::unexpected(target.error());
   Picture picture{settings.width, settings.height, {}, context.device(), 0};
   target->bind();
-  // The first frame also pays for what drivers put off until then.
-  for (int frame = 0; frame < 2; ++frame) {
+  for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
     if (const Status status = draw_scene(renderer, scene, settings); status != Status::kOk) {
@@ -127,21 +132,40 @@ std::shared_ptr<const HeadPath> played_path(const PictureSettings& settings) {
 
 }  // namespace
 
-tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
+/// The asset in the context. Objects of the context die with it, last.
+struct PictureMaker::Loaded {
+  Loaded(const Asset& source, EglContext&& egl) : asset(source), context(std::move(egl)) {}
+
+  const Asset& asset;
+  EglContext context;
+  HairRenderer renderer;
+  HairModel model;
+};
+
+PictureMaker::PictureMaker(std::unique_ptr<Loaded> loaded) : loaded_(std::move(loaded)) {}
+PictureMaker::PictureMaker(PictureMaker&&) noexcept = default;
+PictureMaker::~PictureMaker() = default;
+
+tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
+  if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
+  auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+  auto loaded = std::make_unique<Loaded>(asset, std::move(*context));
+  HairRenderer& renderer = loaded->renderer;
+  if (renderer.create(loaded->context.loader()) != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
+  }
+  if (const Status status = loaded->model.upload(renderer, asset); status != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+  }
+  return PictureMaker(std::move(loaded));
+}
+
+tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& settings) {
+  const Asset& asset = loaded_->asset;
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
   const auto pose = simulate_pose(asset, played_path(settings).get(), settings.time, settings.step);
   if (!pose) return tl::unexpected(pose.error());
-  const auto context = EglContext::create();
-  if (!context) return tl::unexpected(context.error());
-
-  HairRenderer renderer;
-  HairModel model;
-  if (renderer.create(context->loader()) != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
-  }
-  if (const Status status = model.upload(renderer, asset); status != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
-  }
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
   const auto stage = StageRenderer::create(meshes);
   if (!stage) return tl::unexpected(stage.error());
@@ -150,8 +174,18 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = settings.yaw_degrees,
                                                             .pitch_degrees = settings.pitch_degrees,
                                                             .aspect = aspect,
-                                                            .heads = settings.heads});
-  return take_picture(*context, renderer, {model, *stage, *pose, view}, settings);
+                                                            .heads = settings.heads,
+                                                            .margin = settings.margin});
+  return take_picture(loaded_->context, loaded_->renderer, {loaded_->model, *stage, *pose, view}, settings);
+}
+
+tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
+  // Before a driver is asked for.
+  if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  auto maker = PictureMaker::create(asset);
+  if (!maker) return tl::unexpected(maker.error());
+  return maker->take(settings);
 }
 
 }  // namespace coif

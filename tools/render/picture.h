@@ -25,15 +25,18 @@ struct PictureSettings {
   std::uint32_t height = 768;
   double yaw_degrees = 30;      ///< 0: from the front (camera on +Z), positive: towards the model's left (+X).
   double pitch_degrees = 5;     ///< Positive: from above.
+  double margin = 1.08;         ///< Of the distance from which all is seen, 1..10.
   std::optional<Motion> motion; ///< None: the settled pose at rest.
   std::shared_ptr<const HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;              ///< Seconds into the motion.
   StepSettings step;
   Component component = Component::kAll;
+  std::optional<MaterialRecord> material;  ///< Instead of the asset's.
   bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
   std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
   std::uint32_t heads = 1;      ///< Drawn in a grid.
+  bool warm_up = true;          ///< Draw once before the frame that is timed, for what drivers put off until then.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   bool mannequin = true;        ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
@@ -46,7 +49,26 @@ struct Picture {
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
 };
 
-/// Errors: kUnsupported where no EGL display with OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
+/// Pictures of one asset, which must outlive this object, in one OpenGL ES context; one of these at a time.
+class PictureMaker {
+ public:
+  /// Errors: kUnsupported where no EGL display with OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
+  static tl::expected<PictureMaker, ToolError> create(const Asset& asset);
+  PictureMaker(PictureMaker&&) noexcept;
+  PictureMaker& operator=(PictureMaker&&) = delete;
+  ~PictureMaker();
+
+  /// kUsage for settings out of range.
+  tl::expected<Picture, ToolError> take(const PictureSettings& settings);
+
+ private:
+  struct Loaded;
+  explicit PictureMaker(std::unique_ptr<Loaded> loaded);
+
+  std::unique_ptr<Loaded> loaded_;
+};
+
+/// One picture. Errors: those of PictureMaker.
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings);
 
 /// PNG bytes. Empty only when out of memory.

@@ -1,0 +1,15 @@
+# The same asset gives the same sheet, byte for byte.
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+foreach(name first.png second.png)
+  execute_process(COMMAND "${PROGRAM}" gallery "${ASSET}" --size 64x64 -o ${name} WORKING_DIRECTORY "${FOLDER}"
+                  RESULT_VARIABLE code ERROR_VARIABLE error)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${name}: exit code ${code}\n${error}")
+  endif()
+endforeach()
+file(SHA256 "${FOLDER}/first.png" first)
+file(SHA256 "${FOLDER}/second.png" second)
+if(NOT first STREQUAL second)
+  message(FATAL_ERROR "two sheets of ${ASSET} differ")
+endif()
