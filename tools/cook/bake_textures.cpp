@@ -2,10 +2,10 @@
 
 #include "cook/alpha_mips.h"
 #include "cook/eac_rg11.h"
-#include "cook/parallel_for.h"
 #include "cook/recipe_image.h"
 #include "cook/shift_mask.h"
 #include "cook/used_texels.h"
+#include "parallel_for.h"
 
 #include <algorithm>
 
