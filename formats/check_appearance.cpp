@@ -9,6 +9,12 @@ namespace {
 constexpr std::uint32_t kMaxTextureSize = 16384;
 constexpr float kMaxColor = 1.0e3f;
 
+bool shading_fits(const MaterialRecord& m) {
+  const float least_roughness = m.shading == ShadingModel::kMarschner ? kLeastRoughness : 0.0f;
+  return in_range(m.tilt, -kMostTilt, kMostTilt) && in_range(m.roughness, least_roughness, kMostRoughness) &&
+         in_range(m.scatter, 0.0f, 1.0f) && in_range(m.light_cut, 0.0f, 1.0f);
+}
+
 bool format_fits(const TextureRecord& t) {
   switch (t.role) {
     case TextureRole::kBaseColor: return t.format == TexelFormat::kSrgb8Alpha8;
@@ -34,14 +40,16 @@ std::uint64_t all_mip_bytes(const TextureRecord& t) {
 LoadStatus check_material(const Asset& asset) {
   const MaterialRecord* m = asset.material();
   if (m == nullptr) return {};
-  if ((m->flags & ~kMaterialFlags) != 0) return {LoadCode::kReserved, chunk::kMaterial};
-  const bool good = all_in_range(m->base_color, 0.0f, kMaxColor) && all_in_range(m->ambient, 0.0f, kMaxColor) &&
-                    all_in_range(m->primary_color, 0.0f, kMaxColor) &&
-                    all_in_range(m->secondary_color, 0.0f, kMaxColor) &&
-                    in_range(m->primary_exponent, 1.0e-3f, kMaxCoordinate) &&
-                    in_range(m->secondary_exponent, 1.0e-3f, kMaxCoordinate) &&
-                    in_range(m->primary_shift, -10.0f, 10.0f) && in_range(m->secondary_shift, -10.0f, 10.0f) &&
-                    in_range(m->opaque_threshold, 0.0f, 1.0f) && in_range(m->discard_threshold, 0.0f, 1.0f);
+  const std::uint32_t reserved = m->reserved[0] | m->reserved[1] | m->reserved[2];
+  if ((m->flags & ~kMaterialFlags) != 0 || reserved != 0) return {LoadCode::kReserved, chunk::kMaterial};
+  if (m->shading > ShadingModel::kMarschner) return {LoadCode::kEnumerator, chunk::kMaterial};
+  const bool good =
+      all_in_range(m->base_color, 0.0f, kMaxColor) && all_in_range(m->ambient, 0.0f, kMaxColor) &&
+      all_in_range(m->primary_color, 0.0f, kMaxColor) && all_in_range(m->secondary_color, 0.0f, kMaxColor) &&
+      in_range(m->primary_exponent, 1.0e-3f, kMaxCoordinate) &&
+      in_range(m->secondary_exponent, 1.0e-3f, kMaxCoordinate) && in_range(m->primary_shift, -10.0f, 10.0f) &&
+      in_range(m->secondary_shift, -10.0f, 10.0f) && in_range(m->opaque_threshold, 0.0f, 1.0f) &&
+      in_range(m->discard_threshold, 0.0f, 1.0f) && shading_fits(*m);
   return good ? LoadStatus{} : LoadStatus{LoadCode::kNotFinite, chunk::kMaterial};
 }
 

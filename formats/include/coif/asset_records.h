@@ -229,7 +229,20 @@ inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
 
 inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;
 
-/// Parameters of the thesis's Algorithm 3 and the four passes of 5.3.1. Colours are linear.
+/// How strands reflect light. Formulas, with their sources: shaders/SHADING.md.
+enum class ShadingModel : std::uint32_t {
+  kThesis = 0,     ///< Algorithm 3 of the thesis: wrapped diffuse light and two shifted highlights.
+  kKajiyaKay = 1,  ///< Diffuse light by the sine to the strand, one highlight around the mirror cone.
+  kMarschner = 2,  ///< What a fibre's surface reflects, lets through, and reflects at its far side.
+};
+
+inline constexpr float kMostTilt = 0.35f;  ///< Radians; scales of real hair lean by 0.03 to 0.09.
+/// Radians. The narrowest lobe is half as wide, which is about as narrow as 8 bits of a tangent's direction show.
+inline constexpr float kLeastRoughness = 0.02f;
+inline constexpr float kMostRoughness = 1.0f;
+
+/// Shading and the four passes of the thesis's 5.3.1. Colours are linear. Highlights' colours, exponents and shifts are
+/// kThesis's; kKajiyaKay takes the primary colour and exponent for its one, kMarschner none of them.
 struct MaterialRecord {
   float base_color[4];      ///< Multiplies the base texture.
   float ambient[3];         ///< Times base colour, independent of lights.
@@ -242,8 +255,15 @@ struct MaterialRecord {
   float secondary_shift;
   float discard_threshold;  ///< Texels with less alpha than this are never drawn, 0..1.
   std::uint32_t flags;
+  ShadingModel shading;
+  float tilt;       ///< kMarschner: of the fibre's scales towards the tip, radians, -kMostTilt..kMostTilt.
+  /// kMarschner: width of the first highlight along the strand, radians, kLeastRoughness..kMostRoughness; 0 fits others.
+  float roughness;
+  float scatter;    ///< kMarschner: share of the light let through that other strands scatter before it is seen, 0..1.
+  float light_cut;  ///< Share of what lights add that is taken away, 0 (as published) .. 1.
+  std::uint32_t reserved[3];
 };
-static_assert(sizeof(MaterialRecord) == 80);
+static_assert(sizeof(MaterialRecord) == 112);
 
 enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };
 enum class TexelFormat : std::uint32_t {
