@@ -12,4 +12,9 @@ layout(std140) uniform DrawBlock {
   vec4 light_position[8];  // w 0: unit vector towards the light; w 1: position, metres
   vec4 light_color[8];     // rgb, linear; w: 1 / (inner - outer cosine) of its cone
   vec4 light_spot[8];      // xyz: unit vector along the cone; w: outer cosine, -2 where there is no cone
+#ifdef COIF_SHADOW
+  mat4 shadow_from_view;
+  vec4 shadow_depth;
+  vec4 shadow_map;         // w: index of the light that it belongs to
+#endif
 };

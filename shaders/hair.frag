@@ -12,6 +12,13 @@ const float kNearestLight = 1e-4;  // square metres: a point light in a strand i
 
 float pow2(float x) { return x * x; }
 
+#ifdef COIF_SHADOW
+// The share of a light that neither hair nor heads keep from this point.
+float light_reaching(int i) {
+  return i == int(shadow_map.w) ? hair_light(shadow_from_view * vec4(position, 1.0), shadow_depth, shadow_map) : 1.0;
+}
+#endif
+
 Accumulated sum_lights(vec3 n, vec2 shift_mask) {
   vec3 t = normalize(tangent);
   vec3 view = normalize(-position);
@@ -28,6 +35,9 @@ Accumulated sum_lights(vec3 n, vec2 shift_mask) {
       float cone = (-dot(towards, light_spot[i].xyz) - light_spot[i].w) * light_color[i].w;
       color *= pow2(clamp(cone, 0.0, 1.0));
     }
+#ifdef COIF_SHADOW
+    color *= light_reaching(i);
+#endif
     add_light(sum, t, n, view, towards, color, shift_mask.x, shift_mask.y);
   }
   return sum;

@@ -10,5 +10,6 @@ inline constexpr GLuint kPaletteIndex = 1;
 inline constexpr GLint kBaseUnit = 0;  // texture units
 inline constexpr GLint kShiftMaskUnit = 1;
 inline constexpr GLint kPaletteUnit = 2;
+inline constexpr GLint kShadowUnit = 3;  // and the next, as many as HairShadow::kTextures
 
 }  // namespace coif

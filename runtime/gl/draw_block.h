@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/renderer.h>
+#include <coif/shadow.h>
 
 namespace coif {
 
@@ -16,8 +17,9 @@ struct alignas(16) DrawBlock {
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
   float light_spot[kMaxLights][4];
+  ShadowUniforms shadow;  ///< From view space; map[3]: which light it belongs to.
 };
-static_assert(sizeof(DrawBlock) == 544);
+static_assert(sizeof(DrawBlock) == 640);
 
 /// View from head space.
 struct HeadMatrix {

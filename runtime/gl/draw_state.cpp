@@ -22,7 +22,7 @@ void set_pass_state(const GlFunctions& gl, const Pass& pass) {
   set_enabled(gl, GL_CULL_FACE, pass.culled != GL_NONE);
   if (pass.culled != GL_NONE) gl.CullFace(pass.culled);
   gl.DepthMask(pass.writes_depth ? GL_TRUE : GL_FALSE);
-  const GLboolean color = pass.shaded ? GL_TRUE : GL_FALSE;
+  const GLboolean color = pass.writes_color() ? GL_TRUE : GL_FALSE;
   gl.ColorMask(color, color, color, color);
 }
 

@@ -10,6 +10,8 @@ struct FragmentCode {
   std::uint32_t id;    ///< Of the programs built from it, below kMaxFragmentCodes; no two codes share one.
   const char* keep;    ///< `float keep(float alpha)`: discards, or tells how solid the texel is, 0..1.
   const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
+  /// Instead of shading and its output, where not null: a whole `main()` that writes something else than colour.
+  const char* other = nullptr;
 };
 
 inline constexpr std::uint32_t kMaxFragmentCodes = 16;

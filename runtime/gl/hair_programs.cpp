@@ -22,7 +22,7 @@ Status HairRenderer::build_missing(const PassList& passes, std::uint32_t needs, 
     const std::uint32_t variant = variant_of(pass, needs, material, component);
     if (find_program(variant) != nullptr) continue;
     if (program_count_ == kMaxPrograms) return Status::kDriver;
-    const GLuint name = build_variant(gl, variant, *pass.code, block_bytes_ / 16, failure_);
+    const GLuint name = build_variant(gl, variant, pass, block_bytes_ / 16, failure_);
     if (name == 0) return Status::kDriver;
     programs_[program_count_++] = {variant, name, gl.GetUniformLocation(name, "alpha_range")};
   }

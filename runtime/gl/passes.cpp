@@ -10,6 +10,12 @@ void PassList::add_for(const AlphaRange& alpha, Pass pass) {
   passes_[count_++] = pass;
 }
 
+void PassList::add_shadow(const ShadowLookup& shadow) {
+  for (Pass& pass : passes_) {
+    if (pass.shaded) pass.shadow = &shadow;
+  }
+}
+
 AlphaRange drawn_alpha(const MaterialRecord& material, const AlphaRange& texture) {
   const float a = texture.lowest * material.base_color[3], b = texture.highest * material.base_color[3];
   return a < b ? AlphaRange{a, b} : AlphaRange{b, a};

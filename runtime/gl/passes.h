@@ -12,6 +12,8 @@
 
 namespace coif {
 
+struct ShadowLookup;
+
 inline constexpr float kNoAlphaLimit = FLT_MAX;
 
 /// One draw call over a level of detail.
@@ -24,6 +26,9 @@ struct Pass {
   float alpha_max;
   bool tests_alpha = true;  ///< False: every texel is in that range.
   const FragmentCode* code = &kRangeCode;
+  const ShadowLookup* shadow = nullptr;  ///< Looked up where light is summed, or by `code`.
+
+  [[nodiscard]] bool writes_color() const { return shaded || code->other != nullptr; }
 };
 
 /// The passes that draw something, in their order.
@@ -33,6 +38,8 @@ class PassList {
 
   /// Leaves the pass out if no texel of these alphas is in its range, and the test if all are.
   void add_for(const AlphaRange& alpha, Pass pass);
+  /// Where light is summed, one of the lights has this shadow.
+  void add_shadow(const ShadowLookup& shadow);
   [[nodiscard]] std::span<const Pass> passes() const { return std::span(passes_).first(count_); }
 
  private:

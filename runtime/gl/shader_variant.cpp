@@ -2,6 +2,7 @@
 
 #include "gl/binding_points.h"
 #include "gl/shader_program.h"
+#include "gl/shadow/shadow_lookup.h"
 
 #include <hair_shaders.h>
 
@@ -25,6 +26,7 @@ constexpr Define kDefines[] = {
     {variant::kPrimary, "#define COIF_PRIMARY\n"},
     {variant::kSecondary, "#define COIF_SECONDARY\n"},
     {variant::kAlphaTest, "#define COIF_ALPHA_TEST\n"},
+    {variant::kShadow, "#define COIF_SHADOW\n"},
 };
 
 /// One shader's source: the lines of its bits, then files of shaders/.
@@ -52,9 +54,12 @@ Source vertex_source(std::uint32_t bits, const char* block_rows) {
   return source;
 }
 
-Source fragment_source(std::uint32_t bits, const FragmentCode& code) {
+Source fragment_source(std::uint32_t bits, const Pass& pass) {
+  const FragmentCode& code = *pass.code;
   Source source(bits);
   source.add(kShaderDrawBlockGlsl).add(kShaderHairBaseGlsl).add(code.keep);
+  if ((bits & variant::kShadow) != 0) source.add(pass.shadow->pieces[0]).add(pass.shadow->pieces[1]);
+  if (code.other != nullptr) return source.add(code.other);
   if ((bits & (variant::kShaded | variant::kDirection)) == 0) return source.add(kShaderHairDepthFrag);
   source.add(code.output).add(kShaderHairSurfaceGlsl);
   if ((bits & variant::kShaded) != 0) return source.add(kShaderHairShadingGlsl).add(kShaderHairFrag);
@@ -66,11 +71,20 @@ void bind_block(const GlFunctions& gl, GLuint program, const char* name, GLuint 
   if (block != GL_INVALID_INDEX) gl.UniformBlockBinding(program, block, index);
 }
 
-void bind_textures_and_blocks(const GlFunctions& gl, GLuint program) {
+void bind_shadow_textures(const GlFunctions& gl, GLuint program, const ShadowLookup& shadow) {
+  GLint unit = kShadowUnit;
+  for (const char* const name : shadow.samplers) {
+    if (name != nullptr) gl.Uniform1i(gl.GetUniformLocation(program, name), unit);
+    ++unit;
+  }
+}
+
+void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const ShadowLookup* shadow) {
   gl.UseProgram(program);  // Of a texture that the program lacks the location is -1, which is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "palette_texture"), kPaletteUnit);
+  if (shadow != nullptr) bind_shadow_textures(gl, program, *shadow);
   gl.UseProgram(0);
   bind_block(gl, program, "DrawBlock", kDrawIndex);
   bind_block(gl, program, "PaletteBlock", kPaletteIndex);
@@ -78,12 +92,14 @@ void bind_textures_and_blocks(const GlFunctions& gl, GLuint program) {
 
 bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f; }
 
-std::uint32_t canonical(std::uint32_t bits) {
+std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   using namespace variant;
   if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
   if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary);
   if ((bits & (kPrimary | kSecondary)) == 0) bits &= ~kShiftMask;
-  if ((bits & (kShaded | kDirection | kAlphaTest)) == 0) bits &= ~kBaseTexture;  // depth of whole triangles
+  if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
+  if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)
+    bits &= ~kBaseTexture;  // depth of whole triangles
   return bits;
 }
 
@@ -95,16 +111,17 @@ std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRe
   if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
   if (!is_black(material.primary_color)) bits |= variant::kPrimary;
   if (!is_black(material.secondary_color)) bits |= variant::kSecondary;
-  return canonical(bits) | pass.code->id << variant::kCodeShift;
+  if (pass.shadow != nullptr) bits |= pass.shadow->id << variant::kShadowShift;
+  return canonical(bits, pass.code->other != nullptr) | pass.code->id << variant::kCodeShift;
 }
 
-GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const FragmentCode& code, std::uint32_t block_rows,
+GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const Pass& pass, std::uint32_t block_rows,
                      std::span<char> log) {
   char rows[48];
   std::snprintf(rows, sizeof rows, "#define COIF_PALETTE_ROWS %u\n", unsigned{block_rows});
   const GLuint program =
-      build_program(gl, vertex_source(bits, rows).pieces(), fragment_source(bits, code).pieces(), log);
-  if (program != 0) bind_textures_and_blocks(gl, program);
+      build_program(gl, vertex_source(bits, rows).pieces(), fragment_source(bits, pass).pieces(), log);
+  if (program != 0) bind_textures_and_blocks(gl, program, pass.shadow);
   return program;
 }
 

@@ -23,7 +23,9 @@ inline constexpr std::uint32_t kSecondary = 1u << 6;
 inline constexpr std::uint32_t kAlphaTest = 1u << 7;  ///< Drops texels outside the pass's range.
 inline constexpr std::uint32_t kShaded = 1u << 8;     ///< Writes Algorithm 3's colour.
 inline constexpr std::uint32_t kDirection = 1u << 9;  ///< Writes the strands' direction. Without both: depth only.
-inline constexpr std::uint32_t kCodeShift = 24;       ///< From here on: FragmentCode::id.
+inline constexpr std::uint32_t kCodeShift = 24;       ///< From here on, four bits: FragmentCode::id.
+inline constexpr std::uint32_t kShadowShift = 28;     ///< Two bits: ShadowLookup::id, 0 without a shadow.
+inline constexpr std::uint32_t kShadow = 3u << kShadowShift;
 }  // namespace variant
 
 /// The bits of the program that draws a pass of an asset that needs `needs`. Without bits that would change nothing
@@ -34,7 +36,7 @@ inline constexpr std::uint32_t kCodeShift = 24;       ///< From here on: Fragmen
 /// Compiles and links the program of these bits, with its textures and blocks at their binding points. Returns 0 on
 /// failure, with the driver's log in `log`, ended by a zero byte. Leaves no program in use.
 /// `block_rows`: vec4 in the matrices' block.
-GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const FragmentCode& code, std::uint32_t block_rows,
+GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const Pass& pass, std::uint32_t block_rows,
                      std::span<char> log);
 
 }  // namespace coif

@@ -13,6 +13,7 @@
 namespace coif {
 
 class CrowdDraw;
+class HairShadow;
 class PassList;
 struct GlFunctions;
 
@@ -54,6 +55,8 @@ struct DrawDesc {
   /// Replaces the asset's material when not null; must stay valid during the call.
   const MaterialRecord* material = nullptr;
   const TransparencyMode* transparency = &kBlendMode;
+  const HairShadow* shadow = nullptr;  ///< Drawn for one of the lights, see coif/shadow.h; null: none.
+  std::uint32_t shadowed_light = 0;    ///< Which of `lights` that is.
   /// The framebuffer encodes sRGB itself (GL_SRGB8_ALPHA8). Otherwise the shader encodes, and blending happens between
   /// encoded values, which makes soft tips a little darker.
   bool framebuffer_is_srgb = false;
@@ -119,7 +122,8 @@ class HairRenderer {
   /// 2D texture and sampler of units 0 (base colour) and 1 (shift and mask); uniform buffer binding and its indices 0
   /// and 1; GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and
   /// front face; colour mask. With more bones than a block holds, whose matrices go into a texture, also 2D texture and
-  /// sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters. Nothing else changes. Scissor, stencil, polygon
+  /// sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters; with a shadow 2D texture and sampler of units 3 to 6.
+  /// Nothing else changes. Scissor, stencil, polygon
   /// offset, alpha to coverage and the like apply as the host left them. Never calls glGetError.
   Status draw(const HairModel& model, std::span<const HairInstance> instances, const DrawDesc& desc);
 
@@ -138,6 +142,7 @@ class HairRenderer {
 
  private:
   friend class HairModel;
+  friend class HairShadow;
   friend class CrowdDraw;
   static constexpr std::size_t kFunctionBytes = 128 * sizeof(void*);
   static constexpr std::size_t kFailureBytes = 512;
@@ -153,8 +158,8 @@ class HairRenderer {
   [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
   Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
                        Component component);
-  void bind(const HairModel& model) const;
-  void unbind(const HairModel& model) const;
+  void bind(const HairModel& model, const HairShadow* shadow) const;
+  void unbind(const HairModel& model, const HairShadow* shadow) const;
 
   /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
   alignas(void*) std::byte functions_[kFunctionBytes] = {};
@@ -195,7 +200,7 @@ class HairModel {
 
  private:
   friend class HairRenderer;
-
+  friend class HairShadow;
   friend class CrowdDraw;
 
   struct IndexRange {

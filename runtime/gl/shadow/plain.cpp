@@ -1,0 +1,35 @@
+#include "gl/shadow/shadow_technique.h"
+
+#include <hair_shaders.h>
+
+namespace coif {
+namespace {
+
+// Of a texel that is half there the shadow is wrong by half either way.
+constexpr float kSolidFrom = 0.5f;
+
+PassList plan(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&) {
+  const float threshold = material.opaque_threshold < kSolidFrom ? material.opaque_threshold : kSolidFrom;
+  PassList drawn;
+  drawn.add_for(drawn_alpha(material, texture), {.shaded = false,
+                                                 .blended = false,
+                                                 .writes_depth = true,
+                                                 .culled = unseen_faces(material),
+                                                 .alpha_min = threshold,
+                                                 .alpha_max = kNoAlphaLimit});
+  return drawn;
+}
+
+constexpr ShadowLookup kLookup = {1, {"", kShaderHairShadowPlainGlsl}, {"hair_shadow_solid"}, uniforms_of};
+
+const ShadowLookup* choose_lookup(const ShadowDesc&) { return &kLookup; }
+bool make(const GlFunctions&, const ShadowFunctions&, HairShadow&) { return true; }
+float first_layer(const ShadowDesc&) { return 0; }
+std::uint32_t texel_bytes(const HairShadow&) { return 4; }
+
+}  // namespace
+
+const ShadowTechnique kPlainShadow = {"plain",     1,          {{kSolidFramebuffer, plan}, {}}, choose_lookup, make,
+                                      first_layer, texel_bytes};
+
+}  // namespace coif

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <coif/renderer.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+struct ShadowFunctions;
+struct ShadowLookup;
+struct ShadowStage;
+struct ShadowTechnique;
+
+/// A depth map: hair from alpha 0.5 on casts a shadow as if it were solid, with soft edges of about two texels by
+/// percentage-closer filtering (Reeves et al. 1987). 4 bytes a texel, one pass over the hair.
+extern const ShadowTechnique kPlainShadow;
+
+/// Deep opacity maps (Yuksel and Keyser 2008): layers that begin where the light first meets hair, and how much hair lies
+/// in each. Light fades as it goes in, by each strand's alpha. Two passes over the hair; 16 bytes a texel with four layers,
+/// 24 with eight, 12 and 16 where the driver cannot draw into half floats. The errors of both techniques:
+/// `coif report FILE shadows`.
+extern const ShadowTechnique kDeepOpacityShadow;
+
+/// As the command line calls it: "plain", "deep".
+[[nodiscard]] const char* name_of(const ShadowTechnique& technique);
+
+struct ShadowDesc {
+  const ShadowTechnique* technique = &kDeepOpacityShadow;
+  std::uint32_t size = 512;  ///< Texels each way, 16..4096.
+  std::uint32_t layers = 4;  ///< kDeepOpacityShadow: 4 or 8.
+  float depth = 0.12f;  ///< kDeepOpacityShadow: metres from the first layer's front to the last one's end, > 0. What
+                        ///< lies deeper counts to the last layer.
+  float bias = 0.003f;  ///< Metres, >= 0, and a texel's width more: what is nearer to a surface does not shade it.
+};
+
+/// A ball, world, metres: what casts shadows and what may catch them.
+struct ShadowBall {
+  double center[3] = {};
+  float radius = 0.5f;  ///< > 0. The smaller, the finer the shadow; one head with long hair wants some 0.4.
+};
+
+/// One asset's heads among those that cast shadows.
+struct ShadowCrowd {
+  const HairModel* model = nullptr;
+  std::span<const HairInstance> instances;
+  const MaterialRecord* material = nullptr;  ///< As in DrawDesc.
+};
+
+/// What a shader needs to find its place in the map, beside the textures: the arguments of hair_light().
+struct ShadowUniforms {
+  float map_from_origin[16] = {};  ///< Column-major, from world axes around the origin that was asked for.
+  float depth[4] = {};
+  float map[4] = {};
+};
+
+/// What one light's way to hair and heads is like: hair shades hair, heads and bodies; the host's solid things shade hair.
+/// Each frame: begin(); the host draws what it wants to cast shadows, depth only; draw() adds the hair. Then
+/// HairRenderer::draw() shades hair by DrawDesc::shadow, and the host's own shaders look shadows up with code(), uniforms()
+/// and the textures. All OpenGL objects are made by create(). The renderer's context must be current in every call. The
+/// destructor calls no OpenGL function: call destroy() while the context lives.
+class HairShadow {
+ public:
+  static constexpr std::uint32_t kTextures = 4;
+
+  HairShadow() = default;
+  HairShadow(const HairShadow&) = delete;
+  HairShadow& operator=(const HairShadow&) = delete;
+
+  /// `renderer` must be created and outlive this object. kNotCreated, kBadArgument; kDriver where a function is missing or
+  /// there is no memory: see HairRenderer::failure(). A shadow that exists already is destroyed first. Clears OpenGL's error
+  /// flags. Leaves the framebuffer binding and the 2D texture of unit 0 empty, and that unit active.
+  Status create(HairRenderer& renderer, const GlLoader& loader, const ShadowDesc& desc = {});
+  void destroy();
+  [[nodiscard]] bool is_created() const { return renderer_ != nullptr; }
+
+  /// Aims the map from the light at the ball and clears it. kNotCreated; kBadArgument for a light or a ball out of range, or
+  /// a point or spot light within 1.05 radii of the ball's centre: it has no direction then. After these no OpenGL function
+  /// has been called and the last map stays.
+  ///
+  /// Sets, for the host's casters: draw and read framebuffer, to one with a depth buffer alone; the viewport, to all of it;
+  /// scissor test and blending off, depth test on with GL_LEQUAL, depth and colour mask on, no face culled.
+  Status begin(const Light& light, const ShadowBall& ball);
+
+  /// For the host's casters between begin() and draw(): column-major, OpenGL clip space, from world axes around `origin`
+  /// (world, metres). Does not mirror.
+  void clip_from_origin(const Vec3& origin, float (&clip)[16]) const;
+
+  /// Draws the hair that casts shadows, once after begin(). kNotCreated; kBadArgument without a begin() before, or for a
+  /// material out of range; the errors of HairRenderer::draw() for models and instances. After these nothing has been drawn.
+  ///
+  /// State as after HairRenderer::draw(); beside it leaves the framebuffer bindings empty, the viewport as begin() sets
+  /// it, the scissor test off, 2D texture and sampler of unit 4 empty. The host binds its own framebuffer next.
+  Status draw(std::span<const ShadowCrowd> crowds);
+
+  /// Builds the programs that draw() would have to build first for this asset, drawn with its own or another material.
+  Status prepare(const HairModel& model, const MaterialRecord* material = nullptr);
+
+  /// For a host's own fragment shader: GLSL ES 3.00 that defines `float hair_light(vec4 place, vec4 depth, vec4 map)`, the
+  /// share 0..1 of the light that reaches a point. `place` is map_from_origin times the point; the other two are of the same
+  /// names. The two pieces belong together, before the first use; they are files of shaders/, hair_shadow_plain.glsl or
+  /// hair_shadow_deep.glsl, after a line with the number of layers. Null before create().
+  [[nodiscard]] std::span<const char* const, 2> code() const;
+
+  /// The sampler's name in code() of each of the textures; null where the technique has none. All are 2D.
+  [[nodiscard]] const char* sampler(std::uint32_t texture) const;
+  [[nodiscard]] std::uint32_t texture(std::uint32_t texture) const { return textures_[texture]; }
+  [[nodiscard]] ShadowUniforms uniforms(const Vec3& origin) const;
+
+  /// Of all textures together, as they are laid out without padding.
+  [[nodiscard]] std::uint64_t bytes() const;
+  [[nodiscard]] const ShadowDesc& desc() const { return desc_; }
+
+ private:
+  friend class HairRenderer;
+  friend struct ShadowTechnique;
+  static constexpr std::size_t kFunctionBytes = 16 * sizeof(void*);
+  static constexpr std::uint32_t kFramebuffers = 3;
+
+  /// From where the light looks.
+  struct View {
+    double axes[3][3] = {};  ///< Rows: to the map's right and top, and towards the light.
+    double eye[3] = {};      ///< Directional: the ball's centre. Else the light's place.
+    double radius = 0;
+    double distance = 0;  ///< From the light to the ball's centre; 0: directional.
+  };
+
+  static bool aim(const Light& light, const ShadowBall& ball, std::uint32_t size, View& view);
+  void map_from_origin(const Vec3& origin, double (&rows)[4][4]) const;
+  [[nodiscard]] const ShadowFunctions& functions() const;
+  [[nodiscard]] bool is_ready(const HairRenderer& renderer) const { return renderer_ == &renderer && view_.radius > 0; }
+  [[nodiscard]] Status check(std::span<const ShadowCrowd> crowds) const;
+  Status build_missing(const ShadowCrowd& crowd);
+  Status draw_stage(const ShadowStage& stage, std::span<const ShadowCrowd> crowds);
+
+  /// A ShadowFunctions; its type would bring OpenGL's header to whoever includes this one.
+  alignas(void*) std::byte functions_[kFunctionBytes] = {};
+  HairRenderer* renderer_ = nullptr;
+  const ShadowLookup* lookup_ = nullptr;
+  ShadowDesc desc_;
+  std::uint32_t textures_[kTextures] = {};
+  std::uint32_t framebuffers_[kFramebuffers] = {};
+  float opacity_unit_ = 1;  ///< What 1 in a texel of the layers stands for.
+  View view_;
+  bool is_begun_ = false;
+};
+
+}  // namespace coif
