@@ -27,7 +27,7 @@ std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {
 }
 
 std::uint32_t Asset::order_count() const {
-  return patches_.empty() ? 0 : 1 + std::uint32_t(orders_.size() / patches_.size());
+  return indices_.empty() ? 0 : 1 + std::uint32_t(3 * orders_.size() / indices_.size());
 }
 
 const TextureRecord* Asset::texture(TextureRole role) const {

@@ -70,7 +70,7 @@ const char* describe(LoadCode code) {
     case LoadCode::kPatchCover: return "patches do not cover the index list exactly once in order";
     case LoadCode::kLodCover: return "levels of detail do not cover the patches exactly once in order";
     case LoadCode::kLodOrder: return "screen sizes do not fall to 0 or errors do not grow from 0, level by level";
-    case LoadCode::kOrderCover: return "draw order does not draw every patch of a level of detail exactly once";
+    case LoadCode::kOrderCover: return "draw order does not draw every triangle of a level of detail exactly once";
     case LoadCode::kLodBones: return "bone is simulated in levels of detail where it cannot be, or not in the finest";
     case LoadCode::kWeightSum: return "skin weights do not add up to one";
     case LoadCode::kName: return "names do not end with a zero byte";

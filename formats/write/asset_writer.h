@@ -23,7 +23,7 @@ struct AssetContents {
   std::vector<PatchRecord> patches;
   std::vector<LodRecord> lods;            ///< Empty: one level.
   std::vector<std::uint8_t> lod_bones;    ///< One per bone, or empty where `lods` is.
-  std::vector<std::uint32_t> orders;      ///< Draw orders besides that of `patches`, each of the same size.
+  std::vector<std::uint32_t> orders;      ///< Draw orders besides that of `indices`, each of all triangles.
   std::vector<std::uint8_t> order_views;  ///< kViewCells, or empty where `orders` is.
   std::vector<MaterialRecord> material;   ///< None or one.
   std::vector<TextureRecord> textures;    ///< Offsets and bytes refer to `texels`.

@@ -99,8 +99,8 @@ class Stripper {
 
   /// The level's part of each draw order.
   void keep_finest_level(std::vector<std::byte>& orders) const {
-    const std::size_t whole = asset_.patches().size() * sizeof(std::uint32_t);
-    const std::size_t finest = asset_.lod_patches(0).size() * sizeof(std::uint32_t);
+    const std::size_t whole = asset_.indices().size() / 3 * sizeof(std::uint32_t);
+    const std::size_t finest = asset_.lod_indices(0).size() / 3 * sizeof(std::uint32_t);
     const std::size_t count = orders.size() / whole;
     for (std::size_t k = 1; k < count; ++k) std::memmove(&orders[k * finest], &orders[k * whole], finest);
     orders.resize(count * finest);

@@ -22,10 +22,8 @@ template <typename Index>
 void write_orders(const Asset& asset, std::byte* out) {
   IndexWriter<Index> writer(out);
   writer.write(asset.indices());
-  for (const std::uint32_t p : asset.orders()) {
-    const PatchRecord& patch = asset.patches()[p];
-    writer.write(asset.indices().subspan(patch.first_index, patch.index_count));
-  }
+  for (const std::uint32_t triangle : asset.orders())
+    writer.write(asset.indices().subspan(3 * std::size_t{triangle}, 3));
 }
 
 }  // namespace

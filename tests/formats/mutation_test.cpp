@@ -45,9 +45,9 @@ double touch_everything(const Asset& asset) {
     sum += asset.patches()[lod.first_patch + lod.patch_count - 1].head_distance + lod.screen_size + lod.error;
   }
   for (const std::uint8_t levels : asset.lod_bones()) sum += levels == 0 ? 0 : asset.lods()[levels - 1u].error;
-  for (const std::uint32_t patch : asset.orders()) sum += asset.patches()[patch].head_distance;
+  for (const std::uint32_t triangle : asset.orders()) sum += asset.indices()[3 * std::size_t{triangle} + 2];
   for (const std::uint8_t order : asset.order_views()) {
-    if (order > 0) sum += asset.orders()[(order - 1u) * asset.patches().size()];
+    if (order > 0) sum += asset.orders()[(order - 1u) * (asset.indices().size() / 3)];
   }
   for (const PatchRecord& patch : asset.patches()) {
     for (std::uint32_t k = 0; k < patch.index_count; ++k) {

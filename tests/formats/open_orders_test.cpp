@@ -1,5 +1,5 @@
-// What open() demands of draw orders. small_asset() has three patches, 0 and 1 in level 0 and 2 in level 1, and two orders
-// besides the stored one.
+// What open() demands of draw orders. small_asset() has three triangles, 0 and 1 in level 0 and 2 in level 1, and two
+// orders besides the stored one.
 
 #include "formats/refusal.h"
 
@@ -48,7 +48,7 @@ TEST(OpenOrders, RefusesOrdersThatAreNotWholeOrTooMany) {
   EXPECT_EQ(refusal(with(kMaxOrders)), LoadCode::kChunkSize);
 }
 
-TEST(OpenOrders, EveryLevelKeepsItsOwnPatches) {
+TEST(OpenOrders, EveryLevelKeepsItsOwnTriangles) {
   EXPECT_EQ(refusal([](auto& a) { std::swap(a.orders[1], a.orders[2]); }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.orders[5] = 3; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { a.orders[5] = kNone; }), LoadCode::kReference);
@@ -61,7 +61,7 @@ TEST(OpenOrders, EveryLevelKeepsItsOwnPatches) {
   EXPECT_EQ(refusal(one_level), LoadCode::kOk);
 }
 
-TEST(OpenOrders, RefusesAPatchThatIsDrawnTwice) {
+TEST(OpenOrders, RefusesATriangleThatIsDrawnTwice) {
   AssetContents contents = small_asset();
   contents.orders[4] = 0;
   const LoadStatus status = open_written(contents);
@@ -70,18 +70,17 @@ TEST(OpenOrders, RefusesAPatchThatIsDrawnTwice) {
   EXPECT_EQ(status.item, 3u) << "where that order's level begins";
 }
 
-TEST(OpenOrders, NoOrderDrawsMoreIndicesThanItsLevel) {
+TEST(OpenOrders, PatchesNeedNotStayTogether) {
   AssetContents contents = small_asset();
   contents.indices.insert(contents.indices.begin(), {0, 1, 2});
   contents.patches[0].index_count = 6;
   contents.patches[1].first_index = 6;
   contents.patches[2].first_index = 9;
-  ASSERT_EQ(open_written(contents).code, LoadCode::kOk);
-  contents.orders[1] = contents.orders[0] = 0;
-  const LoadStatus status = open_written(contents);
-  EXPECT_EQ(status.code, LoadCode::kOrderCover);
-  EXPECT_EQ(status.expected, 9u);
-  EXPECT_EQ(status.found, 12u);
+  contents.orders = {0, 2, 1, 3};
+  contents.order_views.assign(kViewCells, 1);
+  EXPECT_EQ(open_written(contents).code, LoadCode::kOk);
+  std::swap(contents.orders[2], contents.orders[3]);
+  EXPECT_EQ(open_written(contents).code, LoadCode::kReference) << "but levels do";
 }
 
 TEST(OpenOrders, EveryDirectionHasAnOrderThatExists) {

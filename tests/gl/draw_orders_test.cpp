@@ -20,7 +20,7 @@ AssetContents red_before_blue() {
   cards[1].rgba = {0, 0, 255, 160};
   for (Card& card : cards) card.half_size = 0.2f;
   AssetContents contents = card_contents(cards);
-  contents.orders = {1, 0};
+  contents.orders = {2, 3, 0, 1};  // triangles
   contents.order_views.assign(kViewCells, 0);
   for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
     float direction[3];

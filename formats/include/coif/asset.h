@@ -58,8 +58,8 @@ class Asset {
   [[nodiscard]] std::span<const PatchRecord> lod_patches(std::uint32_t lod) const;
   [[nodiscard]] std::span<const std::uint32_t> lod_indices(std::uint32_t lod) const;
 
-  /// Draw orders besides the stored one: for each, the index in patches() of the patch at every position. A level's
-  /// positions hold its own patches, each once.
+  /// Draw orders besides the stored one: for each, at every position a triangle t, which is indices() from 3 t on. A
+  /// level's positions hold its own triangles, each once.
   [[nodiscard]] std::span<const std::uint32_t> orders() const { return orders_; }
   /// With the stored one, at most kMaxOrders; 0 without a mesh.
   [[nodiscard]] std::uint32_t order_count() const;

@@ -43,7 +43,7 @@ inline constexpr std::uint32_t kVertices = chunk_id("VERT");     ///< VertexReco
 inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord[], one per vertex.
 inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
 inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order: what is behind first.
-inline constexpr std::uint32_t kOrders = chunk_id("ORDR");       ///< uint32[]: further draw orders, patches by index.
+inline constexpr std::uint32_t kOrders = chunk_id("ORDR");       ///< uint32[]: further draw orders, of triangles.
 inline constexpr std::uint32_t kOrderViews = chunk_id("VIEW");   ///< uint8[kViewCells]: the order for each direction.
 inline constexpr std::uint32_t kLods = chunk_id("LODS");         ///< LodRecord[], finest first; absent: one level.
 inline constexpr std::uint32_t kLodBones = chunk_id("LODB");     ///< uint8[], one per bone; see LodRecord.
@@ -205,9 +205,9 @@ struct PatchRecord {
 };
 static_assert(sizeof(PatchRecord) == 20);
 
-// Draw orders. Order 0 is that of PTCH; ORDR holds the others one after the other, each of them all patches, every level
-// of detail in its own range of positions. VIEW has for each cell of directions (coif/view_cells.h, from the head towards
-// the eye in head space) the number of the order that suits it.
+// Draw orders. Order 0 is that of INDX; ORDR holds the others one after the other, each of them all triangles, every level of
+// detail in its own range of positions: triangle t is the three indices from 3 t on. VIEW has for each cell of directions
+// (coif/view_cells.h, from the head towards the eye in head space) the number of the order that suits it.
 
 /// A level of detail: consecutive patches, drawn in their order. Coarser levels simulate fewer bones: LODB holds for each
 /// bone in how many levels, counted from the finest, it is simulated. In the others it is rigid to its parent.
@@ -224,7 +224,7 @@ static_assert(sizeof(LodRecord) == 16);
 /// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
 inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
 
-/// What is blended is drawn in one go, both faces in the order of the patches; without it back faces come before front faces.
+/// What is blended is drawn in one go, both faces in the order of the triangles; without it back faces come before front faces.
 inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
 
 inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;

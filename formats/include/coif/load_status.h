@@ -33,7 +33,7 @@ enum class LoadCode : std::uint8_t {
   kLodCover,          ///< Levels of detail do not cover the patches exactly once, in order.
   kLodOrder,          ///< Screen sizes do not fall to 0 from level to level, or errors do not grow from 0.
   kLodBones,          ///< A bone is simulated in levels where it cannot be, or not in level 0.
-  kOrderCover,        ///< A draw order does not have every patch of a level of detail exactly once.
+  kOrderCover,        ///< A draw order does not have every triangle of a level of detail exactly once.
   kWeightSum,         ///< Skin weights of a vertex do not add up to one.
   kName,              ///< Names do not end with a zero byte.
 };
