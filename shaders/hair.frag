@@ -1,4 +1,4 @@
-// Shades hair: sums Algorithm 3 over the lights, adds the ambient term, multiplies all with the base texture.
+// Shades hair: sums the material's shading model over the lights and adds the ambient term.
 
 #ifdef COIF_SHIFT_MASK
 uniform sampler2D shift_mask_texture;  // red: shift, green: mask of the secondary highlight
@@ -10,8 +10,6 @@ vec2 shift_mask_at(vec2 uv) { return vec2(0.5, 1.0); }
 
 const float kNearestLight = 1e-4;  // square metres: a point light in a strand is bright, not infinite
 
-float pow2(float x) { return x * x; }
-
 #ifdef COIF_SHADOW
 // The share of a light that neither hair nor heads keep from this point.
 float light_reaching(int i) {
@@ -19,10 +17,12 @@ float light_reaching(int i) {
 }
 #endif
 
-Accumulated sum_lights(vec3 n, vec2 shift_mask) {
-  vec3 t = normalize(tangent);
-  vec3 view = normalize(-position);
-  Accumulated sum = Accumulated(vec3(0.0), vec3(0.0), vec3(0.0));
+Strand strand_of(vec3 color, vec2 shift_mask) {
+  return Strand(normalize(tangent), seen_normal(), normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
+}
+
+Reflected sum_lights(Strand strand) {
+  Reflected sum = Reflected(vec3(0.0), vec3(0.0), vec3(0.0));
   int count = int(shift.w);
   for (int i = 0; i < count; ++i) {
     vec3 towards = light_position[i].xyz;
@@ -38,7 +38,7 @@ Accumulated sum_lights(vec3 n, vec2 shift_mask) {
 #ifdef COIF_SHADOW
     color *= light_reaching(i);
 #endif
-    add_light(sum, t, n, view, towards, color, shift_mask.x, shift_mask.y);
+    add_light(sum, strand, towards, color);
   }
   return sum;
 }
@@ -48,8 +48,8 @@ void main() {
   vec4 base = base_at(uv);
   vec2 shift_mask = shift_mask_at(uv);
   float coverage = keep(base.a);
-  Accumulated sum = sum_lights(seen_normal(), shift_mask);
-  vec3 light = component.x * openness * ambient.rgb + component.y * sum.diffuse + component.z * sum.primary +
-               component.w * sum.secondary;
-  write_fragment(base.rgb * light, coverage);
+  Strand strand = strand_of(base.rgb, shift_mask);
+  Reflected sum = sum_lights(strand);
+  vec3 light = component.y * sum.diffuse + component.z * sum.primary + component.w * sum.secondary;
+  write_fragment(component.x * openness * ambient.rgb * base.rgb + light * tint(strand), coverage);
 }

@@ -72,23 +72,31 @@ void fill_rgb_and(const float (&rgb)[3], float last, float (&out)[4]) {
   out[3] = last;
 }
 
-void fill_component(Component component, float (&out)[4]) {
+void fill_component(Component component, float lights, float (&out)[4]) {
   const bool all = component == Component::kAll;
   const bool specular = all || component == Component::kSpecular;
   out[0] = all || component == Component::kAmbient ? 1.0f : 0.0f;
-  out[1] = all || component == Component::kDiffuse ? 1.0f : 0.0f;
-  out[2] = specular || component == Component::kPrimary ? 1.0f : 0.0f;
-  out[3] = specular || component == Component::kSecondary ? 1.0f : 0.0f;
+  out[1] = all || component == Component::kDiffuse ? lights : 0.0f;
+  out[2] = specular || component == Component::kPrimary ? lights : 0.0f;
+  out[3] = specular || component == Component::kSecondary ? lights : 0.0f;
 }
 
 }  // namespace
+
+bool is_shading_valid(const MaterialRecord& m) {
+  const float least_roughness = m.shading == ShadingModel::kMarschner ? kLeastRoughness : 0.0f;
+  return m.shading <= ShadingModel::kMarschner && m.tilt >= -kMostTilt && m.tilt <= kMostTilt &&
+         m.roughness >= least_roughness && m.roughness <= kMostRoughness && is_share(m.scatter) &&
+         is_share(m.light_cut);
+}
 
 // Negated so that NaN fails; an exponent of zero would ask the shader for pow(0, 0).
 bool is_valid(const MaterialRecord& m) {
   return is_finite(m.base_color) && is_finite(m.ambient) && is_finite(m.primary_color) &&
          is_finite(m.secondary_color) && std::isfinite(m.primary_shift) && std::isfinite(m.secondary_shift) &&
          std::isfinite(m.primary_exponent) && m.primary_exponent > 0.0f && std::isfinite(m.secondary_exponent) &&
-         m.secondary_exponent > 0.0f && is_share(m.opaque_threshold) && is_share(m.discard_threshold);
+         m.secondary_exponent > 0.0f && is_share(m.opaque_threshold) && is_share(m.discard_threshold) &&
+         is_shading_valid(m);
 }
 
 bool is_valid(const HeadPose& pose) {
@@ -123,7 +131,10 @@ Status fill_draw_block(const DrawDesc& desc, const MaterialRecord& material, std
   block.shift[1] = material.secondary_shift;
   block.shift[2] = desc.framebuffer_is_srgb ? 0.0f : 1.0f;
   block.shift[3] = static_cast<float>(desc.lights.size());
-  fill_component(desc.component, block.component);
+  fill_component(desc.component, 1.0f - material.light_cut, block.component);
+  block.fiber[0] = material.tilt;
+  block.fiber[1] = material.roughness;
+  block.fiber[2] = material.scatter;
   for (std::size_t i = 0; i < desc.lights.size(); ++i) {
     if (!fill_light(desc.lights[i], desc.eye, i, block)) return Status::kBadArgument;
   }

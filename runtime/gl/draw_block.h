@@ -14,19 +14,20 @@ struct alignas(16) DrawBlock {
   float secondary[4];
   float shift[4];
   float component[4];
+  float fiber[4];
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
   float light_spot[kMaxLights][4];
   ShadowUniforms shadow;  ///< From view space; map[3]: which light it belongs to.
 };
-static_assert(sizeof(DrawBlock) == 640);
+static_assert(sizeof(DrawBlock) == 656);
 
 /// View from head space.
 struct HeadMatrix {
   float rows[3][4];
 };
 
-/// Finite, thresholds 0..1, exponents above 0.
+/// Finite, thresholds and shares 0..1, exponents above 0, and what the shading model needs.
 [[nodiscard]] bool is_valid(const MaterialRecord& material);
 
 /// Takes a draw call's world-space values into view space. kBadArgument, with `block` undefined, for values that are not

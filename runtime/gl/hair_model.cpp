@@ -30,6 +30,12 @@ constexpr MaterialRecord kGalleryMaterial = {
     .secondary_shift = 0.5f,
     .discard_threshold = 0.02f,
     .flags = kMaterialDoubleSided,
+    .shading = ShadingModel::kThesis,
+    .tilt = 0.05f,
+    .roughness = 0.14f,
+    .scatter = 0.5f,
+    .light_cut = 0.0f,
+    .reserved = {},
 };
 
 // Attribute locations of shaders/hair.vert.

@@ -54,6 +54,11 @@ Source vertex_source(std::uint32_t bits, const char* block_rows) {
   return source;
 }
 
+const char* shading_model(std::uint32_t bits) {
+  if ((bits & variant::kKajiyaKay) != 0) return kShaderShadingKajiyaKayGlsl;
+  return (bits & variant::kMarschner) != 0 ? kShaderShadingMarschnerGlsl : kShaderShadingThesisGlsl;
+}
+
 Source fragment_source(std::uint32_t bits, const Pass& pass) {
   const FragmentCode& code = *pass.code;
   Source source(bits);
@@ -62,7 +67,8 @@ Source fragment_source(std::uint32_t bits, const Pass& pass) {
   if (code.other != nullptr) return source.add(code.other);
   if ((bits & (variant::kShaded | variant::kDirection)) == 0) return source.add(kShaderHairDepthFrag);
   source.add(code.output).add(kShaderHairSurfaceGlsl);
-  if ((bits & variant::kShaded) != 0) return source.add(kShaderHairShadingGlsl).add(kShaderHairFrag);
+  if ((bits & variant::kShaded) != 0)
+    return source.add(kShaderShadingGlsl).add(shading_model(bits)).add(kShaderHairFrag);
   return source.add(kShaderHairDirectionGlsl).add(kShaderHairDirectionFrag);
 }
 
@@ -95,12 +101,24 @@ bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 
 std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   using namespace variant;
   if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
-  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary);
+  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kKajiyaKay | kMarschner);
   if ((bits & (kPrimary | kSecondary)) == 0) bits &= ~kShiftMask;
   if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
   if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)
     bits &= ~kBaseTexture;  // depth of whole triangles
   return bits;
+}
+
+/// The model and the highlights that it has with this material.
+std::uint32_t shading_bits(const MaterialRecord& material) {
+  const std::uint32_t primary = is_black(material.primary_color) ? 0 : variant::kPrimary;
+  const std::uint32_t secondary = is_black(material.secondary_color) ? 0 : variant::kSecondary;
+  switch (material.shading) {
+    case ShadingModel::kThesis: break;
+    case ShadingModel::kKajiyaKay: return variant::kKajiyaKay | primary;
+    case ShadingModel::kMarschner: return variant::kMarschner | variant::kPrimary | variant::kSecondary;
+  }
+  return primary | secondary;
 }
 
 }  // namespace
@@ -109,8 +127,7 @@ std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRe
   std::uint32_t bits = needs;
   if (pass.tests_alpha) bits |= variant::kAlphaTest;
   if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
-  if (!is_black(material.primary_color)) bits |= variant::kPrimary;
-  if (!is_black(material.secondary_color)) bits |= variant::kSecondary;
+  bits |= shading_bits(material);
   if (pass.shadow != nullptr) bits |= pass.shadow->id << variant::kShadowShift;
   return canonical(bits, pass.code->other != nullptr) | pass.code->id << variant::kCodeShift;
 }

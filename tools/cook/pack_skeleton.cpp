@@ -65,7 +65,7 @@ MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textur
   store(recipe.secondary_color, record.secondary_color);
   record.primary_exponent = float(recipe.primary_exponent);
   record.secondary_exponent = float(recipe.secondary_exponent);
-  // What the shader adds and multiplies where it reads a texture (shaders/hair_shading.glsl).
+  // What the shader adds and multiplies where it reads a texture (shaders/shading.glsl).
   const double shift = textures.constant_shift - 0.5;
   record.primary_shift = float(std::clamp(recipe.primary_shift + shift, -kMostShift, kMostShift));
   record.secondary_shift = float(std::clamp(recipe.secondary_shift + shift, -kMostShift, kMostShift));
