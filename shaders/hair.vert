@@ -13,6 +13,12 @@ out vec3 tangent;
 out float place;
 out vec2 uv;
 out float openness;
+#ifdef COIF_REST_PLACE
+out vec3 rest_place;
+#endif
+#ifdef COIF_CORNER
+flat out int corner;
+#endif
 
 // Two programs draw the same triangles; their depths must agree to the bit.
 invariant gl_Position;
@@ -64,5 +70,11 @@ void main() {
   place = rest_tangent.w;
   openness = rest_normal.w;
   uv = texture_place;
+#ifdef COIF_REST_PLACE
+  rest_place = rest_position;
+#endif
+#ifdef COIF_CORNER
+  corner = gl_VertexID;
+#endif
   gl_Position = clip_from_view * vec4(position, 1.0);
 }

@@ -160,7 +160,7 @@ void CrowdDraw::draw_chunk(const Group& group, const Chunk& chunk, const PassLis
         *renderer_.find_program(variant_of(pass, model_.needs_, material_, desc_.component));
     set_pass_state(gl, pass);
     gl.UseProgram(program.name);
-    gl.Uniform3f(program.alpha_range, pass.alpha_min, pass.alpha_max, pass.blended ? 0.0f : 1.0f);
+    gl.Uniform3f(program.alpha_range, pass.alpha_min, pass.alpha_max, pass.solid_from);
     std::uint32_t place = chunk.first_block;
     for (std::uint32_t drawn = 0; drawn < chunk.heads; drawn += heads_of_batch_, place += batch_bytes_) {
       const std::uint32_t left = chunk.heads - drawn;

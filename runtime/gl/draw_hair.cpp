@@ -43,7 +43,8 @@ Status HairRenderer::draw(const HairModel& model, std::span<const HairInstance> 
   if (built != Status::kOk) return built;
   CrowdDraw crowd(*this, model, instances, desc, block);
   bind(model, desc.shadow);
-  const bool is_drawn = crowd.draw(passes);
+  const auto draw_mode = desc.transparency->draw;
+  const bool is_drawn = draw_mode != nullptr ? draw_mode({functions(), crowd, passes}) : crowd.draw(passes);
   unbind(model, desc.shadow);
   return is_drawn ? Status::kOk : Status::kDriver;
 }

@@ -12,11 +12,14 @@ struct FragmentCode {
   const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
   /// Instead of shading and its output, where not null: a whole `main()` that writes something else than colour.
   const char* other = nullptr;
+  /// Lines before the vertex shader: which of its outputs `keep` reads, COIF_REST_PLACE or COIF_CORNER.
+  const char* vertex = "";
+  bool thins = false;  ///< Drops some of the texels between Pass::alpha_min and solid_from.
 };
 
 inline constexpr std::uint32_t kMaxFragmentCodes = 16;
 
-/// Keeps a range of alpha (Pass::alpha_min and alpha_max) and writes premultiplied colour.
+/// Keeps a range of alpha (Pass::alpha_min to alpha_max) and writes premultiplied colour.
 extern const FragmentCode kRangeCode;
 
 }  // namespace coif

@@ -17,6 +17,7 @@
   X(BindVertexArray)         \
   X(BlendEquation)           \
   X(BlendFunc)               \
+  X(BlendFuncSeparate)       \
   X(BufferData)              \
   X(BufferSubData)           \
   X(ClientWaitSync)          \

@@ -6,7 +6,8 @@ void PassList::add_for(const AlphaRange& alpha, Pass pass) {
   const bool is_empty =
       pass.alpha_min >= pass.alpha_max || alpha.highest < pass.alpha_min || alpha.lowest >= pass.alpha_max;
   if (is_empty) return;
-  pass.tests_alpha = alpha.lowest < pass.alpha_min || alpha.highest >= pass.alpha_max;
+  const bool is_thinned = pass.code->thins && alpha.lowest < pass.solid_from;
+  pass.tests_alpha = is_thinned || alpha.lowest < pass.alpha_min || alpha.highest >= pass.alpha_max;
   passes_[count_++] = pass;
 }
 
@@ -32,6 +33,14 @@ Pass solid_pass(const MaterialRecord& material) {
           .culled = unseen_faces(material),
           .alpha_min = material.opaque_threshold,
           .alpha_max = kNoAlphaLimit};
+}
+
+Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code) {
+  Pass pass = solid_pass(material);
+  pass.alpha_min = material.discard_threshold;
+  pass.solid_from = material.opaque_threshold;
+  pass.code = &code;
+  return pass;
 }
 
 }  // namespace coif

@@ -24,7 +24,8 @@ struct Pass {
   GLenum culled;    ///< GL_NONE: both faces are drawn.
   float alpha_min;  ///< Drawn: alpha_min <= alpha < alpha_max.
   float alpha_max;
-  bool tests_alpha = true;  ///< False: every texel is in that range.
+  float solid_from = 0;     ///< Texels of at least this alpha cover all that is behind them.
+  bool tests_alpha = true;  ///< False: every texel is in that range and none is thinned.
   const FragmentCode* code = &kRangeCode;
   const ShadowLookup* shadow = nullptr;  ///< Looked up where light is summed, or by `code`.
 
@@ -55,5 +56,8 @@ class PassList {
 
 /// Texels from the opaque threshold on, as solid, sorted by the depth buffer.
 [[nodiscard]] Pass solid_pass(const MaterialRecord& material);
+
+/// Texels from the discard threshold on, those below the opaque one thinned by `code`, all sorted by the depth buffer.
+[[nodiscard]] Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);
 
 }  // namespace coif

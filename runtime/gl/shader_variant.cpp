@@ -48,9 +48,9 @@ class Source {
   std::size_t count_ = 0;
 };
 
-Source vertex_source(std::uint32_t bits, const char* block_rows) {
+Source vertex_source(std::uint32_t bits, const FragmentCode& code, const char* block_rows) {
   Source source(bits);
-  source.add(block_rows).add(kShaderDrawBlockGlsl).add(kShaderHairVert);
+  source.add(code.vertex).add(block_rows).add(kShaderDrawBlockGlsl).add(kShaderHairVert);
   return source;
 }
 
@@ -66,7 +66,7 @@ Source fragment_source(std::uint32_t bits, const Pass& pass) {
   if ((bits & variant::kShadow) != 0) source.add(pass.shadow->pieces[0]).add(pass.shadow->pieces[1]);
   if (code.other != nullptr) return source.add(code.other);
   if ((bits & (variant::kShaded | variant::kDirection)) == 0) return source.add(kShaderHairDepthFrag);
-  source.add(code.output).add(kShaderHairSurfaceGlsl);
+  source.add(kShaderHairEncodeGlsl).add(code.output).add(kShaderHairSurfaceGlsl);
   if ((bits & variant::kShaded) != 0)
     return source.add(kShaderShadingGlsl).add(shading_model(bits)).add(kShaderHairFrag);
   return source.add(kShaderHairDirectionGlsl).add(kShaderHairDirectionFrag);
@@ -137,7 +137,7 @@ GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const Pass& pass
   char rows[48];
   std::snprintf(rows, sizeof rows, "#define COIF_PALETTE_ROWS %u\n", unsigned{block_rows});
   const GLuint program =
-      build_program(gl, vertex_source(bits, rows).pieces(), fragment_source(bits, pass).pieces(), log);
+      build_program(gl, vertex_source(bits, *pass.code, rows).pieces(), fragment_source(bits, pass).pieces(), log);
   if (program != 0) bind_textures_and_blocks(gl, program, pass.shadow);
   return program;
 }

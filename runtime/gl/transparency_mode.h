@@ -1,6 +1,8 @@
 #pragma once
 
 #include "gl/alpha_range.h"
+#include "gl/crowd_draw.h"
+#include "gl/gl_functions.h"
 #include "gl/passes.h"
 
 #include <coif/asset_records.h>
@@ -8,10 +10,19 @@
 
 namespace coif {
 
+/// One call of HairRenderer::draw(): everything is checked, built and bound.
+struct ModeDraw {
+  const GlFunctions& gl;
+  CrowdDraw& crowd;
+  const PassList& passes;
+};
+
 struct TransparencyMode {
   const char* name;
   /// The passes that draw something of an asset whose texture's alpha lies in this range.
   PassList (*plan_passes)(const MaterialRecord& material, const AlphaRange& texture);
+  /// Null: all passes, once. Leaves what it sets at OpenGL's initial values. False where the driver refuses.
+  bool (*draw)(const ModeDraw& draw) = nullptr;
 };
 
 }  // namespace coif

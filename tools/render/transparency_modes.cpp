@@ -3,7 +3,8 @@
 namespace coif {
 
 std::span<const TransparencyMode* const> transparency_modes() {
-  static constexpr const TransparencyMode* kModes[] = {&kBlendMode, &kOpaqueMode};
+  static constexpr const TransparencyMode* kModes[] = {&kBlendMode, &kOpaqueMode, &kCoverageMode, &kScreenDoorMode,
+                                                       &kHashedMode};
   return kModes;
 }
 

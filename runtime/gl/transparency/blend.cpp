@@ -14,7 +14,8 @@ Pass blended_pass(GLenum culled, const MaterialRecord& material) {
           .writes_depth = false,
           .culled = culled,
           .alpha_min = material.discard_threshold,
-          .alpha_max = material.opaque_threshold};
+          .alpha_max = material.opaque_threshold,
+          .solid_from = kNoAlphaLimit};
 }
 
 Pass depth_pass(const MaterialRecord& material) {

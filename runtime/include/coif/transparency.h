@@ -13,6 +13,20 @@ extern const TransparencyMode kBlendMode;
 /// One pass, nothing blended: cut at the opaque threshold.
 extern const TransparencyMode kOpaqueMode;
 
+/// One pass, nothing blended: alpha to coverage. The line at which kOpaqueMode cuts falls on as many samples of a pixel as
+/// it leaves inside, so edges are as smooth as the target has samples. For multisampled targets; with one sample it cuts
+/// half a pixel further out than kOpaqueMode. The target's alpha stays 1 where it was 1; over less it is only right in
+/// pixels that the hair covers wholly.
+extern const TransparencyMode kCoverageMode;
+
+/// One pass, nothing blended: of soft texels every 4 x 4 pixels show as many as their alpha asks for, in Bayer's ordered
+/// pattern, turned from triangle to triangle so that layers do not hide each other. The pattern stays with the screen.
+extern const TransparencyMode kScreenDoorMode;
+
+/// One pass, nothing blended: hashed alpha (Wyman and McGuire 2017). Soft texels are drawn at random points, which are
+/// fixed to the hair at rest, so the noise moves with the strands and stands still with them.
+extern const TransparencyMode kHashedMode;
+
 /// As the command line calls it: "blend", "opaque" and so on.
 [[nodiscard]] const char* name_of(const TransparencyMode& transparency);
 

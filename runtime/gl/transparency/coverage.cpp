@@ -1,0 +1,34 @@
+#include "gl/transparency_mode.h"
+
+#include <hair_shaders.h>
+
+namespace coif {
+namespace {
+
+constexpr FragmentCode kSharpenedCode = {
+    .id = 1, .keep = kShaderKeepSharpenedGlsl, .output = kShaderCoverageOutputGlsl};
+
+PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
+  Pass pass = solid_pass(material);
+  pass.blended = true;  // for the target's alpha, see draw_covered()
+  pass.code = &kSharpenedCode;
+  PassList drawn;
+  drawn.add_for(drawn_alpha(material, texture), pass);
+  return drawn;
+}
+
+// Samples that are drawn get the whole colour. Their alpha, which says how many are drawn, would be left in the target
+// too and let the picture through a second time where it is shown; over what is opaque it stays 1 this way.
+bool draw_covered(const ModeDraw& draw) {
+  draw.gl.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  draw.gl.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  const bool is_drawn = draw.crowd.draw(draw.passes);
+  draw.gl.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  return is_drawn;
+}
+
+}  // namespace
+
+const TransparencyMode kCoverageMode = {"coverage", plan, draw_covered};
+
+}  // namespace coif

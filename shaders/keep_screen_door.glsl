@@ -1,0 +1,27 @@
+// Draws soft texels in as many pixels of each square of 4 x 4 as their alpha asks for, solid.
+uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
+flat in int corner;        // the triangle's last vertex
+
+// Bayer's ordered matrix: entry (x, y) interleaves the bits of y and x ^ y, the lowest ones first in rank.
+uint rank_in_square(uvec2 pixel) {
+  uint y = pixel.y & 3u, mixed = (pixel.x ^ pixel.y) & 3u;
+  return (mixed & 1u) << 3 | (y & 1u) << 2 | (mixed & 2u) | y >> 1;
+}
+
+// Integers of different triangles that have nothing to do with each other.
+uint scattered(uint value) {
+  value = (value ^ value >> 16) * 0x7FEB352Du;
+  value = (value ^ value >> 15) * 0x846CA68Bu;
+  return value ^ value >> 16;
+}
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  // With one pattern for all, a strand would hide just those behind it that have its own pixels, and two layers would
+  // cover no more than one. Each triangle counts from another rank on.
+  uint rank = (rank_in_square(uvec2(gl_FragCoord.xy)) + scattered(uint(corner))) & 15u;
+  if (alpha < alpha_range.z && alpha * 16.0 < float(rank) + 0.5) discard;
+#endif
+  return 1.0;
+}
