@@ -70,6 +70,21 @@ TEST_F(GalleryTest, ShiftsAndExponentsAreTheThesiss) {
   EXPECT_EQ(exponents, (std::set<std::pair<float, float>>{{150, 30}, {1000, 70}, {5000, 100}}));
 }
 
+TEST_F(GalleryTest, ShadingIsTheThesissWhateverTheAssetsIs) {
+  AssetContents contents = card_contents(std::array{Card{}});
+  contents.material.front().shading = ShadingModel::kMarschner;
+  contents.material.front().roughness = 0.3f;
+  const OpenedAsset fibres(contents);
+  for (std::uint32_t number = 1; number <= 4; ++number) {
+    for (const Gallery& gallery : thesis_galleries(*fibres, {.only = number})) {
+      for (const GalleryPicture& picture : gallery.pictures) {
+        ASSERT_TRUE(picture.settings.material) << gallery.title;
+        EXPECT_EQ(picture.settings.material->shading, ShadingModel::kThesis) << gallery.title;
+      }
+    }
+  }
+}
+
 TEST_F(GalleryTest, MotionGoesOnFromPictureToPicture) {
   for (const Gallery& gallery : galleries(5)) {
     EXPECT_TRUE(std::ranges::is_sorted(gallery.pictures, std::ranges::less_equal{}, [](const GalleryPicture& picture) {

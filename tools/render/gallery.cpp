@@ -20,7 +20,7 @@ PictureSettings of_size(const GallerySettings& settings) {
   return picture;
 }
 
-Gallery components(const PictureSettings& picture) {
+Gallery components(const Asset& asset, const PictureSettings& picture) {
   constexpr std::pair<const char*, Component> kParts[] = {
       {"all components", Component::kAll},        {"ambient", Component::kAmbient},
       {"diffuse", Component::kDiffuse},           {"both highlights", Component::kSpecular},
@@ -29,6 +29,7 @@ Gallery components(const PictureSettings& picture) {
   for (const auto& [caption, component] : kParts) {
     PictureSettings& part = gallery.pictures.emplace_back(caption, picture).settings;
     part.component = component;
+    part.material = thesis_material(asset);
   }
   return gallery;
 }
@@ -44,7 +45,7 @@ Gallery shifts(const Asset& asset, PictureSettings picture) {
   constexpr std::pair<float, float> kShifts[] = {{0.7f, 0.5f}, {0.9f, 0.3f}, {0.5f, 0.7f}};
   Gallery gallery{2, "Gallery 2: shifts of the highlights along the strands", {}};
   for (const auto& [primary, secondary] : kShifts) {
-    picture.material = material_of(asset);
+    picture.material = thesis_material(asset);
     picture.material->primary_shift = primary;
     picture.material->secondary_shift = secondary;
     char caption[64];
@@ -58,7 +59,7 @@ Gallery exponents(const Asset& asset, PictureSettings picture) {
   constexpr std::pair<float, float> kExponents[] = {{150.0f, 30.0f}, {1000.0f, 70.0f}, {5000.0f, 100.0f}};
   Gallery gallery{3, "Gallery 3: exponents of the highlights", {}};
   for (const auto& [primary, secondary] : kExponents) {
-    picture.material = material_of(asset);
+    picture.material = thesis_material(asset);
     picture.material->primary_exponent = primary;
     picture.material->secondary_exponent = secondary;
     char caption[64];
@@ -133,7 +134,7 @@ tl::expected<void, ToolError> check(const GallerySettings& settings) {
 
 std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings) {
   const PictureSettings picture = of_size(settings);
-  std::vector<Gallery> galleries{components(picture), shifts(asset, picture), exponents(asset, picture),
+  std::vector<Gallery> galleries{components(asset, picture), shifts(asset, picture), exponents(asset, picture),
                                  colors(asset, picture)};
   add_motion(picture, galleries);
   if (settings.only > 0) std::erase_if(galleries, [&](const Gallery& g) { return g.number != settings.only; });

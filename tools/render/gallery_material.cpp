@@ -15,10 +15,7 @@ double linear(std::byte srgb) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-}  // namespace
-
-MaterialRecord material_of(const Asset& asset) {
-  if (asset.material() != nullptr) return *asset.material();
+MaterialRecord first_gallery() {
   MaterialRecord material{};
   std::fill_n(material.base_color, 4, 1.0f);
   std::fill_n(material.ambient, 3, 0.1f);
@@ -31,6 +28,14 @@ MaterialRecord material_of(const Asset& asset) {
   material.secondary_shift = 0.5f;
   material.discard_threshold = 0.02f;
   material.flags = kMaterialDoubleSided;
+  return material;
+}
+
+}  // namespace
+
+MaterialRecord thesis_material(const Asset& asset) {
+  MaterialRecord material = asset.material() != nullptr ? *asset.material() : first_gallery();
+  material.shading = ShadingModel::kThesis;
   return material;
 }
 
@@ -50,7 +55,7 @@ Eigen::Vector3d mean_base_color(const Asset& asset) {
 }
 
 MaterialRecord dyed_material(const Asset& asset, const Eigen::Vector3d& color) {
-  MaterialRecord material = material_of(asset);
+  MaterialRecord material = thesis_material(asset);
   const Eigen::Vector3d mean = mean_base_color(asset);
   for (int channel = 0; channel < 3; ++channel) {
     const double factor = color[channel] / std::max(mean[channel], 1e-4);
