@@ -1,5 +1,6 @@
 #include "cook/cook.h"
 
+#include "cook/bake_occlusion.h"
 #include "cook/cook_passes.h"
 #include "cook/keep_coverage.h"
 #include "cook/leave_out.h"
@@ -85,6 +86,11 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   auto parts = run_passes(source, recipe, settings, report);
   if (!parts) return tl::unexpected(parts.error());
   AssetContents contents = run_timed(settings, report, "pack", [&] { return pack(*parts, source, recipe, settings); });
+  if (recipe.scene_draw) {
+    const auto notes =
+        run_timed(settings, report, "occlusion", [&] { return bake_occlusion(recipe, settings.threads, contents); });
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+  }
   // Last, since the threshold in use decides how much alpha the mips need.
   run_timed(settings, report, "mips", [&] {
     keep_coverage(parts->textures.used, contents);

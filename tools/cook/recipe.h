@@ -91,6 +91,8 @@ struct Recipe {
   std::uint32_t texture_max_size = 0;
   std::uint32_t texture_seed = 0;
   std::string shift_mask_format;  ///< "eac" or "rg8".
+  // occlusion
+  double occlusion_strength = 0;
   // material
   std::array<double, 4> base_color{};
   std::array<double, 3> ambient{};

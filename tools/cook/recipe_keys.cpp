@@ -133,6 +133,9 @@ const RecipeKey kKeys[] = {
   {"textures", "shift_mask_format", &R::shift_mask_format, "\"eac\"", 0, 0, "eac|rg8", "",
    "how shift and mask are stored: eac takes half the bytes, rg8 keeps every value"},
 
+  {"occlusion", "strength", &R::occlusion_strength, "1", 0, 1, nullptr, "",
+   "how far hair before hair and the head take away light from everywhere; 0: ambient light reaches all of it"},
+
   {"material", "base_color", &R::base_color, "[1, 1, 1, 1]", 0, 100, nullptr, "linear",
    "multiplies the base texture (red, green, blue, alpha)"},
   {"material", "ambient", &R::ambient, "[0.09, 0.09, 0.1]", 0, 100, nullptr, "linear",

@@ -167,10 +167,25 @@ void FragmentView::sort_into_lines(std::span<const Placed> placed) {
 
 void FragmentView::find_solids(std::span<const ColliderRecord> solids) {
   for (std::size_t i = 0; i < columns_ * rows_; ++i) {
-    const Eigen::Vector3f origin =
-        (left_ + float(i % columns_) * spacing_) * right_ + (bottom_ + float(i / columns_) * spacing_) * up_;
-    solid_.push_back(coif::solid_depth(solids, origin, -towards_eye_));
+    solid_.push_back(coif::solid_depth(solids, place(i, 0), -towards_eye_));
   }
+}
+
+std::array<FragmentView::LineShare, 4> FragmentView::lines_around(const Eigen::Vector3f& point) const {
+  const float x = std::clamp((point.dot(right_) - left_) / spacing_, 0.0f, float(columns_ - 1));
+  const float y = std::clamp((point.dot(up_) - bottom_) / spacing_, 0.0f, float(rows_ - 1));
+  const auto column = std::size_t(x), row = std::size_t(y);
+  const std::size_t next_column = std::min(column + 1, columns_ - 1), next_row = std::min(row + 1, rows_ - 1);
+  const float right = x - float(column), up = y - float(row);
+  return {{{row * columns_ + column, (1 - right) * (1 - up)},
+           {row * columns_ + next_column, right * (1 - up)},
+           {next_row * columns_ + column, (1 - right) * up},
+           {next_row * columns_ + next_column, right * up}}};
+}
+
+Eigen::Vector3f FragmentView::place(std::size_t line, float depth) const {
+  return (left_ + float(line % columns_) * spacing_) * right_ + (bottom_ + float(line / columns_) * spacing_) * up_ -
+         depth * towards_eye_;
 }
 
 float FragmentView::transmittance(const Eigen::Vector3f& point, float margin) const {

@@ -2,6 +2,7 @@
 
 #include "visibility/hair_surface.h"
 
+#include <array>
 #include <limits>
 
 namespace coif {
@@ -38,6 +39,17 @@ class FragmentView {
   }
   /// Where the head hides what is behind it; infinity where the line passes it.
   [[nodiscard]] float solid_depth(std::size_t line) const { return solid_[line]; }
+
+  struct LineShare {
+    std::size_t line;
+    float share;  ///< 0..1; the four around a point add up to 1.
+  };
+  /// The four lines around a point, for averages that change little from point to point; at the grid's edge for points
+  /// outside, where there is no hair.
+  [[nodiscard]] std::array<LineShare, 4> lines_around(const Eigen::Vector3f& point) const;
+
+  /// A point of a line, head space.
+  [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const;
 
   /// Share of the light from the eye's side that reaches a point, by the line nearest to it: the product of 1 - alpha of
   /// all fragments more than `margin` metres nearer to the eye than the point, 0 behind the head, 1 outside the grid. A point
