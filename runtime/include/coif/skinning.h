@@ -10,16 +10,16 @@
 
 namespace coif {
 
-/// What moves of a vertex. Texture coordinates and the place along the strand do not: take them from Asset::vertices().
+/// What moves of a vertex. The rest stays as it is in Asset::vertices(): UV, place along the strand, share of ambient light.
 struct SkinnedVertex {
   Vec3 position;  ///< Head space, metres.
   Vec3 normal;    ///< Head space. As long as the bones' blend makes it: normalise it where it is lit, per pixel.
   Vec3 tangent;   ///< As the normal; root to tip.
 };
 
-/// Skins Asset::vertices()[first .. first + out.size()) with `palette`, from Hair::palette(): the arithmetic of
-/// shaders/hair.vert, which needs none of this. Hair without SKIN keeps its rest pose. Draw the result under the head's
-/// world transform.
+/// Skins Asset::vertices()[first .. first + out.size()) with `palette`, from Hair::palette(): what shaders/hair.vert does
+/// before it puts the head in its place, but for the last bit, which drivers round as they like. Hair without SKIN keeps
+/// its rest pose. Draw the result under the head's world transform.
 ///
 /// Allocates nothing and keeps nothing: parts of one asset may be skinned on several threads at the same time, with the
 /// same bits as at once. The palette's numbers are believed. Cost: per vertex, tests/bench (`skin_...`).
