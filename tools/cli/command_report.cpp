@@ -82,6 +82,10 @@ tl::expected<Rendered, ToolError> report_cost(const ReportOptions& options, cons
   CostChoice choice = options.cost;
   choice.width = options.size.width;
   choice.height = options.size.height;
+  if (options.size_option->count() > 0) {
+    choice.thesis_width = options.size.width;
+    choice.thesis_height = options.size.height;
+  }
   ReportHeading heading = heading_of(asset, options.file);
   const auto report = timed(options.file, heading,
                             [&](const ReportProgress& progress) { return measure_all_cost(asset, choice, progress); });

@@ -1,11 +1,15 @@
 #include "cli/cost_measurement.h"
 
 #include "render/draw_cost.h"
+#include "render/thesis_crowds.h"
 #include "report/hair_crowd.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace coif {
@@ -13,7 +17,6 @@ namespace {
 
 constexpr double kSimulationShare = 0.35;  // of the time, where there is something to draw
 constexpr std::uint64_t kMostCrowdBytes = std::uint64_t{1} << 30;
-constexpr std::uint32_t kMostDrawn = 10'000;
 
 bool is_simulated(const Asset& asset) { return asset.skeleton().simulated_count > 0 && !asset.dynamics().empty(); }
 
@@ -28,46 +31,102 @@ tl::expected<DrawnCrowd, ToolError> crowd_of(const Asset& asset, std::uint32_t h
   return DrawnCrowd{[crowd] { (void)crowd->step(); }, [crowd](std::uint32_t head) { return crowd->palette(head); }};
 }
 
+bool can_be_drawn(const Asset& asset, std::uint32_t heads) {
+  const bool fits = !is_simulated(asset) || HairCrowd::memory_bytes(asset, {.heads = heads}) <= kMostCrowdBytes;
+  return heads <= kMostDrawnHeads && fits;
+}
+
 DrawCostSettings drawing_settings(const Asset& asset, const CostChoice& choice) {
   DrawCostSettings settings{
       .heads = {}, .width = choice.width, .height = choice.height, .seconds = (1 - kSimulationShare) * choice.seconds};
-  for (const std::uint32_t heads : choice.simulation.heads) {
-    const bool fits = !is_simulated(asset) || HairCrowd::memory_bytes(asset, {.heads = heads}) <= kMostCrowdBytes;
-    if (heads <= kMostDrawn && fits) settings.heads.push_back(heads);
-  }
+  std::ranges::copy_if(choice.simulation.heads, std::back_inserter(settings.heads),
+                       [&asset](std::uint32_t heads) { return can_be_drawn(asset, heads); });
   return settings;
 }
 
-void add_rows(const Asset& asset, const DrawCost& drawn, CostReport& report) {
-  for (const DrawCostRow& row : drawn.rows) {
-    report.rendering.rows.push_back({.heads = row.heads,
-                                     .transparency = row.transparency ? "blend" : "opaque",
-                                     .lod = row.lod,
-                                     .simulation = row.simulation,
-                                     .triangles = asset.lod_indices(row.lod).size() / 3 * row.heads,
-                                     .ms_per_frame = 1e3 * row.seconds,
-                                     .spread_pct = row.spread_pct});
-  }
-  for (const DrawCostLeftOut& crowd : drawn.left_out) report.left_out.push_back({crowd.heads, kDrawnCrowd, crowd.why});
+std::optional<double> milliseconds(std::optional<double> seconds) {
+  return seconds ? std::optional(1e3 * *seconds) : std::nullopt;
+}
+
+RenderingCostRow to_row(const Asset& asset, const DrawCostRow& row) {
+  return {.heads = row.heads,
+          .transparency = row.transparency,
+          .samples = row.samples,
+          .lod = row.lod,
+          .simulation = row.simulation,
+          .triangles = asset.lod_indices(row.lod).size() / 3 * row.heads,
+          .ms_per_frame = 1e3 * row.time.seconds,
+          .spread_pct = row.time.spread_pct,
+          .gpu_ms_per_frame = milliseconds(row.time.gpu_seconds)};
+}
+
+DistanceCostRow to_row(const Asset& asset, const DrawDistance& distance) {
+  const double ms = 1e3 / distance.heads;
+  const auto gpu = distance.time.gpu_seconds;
+  return {.heads = distance.heads,
+          .screen_share = distance.screen_share,
+          .lod = distance.lod,
+          .triangles_per_head = asset.lod_indices(distance.lod).size() / 3,
+          .covered_pixels_per_head = distance.covered_pixels / distance.heads,
+          .ms_per_head = ms * distance.time.seconds,
+          .spread_pct = distance.time.spread_pct,
+          .finest_ms_per_head = ms * distance.finest.seconds,
+          .gpu_ms_per_head = gpu ? std::optional(ms * *gpu) : std::nullopt};
+}
+
+ThesisTableRow to_row(const ThesisCrowdRow& row) {
+  return {.heads = row.heads,
+          .transparency = row.transparency,
+          .simulation = row.simulation,
+          .ms_per_frame = 1e3 * row.time.seconds,
+          .spread_pct = row.time.spread_pct,
+          .gpu_ms_per_frame = milliseconds(row.time.gpu_seconds)};
+}
+
+void add_left_out(const std::vector<DrawCostLeftOut>& crowds, const char* what, CostReport& report) {
+  for (const DrawCostLeftOut& crowd : crowds) report.left_out.push_back({crowd.heads, what, crowd.why});
+}
+
+tl::expected<void, ToolError> add_thesis_table(const Asset& asset, const CostChoice& choice, const MakeCrowd& make,
+                                               CostReport& report) {
+  ThesisTable& table = report.rendering.thesis_table;
+  table.width = choice.thesis_width;
+  table.height = choice.thesis_height;
+  const auto drawn =
+      measure_thesis_crowds(asset, {.width = table.width, .height = table.height, .seconds = choice.seconds}, make);
+  if (!drawn) return tl::unexpected(drawn.error());
+  for (const ThesisCrowdRow& row : drawn->rows) table.rows.push_back(to_row(row));
+  add_left_out(drawn->left_out, kThesisTable, report);
+  return {};
+}
+
+tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& choice, const ReportProgress& progress,
+                                          CostReport& report) {
+  const MakeCrowd make = [&asset](std::uint32_t heads) { return crowd_of(asset, heads); };
+  if (progress) progress("drawing");
+  const auto drawn = measure_drawing(asset, drawing_settings(asset, choice), make);
+  if (!drawn) return tl::unexpected(drawn.error());
+  RenderingCost& rendering = report.rendering;
+  rendering.device = drawn->device;
+  for (const DrawCostRow& row : drawn->rows) rendering.rows.push_back(to_row(asset, row));
+  for (const DrawDistance& distance : drawn->distances) rendering.distances.push_back(to_row(asset, distance));
+  add_left_out(drawn->left_out, kDrawnCrowd, report);
+  if (drawn->rows.empty()) rendering.note = "no crowd was small enough";
+  if (!choice.thesis_table) return {};
+  if (progress) progress("Table 1 of the thesis");
+  return add_thesis_table(asset, choice, make, report);
 }
 
 /// Errors that only say that nothing can be drawn become the report's note.
-tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& choice, CostReport& report) {
+tl::expected<void, ToolError> add_drawing_or_note(const Asset& asset, const CostChoice& choice,
+                                                  const ReportProgress& progress, CostReport& report) {
   report.rendering.width = choice.width;
   report.rendering.height = choice.height;
-  const auto drawn = measure_drawing(asset, drawing_settings(asset, choice),
-                                     [&asset](std::uint32_t heads) { return crowd_of(asset, heads); });
-  if (drawn) {
-    report.rendering.device = drawn->device;
-    add_rows(asset, *drawn, report);
-    if (drawn->rows.empty()) report.rendering.note = "no crowd was small enough";
-    return {};
-  }
-  const ToolError::Kind kind = drawn.error().kind;
-  if (kind != ToolError::Kind::kUnsupported && kind != ToolError::Kind::kBadInput) {
-    return tl::unexpected(drawn.error());
-  }
-  report.rendering.note = drawn.error().message;
+  const auto added = add_drawing(asset, choice, progress, report);
+  if (added) return {};
+  const ToolError::Kind kind = added.error().kind;
+  if (kind != ToolError::Kind::kUnsupported && kind != ToolError::Kind::kBadInput) return added;
+  report.rendering.note = added.error().message;
   return {};
 }
 
@@ -88,8 +147,9 @@ tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const C
     report->rendering.note = "drawing was not asked for";
     return report;
   }
-  if (progress) progress("drawing");
-  if (auto drawn = add_drawing(asset, choice, *report); !drawn) return tl::unexpected(drawn.error());
+  if (auto drawn = add_drawing_or_note(asset, choice, progress, *report); !drawn) {
+    return tl::unexpected(drawn.error());
+  }
   return report;
 }
 

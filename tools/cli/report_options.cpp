@@ -62,14 +62,21 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-std::vector<const CLI::Option*> add_cost_options(CLI::App& app, CostChoice& cost, PixelSize& size) {
-  return {add_list(app, "--heads", cost.simulation.heads, "Sizes of the crowd, repeatable")
-              ->check(CLI::Range(1u, 1000000u))
-              ->capture_default_str(),
-          app.add_option("--time", cost.seconds, "Seconds to measure for, about")
-              ->check(CLI::Range(0.1, 3600.0))
-              ->capture_default_str(),
-          add_size(app, size), app.add_flag("!--no-drawing", cost.draws, "Leave out what drawing costs")};
+void add_cost_options(CLI::App& app, ReportOptions& options) {
+  CostChoice& cost = options.cost;
+  options.size_option = add_size(app, options.size);
+  CLI::Option* const undrawn = app.add_flag("!--no-drawing", cost.draws, "Leave out what drawing costs");
+  options.cost_only = {
+      add_list(app, "--heads", cost.simulation.heads, "Sizes of the crowd, repeatable")
+          ->check(CLI::Range(1u, 1000000u))
+          ->capture_default_str(),
+      app.add_option("--time", cost.seconds, "Seconds to measure for, about")
+          ->check(CLI::Range(0.1, 3600.0))
+          ->capture_default_str(),
+      options.size_option, undrawn,
+      app.add_flag("--table1", cost.thesis_table,
+                   "Also Table 1 of the thesis: 20, 50, 100 and 200 heads at 1024x768 or --size, for --time again")
+          ->excludes(undrawn)};
 }
 
 /// Error (kUsage): one of `only`, which only `subject` takes, was given.
@@ -106,7 +113,7 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
       app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
           ->check(CLI::Range(0.001, 1000.0))
           ->capture_default_str()};
-  options.cost_only = add_cost_options(app, options.cost, options.size);
+  add_cost_options(app, options);
   add_format(app, options.format);
 }
 

@@ -25,6 +25,7 @@ struct ReportOptions {
   StabilitySettings stability;
   CostChoice cost;  ///< But for the size of its pictures.
   PixelSize size{512, 384};
+  const CLI::Option* size_option = nullptr;  ///< Of `size`; owned by the program.
   /// Options that only one subject takes; owned by the program.
   std::vector<const CLI::Option*> accuracy_only;
   std::vector<const CLI::Option*> cost_only;

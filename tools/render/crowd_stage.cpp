@@ -1,0 +1,110 @@
+#include "render/crowd_stage.h"
+
+#include "render/studio.h"
+
+#include <GLES3/gl3.h>
+
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr double kYawDegrees = 30, kPitchDegrees = 5;
+constexpr std::uint32_t kManySamples = 4;
+
+tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+  return tl::unexpected(ToolError{kind, std::move(message)});
+}
+
+void clear(float shade, float alpha) {
+  glClearColor(shade, shade, shade, alpha);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace
+
+CrowdStage::CrowdStage(const Asset& asset, double aspect, EglContext context)
+    : aspect_(aspect), context_(std::move(context)), timer_(context_.loader()), points_(framed_points(asset)) {}
+
+tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const Asset& asset, std::uint32_t width,
+                                                                        std::uint32_t height) {
+  const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
+  if (!side_ok(width) || !side_ok(height)) {
+    return fail(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way");
+  }
+  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
+    return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
+  }
+  auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+  std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*context)));
+  if (made->renderer_.create(made->context_.loader()) != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported,
+                std::string("the renderer does not start: ") + made->renderer_.failure());
+  }
+  if (const Status status = made->model_.upload(made->renderer_, asset); status != Status::kOk) {
+    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+  }
+  const auto one = OffscreenTarget::create(width, height, 0),
+             many = OffscreenTarget::create(width, height, kManySamples);
+  if (!one) return tl::unexpected(one.error());
+  if (!many) return tl::unexpected(many.error());
+  made->one_ = *one;
+  made->many_ = *many;
+  return made;
+}
+
+std::uint32_t CrowdStage::add(DrawnCrowd crowd, const CrowdView& view) {
+  Scene scene{std::move(crowd), view.camera, studio_lights(view.camera), std::vector<HairInstance>(view.places.size())};
+  for (std::size_t head = 0; head < view.places.size(); ++head) {
+    Eigen::Map<Eigen::Vector3d>{scene.heads[head].head.position} = view.places[head];
+  }
+  scenes_.push_back(std::move(scene));
+  return std::uint32_t(scenes_.size() - 1);
+}
+
+CrowdView CrowdStage::filling_view(std::uint32_t heads) const {
+  return frame_crowd(points_,
+                     {.yaw_degrees = kYawDegrees, .pitch_degrees = kPitchDegrees, .aspect = aspect_, .heads = heads});
+}
+
+Status CrowdStage::draw_heads(const DrawnFrame& frame) {
+  Scene& scene = scenes_[frame.crowd];
+  for (std::uint32_t head = 0; head < scene.heads.size(); ++head) {
+    scene.heads[head].palette = scene.crowd.palette(head);
+    scene.heads[head].lod = frame.lod;
+  }
+  DrawDesc desc;
+  Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.camera.clip_from_world;
+  const Eigen::Vector3d& eye = scene.camera.eye;
+  desc.eye = {float(eye.x()), float(eye.y()), float(eye.z())};
+  desc.lights = scene.lights;
+  desc.transparency = frame.transparency;
+  desc.framebuffer_is_srgb = true;
+  timer_.begin();
+  const Status status = renderer_.draw(model_, scene.heads, desc);
+  timer_.end();
+  glFinish();
+  return status;
+}
+
+Status CrowdStage::draw(const DrawnFrame& frame) {
+  if (frame.simulation) scenes_[frame.crowd].crowd.step();
+  target_of(frame).bind();
+  clear(0.2f, 1);
+  return draw_heads(frame);
+}
+
+std::optional<std::uint64_t> CrowdStage::count_covered_pixels(const DrawnFrame& frame) {
+  target_of(frame).bind();
+  clear(0, 0);
+  if (draw_heads(frame) != Status::kOk) return {};
+  const std::vector<std::uint8_t> pixels = target_of(frame).read();
+  std::uint64_t covered = 0;
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    covered += (pixels[i] | pixels[i + 1] | pixels[i + 2] | pixels[i + 3]) != 0 ? 1 : 0;
+  }
+  return covered;
+}
+
+}  // namespace coif

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/crowd_stage.h"
+#include "render/frame_timing.h"
+#include "tool_error.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// A crowd that fills the picture: the more heads, the further away each.
+struct DrawDistance {
+  std::uint32_t heads = 1;
+  double screen_share = 0;    ///< Of the picture's height, that of a head: what choose_lod() is asked with.
+  std::uint32_t lod = 0;      ///< What it answers.
+  double covered_pixels = 0;  ///< That hair touches, of the whole crowd, at that level; each counted once.
+  FrameTime time;             ///< Of the whole crowd, at that level,
+  FrameTime finest;           ///< and at level 0.
+};
+
+/// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
+[[nodiscard]] double head_height(const Asset& asset);
+
+/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are missing at the
+/// end; one head never is. `heads`: 1..kMostDrawnHeads each. Errors: those of AffordableCrowds::add().
+tl::expected<std::vector<DrawDistance>, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
+                                                                     std::span<const std::uint32_t> heads,
+                                                                     const MakeCrowd& make_crowd, double seconds);
+
+}  // namespace coif
