@@ -75,6 +75,7 @@ Status HairShadow::draw(std::span<const ShadowCrowd> crowds) {
   for (std::uint32_t i = 0; i < desc_.technique->stage_count && status == Status::kOk; ++i) {
     status = draw_stage(desc_.technique->stages[i], crowds);
   }
+  set_slope_bias(gl, functions(), 0);
   functions().BindFramebuffer(GL_FRAMEBUFFER, 0);
   if (textures_[kFrontTexture] != 0) unbind_texture(gl, kShadowUnit + kFrontTexture);
   gl.ActiveTexture(GL_TEXTURE0);
@@ -84,6 +85,7 @@ Status HairShadow::draw(std::span<const ShadowCrowd> crowds) {
 Status HairShadow::draw_stage(const ShadowStage& stage, std::span<const ShadowCrowd> crowds) {
   const GlFunctions& gl = renderer_->functions();
   functions().BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[stage.framebuffer]);
+  set_slope_bias(gl, functions(), stage.framebuffer == kLayersFramebuffer ? 0 : kSlopeTexels);
   clear_stage(functions(), stage.framebuffer, textures_[kFarLayersTexture] != 0);
   for (const ShadowCrowd& crowd : crowds) {
     const HairModel& model = *crowd.model;

@@ -54,6 +54,11 @@ GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth) {
   return framebuffer;
 }
 
+void set_slope_bias(const GlFunctions& gl, const ShadowFunctions& functions, float texels) {
+  texels > 0.0f ? gl.Enable(GL_POLYGON_OFFSET_FILL) : gl.Disable(GL_POLYGON_OFFSET_FILL);
+  functions.PolygonOffset(texels, 0);
+}
+
 const ShadowFunctions& HairShadow::functions() const {
   static_assert(sizeof(ShadowFunctions) <= kFunctionBytes);
   return *std::launder(reinterpret_cast<const ShadowFunctions*>(functions_));
@@ -112,6 +117,7 @@ Status HairShadow::begin(const Light& light, const ShadowBall& ball) {
   functions().Viewport(0, 0, side, side);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
+  set_slope_bias(gl, functions(), kSlopeTexels);
   gl.Disable(GL_CULL_FACE);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);

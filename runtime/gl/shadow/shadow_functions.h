@@ -14,6 +14,7 @@
   X(DrawBuffers)                 \
   X(FramebufferTexture2D)        \
   X(GenFramebuffers)             \
+  X(PolygonOffset)               \
   X(Viewport)
 
 namespace coif {

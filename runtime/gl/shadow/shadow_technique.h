@@ -50,6 +50,12 @@ struct ShadowTechnique {
 /// unit.
 [[nodiscard]] GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size, bool compares);
 
+/// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself where
+/// light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.
+void set_slope_bias(const GlFunctions& gl, const ShadowFunctions& functions, float texels);
+
+inline constexpr float kSlopeTexels = 2;  // 3 x 3 texels, and what the hardware's 2 x 2 reach beyond
+
 /// Leaves it bound.
 [[nodiscard]] GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth);
 

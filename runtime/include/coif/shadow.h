@@ -80,7 +80,8 @@ class HairShadow {
   /// has been called and the last map stays.
   ///
   /// Sets, for the host's casters: draw and read framebuffer, to one with a depth buffer alone; the viewport, to all of it;
-  /// scissor test and blending off, depth test on with GL_LEQUAL, depth and colour mask on, no face culled.
+  /// scissor test and blending off, depth test on with GL_LEQUAL, depth and colour mask on, no face culled; a polygon offset
+  /// that grows with the slope.
   Status begin(const Light& light, const ShadowBall& ball);
 
   /// For the host's casters between begin() and draw(): column-major, OpenGL clip space, from world axes around `origin`
@@ -91,7 +92,7 @@ class HairShadow {
   /// material out of range; the errors of HairRenderer::draw() for models and instances. After these nothing has been drawn.
   ///
   /// State as after HairRenderer::draw(); beside it leaves the framebuffer bindings empty, the viewport as begin() sets
-  /// it, the scissor test off, 2D texture and sampler of unit 4 empty. The host binds its own framebuffer next.
+  /// it, scissor test and polygon offset off, 2D texture and sampler of unit 4 empty. The host binds its own framebuffer next.
   Status draw(std::span<const ShadowCrowd> crowds);
 
   /// Builds the programs that draw() would have to build first for this asset, drawn with its own or another material.
