@@ -1,5 +1,6 @@
 #include "report/page/html_page.h"
 
+#include "report/page/base64.h"
 #include "report/page/clean_text.h"
 #include "report/page/page_style.h"
 #include "report/page/svg_ids.h"
@@ -104,10 +105,17 @@ void HtmlPage::figure(std::string_view svg, std::string_view caption) {
   body_ += "</figure>\n";
 }
 
+void HtmlPage::picture(std::span<const std::uint8_t> png, std::string_view caption) {
+  body_ += fmt::format("<figure>\n<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", escaped(caption), base64(png));
+  element("figcaption", caption);
+  body_ += "</figure>\n";
+}
+
 std::string HtmlPage::text() const {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+      "'unsafe-inline'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
       "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
       title_, kPageStyle, body_);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +44,8 @@ class HtmlPage {
   void table(const Table& table);
   /// `svg`: an element as draw() returns it, put in as it is but for its ids, which become unique in this page.
   void figure(std::string_view svg, std::string_view caption);
+  /// Bytes of a PNG file, put into the page.
+  void picture(std::span<const std::uint8_t> png, std::string_view caption);
 
   /// The whole document.
   [[nodiscard]] std::string text() const;

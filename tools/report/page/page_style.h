@@ -34,6 +34,7 @@ th { position: sticky; top: 0; background: var(--raised); }
 .bad { background: var(--bad); }
 figure { margin: 1.5rem 0; break-inside: avoid; }
 figure svg { width: 100%; max-width: 60rem; height: auto; }
+figure img { max-width: 100%; }
 figcaption { font-size: 0.9rem; max-width: 52rem; }
 @media print {
   :root { --text: #000000; --ground: #ffffff; --raised: #f1f3f5; --line: #cfd4da;

@@ -1,0 +1,133 @@
+#include "report/order/drawn_orders.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kTexelAlignment = 16;  // of each texture, as the format asks for
+
+template <typename Record>
+std::vector<Record> copy(std::span<const Record> records) {
+  return {records.begin(), records.end()};
+}
+
+void set_faces(AssetContents& contents, bool together) {
+  for (MaterialRecord& material : contents.material) {
+    material.flags = together ? material.flags | kMaterialFacesTogether : material.flags & ~kMaterialFacesTogether;
+  }
+}
+
+/// Patches by a key, equal ones in stored order.
+template <typename Key>
+AssetContents sorted_by(AssetContents contents, Key key) {
+  std::vector<PatchRecord> patches = contents.patches;
+  std::ranges::stable_sort(patches, {}, key);
+  std::vector<std::uint32_t> indices;
+  for (PatchRecord& patch : patches) {
+    const auto first = contents.indices.begin() + patch.first_index;
+    patch.first_index = std::uint32_t(indices.size());
+    indices.insert(indices.end(), first, first + patch.index_count);
+  }
+  contents.patches = std::move(patches);
+  contents.indices = std::move(indices);
+  return in_stored_order(std::move(contents));
+}
+
+std::vector<std::string> bone_names(const Asset& asset) {
+  std::vector<std::string> names;
+  for (std::uint32_t bone = 0; bone < asset.bones().size(); ++bone) names.emplace_back(asset.bone_name(bone));
+  return names;
+}
+
+/// Orders are of triangles, the finest level's first.
+void copy_orders(const Asset& asset, AssetContents& contents) {
+  const std::size_t all = asset.indices().size() / 3, kept = contents.indices.size() / 3;
+  for (std::size_t begin = 0; begin < asset.orders().size(); begin += all) {
+    const auto order = asset.orders().subspan(begin, kept);
+    contents.orders.insert(contents.orders.end(), order.begin(), order.end());
+  }
+  contents.order_views = copy(asset.order_views());
+}
+
+/// Whatever drawing needs besides the patches.
+void copy_appearance(const Asset& asset, AssetContents& contents) {
+  contents.vertices = copy(asset.vertices());
+  contents.skin = copy(asset.skin());
+  if (asset.material() != nullptr) contents.material = {*asset.material()};
+  for (TextureRecord texture : asset.textures()) {
+    contents.texels.resize((contents.texels.size() + kTexelAlignment - 1) / kTexelAlignment * kTexelAlignment);
+    const std::uint64_t offset = contents.texels.size();
+    for (std::uint32_t mip = 0; mip < texture.mip_count; ++mip) {
+      const auto texels = asset.texels(texture, mip);
+      contents.texels.insert(contents.texels.end(), texels.begin(), texels.end());
+    }
+    texture.offset = offset;
+    texture.bytes = contents.texels.size() - offset;
+    contents.textures.push_back(texture);
+  }
+}
+
+}  // namespace
+
+AssetContents finest_level(const Asset& asset) {
+  AssetContents contents;
+  contents.skeleton = asset.skeleton();
+  contents.bones = copy(asset.bones());
+  contents.bone_names = bone_names(asset);
+  contents.chains = copy(asset.chains());
+  contents.dynamics = copy(asset.dynamics());
+  contents.colliders = copy(asset.colliders());
+  contents.patches = copy(asset.lod_patches(0));
+  contents.indices = copy(asset.lod_indices(0));
+  copy_orders(asset, contents);
+  copy_appearance(asset, contents);
+  return contents;
+}
+
+AssetContents in_file_order(AssetContents finest) {
+  set_faces(finest, false);
+  return sorted_by(std::move(finest), &PatchRecord::file_place);
+}
+
+AssetContents in_head_order(AssetContents finest) {
+  set_faces(finest, false);
+  return sorted_by(std::move(finest), &PatchRecord::head_distance);
+}
+
+AssetContents in_stored_order(AssetContents finest) {
+  finest.orders.clear();
+  finest.order_views.clear();
+  return finest;
+}
+
+std::vector<std::uint32_t> far_to_near(std::span<const std::uint32_t> indices,
+                                       std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& eye) {
+  std::vector<float> distance(indices.size() / 3);
+  for (std::size_t t = 0; t < distance.size(); ++t) {
+    const Eigen::Vector3f sum =
+        positions[indices[3 * t]] + positions[indices[3 * t + 1]] + positions[indices[3 * t + 2]];
+    distance[t] = (sum / 3 - eye).squaredNorm();
+  }
+  std::vector<std::uint32_t> order(distance.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, std::greater{}, [&distance](std::uint32_t t) { return distance[t]; });
+  std::vector<std::uint32_t> sorted;
+  sorted.reserve(indices.size());
+  for (const std::uint32_t t : order) sorted.insert(sorted.end(), &indices[3 * t], &indices[3 * t] + 3);
+  return sorted;
+}
+
+AssetContents sorted_by_triangle(AssetContents finest, std::span<const Eigen::Vector3f> positions,
+                                 const Eigen::Vector3f& eye) {
+  set_faces(finest, true);
+  finest.indices = far_to_near(finest.indices, positions, eye);
+  PatchRecord all = finest.patches.front();
+  all.first_index = 0;
+  all.index_count = std::uint32_t(finest.indices.size());
+  finest.patches = {all};
+  return in_stored_order(std::move(finest));
+}
+
+}  // namespace coif

@@ -1,0 +1,124 @@
+#include "report/order/order_ways.h"
+
+#include "render/transparency_modes.h"
+#include "report/opened_asset.h"
+#include "report/order/drawn_orders.h"
+
+#include <string_view>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::string_view kExact = "exact", kBones = "bones", kCoverage = "coverage";
+constexpr std::uint32_t kCoverageSamples = 4;
+
+const TransparencyMode* find_mode(std::string_view name) {
+  for (const TransparencyMode* mode : transparency_modes()) {
+    if (name == name_of(*mode)) return mode;
+  }
+  return nullptr;
+}
+
+bool draws_faces_together(const AssetContents& contents) {
+  return !contents.material.empty() && (contents.material.front().flags & kMaterialFacesTogether) != 0;
+}
+
+std::uint64_t index_bytes(const AssetContents& contents) {
+  constexpr std::size_t kMostShort = 1u << 16;
+  const std::size_t bytes = contents.vertices.size() <= kMostShort ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+  return bytes * contents.indices.size() * (1 + 3 * contents.orders.size() / contents.indices.size());
+}
+
+class WayMaker {
+ public:
+  WayMaker(const Asset& asset, OrderPictures& pictures)
+      : pictures_(pictures), ways_{finest_level(asset), {}, {}, {}, {}, {}} {}
+
+  tl::expected<OrderWays, ToolError> make() {
+    const AssetContents& finest = ways_.finest;
+    const TransparencyMode* exact = find_mode(kExact);
+    if (exact == nullptr) {
+      return tl::unexpected(ToolError{ToolError::Kind::kUnsupported, "this program has no exact mode to compare with"});
+    }
+    if (!add("file", in_file_order(finest)) || !add("head", in_head_order(finest)) ||
+        !add("best", in_stored_order(finest)) || !add_own()) {
+      return tl::unexpected(error_);
+    }
+    ways_.exact = ways_.own;
+    ways_.exact.name = kExact;
+    ways_.exact.transparency = exact;
+    add_bones();
+    if (!add_triangles()) return tl::unexpected(error_);
+    add_modes();
+    return std::move(ways_);
+  }
+
+ private:
+  [[nodiscard]] bool add(const char* name, const AssetContents& contents) {
+    const OpenedAsset variant(contents);
+    const auto model = pictures_.add(variant.asset());
+    if (!model) {
+      error_ = model.error();
+      return false;
+    }
+    ways_.orders.push_back({.name = name,
+                            .model = *model,
+                            .faces_together = draws_faces_together(contents),
+                            .bytes = index_bytes(contents)});
+    return true;
+  }
+
+  [[nodiscard]] bool add_own() {
+    if (!ways_.finest.orders.empty()) {
+      if (!add("view", ways_.finest)) return false;
+    } else {
+      ways_.left_out.push_back({"view", "the asset has one order for all directions"});
+    }
+    ways_.own = ways_.orders.back();
+    return true;
+  }
+
+  void add_bones() {
+    const TransparencyMode* bones = find_mode(kBones);
+    if (bones == nullptr) {
+      ways_.left_out.push_back({std::string(kBones), "this program cannot sort bones while it draws"});
+      return;
+    }
+    DrawnWay way = ways_.own;
+    way.name = kBones;
+    way.transparency = bones;
+    ways_.orders.push_back(std::move(way));
+  }
+
+  [[nodiscard]] bool add_triangles() {
+    AssetContents all = ways_.finest;
+    for (MaterialRecord& material : all.material) material.flags |= kMaterialFacesTogether;
+    if (!add("triangles", in_stored_order(std::move(all)))) return false;
+    ways_.orders.back().sorts_triangles = true;
+    return true;
+  }
+
+  void add_modes() {
+    for (const TransparencyMode* mode : transparency_modes()) {
+      if (name_of(*mode) == kExact || name_of(*mode) == kBones) continue;
+      DrawnWay way = ways_.own;
+      way.name = name_of(*mode);
+      way.transparency = mode;
+      way.samples = way.name == kCoverage ? kCoverageSamples : 1;
+      ways_.modes.push_back(std::move(way));
+    }
+  }
+
+  OrderPictures& pictures_;
+  OrderWays ways_;
+  ToolError error_;
+};
+
+}  // namespace
+
+tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, OrderPictures& pictures) {
+  return WayMaker(asset, pictures).make();
+}
+
+}  // namespace coif
