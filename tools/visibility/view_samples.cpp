@@ -1,0 +1,70 @@
+#include "visibility/view_samples.h"
+
+#include "parallel_for.h"
+
+#include <coif/view_cells.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+/// Steps of the additive sequence that fills a square most evenly. Source: Roberts 2018, "The unreasonable effectiveness of
+/// quasirandom sequences".
+constexpr double kStepX = 0.7548776662466927, kStepY = 0.5698402909980532;
+
+/// Area that the hair covers in a picture, on average over all directions: a quarter of both sides' of a convex body
+/// (Cauchy's formula); for hair, whose cards lie before each other, the box around it says enough.
+double mean_outline(std::span<const Eigen::Vector3f> positions) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : positions) box.extend(p);
+  if (box.isEmpty()) return 0;
+  const Eigen::Vector3d s = box.sizes().cast<double>();
+  return (s.x() * s.y() + s.y() * s.z() + s.z() * s.x()) / 2;
+}
+
+std::uint32_t pose_of_view(std::uint32_t cell, std::uint32_t view, std::size_t poses) {
+  if (poses < 2 || (cell + view) % 2 == 0) return 0;
+  return 1 + (cell + view) / 2 % std::uint32_t(poses - 1);
+}
+
+}  // namespace
+
+Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
+  constexpr float kEdges[5] = {-1, -kViewCellEdge, 0, kViewCellEdge, 1};
+  const auto place = [&](double step, std::uint32_t column) {
+    const double share = 0.5 + step * (index + 1.0);
+    return kEdges[column] + float(share - std::floor(share)) * (kEdges[column + 1] - kEdges[column]);
+  };
+  const std::uint32_t axis = cell / 32;
+  Eigen::Vector3f direction;
+  direction[axis] = cell / 16 % 2 == 0 ? 1.0f : -1.0f;
+  direction[(axis + 1) % 3] = place(kStepX, cell % 4);
+  direction[(axis + 2) % 3] = place(kStepY, cell / 4 % 4);
+  return direction.normalized();
+}
+
+ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
+                         const SampleSettings& settings) {
+  const double outline = mean_outline(poses.front());
+  const auto per_cell = std::uint32_t(settings.views_per_cell);
+  ViewSamples samples;
+  samples.views.resize(kViewCells * settings.views_per_cell);
+  parallel_for(samples.views.size(), settings.threads, [&](std::size_t i) {
+    ViewSamples::View& view = samples.views[i];
+    view.cell = std::uint32_t(i) / per_cell;
+    const std::uint32_t turn = std::uint32_t(i) % per_cell + settings.seed;
+    view.pose = pose_of_view(view.cell, turn, poses.size());
+    ViewGrid grid;
+    grid.towards_eye = direction_in_cell(view.cell, turn);
+    grid.spacing = float(std::sqrt(std::max(outline, 1.0e-8) / double(settings.lines)));
+    grid.pixel = settings.pixel;
+    view.lines = SightLines(FragmentView(hair, poses[view.pose], grid));
+  });
+  return samples;
+}
+
+}  // namespace coif
