@@ -4,7 +4,7 @@
 #include "cook/built_models.h"
 #include "cook/image_files.h"
 #include "cook/keep_coverage.h"
-#include "cook/pack_skeleton.h"
+#include "cook/pack_material.h"
 #include "cook/shift_mask.h"
 #include "cook/textured_hair.h"
 #include "cook/used_texels.h"

@@ -2,6 +2,7 @@
 
 #include "cli/json_text.h"
 #include "cli/tuning_summary.h"
+#include "shading_names.h"
 #include "write/chunk_file.h"
 
 #include <fmt/format.h>
@@ -174,7 +175,10 @@ ordered_json summarize(const Asset& asset) {
                           {"textures", texture_list(asset)},
                           {"settings", all_settings(asset)},
                           {"quality", quality_json(asset)}};
-  if (asset.material() != nullptr) summary["sides"] = sides(*asset.material());
+  if (asset.material() != nullptr) {
+    summary["sides"] = sides(*asset.material());
+    summary["shading"] = name_of(asset.material()->shading);
+  }
   if (asset.provenance()) summary["provenance"] = provenance(*asset.provenance());
   return summary;
 }
@@ -216,7 +220,9 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
   text += count_line("colliding_bones", summary["colliding_bones"]);
   for (const auto& texture : summary["textures"]) text += texture_line(texture);
-  if (asset.material() != nullptr) text += fmt::format("  {:<16}{:>12}\n", "sides", sides(*asset.material()));
+  for (const char* key : {"sides", "shading"}) {
+    if (summary.contains(key)) text += fmt::format("  {:<16}{:>12}\n", key, summary[key].get<std::string>());
+  }
   text += lod_table(summary["lods"]);
   text += "settings (smallest .. largest over the simulated bones)\n";
   const ordered_json ranges = dynamics_ranges(asset);

@@ -8,7 +8,9 @@
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "render/picture.h"
+#include "render/shaded_material.h"
 #include "render/transparency_modes.h"
+#include "shading_names.h"
 
 #include <memory>
 #include <utility>
@@ -42,6 +44,7 @@ struct RenderOptions {
   std::string body;
   std::string body_mesh;
   std::optional<std::string> recipe;
+  std::optional<ShadingModel> shading;
   PictureSettings picture;
   OutputFormat format = OutputFormat::kText;
 };
@@ -90,6 +93,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
 
   PictureSettings settings = picture_settings(options);
+  if (options.shading) settings.material = shaded_material(file->asset(), *options.shading);
   if (options.motion.clip) {
     auto clip = open_clip(*options.motion.clip, messages);
     if (!clip) return tl::unexpected(clip.error());
@@ -142,6 +146,16 @@ void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
   add_choice<const TransparencyMode*>(app, "--transparency", choice, choices, "How soft edges are drawn");
 }
 
+void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
+  static const auto choices = [] {
+    std::vector<Choice<std::optional<ShadingModel>>> all;
+    for (const char* name : kShadingNames) all.push_back({name, shading_model(name)});
+    return all;
+  }();
+  add_choice<std::optional<ShadingModel>>(app, "--shading", choice, choices,
+                                          "How strands reflect light (default: as cooked)");
+}
+
 }  // namespace
 
 Command add_render(CLI::App& program) {
@@ -156,6 +170,7 @@ Command add_render(CLI::App& program) {
                     "Which part of the shading; or, to check the cook, the strands' direction or the patches");
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_transparency(*app, options->picture.transparency);
+  add_shading(*app, options->shading);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }

@@ -4,6 +4,7 @@
 #include "cook/cook_passes.h"
 #include "cook/keep_coverage.h"
 #include "cook/leave_out.h"
+#include "cook/pack_material.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
 #include "payload_hash.h"

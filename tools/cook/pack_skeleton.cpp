@@ -34,11 +34,6 @@ ColliderRecord pack_collider(const HeadCollider& collider, const Eigen::Vector3d
   return record;
 }
 
-template <std::size_t kCount>
-void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
-  for (std::size_t k = 0; k < kCount; ++k) out[k] = float(value[k]);
-}
-
 }  // namespace
 
 void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents) {
@@ -53,29 +48,6 @@ void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetCo
   }
   contents.chains = skeleton.chains;
   for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
-}
-
-MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
-                             const Recipe& recipe) {
-  constexpr double kMostShift = 10;  // that an asset holds
-  MaterialRecord record{};
-  store(recipe.base_color, record.base_color);
-  store(recipe.ambient, record.ambient);
-  store(recipe.primary_color, record.primary_color);
-  store(recipe.secondary_color, record.secondary_color);
-  record.primary_exponent = float(recipe.primary_exponent);
-  record.secondary_exponent = float(recipe.secondary_exponent);
-  // What the shader adds and multiplies where it reads a texture (shaders/shading.glsl).
-  const double shift = textures.constant_shift - 0.5;
-  record.primary_shift = float(std::clamp(recipe.primary_shift + shift, -kMostShift, kMostShift));
-  record.secondary_shift = float(std::clamp(recipe.secondary_shift + shift, -kMostShift, kMostShift));
-  for (float& c : record.secondary_color) c *= float(textures.constant_mask);
-  record.opaque_threshold = float(textures.transparency.opaque_threshold);
-  record.discard_threshold = float(textures.transparency.discard_threshold);
-  const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
-  if (both) record.flags |= kMaterialDoubleSided;
-  for (int k = 0; k < 4; ++k) record.base_color[k] *= color.factor[k];
-  return record;
 }
 
 }  // namespace coif

@@ -105,6 +105,11 @@ struct Recipe {
   std::array<double, 3> secondary_color{};
   double secondary_exponent = 0;
   double secondary_shift = 0;
+  std::string shading;   ///< "thesis", "kajiya-kay" or "marschner".
+  double tilt = 0;       ///< Degrees.
+  double roughness = 0;  ///< Degrees.
+  double scatter = 0;
+  std::string energy;  ///< "published" or "bounded".
 };
 
 /// Every key at its default.

@@ -158,6 +158,18 @@ const RecipeKey kKeys[] = {
    "sharpness of the secondary highlight"},
   {"material", "secondary_shift", &R::secondary_shift, "0.5", -10, 10, nullptr, "",
    "how far the normal moves the secondary highlight"},
+  {"material", "shading", &R::shading, "\"thesis\"", 0, 0, "thesis|kajiya-kay|marschner", "",
+   "how strands reflect light: the thesis's Algorithm 3; Kajiya-Kay with the primary highlight alone; or light through"
+   " a fibre (Marschner), which takes its highlights from the base colour and the next three numbers"},
+  {"material", "tilt", &R::tilt, "3", -20, 20, nullptr, "degrees",
+   "marschner: how far a strand's scales lean towards the tip; parts its two highlights"},
+  {"material", "roughness", &R::roughness, "8", 1.2, 57, nullptr, "degrees",
+   "marschner: width of the first highlight along the strand; the second is twice as wide"},
+  {"material", "scatter", &R::scatter, "0.5", 0, 1, nullptr, "",
+   "marschner: share of the light through strands that others scatter before it is seen; more for light or thick hair"},
+  {"material", "energy", &R::energy, "\"published\"", 0, 0, "published|bounded", "",
+   "bounded: lights add less, so that hair never reflects more light than it gets however many there are; published: as"
+   " the model's authors have it"},
 };
 // clang-format on
 
