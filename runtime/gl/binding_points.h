@@ -11,5 +11,9 @@ inline constexpr GLint kBaseUnit = 0;  // texture units
 inline constexpr GLint kShiftMaskUnit = 1;
 inline constexpr GLint kPaletteUnit = 2;
 inline constexpr GLint kShadowUnit = 3;  // and the next, as many as HairShadow::kTextures
+inline constexpr GLint kPeeledUnit = 7;
+inline constexpr GLint kFoundUnit = 8;
+inline constexpr GLuint kListHeadIndex = 0;  // shader storage buffer indices
+inline constexpr GLuint kListNodeIndex = 1;
 
 }  // namespace coif

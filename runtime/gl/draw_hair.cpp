@@ -44,7 +44,10 @@ Status HairRenderer::draw(const HairModel& model, std::span<const HairInstance> 
   CrowdDraw crowd(*this, model, instances, desc, block);
   bind(model, desc.shadow);
   const auto draw_mode = desc.transparency->draw;
-  const bool is_drawn = draw_mode != nullptr ? draw_mode({functions(), crowd, passes}) : crowd.draw(passes);
+  const bool is_drawn =
+      draw_mode == nullptr
+          ? crowd.draw(passes)
+          : draw_mode({functions(), crowd, passes, loader_, mode_memory_, storage_blocks_, list_bytes_, failure_});
   unbind(model, desc.shadow);
   return is_drawn ? Status::kOk : Status::kDriver;
 }

@@ -12,9 +12,16 @@ struct FragmentCode {
   const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
   /// Instead of shading and its output, where not null: a whole `main()` that writes something else than colour.
   const char* other = nullptr;
+  const char* shared = "";  ///< Comes before all of these: what they have in common.
   /// Lines before the vertex shader: which of its outputs `keep` reads, COIF_REST_PLACE or COIF_CORNER.
   const char* vertex = "";
-  bool thins = false;  ///< Drops some of the texels between Pass::alpha_min and solid_from.
+  /// Further textures that the shader reads. Null: none.
+  struct Sampler {
+    const char* name = nullptr;
+    std::int32_t unit = 0;
+  } samplers[2] = {};
+  std::uint32_t storage_blocks = 0;  ///< Buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
+  bool thins = false;                ///< Drops some of the texels between Pass::alpha_min and solid_from.
 };
 
 inline constexpr std::uint32_t kMaxFragmentCodes = 16;

@@ -19,6 +19,7 @@ Status HairRenderer::build_missing(const PassList& passes, std::uint32_t needs, 
                                    Component component) {
   const GlFunctions& gl = functions();
   for (const Pass& pass : passes.passes()) {
+    if (pass.code->storage_blocks > storage_blocks_) continue;  // Its mode has another way.
     const std::uint32_t variant = variant_of(pass, needs, material, component);
     if (find_program(variant) != nullptr) continue;
     if (program_count_ == kMaxPrograms) return Status::kDriver;

@@ -11,6 +11,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kLeastStream = 1u << 20, kMostStream = 256u << 20;
+constexpr std::uint32_t kLeastLists = 64u << 10, kMostLists = 1u << 30;
 constexpr std::uint32_t kLeastBlock = 16u << 10, kMostBlock = 64u << 10;  // the least: what OpenGL ES 3.0 promises
 // A part of the smallest stream holds what is sent at once: a full block, or the matrices of the most bones.
 static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + kMostBlock + 512);
@@ -18,7 +19,16 @@ static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + 512 + (k
 
 bool is_valid(const RendererDesc& desc) {
   return desc.stream_bytes >= kLeastStream && desc.stream_bytes <= kMostStream && desc.block_bytes >= kLeastBlock &&
-         desc.block_bytes <= kMostBlock;
+         desc.block_bytes <= kMostBlock && desc.list_bytes >= kLeastLists && desc.list_bytes <= kMostLists;
+}
+
+/// Of fragment shaders. OpenGL ES 3.1 has the kind, but may offer none to them.
+std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major) {
+  constexpr GLenum kMaxFragmentStorageBlocks = 0x90DA;  // OpenGL ES 3.1
+  GLint minor = 0, blocks = 0;
+  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major > 3 || minor > 0) gl.GetIntegerv(kMaxFragmentStorageBlocks, &blocks);
+  return static_cast<std::uint32_t>(blocks);
 }
 
 }  // namespace
@@ -43,6 +53,9 @@ Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
     std::snprintf(failure_, sizeof failure_, "the current context has version %d; OpenGL ES 3.0 is needed", major);
     return Status::kDriver;
   }
+  storage_blocks_ = storage_blocks_of(*gl, major);
+  loader_ = loader;
+  list_bytes_ = desc.list_bytes;
   GLint most = 0;
   gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
   const auto offered = static_cast<std::uint32_t>(most);
@@ -61,6 +74,8 @@ void HairRenderer::destroy() {
   failure_[0] = '\0';
   if (!created_) return;
   const GlFunctions& gl = functions();
+  if (mode_memory_.release != nullptr) mode_memory_.release(gl, mode_memory_);
+  mode_memory_ = {};
   for (const Program& program : std::span(programs_).first(program_count_)) gl.DeleteProgram(program.name);
   program_count_ = 0;
   StreamBuffer(gl, stream_).destroy();

@@ -1,6 +1,14 @@
 #include "gl/passes.h"
 
 namespace coif {
+namespace {
+
+// Of everything that is hidden by hair and drawn later, a texel of alpha a should show 1 - a. Writing depth shows 0 of
+// it, not writing shows 1, so half is where one error becomes smaller than the other. Lower, the faint borders of cards
+// would punch holes into smoke or glass behind them; higher, it would shine through hair that is nearly solid.
+constexpr float kDepthAlpha = 0.5f;
+
+}  // namespace
 
 void PassList::add_for(const AlphaRange& alpha, Pass pass) {
   const bool is_empty =
@@ -8,7 +16,7 @@ void PassList::add_for(const AlphaRange& alpha, Pass pass) {
   if (is_empty) return;
   const bool is_thinned = pass.code->thins && alpha.lowest < pass.solid_from;
   pass.tests_alpha = is_thinned || alpha.lowest < pass.alpha_min || alpha.highest >= pass.alpha_max;
-  passes_[count_++] = pass;
+  add(pass);
 }
 
 void PassList::add_shadow(const ShadowLookup& shadow) {
@@ -33,6 +41,26 @@ Pass solid_pass(const MaterialRecord& material) {
           .culled = unseen_faces(material),
           .alpha_min = material.opaque_threshold,
           .alpha_max = kNoAlphaLimit};
+}
+
+Pass soft_pass(const MaterialRecord& material) {
+  return {.shaded = true,
+          .blended = true,
+          .writes_depth = false,
+          .culled = unseen_faces(material),
+          .alpha_min = material.discard_threshold,
+          .alpha_max = material.opaque_threshold,
+          .solid_from = kNoAlphaLimit};
+}
+
+Pass soft_depth_pass(const MaterialRecord& material) {
+  const float faintest = material.discard_threshold;
+  return {.shaded = false,
+          .blended = false,
+          .writes_depth = true,
+          .culled = unseen_faces(material),
+          .alpha_min = faintest > kDepthAlpha ? faintest : kDepthAlpha,
+          .alpha_max = material.opaque_threshold};
 }
 
 Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code) {

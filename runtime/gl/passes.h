@@ -29,16 +29,18 @@ struct Pass {
   const FragmentCode* code = &kRangeCode;
   const ShadowLookup* shadow = nullptr;  ///< Looked up where light is summed, or by `code`.
 
-  [[nodiscard]] bool writes_color() const { return shaded || code->other != nullptr; }
+  [[nodiscard]] bool writes_color() const { return code->storage_blocks == 0 && (shaded || code->other != nullptr); }
 };
 
 /// The passes that draw something, in their order.
 class PassList {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMost = 6;
 
   /// Leaves the pass out if no texel of these alphas is in its range, and the test if all are.
   void add_for(const AlphaRange& alpha, Pass pass);
+  /// At most kMost.
+  void add(const Pass& pass) { passes_[count_++] = pass; }
   /// Where light is summed, one of the lights has this shadow.
   void add_shadow(const ShadowLookup& shadow);
   [[nodiscard]] std::span<const Pass> passes() const { return std::span(passes_).first(count_); }
@@ -56,6 +58,12 @@ class PassList {
 
 /// Texels from the opaque threshold on, as solid, sorted by the depth buffer.
 [[nodiscard]] Pass solid_pass(const MaterialRecord& material);
+
+/// Texels between the thresholds, blended over what is there.
+[[nodiscard]] Pass soft_pass(const MaterialRecord& material);
+
+/// Depth of those soft texels that hide most of what is behind them. For what is drawn after the hair.
+[[nodiscard]] Pass soft_depth_pass(const MaterialRecord& material);
 
 /// Texels from the discard threshold on, those below the opaque one thinned by `code`, all sorted by the depth buffer.
 [[nodiscard]] Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);

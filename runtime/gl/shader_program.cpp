@@ -4,12 +4,12 @@ namespace coif {
 namespace {
 
 // highp everywhere: exponents of some thousands leave nothing of a mediump highlight.
-constexpr char kPreamble[] =
-    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+constexpr char kPrecision[] = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
-GLuint compile(const GlFunctions& gl, GLenum stage, std::span<const char* const> pieces, std::span<char> log) {
-  const GLchar* sources[1 + kMaxPieces] = {kPreamble};
-  GLsizei count = 1;
+GLuint compile(const GlFunctions& gl, GLenum stage, const char* version, std::span<const char* const> pieces,
+               std::span<char> log) {
+  const GLchar* sources[2 + kMaxPieces] = {version, kPrecision};
+  GLsizei count = 2;
   for (const char* piece : pieces.first(pieces.size() < kMaxPieces ? pieces.size() : kMaxPieces)) {
     sources[count++] = piece;
   }
@@ -41,11 +41,11 @@ GLuint link(const GlFunctions& gl, GLuint vertex, GLuint fragment, std::span<cha
 
 }  // namespace
 
-GLuint build_program(const GlFunctions& gl, std::span<const char* const> vertex, std::span<const char* const> fragment,
-                     std::span<char> log) {
-  const GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex, log);
+GLuint build_program(const GlFunctions& gl, const char* version, std::span<const char* const> vertex,
+                     std::span<const char* const> fragment, std::span<char> log) {
+  const GLuint vertex_shader = compile(gl, GL_VERTEX_SHADER, version, vertex, log);
   if (vertex_shader == 0) return 0;
-  const GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, fragment, log);
+  const GLuint fragment_shader = compile(gl, GL_FRAGMENT_SHADER, version, fragment, log);
   const GLuint program = fragment_shader == 0 ? 0 : link(gl, vertex_shader, fragment_shader, log);
   // Deleting marks them only; a linked program keeps what it needs.
   gl.DeleteShader(vertex_shader);

@@ -62,7 +62,7 @@ const char* shading_model(std::uint32_t bits) {
 Source fragment_source(std::uint32_t bits, const Pass& pass) {
   const FragmentCode& code = *pass.code;
   Source source(bits);
-  source.add(kShaderDrawBlockGlsl).add(kShaderHairBaseGlsl).add(code.keep);
+  source.add(kShaderDrawBlockGlsl).add(kShaderHairBaseGlsl).add(code.shared).add(code.keep);
   if ((bits & variant::kShadow) != 0) source.add(pass.shadow->pieces[0]).add(pass.shadow->pieces[1]);
   if (code.other != nullptr) return source.add(code.other);
   if ((bits & (variant::kShaded | variant::kDirection)) == 0) return source.add(kShaderHairDepthFrag);
@@ -85,12 +85,15 @@ void bind_shadow_textures(const GlFunctions& gl, GLuint program, const ShadowLoo
   }
 }
 
-void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const ShadowLookup* shadow) {
+void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const Pass& pass) {
   gl.UseProgram(program);  // Of a texture that the program lacks the location is -1, which is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "palette_texture"), kPaletteUnit);
-  if (shadow != nullptr) bind_shadow_textures(gl, program, *shadow);
+  if (pass.shadow != nullptr) bind_shadow_textures(gl, program, *pass.shadow);
+  for (const FragmentCode::Sampler& sampler : pass.code->samplers) {
+    if (sampler.name != nullptr) gl.Uniform1i(gl.GetUniformLocation(program, sampler.name), sampler.unit);
+  }
   gl.UseProgram(0);
   bind_block(gl, program, "DrawBlock", kDrawIndex);
   bind_block(gl, program, "PaletteBlock", kPaletteIndex);
@@ -136,9 +139,10 @@ GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const Pass& pass
                      std::span<char> log) {
   char rows[48];
   std::snprintf(rows, sizeof rows, "#define COIF_PALETTE_ROWS %u\n", unsigned{block_rows});
-  const GLuint program =
-      build_program(gl, vertex_source(bits, *pass.code, rows).pieces(), fragment_source(bits, pass).pieces(), log);
-  if (program != 0) bind_textures_and_blocks(gl, program, pass.shadow);
+  const char* const version = pass.code->storage_blocks > 0 ? kGlsl310 : kGlsl300;
+  const GLuint program = build_program(gl, version, vertex_source(bits, *pass.code, rows).pieces(),
+                                       fragment_source(bits, pass).pieces(), log);
+  if (program != 0) bind_textures_and_blocks(gl, program, pass);
   return program;
 }
 

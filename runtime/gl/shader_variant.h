@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kShaded = 1u << 8;     ///< Writes the shading mo
 inline constexpr std::uint32_t kDirection = 1u << 9;  ///< Writes the strands' direction. Without both: depth only.
 inline constexpr std::uint32_t kKajiyaKay = 1u << 10;
 inline constexpr std::uint32_t kMarschner = 1u << 11;  ///< Without both: the thesis's model.
-inline constexpr std::uint32_t kCodeShift = 24;       ///< From here on, four bits: FragmentCode::id.
-inline constexpr std::uint32_t kShadowShift = 28;     ///< Two bits: ShadowLookup::id, 0 without a shadow.
+inline constexpr std::uint32_t kCodeShift = 24;        ///< From here on, four bits: FragmentCode::id.
+inline constexpr std::uint32_t kShadowShift = 28;      ///< Two bits: ShadowLookup::id, 0 without a shadow.
 inline constexpr std::uint32_t kShadow = 3u << kShadowShift;
 }  // namespace variant
 

@@ -8,6 +8,9 @@
 #include <coif/asset_records.h>
 #include <coif/transparency.h>
 
+#include <cstdint>
+#include <span>
+
 namespace coif {
 
 /// One call of HairRenderer::draw(): everything is checked, built and bound.
@@ -15,6 +18,12 @@ struct ModeDraw {
   const GlFunctions& gl;
   CrowdDraw& crowd;
   const PassList& passes;
+  // For modes with objects of their own:
+  const GlLoader& loader;
+  ModeMemory& memory;
+  std::uint32_t storage_blocks;  ///< That a fragment shader may write to.
+  std::uint32_t list_bytes;
+  std::span<char> failure;  ///< Text for HairRenderer::failure().
 };
 
 struct TransparencyMode {

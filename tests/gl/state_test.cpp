@@ -1,6 +1,7 @@
 #include "gl/gl_test.h"
+#include "render/transparency_modes.h"
 
-#include <GLES3/gl3.h>
+#include <GLES3/gl31.h>
 
 #include <array>
 #include <span>
@@ -112,7 +113,10 @@ class DrawState : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (!context_) return;
-    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{Card{}}))), Status::kOk);
+    Card solid, soft;
+    soft.rgba[3] = 128;
+    soft.center[2] = 1;
+    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{solid, soft}))), Status::kOk);
   }
   void TearDown() override {
     model_.destroy();
@@ -123,12 +127,14 @@ class DrawState : public GlTest {
 };
 
 TEST_F(DrawState, IsLeftAtInitialValuesWhereDrawSetsIt) {
-  for (const bool transparency : {true, false}) {
+  for (const TransparencyMode* mode : transparency_modes()) {
     set_hostile_owned_state();
     HeadDraw desc = at_rest();
-    desc.transparency = transparency ? &kBlendMode : &kOpaqueMode;
+    desc.transparency = mode;
     ASSERT_EQ(draw_head(renderer_, model_, desc), Status::kOk);
-    for (const Value& value : kOwned) EXPECT_EQ(query(value.name), value.initial) << std::hex << value.name;
+    for (const Value& value : kOwned) {
+      EXPECT_EQ(query(value.name), value.initial) << name_of(*mode) << ", " << std::hex << value.name;
+    }
   }
 }
 
@@ -147,24 +153,39 @@ TEST_F(DrawState, DoesNotDependOnWhatTheHostLeft) {
   EXPECT_EQ(middle_pixel(), expected);
 }
 
-TEST_F(DrawState, TexturesSamplersAndUniformBuffersAreUnbound) {
-  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
-  for (GLuint i = 0; i < 2; ++i) {
-    glActiveTexture(GL_TEXTURE0 + i);
-    EXPECT_EQ(query(GL_TEXTURE_BINDING_2D)[0], 0);
-    EXPECT_EQ(query(GL_SAMPLER_BINDING)[0], 0);
-    GLint buffer = -1;
-    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &buffer);
-    EXPECT_EQ(buffer, 0);
+TEST_F(DrawState, TexturesSamplersAndBuffersAreUnbound) {
+  for (const TransparencyMode* mode : transparency_modes()) {
+    HeadDraw desc = at_rest();
+    desc.transparency = mode;
+    ASSERT_EQ(draw_head(renderer_, model_, desc), Status::kOk);
+    for (GLuint unit = 0; unit < 16; ++unit) {
+      glActiveTexture(GL_TEXTURE0 + unit);
+      EXPECT_EQ(query(GL_TEXTURE_BINDING_2D)[0], 0) << name_of(*mode) << ", unit " << unit;
+      EXPECT_EQ(query(GL_SAMPLER_BINDING)[0], 0) << name_of(*mode) << ", unit " << unit;
+    }
+    for (GLuint i = 0; i < 2; ++i) {
+      GLint buffer = 0;
+      glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &buffer);
+      EXPECT_EQ(buffer, 0) << name_of(*mode);
+      glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &buffer);
+      EXPECT_EQ(buffer, 0) << name_of(*mode);
+    }
+    glGetError();  // an OpenGL ES 3.0 context knows no storage buffers
   }
 }
 
 TEST_F(DrawState, IsUntouchedWhereDrawDoesNotClaimIt) {
   set_unusual_foreign_state();
-  const auto before = query_all(kForeign);
-  ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
-  const auto after = query_all(kForeign);
-  for (std::size_t i = 0; i < kForeign.size(); ++i) EXPECT_EQ(after[i], before[i]) << std::hex << kForeign[i];
+  for (const TransparencyMode* mode : transparency_modes()) {
+    const auto before = query_all(kForeign);
+    HeadDraw desc = at_rest();
+    desc.transparency = mode;
+    ASSERT_EQ(draw_head(renderer_, model_, desc), Status::kOk);
+    const auto after = query_all(kForeign);
+    for (std::size_t i = 0; i < kForeign.size(); ++i) {
+      EXPECT_EQ(after[i], before[i]) << name_of(*mode) << ", " << std::hex << kForeign[i];
+    }
+  }
 }
 
 /// The same with so many bones that their matrices go into a texture.

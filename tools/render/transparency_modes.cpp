@@ -4,7 +4,7 @@ namespace coif {
 
 std::span<const TransparencyMode* const> transparency_modes() {
   static constexpr const TransparencyMode* kModes[] = {&kBlendMode, &kOpaqueMode, &kCoverageMode, &kScreenDoorMode,
-                                                       &kHashedMode};
+                                                       &kHashedMode, &kExactMode};
   return kModes;
 }
 

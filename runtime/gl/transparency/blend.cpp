@@ -3,29 +3,10 @@
 namespace coif {
 namespace {
 
-// Of everything that is hidden by hair and drawn later, a texel of alpha a should show 1 - a. Writing depth shows 0 of
-// it, not writing shows 1, so half is where one error becomes smaller than the other. Lower, the faint borders of cards
-// would punch holes into smoke or glass behind them; higher, it would shine through hair that is nearly solid.
-constexpr float kDepthAlpha = 0.5f;
-
-Pass blended_pass(GLenum culled, const MaterialRecord& material) {
-  return {.shaded = true,
-          .blended = true,
-          .writes_depth = false,
-          .culled = culled,
-          .alpha_min = material.discard_threshold,
-          .alpha_max = material.opaque_threshold,
-          .solid_from = kNoAlphaLimit};
-}
-
-Pass depth_pass(const MaterialRecord& material) {
-  const float faintest = material.discard_threshold;
-  return {.shaded = false,
-          .blended = false,
-          .writes_depth = true,
-          .culled = unseen_faces(material),
-          .alpha_min = faintest > kDepthAlpha ? faintest : kDepthAlpha,
-          .alpha_max = material.opaque_threshold};
+Pass faces_pass(GLenum culled, const MaterialRecord& material) {
+  Pass pass = soft_pass(material);
+  pass.culled = culled;
+  return pass;
 }
 
 /// Texels from the opaque threshold on count as solid; what is fainter blends; below the discard threshold nothing is
@@ -38,9 +19,9 @@ PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
   const bool together = both_faces && (material.flags & kMaterialFacesTogether) != 0;
   PassList drawn;
   drawn.add_for(alpha, solid_pass(material));
-  if (both_faces && !together) drawn.add_for(alpha, blended_pass(GL_FRONT, material));
-  drawn.add_for(alpha, blended_pass(together ? GL_NONE : GL_BACK, material));
-  drawn.add_for(alpha, depth_pass(material));
+  if (both_faces && !together) drawn.add_for(alpha, faces_pass(GL_FRONT, material));
+  drawn.add_for(alpha, faces_pass(together ? GL_NONE : GL_BACK, material));
+  drawn.add_for(alpha, soft_depth_pass(material));
   return drawn;
 }
 

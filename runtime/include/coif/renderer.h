@@ -17,7 +17,8 @@ class HairShadow;
 class PassList;
 struct GlFunctions;
 
-/// The host's way to find an OpenGL ES 3.0 function: eglGetProcAddress or the like. Must return null for unknown names.
+/// The host's way to find an OpenGL ES function: eglGetProcAddress or the like. Must return null for unknown names, and
+/// live as long as what was made with it.
 struct GlLoader {
   void* (*get_proc)(const char* name, void* user) = nullptr;
   void* user = nullptr;
@@ -70,6 +71,9 @@ struct RendererDesc {
   /// Most bytes of a uniform block, 16 KiB..64 KiB; less where the driver offers less. A draw call shows as many heads as
   /// have their matrices in one block; an asset with more bones than a block holds is drawn head by head.
   std::uint32_t block_bytes = 64u << 10;
+  /// Bytes that kExactMode takes for lists of soft texels where the driver has OpenGL ES 3.1, 64 KiB..1 GiB: 20 for each
+  /// that is in front of what is solid. It peels layer by layer where they are too few, which is slower by far.
+  std::uint32_t list_bytes = 64u << 20;
 };
 
 class HairModel;
@@ -82,6 +86,12 @@ struct StreamState {
   std::uint32_t cursor = 0;
   std::uint32_t alignment = 1;  ///< Of what a uniform block may be bound to.
   void* fences[kParts] = {};    ///< Behind the last use of each part, until it is written again.
+};
+
+/// A renderer's own: objects of the way to draw that needs some, kExactMode, from its first draw on.
+struct ModeMemory {
+  alignas(void*) std::byte bytes[512] = {};
+  void (*release)(const GlFunctions& gl, ModeMemory& memory) = nullptr;  ///< Null: there is nothing.
 };
 
 /// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded,
@@ -111,7 +121,7 @@ class HairRenderer {
   ///
   /// Heads are drawn in the order given; where transparent strands of two heads overlap, the further one should come
   /// first. Coarser levels are drawn before finer ones. Never waits for the GPU while the stream is large enough, and
-  /// never makes or grows an OpenGL object but a missing program.
+  /// never makes or grows an OpenGL object but a missing program. (Neither is true of kExactMode.)
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
   /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level
@@ -123,8 +133,9 @@ class HairRenderer {
   /// and 1; GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and
   /// front face; colour mask. With more bones than a block holds, whose matrices go into a texture, also 2D texture and
   /// sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters; with a shadow 2D texture and sampler of units 3 to 6.
-  /// Nothing else changes. Scissor, stencil, polygon
-  /// offset, alpha to coverage and the like apply as the host left them. Never calls glGetError.
+  /// kCoverageMode also GL_SAMPLE_ALPHA_TO_COVERAGE; kExactMode the shader storage buffer binding and its indices 0 and 1,
+  /// or 2D texture and sampler of units 7 and 8. Nothing else changes. Scissor, stencil, polygon offset, alpha to coverage
+  /// and the like apply as the host left them. Never calls glGetError, but for kExactMode.
   Status draw(const HairModel& model, std::span<const HairInstance> instances, const DrawDesc& desc);
 
   /// Builds those programs that draw() with this description would have to build first. An asset drawn with its own
@@ -167,6 +178,10 @@ class HairRenderer {
   Program programs_[kMaxPrograms];
   std::uint32_t program_count_ = 0;
   StreamState stream_;
+  GlLoader loader_;
+  ModeMemory mode_memory_;
+  std::uint32_t storage_blocks_ = 0;  ///< That fragment shaders may write to.
+  std::uint32_t list_bytes_ = 0;
   std::uint32_t block_bytes_ = 0;  ///< Of the matrices' uniform block.
   bool created_ = false;
 };

@@ -27,6 +27,19 @@ extern const TransparencyMode kScreenDoorMode;
 /// fixed to the hair at rest, so the noise moves with the strands and stands still with them.
 extern const TransparencyMode kHashedMode;
 
+/// The reference: kBlendMode's texels, soft ones in the order of their depth in each pixel, whatever order the asset has;
+/// of equal depths the patch stored later is in front. Takes solid texels from the opaque threshold on like all modes; for
+/// what the texture itself says draw with a material whose thresholds are 1 and 0. For targets of one sample: of several,
+/// each texel counts for its whole pixel. Not for games: waits for the GPU in each draw.
+///
+/// With OpenGL ES 3.1 lists each pixel's texels in a buffer of RendererDesc::list_bytes and sorts them; with OpenGL ES 3.0,
+/// or where the buffer is too small, peels layer after layer, each of which takes three draw calls of the crowd. Beside
+/// that, lists need 4 and peeling 24 bytes for each pixel of the viewport. All of it is made, with a look at glGetError, at
+/// the first draw, and again for a larger viewport; draw() returns kDriver where there is none. Peeling rounds each layer to
+/// the target's format, takes no polygon offset for soft texels, and asks whether any samples passed, so that no query of
+/// the host's for that may be under way.
+extern const TransparencyMode kExactMode;
+
 /// As the command line calls it: "blend", "opaque" and so on.
 [[nodiscard]] const char* name_of(const TransparencyMode& transparency);
 
