@@ -26,6 +26,12 @@ FEATURES = {
     "renderer": r"HairRenderer::create",
     "drawing": r"HairRenderer::draw|fill_draw_block",
     "upload": r"HairModel::upload|upload_texture",
+    "blended hair": r"kBlendMode",
+    "opaque hair": r"kOpaqueMode",
+    "hair by coverage": r"kCoverageMode|kShader(CoverageOutput|KeepSharpened)",
+    "screen-door hair": r"kScreenDoorMode|kShaderKeepScreenDoor",
+    "hashed hair": r"kHashedMode|kShaderKeepHashed",
+    "exact hair": r"kExactMode|exact_memory|draw_(lists|peeled)|kShader(FragmentLists|List|Peel|KeepPeeled)",
 }
 
 # Program -> the features it uses.
@@ -36,7 +42,9 @@ PROGRAMS = {
     "step_by_thesis": {"crowd", "solver thesis"},
     "only_skin": {"skinning"},
     "make_renderer": {"renderer"},
-    "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers"},
+    "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers", "blended hair"},
+    "draw_hashed": {"renderer", "drawing", "upload", "asset access for tools and renderers", "hashed hair"},
+    "draw_exactly": {"renderer", "drawing", "upload", "asset access for tools and renderers", "exact hair"},
 }
 
 
