@@ -8,6 +8,7 @@
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "render/picture.h"
+#include "render/shadow_techniques.h"
 #include "render/shaded_material.h"
 #include "render/transparency_modes.h"
 #include "shading_names.h"
@@ -137,6 +138,15 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       ->needs(body);
 }
 
+void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
+  static const auto choices = [] {
+    std::vector<Choice<const ShadowTechnique*>> all{{"none", nullptr}};
+    for (const ShadowTechnique* technique : shadow_techniques()) all.push_back({name_of(*technique), technique});
+    return all;
+  }();
+  add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices, "How the key light's shadows are drawn");
+}
+
 void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
   static const auto choices = [] {
     std::vector<Choice<const TransparencyMode*>> all;
@@ -170,6 +180,7 @@ Command add_render(CLI::App& program) {
                     "Which part of the shading; or, to check the cook, the strands' direction or the patches");
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_transparency(*app, options->picture.transparency);
+  add_shadows(*app, options->picture.shadows);
   add_shading(*app, options->shading);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};

@@ -8,6 +8,7 @@
 #include "render/solid_mesh.h"
 #include "render/stage_renderer.h"
 #include "render/studio.h"
+#include "render/studio_shadow.h"
 
 #include <GLES3/gl3.h>
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::uint32_t kMaxHeads = 10'000;
 constexpr double kMaxSeconds = 3600;
+constexpr std::uint32_t kShadowTexels = 1024;
 
 tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
   return tl::unexpected(ToolError{kind, std::move(message)});
@@ -79,9 +81,12 @@ struct Scene {
   const StageRenderer& stage;
   const HairPose& pose;
   const CrowdView& view;
+  const ShadowBall& ball;
+  StudioShadow* shadow;  ///< Null: none.
 };
 
-Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSettings& settings) {
+Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTarget& target,
+                  const PictureSettings& settings) {
   const auto lights = studio_lights(scene.view.camera);
   DrawDesc desc;
   Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.view.camera.clip_from_world;
@@ -92,15 +97,25 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const PictureSetti
   desc.transparency = settings.transparency;
   desc.framebuffer_is_srgb = true;
 
-  scene.stage.draw_backdrop();
   std::vector<HairInstance> heads;
+  std::vector<HeadPose> poses;
   for (const Eigen::Vector3d& place : scene.view.places) {
     // The camera follows the head: the picture's world begins at each head's joint.
     HeadPose pose = scene.pose.head;
     Eigen::Map<Eigen::Vector3d>{pose.position} = place;
-    scene.stage.draw_bodies(scene.view.camera, pose, lights);
     heads.push_back({pose, scene.pose.palette, settings.lod});
+    poses.push_back(pose);
   }
+  if (scene.shadow != nullptr) {
+    const ShadowCrowd crowd{&scene.model, heads, desc.material};
+    const Status drawn =
+        scene.shadow->draw(lights[0], scene.ball, scene.stage, poses, settings.patches ? nullptr : &crowd);
+    if (drawn != Status::kOk) return drawn;
+    desc.shadow = &scene.shadow->shadow();
+  }
+  target.bind();
+  scene.stage.draw_backdrop();
+  for (const HeadPose& pose : poses) scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
   if (settings.patches) return Status::kOk;  // they are on the stage
   return renderer.draw(scene.model, heads, desc);
 }
@@ -110,11 +125,10 @@ tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRen
   const auto target = OffscreenTarget::create(settings.width, settings.height);
   if (!target) return tl::unexpected(target.error());
   Picture picture{settings.width, settings.height, {}, context.device(), 0};
-  target->bind();
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    if (const Status status = draw_scene(renderer, scene, settings); status != Status::kOk) {
+    if (const Status status = draw_scene(renderer, scene, *target, settings); status != Status::kOk) {
       return fail(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
     }
     glFinish();
@@ -167,7 +181,14 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto pose = simulate_pose(asset, played_path(settings).get(), settings.time, settings.step);
   if (!pose) return tl::unexpected(pose.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
-  const auto stage = StageRenderer::create(meshes);
+  std::optional<StudioShadow> shadow;
+  if (settings.shadows != nullptr) {
+    auto made = StudioShadow::create(loaded_->renderer, loaded_->context.loader(),
+                                     {.technique = settings.shadows, .size = kShadowTexels});
+    if (!made) return tl::unexpected(made.error());
+    shadow.emplace(std::move(*made));
+  }
+  const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr);
   if (!stage) return tl::unexpected(stage.error());
 
   const double aspect = double(settings.width) / settings.height;
@@ -176,7 +197,9 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
                                                             .aspect = aspect,
                                                             .heads = settings.heads,
                                                             .margin = settings.margin});
-  return take_picture(loaded_->context, loaded_->renderer, {loaded_->model, *stage, *pose, view}, settings);
+  const ShadowBall ball = ball_around(framed_points(asset), view.places);
+  const Scene scene{loaded_->model, *stage, *pose, view, ball, shadow ? &*shadow : nullptr};
+  return take_picture(loaded_->context, loaded_->renderer, scene, settings);
 }
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {

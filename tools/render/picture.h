@@ -9,6 +9,7 @@
 #include <coif/asset.h>
 #include <coif/hair.h>
 #include <coif/renderer.h>
+#include <coif/shadow.h>
 
 #include <tl/expected.hpp>
 
@@ -35,6 +36,7 @@ struct PictureSettings {
   bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
   std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
+  const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;      ///< Drawn in a grid.
   bool warm_up = true;          ///< Draw once before the frame that is timed, for what drivers put off until then.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.

@@ -32,29 +32,49 @@ uniform mat4 world_from_head;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 head_normal;
 out vec3 normal;
+out vec3 place;
 void main() {
   normal = mat3(world_from_head) * head_normal;
-  gl_Position = clip_from_world * (world_from_head * vec4(position, 1.0));
+  vec4 world = world_from_head * vec4(position, 1.0);
+  place = world.xyz;
+  gl_Position = clip_from_world * world;
 })glsl";
 
-constexpr char kBodyFragment[] = R"glsl(#version 300 es
-precision highp float;
+constexpr char kPreamble[] = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+
+constexpr char kNoShadow[] = "float key_light(vec3 place, vec3 n) { return 1.0; }\n";
+
+// A surface is looked up a little above itself, by the shadow's own bias: light that grazes it would find it in shadow.
+constexpr char kShadow[] = R"glsl(
+uniform mat4 map_from_world;
+uniform vec4 shadow_depth;
+uniform vec4 shadow_map;
+float key_light(vec3 place, vec3 n) {
+  return hair_light(map_from_world * vec4(place + n * shadow_depth.w, 1.0), shadow_depth, shadow_map);
+}
+)glsl";
+
+constexpr char kBodyFragment[] = R"glsl(
 uniform vec3 color;
 uniform vec3 light_direction[8];
 uniform vec3 light_color[8];
 uniform int light_count;
 in vec3 normal;
+in vec3 place;
 out vec4 fragment;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
   vec3 light = vec3(0.12);
-  for (int i = 0; i < light_count; ++i) light += light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
+  for (int i = 0; i < light_count; ++i) {
+    float reaching = i == 0 ? key_light(place, n) : 1.0;
+    light += reaching * light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
+  }
   fragment = vec4(color * light, 1.0);
 })glsl";
 
-GLuint compile(GLenum stage, const char* source, std::string& log) {
+GLuint compile(GLenum stage, std::span<const char* const> source, std::string& log) {
   const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &source, nullptr);
+  glShaderSource(shader, GLsizei(source.size()), source.data(), nullptr);
   glCompileShader(shader);
   GLchar text[512] = {};
   glGetShaderInfoLog(shader, sizeof text, nullptr, text);
@@ -62,10 +82,10 @@ GLuint compile(GLenum stage, const char* source, std::string& log) {
   return shader;
 }
 
-tl::expected<GLuint, ToolError> build(const char* vertex_source, const char* fragment_source) {
+tl::expected<GLuint, ToolError> build(const char* vertex_source, std::span<const char* const> fragment_source) {
   std::string log;
   const GLuint program = glCreateProgram();
-  const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_source, log);
+  const GLuint vertex = compile(GL_VERTEX_SHADER, {&vertex_source, 1}, log);
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_source, log);
   glAttachShader(program, vertex);
   glAttachShader(program, fragment);
@@ -122,12 +142,36 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   glUniform1i(glGetUniformLocation(program, "light_count"), static_cast<GLint>(count));
 }
 
+void set_shadow(GLuint program, const HairShadow& shadow) {
+  const ShadowUniforms uniforms = shadow.uniforms({});
+  glUniformMatrix4fv(glGetUniformLocation(program, "map_from_world"), 1, GL_FALSE, uniforms.map_from_origin);
+  glUniform4fv(glGetUniformLocation(program, "shadow_depth"), 1, uniforms.depth);
+  glUniform4fv(glGetUniformLocation(program, "shadow_map"), 1, uniforms.map);
+  for (GLuint i = 0; i < HairShadow::kTextures; ++i) {
+    if (shadow.sampler(i) == nullptr) continue;
+    glActiveTexture(GL_TEXTURE0 + i);
+    glBindTexture(GL_TEXTURE_2D, shadow.texture(i));
+    glUniform1i(glGetUniformLocation(program, shadow.sampler(i)), GLint(i));
+  }
+  glActiveTexture(GL_TEXTURE0);
+}
+
+tl::expected<GLuint, ToolError> build_body(const HairShadow* shadow) {
+  std::vector<const char*> fragment{kPreamble};
+  if (shadow != nullptr) fragment.insert(fragment.end(), shadow->code().begin(), shadow->code().end());
+  fragment.push_back(shadow != nullptr ? kShadow : kNoShadow);
+  fragment.push_back(kBodyFragment);
+  return build(kBodyVertex, fragment);
+}
+
 }  // namespace
 
-tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const SolidMesh> meshes) {
-  const auto backdrop = build(kBackdropVertex, kBackdropFragment);
+tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const SolidMesh> meshes,
+                                                             const HairShadow* shadow) {
+  const char* const backdrop_fragment = kBackdropFragment;
+  const auto backdrop = build(kBackdropVertex, {&backdrop_fragment, 1});
   if (!backdrop) return tl::unexpected(backdrop.error());
-  const auto body = build(kBodyVertex, kBodyFragment);
+  const auto body = build_body(shadow);
   if (!body) return tl::unexpected(body.error());
 
   StageRenderer stage;
@@ -149,21 +193,37 @@ void StageRenderer::draw_backdrop() const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const {
-  glEnable(GL_DEPTH_TEST);
-  glUseProgram(body_program_);
+void StageRenderer::set_placement(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const {
   const auto set_matrix = [&](const char* name, const Eigen::Matrix4f& matrix) {
     glUniformMatrix4fv(glGetUniformLocation(body_program_, name), 1, GL_FALSE, matrix.data());
   };
-  set_matrix("clip_from_world", camera.clip_from_world);
+  glUseProgram(body_program_);
+  set_matrix("clip_from_world", clip_from_world);
   set_matrix("world_from_head", matrix_of(head));
-  set_lights(body_program_, lights);
+}
+
+void StageRenderer::draw_meshes() const {
   for (const Body& body : bodies_) {
     glUniform3fv(glGetUniformLocation(body_program_, "color"), 1, body.color.data());
     glBindVertexArray(body.vertex_array);
     glDrawElements(GL_TRIANGLES, body.index_count, GL_UNSIGNED_INT, nullptr);
   }
   glBindVertexArray(0);
+}
+
+void StageRenderer::draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights,
+                                const HairShadow* shadow) const {
+  glEnable(GL_DEPTH_TEST);
+  set_placement(camera.clip_from_world, head);
+  set_lights(body_program_, lights);
+  if (shadow != nullptr) set_shadow(body_program_, *shadow);
+  draw_meshes();
+}
+
+// A framebuffer without colour ignores what the shader says of it.
+void StageRenderer::draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const {
+  set_placement(clip_from_world, head);
+  draw_meshes();
 }
 
 }  // namespace coif

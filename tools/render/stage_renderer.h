@@ -6,6 +6,7 @@
 #include "tool_error.h"
 
 #include <coif/renderer.h>
+#include <coif/shadow.h>
 
 #include <tl/expected.hpp>
 
@@ -18,15 +19,24 @@ namespace coif {
 /// Draws into the bound sRGB framebuffer. Its objects are freed with the OpenGL context.
 class StageRenderer {
  public:
-  static tl::expected<StageRenderer, ToolError> create(std::span<const SolidMesh> meshes);
+  /// `shadow`: what draw_bodies() will be given, or null.
+  static tl::expected<StageRenderer, ToolError> create(std::span<const SolidMesh> meshes,
+                                                       const HairShadow* shadow = nullptr);
 
   /// Clears depth and fills the picture with a vertical gradient.
   void draw_backdrop() const;
 
-  /// Draws every mesh once, matte, lit by directional `lights`, under the head's pose.
-  void draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights) const;
+  /// Draws every mesh once, matte, lit by directional `lights`, under the head's pose. `shadow` is the first light's.
+  void draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights,
+                   const HairShadow* shadow = nullptr) const;
+
+  /// The same without colour, for the bound shadow's depth.
+  void draw_casters(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
 
  private:
+  void set_placement(const Eigen::Matrix4f& clip_from_world, const HeadPose& head) const;
+  void draw_meshes() const;
+
   struct Body {
     std::uint32_t vertex_array = 0;
     std::int32_t index_count = 0;

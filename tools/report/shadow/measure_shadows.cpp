@@ -1,0 +1,246 @@
+#include "report/shadow/measure_shadows.h"
+
+#include "motion/hair_pose.h"
+#include "motion/head_path.h"
+#include "motion/motion.h"
+#include "render/egl_context.h"
+#include "render/shadow_techniques.h"
+#include "render/solid_mesh.h"
+#include "render/stage_renderer.h"
+#include "render/studio.h"
+#include "render/studio_shadow.h"
+#include "report/shadow/shadow_points.h"
+#include "report/shadow/shadow_probe.h"
+#include "report/shadow/shadow_totals.h"
+#include "timing.h"
+
+#include <GLES3/gl3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kLeastSize = 16, kMostSize = 4096;
+constexpr double kLeastSpacing = 0.0005, kMostSpacing = 0.02;
+constexpr double kTurnSeconds = 0.45;  // hair at its furthest
+constexpr unsigned kTimedRuns = 5;
+constexpr float kPixel = 0.0005f;  // metres: fine enough that textures keep their detail
+
+tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+  return tl::unexpected(ToolError{kind, std::move(message)});
+}
+
+tl::expected<void, ToolError> check(const Asset& asset, const ShadowSettings& settings) {
+  const auto size_ok = [](std::uint32_t size) { return size >= kLeastSize && size <= kMostSize; };
+  const bool spacing_ok = settings.spacing >= kLeastSpacing && settings.spacing <= kMostSpacing;
+  if (settings.sizes.empty() || !std::ranges::all_of(settings.sizes, size_ok) || !spacing_ok) {
+    return fail(ToolError::Kind::kUsage,
+                "a shadow's map has 16 to 4096 texels each way, and the reference's lines are 0.5 to 20 mm apart");
+  }
+  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
+    return fail(ToolError::Kind::kBadInput,
+                "the asset has no mesh to cast shadows; cook it again without leaving the mesh out");
+  }
+  return {};
+}
+
+/// Lights of the kind that games have: sun, sky light before the face, rim light, lamp at the side.
+std::vector<ShadowLight> measured_lights() {
+  return {{"above", 20, 80}, {"front", 0, 30}, {"side", 90, 20}, {"back", 170, 30}, {"low", 40, -20}};
+}
+
+Eigen::Vector3f towards(const ShadowLight& light) {
+  const double yaw = light.yaw_degrees * std::numbers::pi / 180, pitch = light.pitch_degrees * std::numbers::pi / 180;
+  return Eigen::Vector3d(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch))
+      .cast<float>();
+}
+
+struct Pose {
+  std::string name;
+  std::vector<Mat34> palette;
+};
+
+tl::expected<std::vector<Pose>, ToolError> make_poses(const Asset& asset) {
+  std::vector<Pose> poses;
+  const auto add = [&](const char* name, const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
+    auto pose = simulate_pose(asset, path, seconds, {});
+    if (!pose) return tl::unexpected(pose.error());
+    poses.push_back({name, std::move(pose->palette)});
+    return {};
+  };
+  if (auto added = add("rest", nullptr, 0); !added) return tl::unexpected(added.error());
+  if (asset.dynamics().empty()) return poses;
+  if (auto added = add("turn", path_of(Motion::kTurn).get(), kTurnSeconds); !added) {
+    return tl::unexpected(added.error());
+  }
+  return poses;
+}
+
+/// A technique with its map and who asks it.
+struct Measured {
+  ShadowDesc desc;
+  StudioShadow shadow;
+  ShadowProbe probe;
+};
+
+/// Everything that lives in the OpenGL context.
+class ShadowMeasurement {
+ public:
+  static tl::expected<std::unique_ptr<ShadowMeasurement>, ToolError> create(const Asset& asset,
+                                                                            const ShadowSettings& settings,
+                                                                            const ReportProgress& progress) {
+    auto context = EglContext::create();
+    if (!context) return tl::unexpected(context.error());
+    std::unique_ptr<ShadowMeasurement> made(new ShadowMeasurement(asset, settings, progress, std::move(*context)));
+    if (auto begun = made->begin(); !begun) return tl::unexpected(begun.error());
+    return made;
+  }
+
+  tl::expected<ShadowReport, ToolError> run() {
+    const auto poses = make_poses(asset_);
+    if (!poses) return tl::unexpected(poses.error());
+    for (const Pose& pose : *poses) {
+      const std::vector<Eigen::Vector3f> positions = posed_positions(asset_, pose.palette);
+      for (const ShadowLight& light : report_.lights) {
+        const FragmentView seen(surface_, positions, {towards(light), float(settings_.spacing), kPixel});
+        if (auto done = add_light(pose, light, shadow_points(seen)); !done) return tl::unexpected(done.error());
+      }
+    }
+    report_.totals = shadow_totals(report_.rows);
+    for (ShadowTotal& total : report_.totals) total.bytes = bytes_of(total);
+    return std::move(report_);
+  }
+
+ private:
+  ShadowMeasurement(const Asset& asset, const ShadowSettings& settings, const ReportProgress& progress,
+                    EglContext&& context)
+      : asset_(asset), settings_(settings), progress_(progress), surface_(asset), context_(std::move(context)) {
+    report_.device = context_.device();
+    report_.spacing = settings.spacing;
+    report_.lights = measured_lights();
+  }
+
+  tl::expected<void, ToolError> begin() {
+    if (renderer_.create(context_.loader()) != Status::kOk) {
+      return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer_.failure());
+    }
+    if (const Status status = model_.upload(renderer_, asset_); status != Status::kOk) {
+      return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+    }
+    auto stage = StageRenderer::create(mannequin_meshes(asset_.colliders()));
+    if (!stage) return tl::unexpected(stage.error());
+    stage_ = std::move(*stage);
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    ball_ = ball_around(framed_points(asset_), {&origin, 1});
+    for (const std::uint32_t size : settings_.sizes) {
+      const std::initializer_list<ShadowDesc> descs = {{.technique = &kPlainShadow, .size = size},
+                                                       {.technique = &kDeepOpacityShadow, .size = size, .layers = 4},
+                                                       {.technique = &kDeepOpacityShadow, .size = size, .layers = 8}};
+      for (const ShadowDesc& desc : descs) {
+        if (auto added = add_technique(desc); !added) return added;
+      }
+    }
+    return {};
+  }
+
+  tl::expected<void, ToolError> add_technique(const ShadowDesc& desc) {
+    auto shadow = StudioShadow::create(renderer_, context_.loader(), desc);
+    if (!shadow) return tl::unexpected(shadow.error());
+    auto probe = ShadowProbe::create(shadow->shadow());
+    if (!probe) return tl::unexpected(probe.error());
+    measured_.push_back({desc, std::move(*shadow), std::move(*probe)});
+    return {};
+  }
+
+  tl::expected<void, ToolError> add_light(const Pose& pose, const ShadowLight& light,
+                                          const std::vector<ShadowPoint>& points) {
+    if (progress_) progress_(fmt::format("{}: light from {}", pose.name, light.name));
+    const auto heads = std::ranges::count(points, true, &ShadowPoint::is_head);
+    report_.head_points += std::uint64_t(heads);
+    report_.hair_points += points.size() - std::uint64_t(heads);
+    add_row({.technique = "none", .light = light.name, .pose = pose.name}, points,
+            std::vector<float>(points.size(), 1.0f));
+    for (Measured& one : measured_) {
+      const auto ms = draw(one, pose, light);
+      if (!ms) return tl::unexpected(ms.error());
+      const bool has_layers = one.desc.technique == &kDeepOpacityShadow;
+      add_row({.technique = name_of(*one.desc.technique),
+               .layers = has_layers ? one.desc.layers : 0,
+               .size = one.desc.size,
+               .light = light.name,
+               .pose = pose.name,
+               .ms = *ms},
+              points, one.probe.light_at(points));
+    }
+    return {};
+  }
+
+  void add_row(ShadowRow row, const std::vector<ShadowPoint>& points, const std::vector<float>& light) {
+    row.hair = shadow_error(points, light, false);
+    row.head = shadow_error(points, light, true);
+    report_.rows.push_back(std::move(row));
+  }
+
+  /// Milliseconds, median.
+  tl::expected<double, ToolError> draw(Measured& one, const Pose& pose, const ShadowLight& from) {
+    const Eigen::Vector3f direction = towards(from);
+    const Light light{Light::Kind::kDirectional, {direction.x(), direction.y(), direction.z()}};
+    const HeadPose head;  // lights are in head space
+    const HairInstance instance{head, pose.palette};
+    const ShadowCrowd crowd{&model_, {&instance, 1}};
+    std::vector<double> samples;
+    for (unsigned run = 0; run <= kTimedRuns; ++run) {
+      glFinish();
+      const auto start = std::chrono::steady_clock::now();
+      const Status status = one.shadow.draw(light, ball_, stage_, {&head, 1}, &crowd);
+      if (status != Status::kOk) {
+        return fail(ToolError::Kind::kUnsupported, std::string("the shadow cannot be drawn: ") + describe(status));
+      }
+      glFinish();
+      const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+      if (run > 0) samples.push_back(took.count());  // the first also pays for what drivers put off
+    }
+    return SideBySideTiming::summarize(std::move(samples)).seconds;
+  }
+
+  [[nodiscard]] std::uint64_t bytes_of(const ShadowTotal& total) const {
+    for (const Measured& one : measured_) {
+      const bool same_layers = total.layers == 0 || total.layers == one.desc.layers;
+      if (total.technique == name_of(*one.desc.technique) && same_layers && total.size == one.desc.size) {
+        return one.shadow.shadow().bytes();
+      }
+    }
+    return 0;
+  }
+
+  const Asset& asset_;
+  const ShadowSettings& settings_;
+  const ReportProgress& progress_;
+  HairSurface surface_;
+  EglContext context_;
+  HairRenderer renderer_;
+  HairModel model_;
+  StageRenderer stage_;
+  ShadowBall ball_;
+  std::vector<Measured> measured_;
+  ShadowReport report_;
+};
+
+}  // namespace
+
+tl::expected<ShadowReport, ToolError> measure_shadows(const Asset& asset, const ShadowSettings& settings,
+                                                      const ReportProgress& progress) {
+  if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  const auto measurement = ShadowMeasurement::create(asset, settings, progress);
+  if (!measurement) return tl::unexpected(measurement.error());
+  return (*measurement)->run();
+}
+
+}  // namespace coif
