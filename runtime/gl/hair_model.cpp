@@ -33,7 +33,7 @@ constexpr MaterialRecord kGalleryMaterial = {
     .shading = ShadingModel::kThesis,
     .tilt = 0.05f,
     .roughness = 0.14f,
-    .scatter = 0.5f,
+    .scatter = 0.8f,
     .light_cut = 0.0f,
     .reserved = {},
 };

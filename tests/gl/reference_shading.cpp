@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace coif {
 namespace {
 
 using Eigen::Array3d;
 using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
 
 double decode(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 double encode(double linear) {
@@ -22,49 +25,131 @@ double smoothstep(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-double strand_specular(const Vector3d& tangent, const Vector3d& view, const Vector3d& light, double exponent) {
+Array3d to_array(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+Array3d base_color(const ShadedPoint& point, const MaterialRecord& m) {
+  Array3d base;
+  for (int i = 0; i < 3; ++i) base[i] = decode(point.base_texel[std::size_t(i)] / 255.0) * m.base_color[i];
+  return base;
+}
+
+double shift_of(const ShadedPoint& point) { return point.shift_mask[0] / 255.0 - 0.5; }
+double mask_of(const ShadedPoint& point) { return point.shift_mask[1] / 255.0; }
+
+Vector3d shifted(const ShadedPoint& point, double amount) {
+  return (point.tangent + amount * point.normal).normalized();
+}
+
+double thesis_lobe(const Vector3d& tangent, const Vector3d& view, const Vector3d& light, double exponent) {
   const double t_dot_h = tangent.dot((view + light).normalized());
   return smoothstep(-1, 0, t_dot_h) * std::pow(std::sqrt(std::max(1 - t_dot_h * t_dot_h, 0.0)), exponent);
 }
 
-Array3d to_array(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+ReflectedLight thesis(const ShadedPoint& point, const Vector3d& view, const Vector3d& light, const MaterialRecord& m) {
+  const Array3d base = base_color(point, m);
+  const Vector3d t1 = shifted(point, m.primary_shift + shift_of(point));
+  const Vector3d t2 = shifted(point, m.secondary_shift + shift_of(point));
+  return {base * std::clamp(0.5 + 0.5 * point.normal.dot(light), 0.0, 1.0),
+          base * thesis_lobe(t1, view, light, m.primary_exponent) * to_array(m.primary_color),
+          base * thesis_lobe(t2, view, light, m.secondary_exponent) * to_array(m.secondary_color) * mask_of(point)};
+}
+
+double angle(const Vector3d& a, const Vector3d& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); }
+
+/// In angles, where the shader has sines and cosines.
+ReflectedLight kajiya_kay(const ShadedPoint& point, const Vector3d& view, const Vector3d& light,
+                          const MaterialRecord& m) {
+  const Array3d base = base_color(point, m);
+  const Vector3d t = shifted(point, shift_of(point));
+  const double from_cone = kPi - angle(t, light) - angle(t, view);
+  const double lobe = std::pow(std::max(std::cos(from_cone), 0.0), m.primary_exponent);
+  return {base * std::sin(angle(point.tangent, light)), base * lobe * to_array(m.primary_color), Array3d::Zero()};
+}
+
+double fresnel(double cosine) {
+  const double normal = std::pow(0.55 / 2.55, 2);
+  return normal + (1 - normal) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
+}
+
+double bell(double x, double width) { return std::exp(-x * x / (2 * width * width)) / (width * std::sqrt(2 * kPi)); }
+
+ReflectedLight marschner(const ShadedPoint& point, const Vector3d& view, const Vector3d& light,
+                         const MaterialRecord& m) {
+  const Array3d base = base_color(point, m).min(1.0);
+  const Vector3d t = shifted(point, shift_of(point));
+  const double theta_l = kPi / 2 - angle(t, light), theta_v = kPi / 2 - angle(t, view);
+  const double phi = angle((light - t.dot(light) * t).normalized(), (view - t.dot(view) * t).normalized());
+  const double cos_d = std::cos((theta_l - theta_v) / 2);
+  const double along = std::sin(theta_l) + std::sin(theta_v);
+
+  const double r =
+      bell(along + 2 * m.tilt, m.roughness) * std::cos(phi / 2) / 4 * fresnel(std::cos(angle(light, view) / 2));
+
+  const double sin_d = std::sin((theta_l - theta_v) / 2);
+  const double bent = std::sqrt(1.55 * 1.55 - sin_d * sin_d) / cos_d;
+  const double h = std::min(std::cos(phi / 2) * (1 + (0.6 - 0.8 * std::cos(phi)) / bent), 1.0);
+  const double f_tt = fresnel(cos_d * std::sqrt(1 - h * h));
+  const double path = std::sqrt(1 - h * h / (bent * bent)) / (2 * cos_d);
+  const Array3d tt = bell(along - m.tilt, m.roughness / 2) * std::exp(-3.65 * std::cos(phi) - 3.98) * (1 - f_tt) *
+                     (1 - f_tt) * base.pow(path);
+
+  const double f = fresnel(cos_d / 2);
+  const Array3d trt = bell(along - 4 * m.tilt, 2 * m.roughness) * std::exp(17 * std::cos(phi) - 16.78) * (1 - f) *
+                      (1 - f) * f * base.pow(0.8 / cos_d);
+
+  const double n_dot_l = point.normal.dot(light);
+  const Array3d scattered = (1 - f) * (1 - f) * std::clamp((n_dot_l + 0.5) / 2.25, 0.0, 1.0) * base;
+  const double lit = std::clamp(1 + 2 * n_dot_l, 0.0, 1.0);
+  return {lit * ((1 - m.scatter) * kPi * tt + double(m.scatter) * scattered), Array3d::Constant(lit * kPi * r),
+          lit * kPi * trt * mask_of(point)};
+}
+
+/// Unit, and how much of its colour arrives.
+Vector3d reaching(const Light& light, const Vector3d& position, double& share) {
+  Vector3d towards(light.position.x, light.position.y, light.position.z);
+  share = 1;
+  if (light.kind == Light::Kind::kDirectional) return towards.normalized();
+  towards -= position;
+  share = 1 / towards.squaredNorm();
+  towards.normalize();
+  if (light.kind == Light::Kind::kSpot) {
+    const Vector3d axis = Vector3d(light.direction.x, light.direction.y, light.direction.z).normalized();
+    const double edge = double(light.inner_cosine) - light.outer_cosine;
+    const double inside = std::clamp((axis.dot(-towards) - light.outer_cosine) / edge, 0.0, 1.0);
+    share *= inside * inside;
+  }
+  return towards;
+}
 
 }  // namespace
+
+ReflectedLight reference_reflection(const ShadedPoint& point, const Vector3d& view, const Vector3d& towards,
+                                    const MaterialRecord& material) {
+  const auto model = material.shading == ShadingModel::kThesis      ? thesis
+                     : material.shading == ShadingModel::kKajiyaKay ? kajiya_kay
+                                                                    : marschner;
+  ReflectedLight light = model(point, view, towards, material);
+  for (Array3d* part : {&light.diffuse, &light.primary, &light.secondary}) *part *= 1.0 - material.light_cut;
+  return light;
+}
 
 std::array<int, 3> reference_color(const ShadedPoint& point, const Vector3d& eye, std::span<const Light> lights,
                                    const MaterialRecord& m, Component component) {
   const Vector3d view = (eye - point.position).normalized();
-  const double shift = point.shift_mask[0] / 255.0 - 0.5;
-  const double mask = point.shift_mask[1] / 255.0;
-  const Vector3d t1 = (point.tangent + (m.primary_shift + shift) * point.normal).normalized();
-  const Vector3d t2 = (point.tangent + (m.secondary_shift + shift) * point.normal).normalized();
-
-  Array3d diffuse = Array3d::Zero(), primary = Array3d::Zero(), secondary = Array3d::Zero();
-  for (const Light& light : lights) {
-    Vector3d towards(light.position.x, light.position.y, light.position.z);
-    Array3d color(light.color.x, light.color.y, light.color.z);
-    if (light.kind == Light::Kind::kPoint) {
-      towards -= point.position;
-      color /= towards.squaredNorm();
-    }
-    towards.normalize();
-    diffuse += std::clamp(0.5 + 0.5 * point.normal.dot(towards), 0.0, 1.0) * color;
-    primary += strand_specular(t1, view, towards, m.primary_exponent) * to_array(m.primary_color) * color;
-    secondary += strand_specular(t2, view, towards, m.secondary_exponent) * to_array(m.secondary_color) * mask * color;
-  }
-
-  Array3d sum = Array3d::Zero();
   const auto shows = [&](auto... wanted) { return ((component == wanted) || ...); };
-  if (shows(Component::kAll, Component::kAmbient)) sum += to_array(m.ambient);
-  if (shows(Component::kAll, Component::kDiffuse)) sum += diffuse;
-  if (shows(Component::kAll, Component::kSpecular, Component::kPrimary)) sum += primary;
-  if (shows(Component::kAll, Component::kSpecular, Component::kSecondary)) sum += secondary;
-
-  std::array<int, 3> result{};
-  for (int i = 0; i < 3; ++i) {
-    const double base = decode(point.base_texel[std::size_t(i)] / 255.0) * m.base_color[i];
-    result[std::size_t(i)] = static_cast<int>(std::lround(255 * encode(base * sum[i])));
+  Array3d sum = Array3d::Zero();
+  if (shows(Component::kAll, Component::kAmbient)) sum += to_array(m.ambient) * base_color(point, m);
+  for (const Light& light : lights) {
+    double share = 1;
+    const Vector3d towards = reaching(light, point.position, share);
+    const ReflectedLight part = reference_reflection(point, view, towards, m);
+    const Array3d color = share * Array3d(light.color.x, light.color.y, light.color.z);
+    if (shows(Component::kAll, Component::kDiffuse)) sum += part.diffuse * color;
+    if (shows(Component::kAll, Component::kSpecular, Component::kPrimary)) sum += part.primary * color;
+    if (shows(Component::kAll, Component::kSpecular, Component::kSecondary)) sum += part.secondary * color;
   }
+  std::array<int, 3> result{};
+  for (int i = 0; i < 3; ++i) result[std::size_t(i)] = static_cast<int>(std::lround(255 * encode(sum[i])));
   return result;
 }
 

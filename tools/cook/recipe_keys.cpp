@@ -165,7 +165,7 @@ const RecipeKey kKeys[] = {
    "marschner: how far a strand's scales lean towards the tip; parts its two highlights"},
   {"material", "roughness", &R::roughness, "8", 1.2, 57, nullptr, "degrees",
    "marschner: width of the first highlight along the strand; the second is twice as wide"},
-  {"material", "scatter", &R::scatter, "0.5", 0, 1, nullptr, "",
+  {"material", "scatter", &R::scatter, "0.8", 0, 1, nullptr, "",
    "marschner: share of the light through strands that others scatter before it is seen; more for light or thick hair"},
   {"material", "energy", &R::energy, "\"published\"", 0, 0, "published|bounded", "",
    "bounded: lights add less, so that hair never reflects more light than it gets however many there are; published: as"

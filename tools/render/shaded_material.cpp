@@ -11,7 +11,7 @@ MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
   if (material.roughness < kLeastRoughness) {  // never cooked with a recipe
     material.tilt = 0.05f;
     material.roughness = 0.14f;
-    material.scatter = 0.5f;
+    material.scatter = 0.8f;
   }
   return material;
 }
