@@ -17,13 +17,14 @@ float hash_of_cell(vec3 cell) {
   return float(bits >> 8) / 16777216.0;
 }
 
-// Of the paper's section 4: a grid's cells are powers of two in size, and between two sizes the hashes are mixed. The sum
-// of two even numbers is not even; its distribution function makes it so again.
+// Of the paper's section 4, with a width for each axis: hair is mostly seen at a slant, and a grid as coarse as its widest
+// side would show. Cells are powers of two in size, and between two sizes the hashes are mixed. The sum of two even numbers
+// is not even; its distribution function makes it so again.
 float hashed_threshold(vec3 place) {
-  float width = max(length(dFdx(place)), length(dFdy(place)));  // metres of the hair to a pixel
-  float level = -log2(max(width, 1e-7));
-  float coarse = floor(level);
-  float share = level - coarse;  // of the finer grid
+  vec3 width = max(abs(dFdx(place)), abs(dFdy(place)));  // metres of the hair to a pixel
+  vec3 level = -log2(max(width, vec3(1e-7)));
+  vec3 coarse = floor(level);
+  float share = dot(level - coarse, vec3(1.0 / 3.0));  // of the finer grid
   float mixed = mix(hash_of_cell(exp2(coarse) * place), hash_of_cell(exp2(coarse + 1.0) * place), share);
   float least = min(share, 1.0 - share);
   float rest = 1.0 - least;

@@ -19,8 +19,8 @@ float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
   if (alpha < alpha_range.x) discard;
   // With one pattern for all, a strand would hide just those behind it that have its own pixels, and two layers would
-  // cover no more than one. Each triangle counts from another rank on.
-  uint rank = (rank_in_square(uvec2(gl_FragCoord.xy)) + scattered(uint(corner))) & 15u;
+  // cover no more than one. Each triangle mixes the ranks in another way, which leaves them as evenly spread.
+  uint rank = rank_in_square(uvec2(gl_FragCoord.xy)) ^ (scattered(uint(corner)) & 15u);
   if (alpha < alpha_range.z && alpha * 16.0 < float(rank) + 0.5) discard;
 #endif
   return 1.0;

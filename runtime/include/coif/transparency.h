@@ -13,9 +13,9 @@ extern const TransparencyMode kBlendMode;
 /// One pass, nothing blended: cut at the opaque threshold.
 extern const TransparencyMode kOpaqueMode;
 
-/// One pass, nothing blended: alpha to coverage. The line at which kOpaqueMode cuts falls on as many samples of a pixel as
-/// it leaves inside, so edges are as smooth as the target has samples. For multisampled targets; with one sample it cuts
-/// half a pixel further out than kOpaqueMode. The target's alpha stays 1 where it was 1; over less it is only right in
+/// One pass, nothing blended: alpha to coverage. Of a pixel on the line where alpha is half, or the opaque threshold if that
+/// is less, as many samples are drawn as lie inside, so edges are as smooth as the target has samples. For multisampled
+/// targets; with one sample the cut lies half a pixel further out. The target's alpha stays 1 where it was 1; over less it is only right in
 /// pixels that the hair covers wholly.
 extern const TransparencyMode kCoverageMode;
 
