@@ -9,6 +9,7 @@
 #include "render/stage_renderer.h"
 #include "render/studio.h"
 #include "render/studio_shadow.h"
+#include "render/transparency_modes.h"
 
 #include <GLES3/gl3.h>
 
@@ -122,7 +123,7 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTar
 
 tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRenderer& renderer, const Scene& scene,
                                               const PictureSettings& settings) {
-  const auto target = OffscreenTarget::create(settings.width, settings.height);
+  const auto target = OffscreenTarget::create(settings.width, settings.height, samples_for(*settings.transparency));
   if (!target) return tl::unexpected(target.error());
   Picture picture{settings.width, settings.height, {}, context.device(), 0};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
