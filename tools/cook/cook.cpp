@@ -1,6 +1,7 @@
 #include "cook/cook.h"
 
 #include "cook/bake_occlusion.h"
+#include "cook/choose_order.h"
 #include "cook/cook_passes.h"
 #include "cook/keep_coverage.h"
 #include "cook/leave_out.h"
@@ -92,6 +93,10 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
         run_timed(settings, report, "occlusion", [&] { return bake_occlusion(recipe, settings.threads, contents); });
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
+  auto order = run_timed(settings, report, "order",
+                         [&] { return choose_order(recipe, parts->textures.used, settings.threads, contents); });
+  if (!order) return tl::unexpected(order.error());
+  report.notes.insert(report.notes.end(), order->begin(), order->end());
   // Last, since the threshold in use decides how much alpha the mips need.
   run_timed(settings, report, "mips", [&] {
     keep_coverage(parts->textures.used, contents);

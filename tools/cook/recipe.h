@@ -84,6 +84,11 @@ struct Recipe {
   double lod_max_error = 0;
   double lod_pixel_error = 0;
   double lod_still_pixels = 0;
+  // draw order
+  std::string order_method;  ///< "auto", "head", "single" or "views".
+  std::uint32_t order_max = 0;
+  std::uint32_t order_max_bytes = 0;
+  double order_min_gain = 0;  ///< dB.
   // textures
   std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
   std::string shift_texture;

@@ -120,6 +120,16 @@ const RecipeKey kKeys[] = {
   {"lods", "still_pixels", &R::lod_still_pixels, "24", 0, 10000, nullptr, "pixels",
    "on such a screen hair of a coarser level that hangs free for less than this is rigid"},
 
+  {"order", "method", &R::order_method, "\"auto\"", 0, 0, "auto|head|single|views", "",
+   "how blended hair is sorted: by distance from the head, in the best single order of patches, or in orders of triangles for"
+   " directions to look from; auto: what comes closest to the exact picture"},
+  {"order", "max_orders", &R::order_max, "8", 1, 32, nullptr, "orders",
+   "most draw orders, the one for all directions included"},
+  {"order", "max_bytes", &R::order_max_bytes, "524288", 0, 4294967295.0, nullptr, "bytes",
+   "most that further orders take in the asset, 4 bytes for each triangle and order; fewer orders where they would take more"},
+  {"order", "min_gain", &R::order_min_gain, "0.5", 0, 100, nullptr, "dB",
+   "with method auto orders for directions must be better by this than the best single one"},
+
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
    "image with colour and alpha, path from the recipe; empty: the source's own"},
   {"textures", "shift", &R::shift_texture, "\"\"", 0, 0, nullptr, "",

@@ -40,8 +40,13 @@ struct FragmentView::Placed {
 /// Finds the fragments of one triangle after the other.
 class FragmentView::Rasteriser {
  public:
-  Rasteriser(const FragmentView& view, const HairSurface& hair, std::span<const Eigen::Vector3f> positions, float pixel)
-      : view_(view), hair_(hair), positions_(positions), pixel_(pixel) {}
+  Rasteriser(const FragmentView& view, const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+             const ViewGrid& grid)
+      : view_(view),
+        hair_(hair),
+        positions_(positions),
+        grid_(grid),
+        covered_from_(view.columns_ * view.rows_, std::numeric_limits<float>::infinity()) {}
 
   void draw(std::uint32_t index, std::vector<Placed>& out) {
     const HairSurface::Triangle& triangle = hair_.triangles[index];
@@ -77,11 +82,11 @@ class FragmentView::Rasteriser {
       return Eigen::Vector2f(float(b.x - a.x), float(b.y - a.y));
     };
     const Eigen::Vector2f e1 = along(corner_[0], corner_[1]), e2 = along(corner_[0], corner_[2]);
-    const float scale = pixel_ / view_.spacing_ * kSteps / float(area_);
+    const float scale = grid_.pixel / view_.spacing_ * kSteps / float(area_);
     return hair_.alpha.choose_mip((du * e2.y() - dv * e1.y()) * scale, (dv * e1.x() - du * e2.x()) * scale);
   }
 
-  void visit_lines(std::vector<Placed>& out) const {
+  void visit_lines(std::vector<Placed>& out) {
     const auto [low_x, high_x] = std::minmax({corner_[0].x, corner_[1].x, corner_[2].x});
     const auto [low_y, high_y] = std::minmax({corner_[0].y, corner_[1].y, corner_[2].y});
     for (std::int64_t row = first_line(low_y); row <= last_line(high_y); ++row) {
@@ -89,7 +94,7 @@ class FragmentView::Rasteriser {
     }
   }
 
-  void visit(std::int64_t column, std::int64_t row, std::vector<Placed>& out) const {
+  void visit(std::int64_t column, std::int64_t row, std::vector<Placed>& out) {
     const Corner p{column * kSteps, row * kSteps};
     Eigen::Vector3f share;
     for (int k = 0; k < 3; ++k) {
@@ -98,19 +103,22 @@ class FragmentView::Rasteriser {
       if (inside < 0 || (inside == 0 && !owns_edge(a, b))) return;
       share[k] = float(inside) / float(area_);
     }
-    const Eigen::Vector2f uv = share[0] * uv_[0] + share[1] * uv_[1] + share[2] * uv_[2];
     Placed placed{std::uint32_t(row) * std::uint32_t(view_.columns_) + std::uint32_t(column), base_};
-    placed.fragment.alpha = hair_.alpha.at(uv, mip_);
-    if (placed.fragment.alpha < hair_.faintest || placed.fragment.alpha <= 0) return;
     const Eigen::Vector3f point = share[0] * point_[0] + share[1] * point_[1] + share[2] * point_[2];
     placed.fragment.depth = -point.dot(view_.towards_eye_);
+    if (placed.fragment.depth > covered_from_[placed.line]) return;
+    const Eigen::Vector2f uv = share[0] * uv_[0] + share[1] * uv_[1] + share[2] * uv_[2];
+    placed.fragment.alpha = hair_.alpha.at(uv, mip_);
+    if (placed.fragment.alpha < hair_.faintest || placed.fragment.alpha <= 0) return;
+    if (placed.fragment.alpha >= grid_.solid_alpha) covered_from_[placed.line] = placed.fragment.depth;
     out.push_back(placed);
   }
 
   const FragmentView& view_;
   const HairSurface& hair_;
   std::span<const Eigen::Vector3f> positions_;
-  float pixel_;
+  const ViewGrid& grid_;
+  std::vector<float> covered_from_;  ///< Per line: the nearest solid fragment so far.
   Eigen::Vector3f point_[3];
   Corner corner_[3];
   Eigen::Vector2f uv_[3];
@@ -127,10 +135,26 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
   up_ = towards_eye_.cross(right_);
   set_extent(hair, positions);
   std::vector<Placed> placed;
-  Rasteriser rasteriser(*this, hair, positions, grid.pixel);
-  for (std::uint32_t t = 0; t < hair.triangles.size(); ++t) rasteriser.draw(t, placed);
+  Rasteriser rasteriser(*this, hair, positions, grid);
+  for (const std::uint32_t t : near_to_far(hair, positions)) rasteriser.draw(t, placed);
   sort_into_lines(placed);
   find_solids(hair.solids);
+}
+
+/// So that what is solid comes before most of what it hides.
+std::vector<std::uint32_t> FragmentView::near_to_far(const HairSurface& hair,
+                                                     std::span<const Eigen::Vector3f> positions) const {
+  std::vector<std::pair<float, std::uint32_t>> nearest;
+  for (std::uint32_t t = 0; t < hair.triangles.size(); ++t) {
+    const auto& v = hair.triangles[t].vertex;
+    const float height = std::max(
+        {positions[v[0]].dot(towards_eye_), positions[v[1]].dot(towards_eye_), positions[v[2]].dot(towards_eye_)});
+    nearest.emplace_back(-height, t);
+  }
+  std::ranges::sort(nearest);
+  std::vector<std::uint32_t> order;
+  for (const auto& [depth, triangle] : nearest) order.push_back(triangle);
+  return order;
 }
 
 void FragmentView::set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions) {
@@ -159,9 +183,8 @@ void FragmentView::sort_into_lines(std::span<const Placed> placed) {
   fragments_.resize(placed.size());
   for (const Placed& p : placed) fragments_[next[p.line]++] = p.fragment;
   for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
-    // Triangles come in order, and the sort is stable: equal depths stay in that order.
     const auto line = std::span(fragments_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
-    std::ranges::stable_sort(line, {}, &Fragment::depth);
+    std::ranges::sort(line, {}, [](const Fragment& f) { return std::pair(f.depth, f.triangle); });
   }
 }
 

@@ -11,7 +11,8 @@ namespace coif {
 struct ViewGrid {
   Eigen::Vector3f towards_eye = Eigen::Vector3f::UnitZ();  ///< Unit, head space.
   float spacing = 0.004f;                                  ///< Metres between neighbouring lines.
-  float pixel = 0.001f;  ///< Metres: a pixel of the pictures that the view stands for, which picks the mips.
+  float pixel = 0.001f;   ///< Metres: a pixel of the pictures that the view stands for, which picks the mips.
+  float solid_alpha = 2;  ///< Fragments behind one of at least this alpha are left out; above 1 all are there.
 };
 
 /// Where a line meets a triangle of the hair.
@@ -23,7 +24,8 @@ struct Fragment {
   bool is_front = false;  ///< The triangle winds counter-clockwise as seen.
 };
 
-/// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included: a software
+/// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included unless the grid
+/// says otherwise: a software
 /// A-buffer (Carpenter 1984, "The A-buffer, an antialiased hidden surface method"). The same bits on every machine and for
 /// every number of views made at a time; fragments at equal depth are in the order of their triangles.
 ///
@@ -60,6 +62,8 @@ class FragmentView {
   struct Placed;
   class Rasteriser;
 
+  [[nodiscard]] std::vector<std::uint32_t> near_to_far(const HairSurface& hair,
+                                                       std::span<const Eigen::Vector3f> positions) const;
   void set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions);
   void sort_into_lines(std::span<const Placed> placed);
   void find_solids(std::span<const ColliderRecord> solids);

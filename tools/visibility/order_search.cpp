@@ -27,16 +27,10 @@ class OrderSearch {
 
   FoundOrders run() {
     start();
-    bool together = false;
-    for (const float threshold : settings_.opaque_thresholds) {
-      // Lower thresholds hide more: their limit only falls.
-      if (judge_.best_psnr(threshold) <= best_.found.psnr) break;
-      const bool first = threshold == settings_.opaque_thresholds.front();
-      if (first || !together) consider({threshold, false});
-      if (may_join_faces_ && (first || together)) consider({threshold, true});
-      together = best_.rule.faces_together;
-    }
-    best_.limit = judge_.best_psnr(best_.rule.opaque_threshold);
+    const std::optional<bool>& together = settings_.faces_together;
+    if (!may_join_faces_ || !together || !*together) consider(false);
+    if (may_join_faces_ && (!together || *together)) consider(true);
+    best_.limit = judge_.best_psnr(settings_.opaque_threshold);
     return std::move(best_);
   }
 
@@ -46,13 +40,14 @@ class OrderSearch {
     wanted.views_per_cell = views_per_cell;
     wanted.seed = seed;
     wanted.lines = settings_.lines_per_view;
+    wanted.solid_alpha = settings_.opaque_threshold;
     wanted.threads = settings_.threads;
     return wanted;
   }
 
   /// The thesis's order, to be beaten.
   void start() {
-    best_.rule = {settings_.opaque_thresholds.front(), false};
+    best_.rule = {settings_.opaque_threshold, false};
     best_.patches = head_;
     best_.head = best_.single = best_.found = judge_single(head_, best_.rule);
   }
@@ -61,7 +56,8 @@ class OrderSearch {
     return judge_.judge({{triangles_in_order(patches, patch_of_)}, {}}, rule);
   }
 
-  void consider(const DrawRule& rule) {
+  void consider(bool faces_together) {
+    const DrawRule rule{settings_.opaque_threshold, faces_together};
     FoundOrders candidate;
     candidate.rule = rule;
     candidate.patches = best_single(rule);

@@ -10,10 +10,10 @@ namespace coif {
 struct OrderSearchSettings {
   std::size_t max_orders = 8;  ///< The stored one included; 1: no others.
   double min_gain = 0.5;       ///< dB that other orders than the stored one must be better by.
-  /// To choose from, descending; the first is what head distance is judged with.
-  std::vector<float> opaque_thresholds{0.95f};
-  std::size_t views_per_cell = 8;
-  std::size_t lines_per_view = 3000;
+  float opaque_threshold = 0.95f;
+  std::optional<bool> faces_together;  ///< None: what is better.
+  std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
+  std::size_t lines_per_view = 6000;
   unsigned threads = 1;  ///< Without influence on the result.
 };
 
@@ -22,19 +22,18 @@ struct FoundOrders {
   DrawRule rule;
   UnitOrder patches;       ///< The best order of whole patches.
   TriangleOrders by_view;  ///< Orders of triangles for directions; none where they would gain too little.
-  OrderQuality head;       ///< By distance from the head, faces apart, the first threshold.
+  OrderQuality head;       ///< By distance from the head, faces apart.
   OrderQuality single;     ///< `patches`, for all directions.
   OrderQuality found;      ///< What is drawn: `by_view`, else `single`.
-  double limit = 0;        ///< dB that the best conceivable order has with the same threshold.
+  double limit = 0;        ///< dB that the best conceivable order has.
 };
 
 /// Looks for better orders than `by_head_distance`, which has all patches. `poses`: the first at rest. Orders that are judged
-/// worse than that are never given back.
+/// worse than that one are never given back.
 ///
 /// Layers vote (votes_of()), orders are improved until no single move helps, cells of directions share a few orders of
-/// triangles (cluster_orders()); faces apart and together and each of the thresholds are tried and judged by views of their
-/// own. Source of the idea: Chen, Sander, Nehab, Yang and Hu 2012, "Depth-presorted triangle lists", here for
-/// blending, with alphas for weights.
+/// triangles (cluster_orders()); all are judged by views of their own. Source of the idea: Chen, Sander, Nehab, Yang and
+/// Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
 [[nodiscard]] FoundOrders search_orders(const HairSurface& hair, std::span<const HairPositions> poses,
                                         const UnitOrder& by_head_distance, const OrderSearchSettings& settings);
 

@@ -16,10 +16,11 @@ struct Layer {
 };
 
 /// Lines of one view on which the order of drawing can matter, each with its layers, nearest first: what the head hides is
-/// cut off, and so is what less than a thousandth of the light comes from.
+/// cut off, and so is what is behind a layer of at least the view's solid_alpha, or less than a thousandth of the light comes
+/// from.
 struct SightLines {
   SightLines() = default;
-  explicit SightLines(const FragmentView& view);
+  SightLines(const FragmentView& view, float solid_alpha);
 
   [[nodiscard]] std::size_t size() const { return begin.size() - 1; }
   [[nodiscard]] std::span<const Layer> line(std::size_t index) const {

@@ -62,7 +62,8 @@ ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions>
     grid.towards_eye = direction_in_cell(view.cell, turn);
     grid.spacing = float(std::sqrt(std::max(outline, 1.0e-8) / double(settings.lines)));
     grid.pixel = settings.pixel;
-    view.lines = SightLines(FragmentView(hair, poses[view.pose], grid));
+    grid.solid_alpha = settings.solid_alpha;
+    view.lines = SightLines(FragmentView(hair, poses[view.pose], grid), settings.solid_alpha);
   });
   return samples;
 }

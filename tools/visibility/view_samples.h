@@ -22,10 +22,11 @@ struct ViewSamples {
 
 struct SampleSettings {
   std::size_t views_per_cell = 1;
-  std::uint32_t seed = 0;    ///< Other seeds look from other directions.
-  std::size_t lines = 3000;  ///< Wanted per view.
-  float pixel = 0.001f;      ///< Metres; as ViewGrid.
-  unsigned threads = 1;      ///< Without influence on the result.
+  std::uint32_t seed = 0;     ///< Other seeds look from other directions.
+  std::size_t lines = 3000;   ///< Wanted per view.
+  float solid_alpha = 0.95f;  ///< Layers behind one of at least this alpha do not matter.
+  float pixel = 0.001f;       ///< Metres; as ViewGrid.
+  unsigned threads = 1;       ///< Without influence on the result.
 };
 
 /// Views in directions that fill each cell evenly. In each cell they take the poses by turns; every cell begins with

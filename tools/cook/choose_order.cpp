@@ -1,0 +1,179 @@
+#include "cook/choose_order.h"
+
+#include "cook/apply_orders.h"
+#include "cook/keep_coverage.h"
+#include "motion/hair_pose.h"
+#include "motion/motion.h"
+#include "report/opened_asset.h"
+#include "visibility/order_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace coif {
+namespace {
+
+// Thresholds to choose from: see choose_opaque_threshold().
+constexpr float kThresholdStep = 0.05f;
+constexpr float kLowest = 0.495f;
+constexpr float kHighest = 0.955f;
+
+/// dB. More views find more where more is left to be sorted, so a quick search flatters low thresholds.
+constexpr double kThresholdGain = 1;
+constexpr std::size_t kQuickViews = 8;
+constexpr std::size_t kQuickLines = 3000;
+
+struct Moment {
+  Motion motion;
+  double seconds;
+};
+
+/// Besides rest: hair thrown to both sides and back, and hair blown back.
+constexpr Moment kMoments[] = {
+    {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
+
+bool blends(const AssetContents& contents) {
+  if (contents.material.empty() || contents.patches.empty()) return false;
+  const MaterialRecord& material = contents.material.front();
+  return material.discard_threshold < material.opaque_threshold;
+}
+
+tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset) {
+  std::vector<HairPositions> poses;
+  const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
+    const auto pose = simulate_pose(asset, path, seconds, {});
+    if (!pose) return tl::unexpected(pose.error());
+    poses.push_back(posed_positions(asset, pose->palette));
+    return {};
+  };
+  if (auto rest = add(nullptr, 0); !rest) return tl::unexpected(rest.error());
+  if (asset.dynamics().empty()) return poses;
+  for (const Moment& moment : kMoments) {
+    const auto path = path_of(moment.motion);
+    if (auto moving = add(path.get(), moment.seconds); !moving) return tl::unexpected(moving.error());
+  }
+  return poses;
+}
+
+UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
+  UnitOrder order(patches.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t p) { return patches[p].head_distance; });
+  return order;
+}
+
+class OrderChoice {
+ public:
+  OrderChoice(const Recipe& recipe, std::span<const Image> used, unsigned threads, const AssetContents& contents,
+              std::span<const HairPositions> poses)
+      : recipe_(recipe),
+        used_(used),
+        contents_(contents),
+        poses_(poses),
+        head_(by_head_distance(OpenedAsset(contents).asset().lod_patches(0))),
+        usual_threshold_(contents.material.front().opaque_threshold) {
+    settings_.max_orders = most_orders();
+    settings_.min_gain = recipe.order_method == "views" ? 0 : recipe.order_min_gain;
+    settings_.threads = threads;
+  }
+
+  FoundOrders run() {
+    FoundOrders usual = quick_search(usual_threshold_, {});
+    FoundOrders best = recipe_.opaque_threshold == 0 ? best_threshold(usual) : usual;
+    settings_.opaque_threshold = best.rule.opaque_threshold;
+    settings_.faces_together = best.rule.faces_together;
+    FoundOrders found = search(settings_);
+    found.head = usual.head;
+    return found.found.psnr > usual.head.psnr ? std::move(found) : std::move(usual);
+  }
+
+  [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
+
+ private:
+  [[nodiscard]] std::size_t most_orders() const {
+    if (recipe_.order_method == "single") return 1;
+    const std::size_t bytes_of_order = contents_.indices.size() / 3 * sizeof(std::uint32_t);
+    return std::min<std::size_t>(recipe_.order_max, 1 + recipe_.order_max_bytes / bytes_of_order);
+  }
+
+  /// With as many views as tell one threshold from another.
+  FoundOrders quick_search(float threshold, std::optional<bool> faces_together) const {
+    OrderSearchSettings quick = settings_;
+    quick.opaque_threshold = threshold;
+    quick.faces_together = faces_together;
+    quick.views_per_cell = kQuickViews;
+    quick.lines_per_view = kQuickLines;
+    return search(quick);
+  }
+
+  [[nodiscard]] FoundOrders search(const OrderSearchSettings& settings) const {
+    AssetContents tried = contents_;
+    tried.material.front().opaque_threshold = settings.opaque_threshold;
+    keep_coverage(used_, tried);
+    return search_orders(HairSurface(OpenedAsset(tried).asset()), poses_, head_, settings);
+  }
+
+  /// Downwards from the usual one as long as it helps, then upwards. Lower thresholds hide more of what should shine
+  /// through, and leave less to be sorted.
+  [[nodiscard]] FoundOrders best_threshold(const FoundOrders& usual) const {
+    FoundOrders best = usual;
+    for (const float step : {-kThresholdStep, kThresholdStep}) {
+      for (float threshold = usual_threshold_ + step; threshold > kLowest && threshold < kHighest; threshold += step) {
+        FoundOrders tried = quick_search(threshold, best.rule.faces_together);
+        if (tried.found.psnr <= best.found.psnr + (step < 0 ? kThresholdGain : 0)) break;
+        best = std::move(tried);
+      }
+    }
+    return best;
+  }
+
+  const Recipe& recipe_;
+  std::span<const Image> used_;
+  const AssetContents& contents_;
+  std::span<const HairPositions> poses_;
+  UnitOrder head_;
+  float usual_threshold_;
+  OrderSearchSettings settings_;
+};
+
+std::string quality_text(const OrderQuality& quality) {
+  return fmt::format("{:.1f} dB (median {:.1f}, worst {:.1f}, moving {:.1f})", quality.psnr, quality.median,
+                     quality.worst, quality.moving);
+}
+
+std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshold) {
+  const std::size_t count = found.by_view.orders.size();
+  const std::string what = count > 0 ? fmt::format("{} orders of triangles by direction", count)
+                                     : std::string("one order of patches for all directions");
+  std::vector<std::string> notes{
+      fmt::format("draw order: {}, faces {}; expected against exact order {}; by distance from the head {}, the best "
+                  "single order of patches {}",
+                  what, found.rule.faces_together ? "together" : "apart", quality_text(found.found),
+                  quality_text(found.head), quality_text(found.single))};
+  if (found.rule.opaque_threshold != usual_threshold) {
+    notes.push_back(
+        fmt::format("opaque threshold {:.2f}, not {:.2f}: with it hair drawn in its orders looks most like the "
+                    "exact picture, at best {:.1f} dB",
+                    found.rule.opaque_threshold, usual_threshold, found.limit));
+  }
+  return notes;
+}
+
+}  // namespace
+
+tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
+                                                               unsigned threads, AssetContents& contents) {
+  if (recipe.order_method == "head" || !blends(contents)) return std::vector<std::string>{};
+  const OpenedAsset opened(contents);
+  if (!opened.asset().is_open()) return std::vector<std::string>{};  // the cooker says why where it opens what it wrote
+  const auto poses = find_poses(opened.asset());
+  if (!poses) return tl::unexpected(poses.error());
+  OrderChoice choice(recipe, used, threads, contents, *poses);
+  const FoundOrders found = choice.run();
+  apply_orders(found, contents);
+  return notes_of(found, choice.usual_threshold());
+}
+
+}  // namespace coif
