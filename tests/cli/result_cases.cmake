@@ -15,7 +15,7 @@ coif_cli_case(info_text EXIT 0 SAMPLE STDOUT "bob.coif: format 1.0, .*triangles 
   ARGS info ${COIF_COOKED_SAMPLE})
 coif_cli_case(info_json EXIT 0 SAMPLE
   JSON format,major format,minor bytes chunks,0,id chunks,0,bytes triangles vertices patches chains bones
-       simulated_bones twisting_bones settings collider_shapes colliding_bones lods textures,0,format sides
+       simulated_bones twisting_bones settings collider_shapes colliding_bones lods textures,0,format sides shading
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
 coif_cli_case(info_text_shows_tuning EXIT 0 SAMPLE
   STDOUT "stiffness.*damping.*torsion.*angle_limit .*180 [.][.] 180.*parent_share.*tuning [(]met[)].*30 [.][.] 120 .*Hz.*asked: 0.7 %.*ns per head.*quality .*worst motion\n +30 .* +[1-9][0-9]*  [a-z]+\n +"
@@ -61,6 +61,10 @@ coif_cli_case(render_direction EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component direction -o bob.png)
 coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component patches --lod 0 -o bob.png)
+foreach(shading thesis kajiya-kay marschner)
+  coif_cli_case(render_${shading} EXIT 0 SAMPLE WRITES bob.png
+    ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shading ${shading} -o bob.png)
+endforeach()
 coif_cli_case(render_no_such_lod EXIT 1 SAMPLE STDERR "bob.coif: there is no level of detail 9; the asset has [0-9], counted"
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --lod 9 -o bob.png)
 coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png
