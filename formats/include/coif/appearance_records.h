@@ -1,0 +1,84 @@
+#pragma once
+// The records of an asset's material and textures; a part of coif/asset_records.h, whose rules hold here too.
+
+#include <cstdint>
+
+namespace coif {
+
+/// Back faces are drawn too. Without it only the side that the triangles wind around counter-clockwise is seen.
+inline constexpr std::uint32_t kMaterialDoubleSided = 1u << 0;
+
+/// What is blended is drawn in one go, both faces in the order of the triangles; without it back faces come before front faces.
+inline constexpr std::uint32_t kMaterialFacesTogether = 1u << 1;
+
+inline constexpr std::uint32_t kMaterialFlags = kMaterialDoubleSided | kMaterialFacesTogether;
+
+/// How strands reflect light. Formulas, with their sources: shaders/SHADING.md.
+enum class ShadingModel : std::uint32_t {
+  kThesis = 0,     ///< Algorithm 3 of the thesis: wrapped diffuse light and two shifted highlights.
+  kKajiyaKay = 1,  ///< Diffuse light by the sine to the strand, one highlight around the mirror cone.
+  kMarschner = 2,  ///< What a fibre's surface reflects, lets through, and reflects at its far side.
+};
+
+inline constexpr float kMostTilt = 0.35f;  ///< Radians; scales of real hair lean by 0.03 to 0.09.
+/// Radians. The narrowest lobe is half as wide, which is about as narrow as 8 bits of a tangent's direction show.
+inline constexpr float kLeastRoughness = 0.02f;
+inline constexpr float kMostRoughness = 1.0f;
+
+/// Shading and the four passes of the thesis's 5.3.1. Colours are linear. Highlights' colours, exponents and shifts are
+/// kThesis's; kKajiyaKay takes the primary colour and exponent for its one, kMarschner none of them.
+struct MaterialRecord {
+  float base_color[4];      ///< Multiplies the base texture.
+  float ambient[3];         ///< Times base colour, independent of lights.
+  float opaque_threshold;   ///< Texels with at least this alpha are drawn opaque, 0..1.
+  float primary_color[3];
+  float primary_exponent;
+  float secondary_color[3];
+  float secondary_exponent;
+  float primary_shift;      ///< Tangent shift along the normal, before the texture's share.
+  float secondary_shift;
+  float discard_threshold;  ///< Texels with less alpha than this are never drawn, 0..1.
+  std::uint32_t flags;
+  ShadingModel shading;
+  float tilt;       ///< kMarschner: of the fibre's scales towards the tip, radians, -kMostTilt..kMostTilt.
+  /// kMarschner: width of the first highlight along the strand, radians, kLeastRoughness..kMostRoughness; 0 fits others.
+  float roughness;
+  float scatter;    ///< kMarschner: share of the light let through that other strands scatter before it is seen, 0..1.
+  float light_cut;  ///< Share of what lights add that is taken away, 0 (as published) .. 1.
+  std::uint32_t reserved[3];
+};
+static_assert(sizeof(MaterialRecord) == 112);
+
+enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };
+enum class TexelFormat : std::uint32_t {
+  kSrgb8Alpha8 = 0,  ///< Four bytes, colour sRGB-encoded, alpha linear and not premultiplied.
+  kRg8 = 1,          ///< Two bytes, linear; red: shift, green: mask.
+  kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
+};
+
+/// Mips follow each other, largest first, rows top to bottom without padding.
+struct TextureRecord {
+  TextureRole role;
+  TexelFormat format;
+  std::uint32_t width;  ///< 1..16384.
+  std::uint32_t height;
+  std::uint32_t mip_count;
+  std::uint32_t reserved;
+  std::uint64_t offset;  ///< Into TEXD.
+  std::uint64_t bytes;
+};
+static_assert(sizeof(TextureRecord) == 40);
+
+/// Bytes of one mip of a texture with these dimensions; 0 for an unknown format.
+constexpr std::uint64_t mip_bytes(TexelFormat format, std::uint32_t width, std::uint32_t height, std::uint32_t mip) {
+  const std::uint64_t w = (width >> mip) > 0 ? width >> mip : 1;
+  const std::uint64_t h = (height >> mip) > 0 ? height >> mip : 1;
+  switch (format) {
+    case TexelFormat::kSrgb8Alpha8: return w * h * 4;
+    case TexelFormat::kRg8: return w * h * 2;
+    case TexelFormat::kRg11Eac: return (w + 3) / 4 * ((h + 3) / 4) * 16;
+  }
+  return 0;
+}
+
+}  // namespace coif
