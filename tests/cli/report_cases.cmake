@@ -50,8 +50,17 @@ coif_cli_case(report_cost_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
 coif_cli_case(report_cost_json EXIT 0 SAMPLE TIMEOUT 300
   JSON asset machine instruction_set simulation,1,heads simulation,1,solver simulation,1,us_per_frame
        simulation,1,ns_per_bone_frame simulation,1,spread_pct simulation,1,bytes_per_head features,0,feature
-       features,1,change_pct memory,bytes_per_head file,bytes file,chunks,0,bytes rendering rendering_note
+       features,1,change_pct memory,bytes_per_head file,bytes file,chunks,0,bytes rendering distances table_1
+       table_1_ratios rendering_note
   ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --format json)
+# Four crowds in four ways, where there is something to draw with.
+coif_cli_case(report_cost_table1 EXIT 0 SAMPLE TIMEOUT 600
+  JSON table_1,15,heads table_1,15,transparency table_1,15,simulation table_1,15,ms_per_frame table_1,15,gpu_ms_per_frame
+       table_1,15,fps table_1,15,thesis_fps table_1,15,device table_1_ratios,3,transparency_on_off
+       table_1_ratios,3,simulation_on_off distances,0,screen_share distances,0,covered_pixels_per_head
+  ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --table1 --format json)
+coif_cli_case(report_table1_not_drawn EXIT 1 STDERR "coif report: error: --no-drawing excludes --table1"
+  ARGS report a.coif cost --table1 --no-drawing)
 coif_cli_case(report_cost_not_drawn EXIT 0 SAMPLE STDOUT "\n  not drawn: drawing was not asked for\n"
   ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --no-drawing)
 # Where there is no EGL the numbers of the simulation are there, and a sentence says why those of drawing are not.
@@ -70,6 +79,9 @@ coif_cli_case(report_heads_for_accuracy EXIT 1
 coif_cli_case(report_undrawn_stability EXIT 1
   STDERR "coif report: error: --no-drawing is for 'coif report FILE.coif cost' only; leave it out"
   ARGS report a.coif stability --no-drawing)
+coif_cli_case(report_table1_for_accuracy EXIT 1
+  STDERR "coif report: error: --table1 is for 'coif report FILE.coif cost' only; leave it out"
+  ARGS report a.coif accuracy --table1)
 coif_cli_case(report_no_heads EXIT 1 STDERR "coif report: error: --heads" ARGS report a.coif cost --heads 10,0)
 coif_cli_case(report_no_time EXIT 1 STDERR "coif report: error: --time" ARGS report a.coif cost --time 0)
 

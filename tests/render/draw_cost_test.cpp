@@ -4,7 +4,6 @@
 #include "render/transparency_modes.h"
 
 #include <algorithm>
-#include <set>
 
 namespace coif {
 namespace {
@@ -47,11 +46,15 @@ TEST_F(DrawCostTest, DrawsEveryCrowdInEveryWay) {
 TEST_F(DrawCostTest, DrawsTheSmallestCrowdInEveryModeThereIs) {
   const auto cost = measure(quick());
   ASSERT_TRUE(cost) << cost.error().message;
-  std::set<std::string> drawn;
-  for (const DrawCostRow& row : cost->rows) {
-    if (row.heads == 1) drawn.insert(row.transparency);
+  const auto is_drawn = [&cost](const TransparencyMode* mode, std::uint32_t samples) {
+    return std::ranges::any_of(cost->rows, [&](const DrawCostRow& row) {
+      return row.heads == 1 && row.transparency == name_of(*mode) && row.samples == samples;
+    });
+  };
+  for (const TransparencyMode* mode : transparency_modes()) {
+    EXPECT_EQ(is_drawn(mode, 1), mode != &kCoverageMode) << name_of(*mode);
+    EXPECT_EQ(is_drawn(mode, 4), samples_for(*mode) == 4) << name_of(*mode);
   }
-  for (const TransparencyMode* mode : transparency_modes()) EXPECT_TRUE(drawn.contains(name_of(*mode)));
 }
 
 TEST_F(DrawCostTest, LeavesOutWhatWouldTakeTooLongButNeverOneHead) {

@@ -19,8 +19,8 @@ AssetContents card_with_levels() {
 
 class DrawDistancesTest : public DrawnWigTest {
  protected:
-  tl::expected<std::vector<DrawDistance>, ToolError> measure(const Asset& asset, std::vector<std::uint32_t> heads,
-                                                             double seconds = 0.2) {
+  tl::expected<DrawDistances, ToolError> measure(const Asset& asset, std::vector<std::uint32_t> heads,
+                                                 double seconds = 0.2) {
     const auto stage = CrowdStage::create(asset, 96, 72);
     if (!stage) return tl::unexpected(stage.error());
     return measure_distances(asset, **stage, heads, maker(), seconds);
@@ -32,10 +32,10 @@ TEST_F(DrawDistancesTest, MoreHeadsAreSmallerAndCoarser) {
   palette_.resize(1);
   const auto found = measure(*card, {16, 1, 4});
   ASSERT_TRUE(found) << found.error().message;
-  ASSERT_EQ(found->size(), 3u);
+  ASSERT_EQ(found->rows.size(), 3u);
   std::uint32_t heads = 1;
   double finer_share = 1e9;
-  for (const DrawDistance& distance : *found) {
+  for (const DrawDistance& distance : found->rows) {
     EXPECT_EQ(distance.heads, heads);
     EXPECT_LT(distance.screen_share, finer_share);
     EXPECT_EQ(distance.lod, distance.screen_share < 0.3 ? 1u : 0u) << distance.screen_share;
@@ -44,8 +44,8 @@ TEST_F(DrawDistancesTest, MoreHeadsAreSmallerAndCoarser) {
     finer_share = distance.screen_share;
     heads *= 4;
   }
-  EXPECT_EQ(found->front().lod, 0u);
-  EXPECT_EQ(found->back().lod, 1u);
+  EXPECT_EQ(found->rows.front().lod, 0u);
+  EXPECT_EQ(found->rows.back().lod, 1u);
 }
 
 TEST_F(DrawDistancesTest, CoveredPixelsAreThoseOfTheHair) {
@@ -54,16 +54,18 @@ TEST_F(DrawDistancesTest, CoveredPixelsAreThoseOfTheHair) {
   const auto found = measure(*card, {1});
   ASSERT_TRUE(found) << found.error().message;
   // The card is turned away by 30 degrees and seen from 5 degrees above; perspective and edges take their share.
-  const double height = 72 * found->front().screen_share;
+  const double height = 72 * found->rows.front().screen_share;
   const double expected = height * height * std::cos(30 * 3.14159265 / 180);
-  EXPECT_NEAR(found->front().covered_pixels, expected, 0.15 * expected);
+  EXPECT_NEAR(found->rows.front().covered_pixels, expected, 0.15 * expected);
 }
 
 TEST_F(DrawDistancesTest, OneHeadIsNeverTooSlow) {
   const auto found = measure(*wig_, {1, 10, 100}, 1e-9);
   ASSERT_TRUE(found) << found.error().message;
-  ASSERT_EQ(found->size(), 1u);
-  EXPECT_EQ(found->front().heads, 1u);
+  ASSERT_EQ(found->rows.size(), 1u);
+  EXPECT_EQ(found->rows.front().heads, 1u);
+  ASSERT_EQ(found->left_out.size(), 2u);
+  EXPECT_EQ(found->left_out[1].heads, 100u);
 }
 
 TEST_F(DrawDistancesTest, AHeadIsAsHighAsWhatKeepsHairOut) {

@@ -31,7 +31,7 @@ TEST_F(ThesisCrowdsTest, MeasuresFourWaysOfEveryCrowd) {
 
 TEST_F(ThesisCrowdsTest, LeavesOutFramesThatTakeTooLong) {
   ThesisCrowdSettings settings = quick();
-  settings.seconds = 1e-9;
+  settings.longest_frame = 1e-9;
   const auto found = measure_thesis_crowds(*wig_, settings, maker());
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_TRUE(found->rows.empty());

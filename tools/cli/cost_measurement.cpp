@@ -109,8 +109,9 @@ tl::expected<void, ToolError> add_drawing(const Asset& asset, const CostChoice& 
   RenderingCost& rendering = report.rendering;
   rendering.device = drawn->device;
   for (const DrawCostRow& row : drawn->rows) rendering.rows.push_back(to_row(asset, row));
-  for (const DrawDistance& distance : drawn->distances) rendering.distances.push_back(to_row(asset, distance));
+  for (const DrawDistance& distance : drawn->distances.rows) rendering.distances.push_back(to_row(asset, distance));
   add_left_out(drawn->left_out, kDrawnCrowd, report);
+  add_left_out(drawn->distances.left_out, kDistances, report);
   if (drawn->rows.empty()) rendering.note = "no crowd was small enough";
   if (!choice.thesis_table) return {};
   if (progress) progress("Table 1 of the thesis");

@@ -51,8 +51,12 @@ void add_crowd(std::uint32_t heads, std::uint32_t crowd, FramesOfRows& found) {
 void add_levels_and_modes(std::uint32_t heads, std::uint32_t crowd, std::uint32_t lod_count, FramesOfRows& found) {
   for (std::uint32_t lod = 1; lod < lod_count; ++lod) found.add(heads, {.crowd = crowd, .lod = lod});
   for (const TransparencyMode* mode : transparency_modes()) {
-    if (mode == &kBlendMode || mode == &kOpaqueMode) continue;
-    found.add(heads, {.crowd = crowd, .transparency = mode});
+    const bool is_there = mode == &kBlendMode || mode == &kOpaqueMode;
+    const bool is_for_one = mode != &kCoverageMode;
+    if (is_for_one && !is_there) found.add(heads, {.crowd = crowd, .transparency = mode});
+    if (const std::uint32_t samples = samples_for(*mode); samples > 1) {
+      found.add(heads, {.crowd = crowd, .transparency = mode, .samples = samples});
+    }
   }
 }
 

@@ -36,9 +36,9 @@ struct DrawCostRow {
 struct DrawCost {
   std::string device;  ///< GL_RENDERER.
   /// By heads; every crowd with blend and opaque, simulated and not. The smallest crowd also with every level of detail
-  /// and in every other mode.
+  /// and in every mode, with one sample a pixel and with four where the mode is for them.
   std::vector<DrawCostRow> rows;
-  std::vector<DrawDistance> distances;
+  DrawDistances distances;
   std::vector<DrawCostLeftOut> left_out;  ///< Of `rows`; ascending; all crowds from some size on.
 };
 

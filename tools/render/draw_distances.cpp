@@ -1,7 +1,5 @@
 #include "render/draw_distances.h"
 
-#include "render/affordable_crowds.h"
-
 #include <coif/lod.h>
 
 #include <Eigen/Core>
@@ -45,29 +43,31 @@ double head_height(const Asset& asset) {
   return height > 0 ? height : height_of_hair(asset);
 }
 
-tl::expected<std::vector<DrawDistance>, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
-                                                                     std::span<const std::uint32_t> heads,
-                                                                     const MakeCrowd& make_crowd, double seconds) {
-  std::vector<DrawDistance> found;
+tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
+                                                         std::span<const std::uint32_t> heads,
+                                                         const MakeCrowd& make_crowd, double seconds) {
+  DrawDistances found;
   std::vector<DrawnFrame> frames;  // of each crowd two
   AffordableCrowds crowds(stage, make_crowd, kLargestShare * seconds / kFramesOfACrowd);
   for (const std::uint32_t count : std::set(heads.begin(), heads.end())) {
     const CrowdView view = stage.filling_view(count);
     const auto crowd = crowds.add(view);
     if (!crowd) return tl::unexpected(crowd.error());
-    if (!*crowd) break;
-    DrawDistance distance{
-        .heads = count, .screen_share = screen_share_of(view, head_height(asset)), .time = {}, .finest = {}};
+    if (!*crowd) continue;
+    DrawDistance distance;
+    distance.heads = count;
+    distance.screen_share = screen_share_of(view, head_height(asset));
     distance.lod = choose_lod(asset.lods(), float(distance.screen_share), 0, 0);
-    frames.push_back({.crowd = **crowd, .lod = distance.lod});
-    frames.push_back({.crowd = **crowd});
-    distance.covered_pixels = double(stage.count_covered_pixels(frames[frames.size() - 2]).value_or(0));
-    found.push_back(distance);
+    const DrawnFrame chosen{.crowd = **crowd, .lod = distance.lod};
+    distance.covered_pixels = double(stage.count_covered_pixels(chosen).value_or(0));
+    frames.insert(frames.end(), {chosen, DrawnFrame{.crowd = **crowd}});
+    found.rows.push_back(distance);
   }
+  found.left_out = crowds.left_out();
   const std::vector<FrameTime> times = time_frames(stage, frames, seconds);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    found[i].time = times[2 * i];
-    found[i].finest = times[2 * i + 1];
+  for (std::size_t i = 0; i < found.rows.size(); ++i) {
+    found.rows[i].time = times[2 * i];
+    found.rows[i].finest = times[2 * i + 1];
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/affordable_crowds.h"
 #include "render/crowd_stage.h"
 #include "render/frame_timing.h"
 #include "tool_error.h"
@@ -24,13 +25,18 @@ struct DrawDistance {
   FrameTime finest;           ///< and at level 0.
 };
 
+struct DrawDistances {
+  std::vector<DrawDistance> rows;         ///< By heads.
+  std::vector<DrawCostLeftOut> left_out;  ///< Ascending; all crowds from some size on.
+};
+
 /// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
 [[nodiscard]] double head_height(const Asset& asset);
 
-/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are missing at the
-/// end; one head never is. `heads`: 1..kMostDrawnHeads each. Errors: those of AffordableCrowds::add().
-tl::expected<std::vector<DrawDistance>, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
-                                                                     std::span<const std::uint32_t> heads,
-                                                                     const MakeCrowd& make_crowd, double seconds);
+/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are left out; one
+/// head never is. `heads`: 1..kMostDrawnHeads each. Errors: those of AffordableCrowds::add().
+tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
+                                                         std::span<const std::uint32_t> heads,
+                                                         const MakeCrowd& make_crowd, double seconds);
 
 }  // namespace coif

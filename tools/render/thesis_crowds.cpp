@@ -7,8 +7,6 @@
 namespace coif {
 namespace {
 
-constexpr double kLongestFrameShare = 0.25;  // of the time
-
 tl::expected<void, ToolError> check(const ThesisCrowdSettings& settings) {
   const auto crowd_ok = [](std::uint32_t heads) { return heads >= 1 && heads <= kMostDrawnHeads; };
   if (settings.heads.empty() || !std::ranges::all_of(settings.heads, crowd_ok) || !(settings.seconds > 0)) {
@@ -37,7 +35,7 @@ tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, 
   if (!stage) return tl::unexpected(stage.error());
   ThesisCrowds found{(*stage)->device(), {}, {}};
   std::vector<DrawnFrame> frames;
-  AffordableCrowds crowds(**stage, make_crowd, kLongestFrameShare * settings.seconds);
+  AffordableCrowds crowds(**stage, make_crowd, settings.longest_frame);
   const Camera camera = (*stage)->filling_view(*std::ranges::max_element(settings.heads)).camera;
   for (const std::uint32_t heads : std::set(settings.heads.begin(), settings.heads.end())) {
     const auto crowd = crowds.add({camera, (*stage)->filling_view(heads).places});

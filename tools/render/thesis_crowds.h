@@ -19,7 +19,8 @@ namespace coif {
 struct ThesisCrowdSettings {
   std::vector<std::uint32_t> heads{20, 50, 100, 200};  ///< 1..kMostDrawnHeads, not empty.
   std::uint32_t width = 1024, height = 768;            ///< Pixels, 16..8192.
-  double seconds = 14;  ///< To spend, > 0, at least some frames of each. A frame that takes a quarter is left out.
+  double seconds = 14;                                 ///< To spend, > 0, but for at least some frames of each way.
+  double longest_frame = 15;                           ///< Seconds; crowds with longer ones are left out.
 };
 
 struct ThesisCrowdRow {

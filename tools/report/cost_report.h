@@ -36,12 +36,13 @@ struct FeatureCostRow {
 };
 
 inline constexpr const char* kDrawnCrowd = "drawing";
+inline constexpr const char* kDistances = "distance";
 inline constexpr const char* kThesisTable = "Table 1";
 
 /// A crowd that was not measured.
 struct CostLeftOut {
   std::uint32_t heads = 0;
-  std::string what;  ///< A solver, kDrawnCrowd or kThesisTable.
+  std::string what;  ///< A solver, kDrawnCrowd, kDistances or kThesisTable.
   std::string why;
 };
 

@@ -128,7 +128,9 @@ TEST(CostSummary, SaysWhatOneHeadAndACrowdCost) {
       << text;
   EXPECT_NE(text.find("100 heads take 200 us"), std::string::npos) << text;
   EXPECT_NE(text.find("Each head of a large crowd takes 500 bytes"), std::string::npos) << text;
-  EXPECT_NE(text.find("made-up device at 64 x 48 takes 500 us, 10 heads 5.00 ms"), std::string::npos) << text;
+  EXPECT_NE(text.find("Drawing one head at 64 x 48 takes 500 us, 10 heads 5.00 ms, on made-up device."),
+            std::string::npos)
+      << text;
 }
 
 TEST(CostSummary, NamesOnceWhatWasLeftOut) {

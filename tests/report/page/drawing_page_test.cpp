@@ -161,12 +161,14 @@ TEST(DrawingPage, SaysThatTheDeviceDoesNotTellItsTime) {
   EXPECT_EQ(page->find("Table 1 of the thesis"), std::string::npos) << "nobody asked for it";
 }
 
-TEST(DrawingPage, SaysWhichCrowdsOfTheThesisTableAreMissing) {
+TEST(DrawingPage, SaysWhichCrowdsAreMissing) {
   CostReport report = made_up_cost();
   report.left_out.push_back({200, kThesisTable, "one frame takes a minute"});
+  report.left_out.push_back({512, kDistances, "one frame takes an hour"});
   const auto page = cost_page(made_up_heading(), report);
   ASSERT_TRUE(page) << page.error().message;
   EXPECT_NE(page->find("Not measured: Table 1 of 200 heads; one frame takes a minute."), std::string::npos);
+  EXPECT_NE(page->find("Not measured: distance of 512 heads; one frame takes an hour."), std::string::npos);
 }
 
 TEST(DrawingSummary, SaysWhatTransparencyAndSimulationCost) {

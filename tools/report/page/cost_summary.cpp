@@ -34,13 +34,12 @@ std::string drawing_sentence(const CostReport& report) {
   const auto rows = drawings_of(report, "blend", false);
   if (rows.empty()) return "";
   const RenderingCostRow &least = rows.front(), &most = rows.back();
-  std::string text = fmt::format(" Drawing {} on {} at {} x {} takes {}", heads_text(least.heads),
-                                 device_text(report.rendering.device), report.rendering.width, report.rendering.height,
-                                 time_text(1e6 * least.ms_per_frame));
+  std::string text = fmt::format(" Drawing {} at {} x {} takes {}", heads_text(least.heads), report.rendering.width,
+                                 report.rendering.height, time_text(1e6 * least.ms_per_frame));
   if (most.heads != least.heads) {
     text += fmt::format(", {} {}", heads_text(most.heads), time_text(1e6 * most.ms_per_frame));
   }
-  return text + ".";
+  return text + ", on " + device_text(report.rendering.device) + ".";
 }
 
 std::string range_text(double least, double most) {
@@ -86,8 +85,9 @@ std::string left_out_text(const CostReport& report, const std::string& what) {
     sizes.push_back(crowd.heads);
   }
   if (sizes.empty()) return "";
-  return fmt::format("Not measured: {} {} {} heads; {}.", what,
-                     what == kDrawnCrowd || what == kThesisTable ? "of" : "with", fmt::join(sizes, ", "), why);
+  const bool is_simulated = what != kDrawnCrowd && what != kDistances && what != kThesisTable;
+  return fmt::format("Not measured: {} {} {} heads; {}.", what, is_simulated ? "with" : "of", fmt::join(sizes, ", "),
+                     why);
 }
 
 }  // namespace coif

@@ -33,7 +33,7 @@ std::string simulation_text(const CostReport& report) {
 std::string cost_text(const ReportHeading& heading, const CostReport& report) {
   std::string text = heading_text(heading) + "\n" + simulation_text(report) + drawing_text(report.rendering);
   std::vector<std::string> subjects = solvers_of(report);
-  subjects.insert(subjects.end(), {kDrawnCrowd, kThesisTable});
+  subjects.insert(subjects.end(), {kDrawnCrowd, kDistances, kThesisTable});
   for (const std::string& subject : subjects) {
     const std::string left_out = left_out_text(report, subject);
     if (!left_out.empty()) text += "  " + left_out + "\n";

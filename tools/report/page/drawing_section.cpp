@@ -18,7 +18,8 @@ void add_crowds(const CostReport& report, PlottedPage& page) {
   if (!left_out.empty()) page.paragraph(left_out);
   page.paragraph(fmt::format(
       "Device: {}, {} x {} pixels, three lights, hair alone; time until the device has finished. Blend is the four "
-      "passes with soft edges, opaque draws once and cuts off. Samples are those of a pixel. Simulated frames are "
+      "passes with soft edges; opaque draws once and cuts off; coverage, screendoor and hashed draw once with softer "
+      "edges; exact, the reference, sorts every pixel. Samples are those of a pixel. Simulated frames are "
       "stepped before they are drawn, on the same thread.",
       device_text(rendering.device), rendering.width, rendering.height));
   page.paragraph(device_time_text(rendering));
@@ -28,6 +29,8 @@ void add_distances(const CostReport& report, PlottedPage& page) {
   page.heading("What does distance spare?");
   if (report.rendering.distances.size() > 1) page.plot(distances_figure(report.rendering));
   page.table(distances_table(report.rendering));
+  const std::string left_out = left_out_text(report, kDistances);
+  if (!left_out.empty()) page.paragraph(left_out);
   page.paragraph(
       "Crowds that fill the picture, the more heads the further away, drawn with blend. Each head has the level of "
       "detail that choose_lod() gives it for its share of the picture's height; the hair's own height is more than the "

@@ -27,7 +27,7 @@ std::string crowds_text(const RenderingCost& rendering) {
 
 std::string distances_text(const RenderingCost& rendering) {
   if (rendering.distances.empty()) return "";
-  std::string text = fmt::format("  {:<12}{:>6}{:>14}{:>5}{:>16}{:>9}{:>12}{:>9}\n", "further off", "heads",
+  std::string text = fmt::format("  {:<12}{:>6}{:>14}{:>5}{:>16}{:>9}{:>12}{:>9}\n", "head/height", "heads",
                                  "pixels/head", "lod", "triangles/head", "ms/head", "finest", "saved");
   for (const DistanceCostRow& row : rendering.distances) {
     text += fmt::format("  {:<12}{:>6}{:>14}{:>5}{:>16}{:>9}{:>12}{:>7.0f} %\n", percent_text(100 * row.screen_share),
