@@ -9,8 +9,11 @@ from pathlib import Path
 
 FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
+DRAWING = {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 TOOL_BASE = SIM | HASH | {"formats/write", "tools"}
+# Reports on pictures draw them; cooks measure motion by the other reports and must not draw.
+PICTURE_REPORT = TOOL_BASE | DRAWING | {"tools/motion", "tools/render", "tools/report", "tools/visibility"}
 
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file.
 LAYERS = {
@@ -20,10 +23,11 @@ LAYERS = {
     "formats/write": FORMATS | HASH,
     "runtime/include": FORMATS,
     "runtime/include/coif/renderer.h": SIM,
+    "runtime/include/coif/shadow.h": SIM | DRAWING,
     "runtime/sim": SIM,
     "runtime/skinning": SIM,
-    "runtime/gl": SIM | {"runtime/include/coif/renderer.h"},
-    "runtime/examples": SIM | {"runtime/include/coif/renderer.h"},
+    "runtime/gl": SIM | DRAWING,
+    "runtime/examples": SIM | DRAWING,
     "tools": SIM,
     "tools/import": TOOL_BASE,
     "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/report", "tools/visibility"},
@@ -31,10 +35,10 @@ LAYERS = {
     "tools/visibility": TOOL_BASE | {"tools/motion", "tools/report"},
     "tools/animation": TOOL_BASE | {"tools/motion"},
     "tools/report": TOOL_BASE | {"tools/animation", "tools/motion"},
-    "tools/report/order": TOOL_BASE | {"tools/motion", "tools/render", "tools/report", "tools/visibility",
-                                       "runtime/include/coif/renderer.h"},
+    "tools/report/order": PICTURE_REPORT,
+    "tools/report/shadow": PICTURE_REPORT,
     "tools/compare": TOOL_BASE | {"tools/animation", "tools/motion"},
-    "tools/render": TOOL_BASE | {"tools/import", "tools/motion", "runtime/include/coif/renderer.h"},
+    "tools/render": TOOL_BASE | {"tools/import", "tools/motion"} | DRAWING,
     "tools/sample": TOOL_BASE,
     "tools/cli": None,  # Everything.
     "tests": None,
@@ -55,8 +59,8 @@ HOMES = {
     "stb/stb_image_resize.h": ["tools/cook"],
     "stb/stb_image_write.h": ["tools/render", "tools/sample", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl", "runtime/examples"],
-    "GLES2/": ["tools/render", "tests/gl"],
-    "GLES3/": ["runtime/gl", "tools/render", "tests/gl", "runtime/examples"],
+    "GLES2/": ["tools/render", "tests/gl", "tests/render"],
+    "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples"],
     "KHR/": ["tools/render"],
     "gtest/": ["tests/"],
     "benchmark/": ["tests/"],
@@ -66,7 +70,8 @@ HOMES = {
 # What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
             "limits", "new", "numeric", "span", "type_traits", "utility"}
-SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h", "runtime/sim",
+SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h",
+           "runtime/include/coif/shadow.h", "runtime/sim",
            "runtime/skinning", "runtime/gl")
 
 # Headers that the build writes, by the one layer that includes them.
