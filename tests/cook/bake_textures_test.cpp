@@ -1,9 +1,10 @@
 #include "cook/bake_textures.h"
 
-#include "cook/alpha_mips.h"
+#include "cook/alpha_coverage.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
 #include "cook/keep_coverage.h"
+#include "cook/mip_coverage.h"
 #include "cook/pack_material.h"
 #include "cook/shift_mask.h"
 #include "cook/textured_hair.h"
@@ -73,13 +74,76 @@ TEST(BakeTextures, MipsKeepTheCoverageOfWhatTheHairShowsAtTheThresholdInUse) {
     contents.material = {pack_material(color, textures, left_half(), recipe)};
     keep_coverage(textures.used, contents);
     const auto mips = base_color_mips(contents);
+    const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
     const auto used = make_mips(used_texels(left_half(), kSide, kSide), kSide, TexelMeaning::kNumbers);
-    const double wanted = alpha_coverage(mips[0], used[0], in_use);
-    ASSERT_GT(wanted, 0.05);
-    ASSERT_LT(wanted, 0.6);
+    const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);
+    ASSERT_GT(wanted.opaque, 0.05);
+    ASSERT_LT(wanted.opaque, 0.6);
     for (std::size_t level = 1; level < 5; ++level) {
-      EXPECT_NEAR(alpha_coverage(mips[level], used[level], in_use), wanted, 0.15) << threshold << ", level " << level;
-      EXPECT_GE(alpha_coverage(mips[level], used[level], in_use), wanted) << threshold << ", level " << level;
+      const AlphaCoverage found = alpha_coverage(mips[level], used[level], thresholds);
+      EXPECT_NEAR(found.opaque, wanted.opaque, 0.03 * wanted.opaque) << threshold << ", level " << level;
+      EXPECT_NEAR(found.opacity, wanted.opacity, 0.03 * wanted.opacity) << threshold << ", level " << level;
+    }
+  }
+}
+
+/// The brightness of what a sampler finds between the texels, for all samples that are drawn: linear light, 0..1.
+double darkest_drawn(const Image& mip, const Image& used, double discard) {
+  const auto light = [](std::uint8_t texel) { return std::pow(texel / 255.0, 2.2); };
+  double darkest = 1;
+  for (std::uint32_t y = 0; y < mip.height; ++y) {
+    for (std::uint32_t x = 0; x < mip.width; ++x) {
+      if (used.texels[std::size_t(y) * mip.width + x] == 0) continue;
+      for (const double u : {0.1, 0.5, 0.9}) {
+        for (const double v : {0.1, 0.5, 0.9}) {
+          double alpha = 0, color = 0;
+          for (std::uint32_t k = 0; k < 4; ++k) {
+            const std::uint32_t i = (x + k % 2) % mip.width, j = (y + k / 2) % mip.height;
+            const std::uint8_t* texel = &mip.texels[4 * (std::size_t(j) * mip.width + i)];
+            const double share = (k % 2 == 0 ? 1 - u : u) * (k / 2 == 0 ? 1 - v : v);
+            alpha += share * texel[3] / 255;
+            color += share * light(texel[0]);
+          }
+          if (alpha >= discard) darkest = std::min(darkest, color);
+        }
+      }
+    }
+  }
+  return darkest;
+}
+
+TEST(BakeTextures, WhiteHairOnBlackHasNoDarkEdgeInAnyMip) {
+  // White strands with soft edges; black under every clear texel, under those as good as clear, and where no hair is.
+  BaseColor color;
+  color.image = painted(kSide, kSide, [](std::uint32_t x, std::uint32_t y) {
+    const double strand = std::sin(x * 0.4 + 0.5 * std::sin(y * 0.05));
+    const auto alpha = std::uint8_t(std::clamp(400 * strand, 0.0, 255.0));
+    const std::uint8_t white = alpha > 5 && x < kSide / 2 ? 255 : 0;
+    return Rgba{white, white, white, alpha};
+  });
+  const BakedTextures textures = baked(color, left_half(), default_recipe());
+  AssetContents contents;
+  contents.textures = textures.records;
+  contents.texels = textures.texels;
+  contents.material = {pack_material(color, textures, left_half(), default_recipe())};
+  keep_coverage(textures.used, contents);
+  const auto mips = base_color_mips(contents);
+  for (std::size_t level = 0; level < mips.size(); ++level) {
+    EXPECT_GT(darkest_drawn(mips[level], textures.used[level], contents.material[0].discard_threshold), 0.97) << level;
+  }
+}
+
+TEST(BakeTextures, WhatTheHairDoesNotUseDoesNotShowInMips) {
+  BaseColor color;
+  color.image = painted(kSide, kSide, [](std::uint32_t x, std::uint32_t) {
+    return x < kSide / 2 ? Rgba{200, 30, 30, 255} : Rgba{30, 30, 200, 255};
+  });
+  const auto mips = stored_mips(baked(color, left_half(), default_recipe()), TextureRole::kBaseColor, 4);
+  for (std::size_t level = 0; level < mips.size(); ++level) {
+    const Image& mip = mips[level];
+    for (std::uint32_t y = 0; y < mip.height; ++y) {
+      EXPECT_GT(mip.texels[4 * std::size_t(y) * mip.width], 190) << "level " << level;
+      EXPECT_LT(mip.texels[4 * std::size_t(y) * mip.width + 2], 60) << "level " << level;
     }
   }
 }

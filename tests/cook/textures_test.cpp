@@ -1,4 +1,3 @@
-#include "cook/alpha_mips.h"
 #include "cook/image.h"
 #include "cook/shift_mask.h"
 
@@ -20,8 +19,6 @@ Image strands(std::uint32_t size) {
   return image;
 }
 
-Image all_used(std::uint32_t size) { return {size, size, 1, std::vector<std::uint8_t>(std::size_t(size) * size, 255)}; }
-
 TEST(Mips, GoDownToOneTexelAndFitTheLimit) {
   Image image = strands(64);
   image.height = 32;
@@ -39,35 +36,6 @@ TEST(Mips, ColorIsWeightedByAlpha) {
   // Averaging without weights would give half of the light; the strands' own colour must stay.
   EXPECT_NEAR(mips[1].texels[0], 200, 2);
   EXPECT_NEAR(mips[1].texels[3], 128, 2);
-}
-
-TEST(Mips, AlphaCoverageStaysAtEveryLevel) {
-  auto mips = make_mips(strands(128), 128, TexelMeaning::kSrgbColorAlpha);
-  // A pattern that box filtering turns into an even grey has no partial answer; roughen it.
-  Image rough = strands(128);
-  for (std::size_t i = 0; i < rough.texel_count(); ++i) {
-    rough.texels[4 * i + 3] =
-        std::uint8_t(127.5 + 127.5 * std::sin(double(i % 128) * 0.9) * std::cos(double(i / 128) * 0.05));
-  }
-  mips = make_mips(rough, 128, TexelMeaning::kSrgbColorAlpha);
-  const auto used = make_mips(all_used(128), 128, TexelMeaning::kNumbers);
-  const double wanted = alpha_coverage(mips[0], used[0], 0.75);
-  ASSERT_GT(wanted, 0.1);
-  const double before = alpha_coverage(mips[2], used[2], 0.75);
-  keep_alpha_coverage(mips, used, 0.75);
-  EXPECT_LT(before, 0.8 * wanted) << "filtering loses coverage";
-  for (std::size_t level = 1; level < 5; ++level) {
-    EXPECT_GE(alpha_coverage(mips[level], used[level], 0.75), wanted) << level;
-  }
-}
-
-TEST(Mips, EmptyTexelsTakeTheColorAroundThem) {
-  auto mips = make_mips(strands(16), 16, TexelMeaning::kSrgbColorAlpha);
-  fill_color_under_alpha(mips);
-  for (std::size_t i = 0; i < mips[0].texels.size(); i += 4) {
-    EXPECT_NEAR(mips[0].texels[i], 200, 4);
-    EXPECT_NEAR(mips[0].texels[i + 2], 50, 4);
-  }
 }
 
 TEST(ShiftMask, IsTheSameForTheSameSeedAndAnotherForAnother) {

@@ -2,6 +2,7 @@
 
 #include "cli/json_text.h"
 #include "cli/tuning_summary.h"
+#include "cook/mip_coverage.h"
 #include "shading_names.h"
 #include "write/chunk_file.h"
 
@@ -76,7 +77,21 @@ const char* name_of(TexelFormat format) {
   return "unknown";
 }
 
+/// Of the base colour with what each mip covers: hair that loses coverage gets thin with distance.
+ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCoverage>& coverage) {
+  ordered_json list = ordered_json::array();
+  for (std::uint32_t level = 0; level < texture.mip_count; ++level) {
+    list.push_back(
+        {{"width", std::max(1u, texture.width >> level)}, {"height", std::max(1u, texture.height >> level)}});
+    if (texture.role != TextureRole::kBaseColor || coverage.empty()) continue;
+    list.back()["coverage_pct"] = 100 * coverage[level].opaque;
+    list.back()["opacity_pct"] = 100 * coverage[level].opacity;
+  }
+  return list;
+}
+
 ordered_json texture_list(const Asset& asset) {
+  const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
   ordered_json list = ordered_json::array();
   for (const TextureRecord& texture : asset.textures()) {
     const char* role = texture.role == TextureRole::kBaseColor ? "base_color" : "shift_mask";
@@ -84,7 +99,7 @@ ordered_json texture_list(const Asset& asset) {
                     {"format", name_of(texture.format)},
                     {"width", texture.width},
                     {"height", texture.height},
-                    {"mips", texture.mip_count},
+                    {"mips", mip_list(texture, coverage)},
                     {"bytes", texture.bytes}});
   }
   return list;
@@ -213,8 +228,8 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   const ordered_json summary = summarize(asset);
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
-  for (const char* key :
-       {"triangles", "vertices", "patches", "orders", "chains", "bones", "simulated_bones", "twisting_bones", "colliders"}) {
+  for (const char* key : {"triangles", "vertices", "patches", "orders", "chains", "bones", "simulated_bones",
+                          "twisting_bones", "colliders"}) {
     text += count_line(key, summary[key]);
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);

@@ -6,57 +6,128 @@
 namespace coif {
 namespace {
 
-/// Of 255: what a threshold loses as a single-precision number of the asset.
-constexpr double kRounding = 1.0e-3;
-constexpr double kMaxScale = 4;  ///< A level that would need more has lost its strands.
+constexpr double kLargestFactor = 4;     ///< Of that at which the faintest solid texel just passes.
+constexpr double kCloseEnough = 1.0e-3;  ///< Of the figure that is wanted.
+constexpr int kSearchSteps = 10;         ///< Of a factor: to a 1000th of its range, less than a step of alpha.
+constexpr int kSearchRounds = 2;         ///< Both factors act on both figures, one mostly on each.
 
-std::uint8_t scaled(std::uint8_t alpha, double scale) {
-  return std::uint8_t(std::min(255.0, std::floor(double(alpha) * scale + 0.5)));
+/// Twelve bits that no pattern of a texture follows.
+std::uint32_t chance(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t h = x * 0x9E3779B1u ^ (y + 0x7F4A7C15u) * 0x85EBCA77u;
+  h = (h ^ h >> 15) * 0x2C1B3C6Du;
+  return (h ^ h >> 13) >> 20;
 }
 
-double coverage_at_scale(const Image& image, const Image& used, double threshold, double scale) {
-  std::uint64_t passing = 0, all = 0;
-  for (std::size_t i = 0; i < image.texel_count(); ++i) {
-    all += used.texels[i];
-    if (double(scaled(image.texels[4 * i + 3], scale)) >= threshold * 255 - kRounding) passing += used.texels[i];
+/// Which texel is more opaque than which: by alpha, then by the alpha around it, then by chance.
+std::vector<std::uint32_t> ranks(const Image& mip) {
+  const std::uint32_t width = mip.width, height = mip.height;
+  std::vector<std::uint32_t> result;
+  result.reserve(mip.texel_count());
+  const auto alpha = [&](std::uint32_t x, std::uint32_t y) {
+    return std::uint32_t(mip.texels[4 * (std::size_t(y) * width + x) + 3]);
+  };
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::uint32_t up = (y + height - 1) % height, down = (y + 1) % height;
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const std::uint32_t left = (x + width - 1) % width, right = (x + 1) % width;
+      const std::uint32_t around = alpha(left, y) + alpha(right, y) + alpha(x, up) + alpha(x, down);
+      result.push_back(alpha(x, y) << 24 | around << 12 | chance(x, y));
+    }
   }
-  return all > 0 ? double(passing) / double(all) : 0;
+  return result;
 }
+
+/// The rank from which on texels are to be solid, so that they hold as near to `share` of the used surface as can be.
+std::uint32_t solid_from(const std::vector<std::uint32_t>& rank, const Image& used, double share) {
+  struct Texel {
+    std::uint32_t rank;
+    std::uint8_t weight;
+  };
+  std::vector<Texel> texels;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < rank.size(); ++i) {
+    all += used.texels[i];
+    // Nothing can be seen where there is no alpha at all.
+    if (used.texels[i] != 0 && rank[i] >> 24 != 0) texels.push_back({rank[i], used.texels[i]});
+  }
+  std::ranges::sort(texels, [](const Texel& a, const Texel& b) { return a.rank > b.rank; });
+  const double wanted = share * double(all);
+  double held = 0;
+  std::uint32_t from = ~std::uint32_t{0};  // no texel has as much: four neighbours fill ten bits of twelve
+  for (const Texel& texel : texels) {
+    if (held + 0.5 * texel.weight > wanted) break;
+    held += texel.weight;
+    from = texel.rank;
+  }
+  return from;
+}
+
+/// One mip on the way to its coverage.
+class MipAlpha {
+ public:
+  MipAlpha(Image& mip, const Image& used, const AlphaThresholds& thresholds, double solid_share)
+      : mip_(mip),
+        used_(used),
+        thresholds_(thresholds),
+        rank_(ranks(mip)),
+        from_(solid_from(rank_, used, solid_share)) {
+    const std::uint32_t largest = *std::ranges::max_element(rank_) >> 24;
+    const double at_edge = double(std::max(std::min(from_ >> 24, largest), 1u));
+    solid_factor_ = blend_factor_ = least() / at_edge;
+    largest_factor_ = std::max(kLargestFactor * least(), 255.0) / at_edge;
+  }
+
+  /// Contrast of the solid texels decides how many samples between texels are solid, that of the others what is
+  /// hidden in all.
+  void approach(const AlphaCoverage& wanted) {
+    const bool blends = least_passing(thresholds_.discard) < least_passing(thresholds_.opaque);
+    for (int round = 0; round < kSearchRounds; ++round) {
+      search(solid_factor_, wanted.seen_opaque, &AlphaCoverage::seen_opaque);
+      if (blends) search(blend_factor_, wanted.opacity, &AlphaCoverage::opacity);
+    }
+    apply();
+  }
+
+ private:
+  [[nodiscard]] int least() const { return std::min(least_passing(thresholds_.opaque), 255); }
+
+  void search(double& factor, double wanted, double AlphaCoverage::*figure) {
+    double low = 0, high = largest_factor_;
+    for (int step = 0; step <= kSearchSteps; ++step) {
+      apply();
+      const double found = alpha_coverage(mip_, used_, thresholds_).*figure;
+      if (std::abs(found - wanted) < kCloseEnough * wanted) return;
+      (found < wanted ? low : high) = factor;
+      factor = 0.5 * (low + high);
+    }
+  }
+
+  void apply() {
+    for (std::size_t i = 0; i < rank_.size(); ++i) {
+      const double alpha = double(rank_[i] >> 24);
+      const bool solid = rank_[i] >= from_;
+      const double scaled = std::floor(alpha * (solid ? solid_factor_ : blend_factor_) + 0.5);
+      mip_.texels[4 * i + 3] =
+          std::uint8_t(solid ? std::clamp<double>(scaled, least(), 255) : std::min<double>(scaled, least() - 1));
+    }
+  }
+
+  Image& mip_;
+  const Image& used_;
+  AlphaThresholds thresholds_;
+  std::vector<std::uint32_t> rank_;
+  std::uint32_t from_;
+  double solid_factor_ = 1, blend_factor_ = 1, largest_factor_ = 1;
+};
 
 }  // namespace
 
-double alpha_coverage(const Image& image, const Image& used, double threshold) {
-  return coverage_at_scale(image, used, threshold, 1);
-}
-
-void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, double threshold) {
-  const double wanted = alpha_coverage(mips[0], used[0], threshold);
-  if (wanted <= 0 || wanted >= 1) return;
+void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, const AlphaThresholds& thresholds) {
+  if (least_passing(thresholds.opaque) == 0) return;
+  const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);
+  if (wanted.opacity <= 0) return;
   for (std::size_t level = 1; level < mips.size(); ++level) {
-    Image& mip = mips[level];
-    double low = 1, high = kMaxScale;
-    if (coverage_at_scale(mip, used[level], threshold, low) >= wanted) continue;
-    for (int step = 0; step < 12; ++step) {
-      const double middle = 0.5 * (low + high);
-      (coverage_at_scale(mip, used[level], threshold, middle) < wanted ? low : high) = middle;
-    }
-    for (std::size_t i = 3; i < mip.texels.size(); i += 4) mip.texels[i] = scaled(mip.texels[i], high);
-  }
-}
-
-void fill_color_under_alpha(std::span<Image> mips) {
-  // From the smallest level up: each empty texel takes the colour of the texel above it, which is already filled.
-  for (std::size_t level = mips.size() - 1; level-- > 0;) {
-    Image& fine = mips[level];
-    const Image& coarse = mips[level + 1];
-    for (std::uint32_t y = 0; y < fine.height; ++y) {
-      for (std::uint32_t x = 0; x < fine.width; ++x) {
-        std::uint8_t* texel = &fine.texels[4 * (std::size_t(y) * fine.width + x)];
-        if (texel[3] != 0) continue;
-        const std::uint32_t cx = std::min(x / 2, coarse.width - 1), cy = std::min(y / 2, coarse.height - 1);
-        std::copy_n(&coarse.texels[4 * (std::size_t(cy) * coarse.width + cx)], 3, texel);
-      }
-    }
+    MipAlpha(mips[level], used[level], thresholds, wanted.opaque).approach(wanted);
   }
 }
 

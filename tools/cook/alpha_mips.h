@@ -1,18 +1,19 @@
 #pragma once
 
-#include "cook/image.h"
+#include "cook/alpha_coverage.h"
+
+#include <span>
 
 namespace coif {
 
-/// Share of texels with at least this alpha (0..1), 0..1, each texel counting as much as `used` says (one channel, the
-/// image's size); 0 where none counts.
-[[nodiscard]] double alpha_coverage(const Image& image, const Image& used, double threshold);
-
-/// Scales the alpha of every smaller mip so that as many of the used texels pass `threshold` as in the largest. Box-filtered
-/// strands lose most of their coverage in a few levels, and hair would get thin with distance. `used` has a mip for each.
-void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, double threshold);
-
-/// Gives texels without alpha the colour of what is around them, so that filtering draws no dark or bright seams.
-void fill_color_under_alpha(std::span<Image> mips);
+/// Gives every smaller mip the coverage of the largest: as many of the used texels pass the opaque threshold, and
+/// what is hidden in all, blended texels included, is the same. Box-filtered strands lose most of their opaque texels
+/// in a few levels where they are thin, and gain some where they are dense; hair would get bald or fat with distance.
+/// Alpha keeps its order: what was more opaque than another texel still is. Texels of equal alpha differ by those
+/// around them, then by chance from a fixed seed, so that a level of one grey keeps its share too. `used` has a mip
+/// for each.
+///
+/// Goes further than Castaño 2010, "Computing alpha mipmaps", which scales alpha by one factor.
+void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, const AlphaThresholds& thresholds);
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #include "cook/bake_textures.h"
 
-#include "cook/alpha_mips.h"
 #include "cook/eac_rg11.h"
+#include "cook/fill_gaps.h"
 #include "cook/recipe_image.h"
 #include "cook/shift_mask.h"
 #include "cook/used_texels.h"
@@ -43,10 +43,11 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
     // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   }
+  image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
   BaseMips mips;
-  mips.color = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
   mips.used = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
-  fill_color_under_alpha(mips.color);
+  fill_gaps(image, mips.used[0]);
+  mips.color = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
   return mips;
 }
 

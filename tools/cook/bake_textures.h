@@ -19,11 +19,12 @@ struct BakedTextures {
   std::vector<LeftOut> left_out;
 };
 
-/// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats that the
-/// recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by keep_coverage(), once the
-/// threshold is known. In an atlas shift and mask follow each surface's own coordinates. An image that the recipe names and
-/// that cannot be read is an error. Shift and mask that are the same everywhere are numbers instead. Without texture
-/// coordinates nothing is stored. `hair` has the coordinates that find_base_color left.
+/// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats
+/// that the recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by
+/// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
+/// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
+/// numbers instead. Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
+/// left.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
                                                      const Recipe& recipe, const CookSettings& settings);
 

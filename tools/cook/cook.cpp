@@ -98,10 +98,10 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   if (!order) return tl::unexpected(order.error());
   report.notes.insert(report.notes.end(), order->begin(), order->end());
   // Last, since the threshold in use decides how much alpha the mips need.
-  run_timed(settings, report, "mips", [&] {
-    keep_coverage(parts->textures.used, contents);
-    return 0;
-  });
+  const KeptCoverage kept =
+      run_timed(settings, report, "mips", [&] { return keep_coverage(parts->textures.used, contents); });
+  report.notes.insert(report.notes.end(), kept.notes.begin(), kept.notes.end());
+  report.warnings.insert(report.warnings.end(), kept.warnings.begin(), kept.warnings.end());
   const std::vector<LeftOut> left_out = leave_out_parts(recipe, contents);
   report.left_out.insert(report.left_out.end(), left_out.begin(), left_out.end());
   fill_figures(*parts, contents, report);

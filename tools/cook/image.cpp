@@ -102,14 +102,23 @@ Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, Texe
   return result;
 }
 
+namespace {
+
+Image half(const Image& image, TexelMeaning meaning) {
+  return shrink(image, std::max(1u, image.width / 2), std::max(1u, image.height / 2), meaning);
+}
+
+}  // namespace
+
+Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning) {
+  while (std::max(image.width, image.height) > max_size) image = half(image, meaning);
+  return image;
+}
+
 std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning) {
-  const auto half = [&](const Image& i) {
-    return shrink(i, std::max(1u, i.width / 2), std::max(1u, i.height / 2), meaning);
-  };
-  while (std::max(image.width, image.height) > max_size) image = half(image);
   std::vector<Image> mips;
-  mips.push_back(std::move(image));
-  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(half(mips.back()));
+  mips.push_back(reduce(std::move(image), max_size, meaning));
+  while (mips.back().width > 1 || mips.back().height > 1) mips.push_back(half(mips.back(), meaning));
   return mips;
 }
 

@@ -39,7 +39,10 @@ enum class TexelMeaning {
 /// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
 [[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
 
-/// The image and all its halvings down to one texel. An image larger than `max_size` is first halved until it fits.
+/// The image, halved until no side is longer than `max_size`.
+[[nodiscard]] Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning);
+
+/// The image and all its halvings down to one texel. An image larger than `max_size` is reduced first.
 [[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
 
 }  // namespace coif
