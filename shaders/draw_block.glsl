@@ -16,6 +16,6 @@ layout(std140) uniform DrawBlock {
 #ifdef COIF_SHADOW
   mat4 shadow_from_view;
   vec4 shadow_depth;
-  vec4 shadow_map;         // w: index of the light that it belongs to
+  vec4 shadow_map;         // w: index of the light that it belongs to, instead of a texel's width
 #endif
 };

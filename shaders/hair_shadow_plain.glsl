@@ -3,7 +3,7 @@
 //
 //   place  map_from_origin * vec4(point, 1.0)
 //   depth  x, y, z: metres from the light are (x + y * z01) / (1 + z * z01) where the map holds z01; w: bias, metres
-//   map    x: texels each way; y: thickness of the first layer, metres; z: opacity of 1.0 in a texel; w: the host's own
+//   map    x: texels each way; y: thickness of the first layer, metres; z: opacity of 1.0 in a texel; w: a texel's width, metres
 
 uniform highp sampler2DShadow hair_shadow_solid;  // compares, and filters 2 x 2 texels, itself
 

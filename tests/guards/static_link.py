@@ -31,6 +31,9 @@ FEATURES = {
     "hair by coverage": r"kCoverageMode|kShader(CoverageOutput|KeepSharpened)",
     "screen-door hair": r"kScreenDoorMode|kShaderKeepScreenDoor",
     "hashed hair": r"kHashedMode|kShaderKeepHashed",
+    "shadows": r"HairShadow::(create|begin|draw|uniforms)",
+    "plain shadow maps": r"kPlainShadow|kShaderHairShadowPlain",
+    "deep opacity maps": r"kDeepOpacityShadow|kShaderHair(ShadowDeep|Layers)",
     "exact hair": r"kExactMode|exact_memory|draw_(lists|peeled)|kShader(FragmentLists|List|Peel|KeepPeeled)",
 }
 
@@ -44,6 +47,8 @@ PROGRAMS = {
     "make_renderer": {"renderer"},
     "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers", "blended hair"},
     "draw_hashed": {"renderer", "drawing", "upload", "asset access for tools and renderers", "hashed hair"},
+    "cast_plainly": {"renderer", "drawing", "upload", "asset access for tools and renderers", "opaque hair", "shadows",
+                     "plain shadow maps"},
     "draw_exactly": {"renderer", "drawing", "upload", "asset access for tools and renderers", "exact hair"},
 }
 

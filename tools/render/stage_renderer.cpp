@@ -44,13 +44,13 @@ constexpr char kPreamble[] = "#version 300 es\nprecision highp float;\nprecision
 
 constexpr char kNoShadow[] = "float key_light(vec3 place, vec3 n) { return 1.0; }\n";
 
-// A surface is looked up a little above itself, by the shadow's own bias: light that grazes it would find it in shadow.
+// A surface is looked up a little above itself: light that grazes it would find it in shadow.
 constexpr char kShadow[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
 float key_light(vec3 place, vec3 n) {
-  return hair_light(map_from_world * vec4(place + n * shadow_depth.w, 1.0), shadow_depth, shadow_map);
+  return hair_light(map_from_world * vec4(place + n * (shadow_depth.w + 1.5 * shadow_map.w), 1.0), shadow_depth, shadow_map);
 }
 )glsl";
 

@@ -108,8 +108,16 @@ std::uint32_t texel_bytes(const HairShadow& shadow) {
 
 }  // namespace
 
+// Within a layer a card shades itself by the share of the layer that lies before it, so little bias is needed.
 const ShadowTechnique kDeepOpacityShadow = {
-    "deep",      2,          {{kFrontFramebuffer, plan_front}, {kLayersFramebuffer, plan_layers}}, choose_lookup, make,
-    first_layer, texel_bytes};
+    .name = "deep",
+    .caster_slope_bias = 2,
+    .texel_bias = 0.25f,
+    .stage_count = 2,
+    .stages = {{kFrontFramebuffer, 0.5f, plan_front}, {kLayersFramebuffer, 0, plan_layers}},
+    .choose_lookup = choose_lookup,
+    .make = make,
+    .first_layer = first_layer,
+    .texel_bytes = texel_bytes};
 
 }  // namespace coif

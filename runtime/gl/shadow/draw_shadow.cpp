@@ -85,13 +85,16 @@ Status HairShadow::draw(std::span<const ShadowCrowd> crowds) {
 Status HairShadow::draw_stage(const ShadowStage& stage, std::span<const ShadowCrowd> crowds) {
   const GlFunctions& gl = renderer_->functions();
   functions().BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[stage.framebuffer]);
-  set_slope_bias(gl, functions(), stage.framebuffer == kLayersFramebuffer ? 0 : kSlopeTexels);
+  set_slope_bias(gl, functions(), stage.slope_bias);
   clear_stage(functions(), stage.framebuffer, textures_[kFarLayersTexture] != 0);
   for (const ShadowCrowd& crowd : crowds) {
     const HairModel& model = *crowd.model;
-    DrawDesc desc;
-    desc.eye = origin_of(view_.eye);
-    desc.material = crowd.material;
+    // No way to draw soft hair is named: a program would hold it.
+    const DrawDesc desc{.clip_from_world = {},
+                        .eye = origin_of(view_.eye),
+                        .lights = {},
+                        .material = crowd.material,
+                        .transparency = nullptr};
     DrawBlock block;
     const Status filled = fill_draw_block(desc, material_of(crowd), CrowdDraw::rows_of_head(model), block);
     if (filled != Status::kOk) return filled;

@@ -117,7 +117,7 @@ Status HairShadow::begin(const Light& light, const ShadowBall& ball) {
   functions().Viewport(0, 0, side, side);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
-  set_slope_bias(gl, functions(), kSlopeTexels);
+  set_slope_bias(gl, functions(), desc_.technique->caster_slope_bias);
   gl.Disable(GL_CULL_FACE);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);

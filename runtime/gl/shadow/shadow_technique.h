@@ -21,6 +21,7 @@ enum ShadowFramebuffer : std::uint32_t { kSolidFramebuffer, kFrontFramebuffer, k
 /// One drawing of all hair.
 struct ShadowStage {
   ShadowFramebuffer framebuffer;
+  float slope_bias;  ///< Texels, see set_slope_bias().
   /// Passes over an asset whose texture's alpha lies in this range; one or none.
   PassList (*plan_passes)(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup& lookup);
 };
@@ -29,6 +30,8 @@ struct ShadowTechnique {
   static constexpr std::uint32_t kMostStages = 2;
 
   const char* name;
+  float caster_slope_bias;  ///< Texels; of what the host draws.
+  float texel_bias;         ///< Of a lookup, texels beside ShadowDesc::bias.
   std::uint32_t stage_count;
   ShadowStage stages[kMostStages];
   /// Null for numbers that the technique cannot have.
@@ -53,8 +56,6 @@ struct ShadowTechnique {
 /// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself where
 /// light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.
 void set_slope_bias(const GlFunctions& gl, const ShadowFunctions& functions, float texels);
-
-inline constexpr float kSlopeTexels = 2;  // 3 x 3 texels, and what the hardware's 2 x 2 reach beyond
 
 /// Leaves it bound.
 [[nodiscard]] GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth);

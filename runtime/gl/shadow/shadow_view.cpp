@@ -117,10 +117,11 @@ ShadowUniforms HairShadow::uniforms(const Vec3& origin) const {
   uniforms.depth[0] = static_cast<float>(is_directional ? 0.0 : d - r);
   uniforms.depth[1] = static_cast<float>(is_directional ? 2 * r : 0.0);
   uniforms.depth[2] = static_cast<float>(is_directional ? 0.0 : -2 * r / (d + r));
-  uniforms.depth[3] = static_cast<float>(double(desc_.bias) + texel);
+  uniforms.depth[3] = static_cast<float>(double(desc_.bias) + double(desc_.technique->texel_bias) * texel);
   uniforms.map[0] = static_cast<float>(desc_.size);
   uniforms.map[1] = desc_.technique->first_layer(desc_);
   uniforms.map[2] = opacity_unit_;
+  uniforms.map[3] = static_cast<float>(texel);
   return uniforms;
 }
 

@@ -30,9 +30,10 @@ struct ShadowDesc {
   const ShadowTechnique* technique = &kDeepOpacityShadow;
   std::uint32_t size = 512;  ///< Texels each way, 16..4096.
   std::uint32_t layers = 4;  ///< kDeepOpacityShadow: 4 or 8.
-  float depth = 0.12f;  ///< kDeepOpacityShadow: metres from the first layer's front to the last one's end, > 0. What
-                        ///< lies deeper counts to the last layer.
-  float bias = 0.003f;  ///< Metres, >= 0, and a texel's width more: what is nearer to a surface does not shade it.
+  /// kDeepOpacityShadow: metres from the first layer's front to the last one's end, > 0. What lies deeper counts to the last.
+  float depth = 0.08f;
+  float bias =
+      0;  ///< Metres, >= 0: what is nearer to a surface does not shade it. Some of a texel's width comes on top.
 };
 
 /// A ball, world, metres: what casts shadows and what may catch them.
@@ -139,7 +140,7 @@ class HairShadow {
   alignas(void*) std::byte functions_[kFunctionBytes] = {};
   HairRenderer* renderer_ = nullptr;
   const ShadowLookup* lookup_ = nullptr;
-  ShadowDesc desc_;
+  ShadowDesc desc_{.technique = nullptr};  // a default would hold a technique that nobody named
   std::uint32_t textures_[kTextures] = {};
   std::uint32_t framebuffers_[kFramebuffers] = {};
   float opacity_unit_ = 1;  ///< What 1 in a texel of the layers stands for.
