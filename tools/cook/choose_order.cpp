@@ -21,7 +21,7 @@ constexpr float kLowest = 0.495f;
 constexpr float kHighest = 0.955f;
 
 /// dB. More views find more where more is left to be sorted, so a quick search flatters low thresholds.
-constexpr double kThresholdGain = 1;
+constexpr double kThresholdGain = 2;
 constexpr std::size_t kQuickViews = 8;
 constexpr std::size_t kQuickLines = 3000;
 
@@ -115,16 +115,19 @@ class OrderChoice {
     return search_orders(HairSurface(OpenedAsset(tried).asset()), poses_, head_, settings);
   }
 
-  /// Downwards from the usual one as long as it helps, then upwards. Lower thresholds hide more of what should shine
-  /// through, and leave less to be sorted.
+  /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
+  /// and leave less to be sorted.
   [[nodiscard]] FoundOrders best_threshold(const FoundOrders& usual) const {
-    FoundOrders best = usual;
-    for (const float step : {-kThresholdStep, kThresholdStep}) {
-      for (float threshold = usual_threshold_ + step; threshold > kLowest && threshold < kHighest; threshold += step) {
-        FoundOrders tried = quick_search(threshold, best.rule.faces_together);
-        if (tried.found.psnr <= best.found.psnr + (step < 0 ? kThresholdGain : 0)) break;
-        best = std::move(tried);
-      }
+    FoundOrders higher = climb(usual, kThresholdStep);
+    FoundOrders lower = climb(usual, -kThresholdStep);
+    return lower.found.psnr > higher.found.psnr + kThresholdGain ? std::move(lower) : std::move(higher);
+  }
+
+  [[nodiscard]] FoundOrders climb(FoundOrders best, float step) const {
+    for (float threshold = usual_threshold_ + step; threshold > kLowest && threshold < kHighest; threshold += step) {
+      FoundOrders tried = quick_search(threshold, best.rule.faces_together);
+      if (tried.found.psnr <= best.found.psnr) break;
+      best = std::move(tried);
     }
     return best;
   }
@@ -165,7 +168,7 @@ std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshol
 
 tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
                                                                unsigned threads, AssetContents& contents) {
-  if (recipe.order_method == "head" || !blends(contents)) return std::vector<std::string>{};
+  if (!recipe.scene_draw || recipe.order_method == "head" || !blends(contents)) return std::vector<std::string>{};
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return std::vector<std::string>{};  // the cooker says why where it opens what it wrote
   const auto poses = find_poses(opened.asset());

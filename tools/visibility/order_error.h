@@ -25,7 +25,7 @@ struct DrawRule {
 [[nodiscard]] double threshold_error(const SightLines& lines, float opaque_threshold);
 
 /// By how much colours of the layers behind a pixel differ, RMS, of 1: measured on cooked hair in the renderer's light.
-inline constexpr double kColorSpread = 0.15;
+inline constexpr double kColorSpread = 0.07;
 
 /// Of a picture with this squared error, summed over so many pixels; at most 99.
 [[nodiscard]] double psnr_db(double squared_error, std::size_t pixels);

@@ -1,0 +1,160 @@
+// The pass that chooses draw orders, on packed cards whose right order is known.
+
+#include "cook/choose_order.h"
+
+#include "report/opened_asset.h"
+#include "visibility/card_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace coif {
+namespace {
+
+/// Four cards one behind the other, in the order of their distance from the head: as seen from +Z the nearest comes first.
+AssetContents stack() {
+  std::vector<Card> cards;
+  for (int i = 0; i < 4; ++i) cards.push_back({.center = {0, 0, -0.02f * float(i)}, .alpha = 150});
+  return card_contents(cards);
+}
+
+/// A coarser level with two triangles of each card but the second.
+AssetContents stack_of_two_levels() {
+  AssetContents contents = stack();
+  const std::vector<PatchRecord> finest = contents.patches;
+  for (const std::uint32_t p : {0u, 2u, 3u}) {
+    PatchRecord patch = finest[p];
+    const auto first = contents.indices.begin() + patch.first_index;
+    const std::vector<std::uint32_t> triangle(first, first + 3);
+    patch.first_index = std::uint32_t(contents.indices.size());
+    patch.index_count = 3;
+    contents.indices.insert(contents.indices.end(), triangle.begin(), triangle.end());
+    contents.patches.push_back(patch);
+  }
+  contents.lods = {{0, 4, 0.1f, 0}, {4, 3, 0, 0.01f}};
+  contents.lod_bones = {0};
+  return contents;
+}
+
+Recipe recipe_with(const std::string& method) {
+  Recipe recipe = default_recipe();
+  recipe.order_method = method;
+  return recipe;
+}
+
+std::vector<std::string> choose(const Recipe& recipe, AssetContents& contents, unsigned threads = 2) {
+  const auto notes = choose_order(recipe, {}, threads, contents);
+  EXPECT_TRUE(notes) << (notes ? "" : notes.error().message);
+  EXPECT_TRUE(OpenedAsset(contents).asset().is_open()) << "the format allows the result";
+  return notes ? *notes : std::vector<std::string>{};
+}
+
+TEST(ChooseOrder, StackOfCardsGetsOrdersByDirection) {
+  AssetContents contents = stack();
+  const auto notes = choose(recipe_with("auto"), contents);
+  EXPECT_GE(contents.orders.size(), 2 * 8u);
+  EXPECT_EQ(contents.order_views.size(), kViewCells);
+  ASSERT_FALSE(notes.empty());
+  EXPECT_NE(notes[0].find("orders of triangles by direction"), std::string::npos) << notes[0];
+}
+
+TEST(ChooseOrder, EveryTriangleKeepsItsCorners) {
+  AssetContents contents = stack_of_two_levels();
+  const AssetContents before = contents;
+  choose(recipe_with("auto"), contents);
+  const auto triangles_of = [](const AssetContents& c, const PatchRecord& patch) {
+    const auto first = c.indices.begin() + patch.first_index;
+    return std::vector<std::uint32_t>(first, first + patch.index_count);
+  };
+  for (std::size_t level = 0; level < 2; ++level) {
+    for (std::uint32_t i = 0; i < before.lods[level].patch_count; ++i) {
+      const PatchRecord& old = before.patches[before.lods[level].first_patch + i];
+      const auto begin = contents.patches.begin() + contents.lods[level].first_patch;
+      const auto now = std::find_if(begin, begin + contents.lods[level].patch_count,
+                                    [&](const PatchRecord& p) { return p.file_place == old.file_place; });
+      EXPECT_EQ(triangles_of(contents, *now), triangles_of(before, old));
+      EXPECT_EQ(now->head_distance, old.head_distance);
+    }
+  }
+}
+
+TEST(ChooseOrder, CoarserLevelsFollowTheFinest) {
+  AssetContents contents = stack_of_two_levels();
+  choose(recipe_with("auto"), contents);
+  const std::size_t all = contents.indices.size() / 3;
+  ASSERT_FALSE(contents.orders.empty());
+  for (std::size_t start = 0; start < contents.orders.size(); start += all) {
+    // Cards are told by their first vertices, four to a card.
+    const auto card_at = [&](std::size_t position) {
+      return contents.indices[3 * std::size_t{contents.orders[start + position]}] / 4;
+    };
+    const auto place_of = [&](std::uint32_t card) {
+      std::size_t sum = 0;
+      for (std::size_t i = 0; i < 8; ++i) sum += card_at(i) == card ? i : 0;
+      return sum;
+    };
+    for (std::size_t i = 9; i < all; ++i) EXPECT_LE(place_of(card_at(i - 1)), place_of(card_at(i)));
+  }
+}
+
+TEST(ChooseOrder, RecipeDecidesHowManyOrdersThereAre) {
+  Recipe recipe = recipe_with("views");
+  recipe.order_max = 2;
+  AssetContents contents = stack();
+  choose(recipe, contents);
+  EXPECT_LE(contents.orders.size(), 8u);
+
+  contents = stack();
+  choose(recipe_with("single"), contents);
+  EXPECT_TRUE(contents.orders.empty());
+  EXPECT_TRUE(contents.order_views.empty());
+
+  recipe = recipe_with("auto");
+  recipe.order_max_bytes = 31;
+  contents = stack();
+  choose(recipe, contents);
+  EXPECT_TRUE(contents.orders.empty()) << "an order of eight triangles takes 32";
+
+  recipe = recipe_with("auto");
+  recipe.order_min_gain = 100;
+  contents = stack();
+  choose(recipe, contents);
+  EXPECT_TRUE(contents.orders.empty());
+}
+
+void expect_untouched(const Recipe& recipe, AssetContents contents) {
+  const std::vector<std::byte> before = write_asset(contents);
+  EXPECT_TRUE(choose(recipe, contents).empty());
+  EXPECT_EQ(write_asset(contents), before);
+}
+
+TEST(ChooseOrder, HeadDistanceIsKeptWhereItIsAskedForOrNothingIsBlended) {
+  expect_untouched(recipe_with("head"), stack());
+  AssetContents contents = stack();
+  contents.material[0].opaque_threshold = contents.material[0].discard_threshold;
+  expect_untouched(default_recipe(), contents);
+  Recipe undrawn = default_recipe();
+  undrawn.scene_draw = false;
+  expect_untouched(undrawn, stack());
+}
+
+TEST(ChooseOrder, RecipesThresholdStays) {
+  Recipe recipe = default_recipe();
+  recipe.opaque_threshold = 0.9;
+  AssetContents contents = stack();
+  contents.material[0].opaque_threshold = 0.9f;
+  choose(recipe, contents);
+  EXPECT_EQ(contents.material[0].opaque_threshold, 0.9f);
+}
+
+TEST(ChooseOrder, ThreadsDoNotChangeTheBytes) {
+  AssetContents one = stack_of_two_levels(), three = one;
+  choose(default_recipe(), one, 1);
+  choose(default_recipe(), three, 3);
+  EXPECT_EQ(write_asset(one), write_asset(three));
+}
+
+}  // namespace
+}  // namespace coif
