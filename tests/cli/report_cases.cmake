@@ -5,7 +5,7 @@ coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: no
   TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
 coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
 coif_cli_case(report_unknown_subject EXIT 1
-  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, cost" ARGS report a.coif speed)
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost" ARGS report a.coif speed)
 coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
   ARGS report a.coif accuracy -o out.pdf)
 coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
@@ -79,10 +79,39 @@ coif_cli_case(report_heads_for_accuracy EXIT 1
 coif_cli_case(report_undrawn_stability EXIT 1
   STDERR "coif report: error: --no-drawing is for 'coif report FILE.coif cost' only; leave it out"
   ARGS report a.coif stability --no-drawing)
+coif_cli_case(report_views_for_cost EXIT 1
+  STDERR "coif report: error: --views is for 'coif report FILE.coif order' only; leave it out"
+  ARGS report a.coif cost --views 3)
+coif_cli_case(report_size_for_accuracy EXIT 1
+  STDERR "coif report: error: --size is for 'coif report FILE.coif cost' or 'order' only; leave it out"
+  ARGS report a.coif accuracy --size 64x64)
+coif_cli_case(report_no_views EXIT 1 STDERR "coif report: error: --views" ARGS report a.coif order --views 0)
+coif_cli_case(report_long_orbit EXIT 1 STDERR "coif report: error: --orbit" ARGS report a.coif order --orbit 361)
 coif_cli_case(report_table1_for_accuracy EXIT 1
   STDERR "coif report: error: --table1 is for 'coif report FILE.coif cost' only; leave it out"
   ARGS report a.coif accuracy --table1)
 coif_cli_case(report_no_heads EXIT 1 STDERR "coif report: error: --heads" ARGS report a.coif cost --heads 10,0)
 coif_cli_case(report_no_time EXIT 1 STDERR "coif report: error: --time" ARGS report a.coif cost --time 0)
+
+set(quick_order --size 48x48 --views 4 --orbit 3)
+coif_cli_case(report_order_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
+  STDOUT "bob.coif: [0-9]+ bones, .*\n  rest +head .*\n  rest +opaque .*own order .*out.html: written"
+  ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} -o out.html)
+coif_cli_case(report_order_json EXIT 0 SAMPLE TIMEOUT 300
+  JSON asset device width views orders orbit_frames rows,3,order rows,3,pose rows,3,faces rows,3,psnr_db rows,3,rmse
+       rows,3,worst_psnr_db rows,3,bad_pixels_pct rows,3,popping rows,3,median_psnr_db rows,3,ms_per_frame rows,3,bytes
+       modes,1,transparency modes,1,psnr_db gain_over_head_db,rest gain_over_head_db,turn gain_over_head_db,charge
+       thresholds,1,opaque_threshold distance,1,pixels distance,1,coverage_pct reference,0,max_difference worst,0,yaw
+       left_out
+  ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} --format json)
+coif_cli_case(report_order_alone EXIT 0 SAMPLE STDOUT "\n  charge +triangles " TIMEOUT 300
+  ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} --no-modes)
+coif_cli_case(report_order_too_large EXIT 1 SAMPLE
+  STDERR "bob.coif: pictures that are compared have 16 to 1024 pixels each way"
+  ARGS report ${COIF_COOKED_SAMPLE} order --size 2000x64)
+coif_cli_case(report_order_without_device EXIT 5 SAMPLE STDERR "bob.coif: no EGL display with OpenGL ES 3.0"
+  ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order})
+set_tests_properties(cli.report_order_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
+coif_cli_script(report_order_needs_a_mesh SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
 
 coif_cli_script(report_needs_gnuplot SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})

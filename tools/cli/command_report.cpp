@@ -13,6 +13,12 @@
 #include "report/page/cost_page.h"
 #include "report/page/cost_text.h"
 #include "report/page/draw_plot.h"
+#include "report/page/order_json.h"
+#include "report/page/order_page.h"
+#include "report/page/order_text.h"
+#include "report/page/shadow_json.h"
+#include "report/page/shadow_page.h"
+#include "report/page/shadow_text.h"
 #include "report/page/stability_json.h"
 #include "report/page/stability_page.h"
 #include "report/page/stability_text.h"
@@ -94,11 +100,39 @@ tl::expected<Rendered, ToolError> report_cost(const ReportOptions& options, cons
                 [&] { return cost_page(heading, *report); });
 }
 
+tl::expected<Rendered, ToolError> report_order(const ReportOptions& options, const std::string& suffix,
+                                               const Asset& asset) {
+  OrderSettings settings = options.order;
+  if (options.size_option->count() > 0) {
+    settings.width = options.size.width;
+    settings.height = options.size.height;
+  }
+  ReportHeading heading = heading_of(asset, options.file);
+  const auto report = timed(options.file, heading,
+                            [&](const ReportProgress& progress) { return measure_order(asset, settings, progress); });
+  if (!report) return tl::unexpected(report.error());
+  return render(options, suffix, order_text(heading, *report), order_json(heading, *report),
+                [&] { return order_page(heading, *report); });
+}
+
+tl::expected<Rendered, ToolError> report_shadows(const ReportOptions& options, const std::string& suffix,
+                                                 const Asset& asset) {
+  ReportHeading heading = heading_of(asset, options.file);
+  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
+    return measure_shadows(asset, options.shadows, progress);
+  });
+  if (!report) return tl::unexpected(report.error());
+  return render(options, suffix, shadow_text(heading, *report), shadow_json(heading, *report),
+                [&] { return shadow_page(heading, *report); });
+}
+
 tl::expected<Rendered, ToolError> report_subject(const ReportOptions& options, const AccuracySettings& accuracy,
                                                  const std::string& suffix, const Asset& asset) {
   switch (options.subject) {
     case ReportSubject::kAccuracy: return report_accuracy(options, accuracy, suffix, asset);
     case ReportSubject::kStability: return report_stability(options, suffix, asset);
+    case ReportSubject::kOrder: return report_order(options, suffix, asset);
+    case ReportSubject::kShadows: return report_shadows(options, suffix, asset);
     case ReportSubject::kCost: return report_cost(options, suffix, asset);
   }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});
@@ -152,7 +186,7 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
 
 Command add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "report", "Measure how wrong every way to run an asset is, what it survives or what it costs");
+      "report", "Measure how wrong every way to run or draw an asset is, what it survives or what it costs");
   app->description(app->get_description() + "\n\n" + motion_help());
   const auto options = std::make_shared<ReportOptions>();
   add_report_options(*app, *options);

@@ -8,8 +8,11 @@
 namespace coif {
 namespace {
 
-constexpr Choice<ReportSubject> kSubjects[] = {
-    {"accuracy", ReportSubject::kAccuracy}, {"stability", ReportSubject::kStability}, {"cost", ReportSubject::kCost}};
+constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccuracy},
+                                               {"stability", ReportSubject::kStability},
+                                               {"order", ReportSubject::kOrder},
+                                               {"shadows", ReportSubject::kShadows},
+                                               {"cost", ReportSubject::kCost}};
 
 /// An option that may stand several times, with one value or several between commas each time.
 template <typename Value>
@@ -62,21 +65,38 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_cost_options(CLI::App& app, ReportOptions& options) {
-  CostChoice& cost = options.cost;
-  options.size_option = add_size(app, options.size);
+std::vector<const CLI::Option*> add_cost_options(CLI::App& app, CostChoice& cost) {
   CLI::Option* const undrawn = app.add_flag("!--no-drawing", cost.draws, "Leave out what drawing costs");
-  options.cost_only = {
-      add_list(app, "--heads", cost.simulation.heads, "Sizes of the crowd, repeatable")
-          ->check(CLI::Range(1u, 1000000u))
+  return {add_list(app, "--heads", cost.simulation.heads, "Sizes of the crowd, repeatable")
+              ->check(CLI::Range(1u, 1000000u))
+              ->capture_default_str(),
+          app.add_option("--time", cost.seconds, "Seconds to measure for, about")
+              ->check(CLI::Range(0.1, 3600.0))
+              ->capture_default_str(),
+          undrawn,
+          app.add_flag("--table1", cost.thesis_table,
+                       "Also Table 1 of the thesis: 20, 50, 100 and 200 heads at 1024x768 or --size, for --time again")
+              ->excludes(undrawn)};
+}
+
+std::vector<const CLI::Option*> add_order_options(CLI::App& app, OrderSettings& order) {
+  return {
+      app.add_option("--views", order.views, "Directions to look from")
+          ->check(CLI::Range(1u, kMostOrderViews))
           ->capture_default_str(),
-      app.add_option("--time", cost.seconds, "Seconds to measure for, about")
-          ->check(CLI::Range(0.1, 3600.0))
+      app.add_option("--orbit", order.orbit_frames, "Frames, a degree apart, in which popping is looked for; 0: none")
+          ->check(CLI::Range(0u, 360u))
           ->capture_default_str(),
-      options.size_option, undrawn,
-      app.add_flag("--table1", cost.thesis_table,
-                   "Also Table 1 of the thesis: 20, 50, 100 and 200 heads at 1024x768 or --size, for --time again")
-          ->excludes(undrawn)};
+      app.add_flag("!--no-modes", order.modes, "Leave out other ways to draw, opaque thresholds and distances")};
+}
+
+std::vector<const CLI::Option*> add_shadow_options(CLI::App& app, ShadowSettings& shadows) {
+  return {add_list(app, "--map-size", shadows.sizes, "Texels each way of a shadow's map, repeatable")
+              ->check(CLI::Range(16u, 4096u))
+              ->capture_default_str(),
+          app.add_option("--spacing", shadows.spacing, "Metres between the lines of the exact reference")
+              ->check(CLI::Range(0.0005, 0.02))
+              ->capture_default_str()};
 }
 
 /// Error (kUsage): one of `only`, which only `subject` takes, was given.
@@ -113,7 +133,11 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
       app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
           ->check(CLI::Range(0.001, 1000.0))
           ->capture_default_str()};
-  add_cost_options(app, options);
+  options.cost_only = add_cost_options(app, options.cost);
+  options.order_only = add_order_options(app, options.order);
+  options.shadows_only = add_shadow_options(app, options.shadows);
+  options.size_option =
+      add_size(app, options.size)->description("Pixels of a picture (default: cost 512x384, order 160x160)");
   add_format(app, options.format);
 }
 
@@ -121,8 +145,17 @@ tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
   if (options.subject != ReportSubject::kAccuracy) {
     if (auto refused = refuse(options.accuracy_only, "accuracy"); !refused) return refused;
   }
-  if (options.subject != ReportSubject::kCost) return refuse(options.cost_only, "cost");
-  return {};
+  if (options.subject != ReportSubject::kCost) {
+    if (auto refused = refuse(options.cost_only, "cost"); !refused) return refused;
+  }
+  if (options.subject != ReportSubject::kOrder) {
+    if (auto refused = refuse(options.order_only, "order"); !refused) return refused;
+  }
+  if (options.subject != ReportSubject::kShadows) {
+    if (auto refused = refuse(options.shadows_only, "shadows"); !refused) return refused;
+  }
+  const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder;
+  return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost' or 'order");
 }
 
 }  // namespace coif

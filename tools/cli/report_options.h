@@ -5,6 +5,8 @@
 #include "cli/options.h"
 #include "report/measure_accuracy.h"
 #include "report/measure_stability.h"
+#include "report/order/measure_order.h"
+#include "report/shadow/measure_shadows.h"
 
 #include <memory>
 #include <optional>
@@ -13,7 +15,7 @@
 
 namespace coif {
 
-enum class ReportSubject { kAccuracy, kStability, kCost };
+enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost };
 
 struct ReportOptions {
   std::string file;
@@ -23,12 +25,16 @@ struct ReportOptions {
   AccuracySettings accuracy;
   std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
   StabilitySettings stability;
-  CostChoice cost;  ///< But for the size of its pictures.
+  CostChoice cost;      ///< But for the size of its pictures.
+  OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
+  ShadowSettings shadows;
   PixelSize size{512, 384};
-  const CLI::Option* size_option = nullptr;  ///< Of `size`; owned by the program.
   /// Options that only one subject takes; owned by the program.
   std::vector<const CLI::Option*> accuracy_only;
   std::vector<const CLI::Option*> cost_only;
+  std::vector<const CLI::Option*> order_only;
+  std::vector<const CLI::Option*> shadows_only;
+  const CLI::Option* size_option = nullptr;  ///< For subjects with pictures.
 };
 
 /// Declares the options of `coif report`; `options` must outlive the parsing.

@@ -60,7 +60,8 @@ struct OrderPictures::Device {
 OrderPictures::OrderPictures() = default;
 OrderPictures::~OrderPictures() = default;
 
-tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(const Asset& asset) {
+tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(const Asset& asset,
+                                                                              const RendererDesc& desc) {
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
     return fail(ToolError::Kind::kBadInput,
                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
@@ -71,7 +72,7 @@ tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(co
   made->points_ = framed_points(asset);
   made->device_ = std::make_unique<Device>(std::move(*context));
   Device& device = *made->device_;
-  if (device.renderer.create(device.context.loader()) != Status::kOk) {
+  if (device.renderer.create(device.context.loader(), desc) != Status::kOk) {
     return fail(ToolError::Kind::kUnsupported,
                 std::string("the renderer does not start: ") + device.renderer.failure());
   }

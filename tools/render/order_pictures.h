@@ -40,7 +40,8 @@ class OrderPictures {
  public:
   /// `asset`: what all variants have in common, bones and colliders; not kept. Errors: kUnsupported where no EGL display with
   /// OpenGL ES 3.0 can be had, kBadInput for an asset without a mesh.
-  static tl::expected<std::unique_ptr<OrderPictures>, ToolError> create(const Asset& asset);
+  static tl::expected<std::unique_ptr<OrderPictures>, ToolError> create(const Asset& asset,
+                                                                        const RendererDesc& desc = {});
   ~OrderPictures();
 
   /// Uploads a variant, which may go afterwards, and returns its number. Error (kUnsupported): the driver refuses it.

@@ -10,6 +10,7 @@ namespace coif {
 namespace {
 
 constexpr double kOrbitPitch = 5;
+constexpr std::uint32_t kOrbitDivisor = 2;  // a quarter of the pixels shows as well what pops
 
 /// A way's pictures so far, and the worst of them.
 struct Running {
@@ -50,8 +51,10 @@ HairShot PictureComparer::shot(const DrawnWay& way, const PosedHair& hair, const
 }
 
 tl::expected<Picture, ToolError> PictureComparer::take(const DrawnWay& way, const PosedHair& hair,
-                                                       const ViewAngle& view) {
-  const HairShot taken = shot(way, hair, view);
+                                                       const ViewAngle& view, std::uint32_t divisor) {
+  HairShot taken = shot(way, hair, view);
+  taken.width /= divisor;
+  taken.height /= divisor;
   if (way.sorts_triangles) {
     const OpenedAsset sorted(sorted_by_triangle(finest_, hair.positions, pictures_.eye(taken).cast<float>()));
     if (auto replaced = pictures_.replace(way.model, sorted.asset()); !replaced) {
@@ -92,10 +95,10 @@ tl::expected<std::vector<double>, ToolError> PictureComparer::on_orbit(
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     progress(frame);
     const ViewAngle view{double(frame), kOrbitPitch};
-    auto exact = take(exact_, pose.moments.front(), view);
+    auto exact = take(exact_, pose.moments.front(), view, kOrbitDivisor);
     if (!exact) return tl::unexpected(exact.error());
     for (std::size_t w = 0; w < ways.size(); ++w) {
-      auto picture = take(ways[w], pose.moments.front(), view);
+      auto picture = take(ways[w], pose.moments.front(), view, kOrbitDivisor);
       if (!picture) return tl::unexpected(picture.error());
       if (frame > 0) changes[w] += excess_change(exact_before.rgba, exact->rgba, before[w].rgba, picture->rgba);
       before[w] = std::move(*picture);

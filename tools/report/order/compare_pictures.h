@@ -36,12 +36,14 @@ class PictureComparer {
                                                                  const std::function<void(std::size_t view)>& progress);
 
   /// One per way: RMS of what a pixel changes in excess of the exact one, over `frames` frames by a degree each around the
-  /// pose's first moment.
+  /// pose's first moment, half as wide and high.
   tl::expected<std::vector<double>, ToolError> on_orbit(std::span<const DrawnWay> ways, const OrderPose& pose,
                                                         std::uint32_t frames,
                                                         const std::function<void(std::uint32_t frame)>& progress);
 
-  tl::expected<Picture, ToolError> take(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view);
+  /// `divisor`: of width and height.
+  tl::expected<Picture, ToolError> take(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view,
+                                        std::uint32_t divisor = 1);
 
   [[nodiscard]] HairShot shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const;
 

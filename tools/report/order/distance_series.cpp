@@ -31,12 +31,14 @@ tl::expected<double, ToolError> coverage(OrderPictures& pictures, HairShot shot)
 tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, OrderPictures& pictures,
                                                                     std::size_t model, const DrawnWay& exact,
                                                                     const PosedHair& hair) {
-  HairShot shot{.model = exact.model, .transparency = exact.transparency, .palette = hair.palette};
+  HairShot shot{
+      .model = exact.model, .transparency = exact.transparency, .material = exact.material, .palette = hair.palette};
   shot.width = shot.height = kLargest;
   const auto whole = coverage(pictures, shot);
   if (!whole) return tl::unexpected(whole.error());
   shot.model = model;
   shot.transparency = &kBlendMode;
+  shot.material = nullptr;
   std::vector<DistanceRow> rows;
   for (std::uint32_t pixels = kLargest; pixels >= kSmallest; pixels /= 2) {
     DistanceRow row{.pixels = pixels};

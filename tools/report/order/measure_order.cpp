@@ -1,22 +1,16 @@
 #include "report/order/measure_order.h"
 
-#include "motion/hair_pose.h"
-#include "motion/head_path.h"
-#include "motion/motion.h"
 #include "report/order/compare_pictures.h"
 #include "report/order/distance_series.h"
-#include "report/order/drawn_orders.h"
+#include "report/order/exactness.h"
+#include "report/order/order_poses.h"
+#include "report/order/order_times.h"
 #include "report/order/order_ways.h"
-#include "timing.h"
-#include "visibility/hair_surface.h"
-
-#include <coif/view_cells.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numbers>
 #include <utility>
 
 namespace coif {
@@ -24,61 +18,19 @@ namespace {
 
 constexpr std::uint32_t kMostPixels = 1024, kLeastPixels = 16, kMostFrames = 360;
 constexpr double kThresholds[] = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95};
-constexpr std::uint32_t kReferenceViews = 6;
-constexpr double kTimedYaw = 30, kTimedPitch = 5;
-constexpr double kTimingSeconds = 3;
-
-/// Moments in which hair is on its way: head at its fastest, hair at its furthest, on its way back.
-struct MovingPose {
-  Motion motion;
-  const char* name;
-  double seconds[3];
-};
-constexpr MovingPose kMovingPoses[] = {{Motion::kTurn, "turn", {0.2, 0.45, 0.7}},
-                                       {Motion::kCharge, "charge", {0.15, 0.35, 0.8}}};
+constexpr double kSameThreshold = 0.005;      // an 8-bit alpha or so
+constexpr std::uint32_t kThresholdViews = 3;  // thresholds differ alike from all sides: one in so many views will do
 
 tl::expected<void, ToolError> check(const OrderSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= kLeastPixels && side <= kMostPixels; };
-  const bool views_ok = settings.views >= 1 && settings.views <= kViewCells;
+  const bool views_ok = settings.views >= 1 && settings.views <= kMostOrderViews;
   const bool orbit_ok = settings.orbit_frames != 1 && settings.orbit_frames <= kMostFrames;
-  if (side_ok(settings.width) && side_ok(settings.height) && views_ok && orbit_ok) return {};
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage,
-                                  "pictures that are compared have 16 to 1024 pixels each way, are taken from 1 to 96 "
-                                  "views, and an orbit has 0 or 2 to 360 frames"});
-}
-
-std::vector<ViewAngle> directions(std::uint32_t views) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  std::vector<ViewAngle> angles;
-  for (std::uint32_t view = 0; view < views; ++view) {
-    float d[3];
-    view_cell_direction(view * kViewCells / views, d);
-    angles.push_back({kDegrees * std::atan2(d[0], d[2]), kDegrees * std::asin(d[1])});
-  }
-  return angles;
-}
-
-tl::expected<PosedHair, ToolError> posed(const Asset& asset, const HeadPath* path, double seconds) {
-  auto pose = simulate_pose(asset, path, seconds, {});
-  if (!pose) return tl::unexpected(pose.error());
-  std::vector<Eigen::Vector3f> positions = posed_positions(asset, pose->palette);
-  return PosedHair{std::move(pose->palette), std::move(positions)};
-}
-
-tl::expected<std::vector<OrderPose>, ToolError> make_poses(const Asset& asset) {
-  auto rest = posed(asset, nullptr, 0);
-  if (!rest) return tl::unexpected(rest.error());
-  std::vector<OrderPose> poses = {{"rest", {std::move(*rest)}}};
-  if (asset.dynamics().empty()) return poses;
-  for (const MovingPose& moving : kMovingPoses) {
-    poses.push_back({moving.name, {}});
-    for (const double seconds : moving.seconds) {
-      auto moment = posed(asset, path_of(moving.motion).get(), seconds);
-      if (!moment) return tl::unexpected(moment.error());
-      poses.back().moments.push_back(std::move(*moment));
-    }
-  }
-  return poses;
+  if (settings.timing_seconds > 0 && side_ok(settings.width) && side_ok(settings.height) && views_ok && orbit_ok)
+    return {};
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kUsage,
+                "pictures that are compared have 16 to 1024 pixels each way, are taken from 1 to 1000 "
+                "views, an orbit has 0 or 2 to 360 frames, and taking times takes time"});
 }
 
 class OrderMeasurement {
@@ -97,7 +49,7 @@ class OrderMeasurement {
     report_.height = settings.height;
     report_.opaque_threshold = pictures.material(ways_.own.model).opaque_threshold;
     report_.orders = asset.order_count();
-    report_.directions = directions(settings.views);
+    report_.directions = spread_directions(settings.views);
     report_.orbit_frames = settings.orbit_frames;
     report_.left_out = ways_.left_out;
   }
@@ -105,7 +57,6 @@ class OrderMeasurement {
   OrderMeasurement& operator=(const OrderMeasurement&) = delete;
 
   tl::expected<OrderReport, ToolError> run() {
-    if (auto done = add_reference(); !done) return tl::unexpected(done.error());
     for (const OrderPose& pose : poses_) {
       if (auto done = add_pose(pose); !done) return tl::unexpected(done.error());
     }
@@ -118,32 +69,20 @@ class OrderMeasurement {
   }
 
  private:
+  [[nodiscard]] std::vector<DrawnWay> ways_of(bool with_modes) const {
+    std::vector<DrawnWay> ways = ways_.orders;
+    if (with_modes) ways.insert(ways.end(), ways_.modes.begin(), ways_.modes.end());
+    return ways;
+  }
+
   void say(const std::string& step) const {
     if (progress_) progress_(step);
   }
 
-  tl::expected<void, ToolError> add_reference() {
-    say("exact pictures");
-    SelfDifferenceRow again{.against = "again"};
-    PictureError error;
-    for (std::uint32_t i = 0; i < kReferenceViews; ++i) {
-      const ViewAngle& view = report_.directions[i * report_.directions.size() / kReferenceViews];
-      const auto first = comparer_.take(ways_.exact, poses_[0].moments[0], view);
-      if (!first) return tl::unexpected(first.error());
-      const auto second = comparer_.take(ways_.exact, poses_[0].moments[0], view);
-      if (!second) return tl::unexpected(second.error());
-      error += picture_error(first->rgba, second->rgba);
-      again.max_difference = std::max(again.max_difference, largest_difference(first->rgba, second->rgba));
-    }
-    again.psnr_db = error.psnr_db();
-    report_.reference.push_back(again);
-    return {};
-  }
-
   /// All orders and modes beside each other, so that exact pictures are taken once.
   tl::expected<void, ToolError> add_pose(const OrderPose& pose) {
-    std::vector<DrawnWay> ways = ways_.orders;
-    if (settings_.modes) ways.insert(ways.end(), ways_.modes.begin(), ways_.modes.end());
+    const bool with_modes = settings_.modes && &pose == &poses_.front();
+    const std::vector<DrawnWay> ways = ways_of(with_modes);
     auto compared = comparer_.over_views(ways, pose, report_.directions, [&](std::size_t view) {
       say(fmt::format("{}: view {} of {}", pose.name, view + 1, report_.directions.size()));
     });
@@ -192,14 +131,15 @@ class OrderMeasurement {
       materials.back().opaque_threshold = threshold;
       ways.push_back(ways_.own);
     };
-    for (const double threshold : kThresholds) add(float(threshold));
-    if (std::ranges::none_of(materials, [&](const auto& m) { return m.opaque_threshold == own.opaque_threshold; })) {
-      add(own.opaque_threshold);
+    add(own.opaque_threshold);
+    for (const double threshold : kThresholds) {
+      if (std::abs(threshold - own.opaque_threshold) > kSameThreshold) add(float(threshold));
     }
     std::ranges::sort(materials, {}, &MaterialRecord::opaque_threshold);
     for (std::size_t i = 0; i < ways.size(); ++i) ways[i].material = &materials[i];
-    const auto compared = comparer_.over_views(ways, poses_[0], report_.directions, [&](std::size_t view) {
-      say(fmt::format("opaque thresholds: view {} of {}", view + 1, report_.directions.size()));
+    const std::vector<ViewAngle> views = spread_directions((settings_.views + kThresholdViews - 1) / kThresholdViews);
+    const auto compared = comparer_.over_views(ways, poses_[0], views, [&](std::size_t view) {
+      say(fmt::format("opaque thresholds: view {} of {}", view + 1, views.size()));
     });
     if (!compared) return tl::unexpected(compared.error());
     for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -221,22 +161,11 @@ class OrderMeasurement {
 
   void add_times() {
     say("times");
-    std::vector<DrawnWay> ways = ways_.orders;
-    if (settings_.modes) ways.insert(ways.end(), ways_.modes.begin(), ways_.modes.end());
-    const PosedHair& hair = poses_[0].moments[0];
-    std::vector<std::function<void()>> works;
-    for (const DrawnWay& way : ways) {
-      const HairShot shot = comparer_.shot(way, hair, {kTimedYaw, kTimedPitch});
-      const Eigen::Vector3f eye = pictures_.eye(shot).cast<float>();
-      works.emplace_back([this, &hair, shot, eye, sorts = way.sorts_triangles] {
-        if (sorts) (void)far_to_near(ways_.finest.indices, hair.positions, eye);
-        (void)pictures_.draw(shot);
-      });
-    }
-    const auto timings =
-        SideBySideTiming({.clock = TimingClock::kWall, .seconds = kTimingSeconds, .batch_seconds = 0}).run(works);
+    const std::vector<DrawnWay> ways = ways_of(settings_.modes);
+    const std::vector<double> times = measure_order_times(pictures_, comparer_, ways, poses_[0].moments[0],
+                                                          ways_.finest.indices, settings_.timing_seconds);
     for (std::size_t i = 0; i < ways.size(); ++i) {
-      const double ms = 1e3 * timings[i].seconds;
+      const double ms = times[i];
       for (OrderRow& row : report_.rows) {
         if (i < ways_.orders.size() && row.order == ways[i].name) row.ms_per_frame = ms;
       }
@@ -261,13 +190,18 @@ class OrderMeasurement {
 tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const OrderSettings& settings,
                                                    const ReportProgress& progress) {
   if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
-  auto pictures = OrderPictures::create(asset);
+  auto poses = make_order_poses(asset);
+  if (!poses) return tl::unexpected(poses.error());
+  if (progress) progress("exact pictures");
+  auto exactness = measure_exactness(asset, poses->front().moments.front(), settings.width, settings.height);
+  if (!exactness) return tl::unexpected(exactness.error());
+  auto pictures = OrderPictures::create(asset, {.list_bytes = kListBytes});
   if (!pictures) return tl::unexpected(pictures.error());
   auto ways = make_order_ways(asset, **pictures);
   if (!ways) return tl::unexpected(ways.error());
-  auto poses = make_poses(asset);
-  if (!poses) return tl::unexpected(poses.error());
-  return OrderMeasurement(asset, settings, progress, **pictures, std::move(*ways), std::move(*poses)).run();
+  auto report = OrderMeasurement(asset, settings, progress, **pictures, std::move(*ways), std::move(*poses)).run();
+  if (report) report->reference = std::move(*exactness);
+  return report;
 }
 
 }  // namespace coif

@@ -10,7 +10,7 @@
 namespace coif {
 namespace {
 
-constexpr std::string_view kExact = "exact", kBones = "bones", kCoverage = "coverage";
+constexpr std::string_view kBones = "bones";
 constexpr std::uint32_t kCoverageSamples = 4;
 
 const TransparencyMode* find_mode(std::string_view name) {
@@ -33,21 +33,26 @@ std::uint64_t index_bytes(const AssetContents& contents) {
 class WayMaker {
  public:
   WayMaker(const Asset& asset, OrderPictures& pictures)
-      : pictures_(pictures), ways_{finest_level(asset), {}, {}, {}, {}, {}} {}
+      : pictures_(pictures),
+        ways_{.finest = finest_level(asset),
+              .exact = {},
+              .exact_material = nullptr,
+              .own = {},
+              .orders = {},
+              .modes = {},
+              .left_out = {}} {}
 
   tl::expected<OrderWays, ToolError> make() {
     const AssetContents& finest = ways_.finest;
-    const TransparencyMode* exact = find_mode(kExact);
-    if (exact == nullptr) {
-      return tl::unexpected(ToolError{ToolError::Kind::kUnsupported, "this program has no exact mode to compare with"});
-    }
     if (!add("file", in_file_order(finest)) || !add("head", in_head_order(finest)) ||
         !add("best", in_stored_order(finest)) || !add_own()) {
       return tl::unexpected(error_);
     }
+    ways_.exact_material = std::make_unique<MaterialRecord>(with_true_alphas(pictures_.material(ways_.own.model)));
     ways_.exact = ways_.own;
-    ways_.exact.name = kExact;
-    ways_.exact.transparency = exact;
+    ways_.exact.name = name_of(kExactMode);
+    ways_.exact.transparency = &kExactMode;
+    ways_.exact.material = ways_.exact_material.get();
     add_bones();
     if (!add_triangles()) return tl::unexpected(error_);
     add_modes();
@@ -101,11 +106,11 @@ class WayMaker {
 
   void add_modes() {
     for (const TransparencyMode* mode : transparency_modes()) {
-      if (name_of(*mode) == kExact || name_of(*mode) == kBones) continue;
+      if (mode == &kExactMode || name_of(*mode) == kBones) continue;
       DrawnWay way = ways_.own;
       way.name = name_of(*mode);
       way.transparency = mode;
-      way.samples = way.name == kCoverage ? kCoverageSamples : 1;
+      way.samples = mode == &kCoverageMode ? kCoverageSamples : 1;
       ways_.modes.push_back(std::move(way));
     }
   }
@@ -116,6 +121,13 @@ class WayMaker {
 };
 
 }  // namespace
+
+MaterialRecord with_true_alphas(MaterialRecord material) {
+  constexpr float kUnseen = 1.0f / 512;  // rounds to nothing; texels that are empty need no place in lists
+  material.opaque_threshold = 1;
+  material.discard_threshold = kUnseen;
+  return material;
+}
 
 tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, OrderPictures& pictures) {
   return WayMaker(asset, pictures).make();

@@ -1,0 +1,155 @@
+#include "report/page/order_page.h"
+
+#include "report/page/base64.h"
+#include "report/page/made_up_order.h"
+#include "report/page/made_up_report.h"
+#include "report/page/order_json.h"
+#include "report/page/order_plots.h"
+#include "report/page/order_summary.h"
+#include "report/page/order_tables.h"
+#include "report/page/order_text.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace coif {
+namespace {
+
+using nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+Keys keys_of(const ordered_json& object) {
+  Keys keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+TEST(Base64, IsThatOfTheRfc) {
+  EXPECT_EQ(base64({}), "");
+  EXPECT_EQ(base64(bytes_of("f")), "Zg==");
+  EXPECT_EQ(base64(bytes_of("fo")), "Zm8=");
+  EXPECT_EQ(base64(bytes_of("foobar")), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::vector<std::uint8_t>{0xFB, 0xFF, 0xFE}), "+//+");
+}
+
+TEST(OrderJson, HasTheDocumentedKeysAndTypes) {
+  const ordered_json json = order_json(made_up_heading(), made_up_order());
+  EXPECT_EQ(json["asset"], "bob <b>.coif");
+  EXPECT_EQ(json["views"], 4);
+  EXPECT_EQ(json["orders"], 3);
+  EXPECT_EQ(keys_of(json["rows"][0]), (Keys{"order", "pose", "faces", "psnr_db", "rmse", "worst_psnr_db",
+                                            "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame", "bytes"}));
+  EXPECT_EQ(keys_of(json["modes"][0]), (Keys{"transparency", "samples", "pose", "psnr_db", "rmse", "worst_psnr_db",
+                                             "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame"}));
+  EXPECT_EQ(keys_of(json["thresholds"][0]), (Keys{"opaque_threshold", "is_own", "psnr_db", "rmse", "worst_psnr_db",
+                                                  "bad_pixels_pct", "median_psnr_db"}));
+  EXPECT_EQ(keys_of(json["distance"][0]), (Keys{"pixels", "coverage_pct", "lod", "lod_coverage_pct"}));
+  EXPECT_EQ(keys_of(json["reference"][0]), (Keys{"against", "psnr_db", "max_difference"}));
+  EXPECT_EQ(keys_of(json["worst"][0]), (Keys{"name", "pose", "yaw", "pitch", "psnr_db"}));
+  EXPECT_EQ(keys_of(json["left_out"][0]), (Keys{"what", "why"}));
+  EXPECT_EQ(keys_of(json["gain_over_head_db"]), (Keys{"rest", "turn"}));
+}
+
+TEST(OrderJson, HoldsEveryRow) {
+  const OrderReport report = made_up_order();
+  const ordered_json json = order_json(made_up_heading(), report);
+  ASSERT_EQ(json["rows"].size(), report.rows.size());
+  for (std::size_t i = 0; i < report.rows.size(); ++i) {
+    EXPECT_EQ(json["rows"][i]["psnr_db"], report.rows[i].error.psnr_db);
+    EXPECT_EQ(json["rows"][i]["median_psnr_db"], report.rows[i].error.median_psnr_db);
+    EXPECT_EQ(json["rows"][i]["faces"], report.rows[i].faces_together ? "together" : "apart");
+  }
+  EXPECT_TRUE(json["rows"][2]["popping"].is_null());
+  EXPECT_EQ(json["gain_over_head_db"]["turn"], 20);
+}
+
+TEST(OrderTables, RowsHaveAsManyCellsAsThereAreColumns) {
+  const OrderReport report = made_up_order();
+  for (const Table& table : {orders_table(report), order_modes_table(report), thresholds_table(report),
+                             order_distances_table(report), order_reference_table(report)}) {
+    EXPECT_FALSE(table.rows.empty());
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.columns[0].title;
+  }
+}
+
+TEST(OrderTables, LargeErrorsStandOut) {
+  const Table table = orders_table(made_up_order());
+  EXPECT_EQ(table.rows[0][3].look, CellLook::kBad);
+  EXPECT_EQ(table.rows[1][3].look, CellLook::kGood);
+}
+
+TEST(OrderPlots, ViewsGoFromBestToWorst) {
+  const Plot plot = order_views_figure(made_up_order(), "rest").plot;
+  ASSERT_EQ(plot.series.size(), 3u);
+  for (const PlotSeries& series : plot.series) {
+    ASSERT_EQ(series.points.size(), 4u);
+    for (std::size_t i = 1; i < 4; ++i) {
+      EXPECT_LE(series.points[i].y, series.points[i - 1].y);
+      EXPECT_GT(series.points[i].x, series.points[i - 1].x);
+    }
+  }
+}
+
+TEST(OrderPlots, CostHasEachWayOnce) {
+  const Plot plot = order_cost_figure(made_up_order()).plot;
+  EXPECT_EQ(plot.series.size(), 4u) << "three orders at rest, and opaque: blend is one of the orders";
+}
+
+TEST(OrderPlots, OwnThresholdIsMarked) {
+  const Plot plot = thresholds_figure(made_up_order()).plot;
+  ASSERT_EQ(plot.series[0].marked.size(), 1u);
+  EXPECT_EQ(plot.series[0].marked[0].x, 0.8);
+}
+
+TEST(OrderSummary, SaysHowExactTheOwnOrderIsAndWhatToChange) {
+  const std::string text = order_summary(made_up_order());
+  EXPECT_NE(text.find("own order (view) is 40.0 dB from exact order (median of 4 views 41.0, worst 35.0)"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("+20.0 dB rest, +20.0 dB turn"), std::string::npos) << text;
+  EXPECT_NE(text.find("An opaque threshold of 0.90 instead of 0.80 would give 41.0 dB"), std::string::npos) << text;
+  EXPECT_NE(text.find("At 16 pixels only 62 % of the hair is left"), std::string::npos) << text;
+}
+
+TEST(OrderSummary, PraisesWhatNeedsNoChange) {
+  OrderReport report = made_up_order();
+  report.thresholds = {{0.8, true, report.rows[1].error}};
+  report.distance.pop_back();
+  const std::string text = order_summary(report);
+  EXPECT_NE(text.find("No other opaque threshold is better than 0.80."), std::string::npos) << text;
+  EXPECT_NE(text.find("stays as dense far away as near by"), std::string::npos) << text;
+}
+
+TEST(OrderText, HasALineForEveryRow) {
+  const std::string text = order_text(made_up_heading(), made_up_order());
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  turn +view +40.0 +41.0 +35.0 .* 1.50\n"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  rest +opaque +18.0 "))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  0.800 .*the asset's\n"))) << text;
+  EXPECT_NE(text.find("left out: bones: this program <cannot>"), std::string::npos) << text;
+}
+
+TEST(OrderPage, HasAllPartsAndItsPicturesInside) {
+  const auto page = order_page(made_up_heading(), made_up_order());
+  ASSERT_TRUE(page) << page.error().message;
+  for (const char* part : {"bob &lt;b&gt;.coif", "made-up device", "this program &lt;cannot&gt;", "opaque",
+                           "src=\"data:image/png;base64,AQID\"", "img-src data:", "yaw 90, pitch 0"}) {
+    EXPECT_NE(page->find(part), std::string::npos) << part;
+  }
+  const std::regex figure("<figure>");
+  EXPECT_EQ(std::distance(std::sregex_iterator(page->begin(), page->end(), figure), std::sregex_iterator()), 6)
+      << "two poses, cost, thresholds, distances and one picture";
+}
+
+TEST(OrderPage, MissingPlotterIsAnErrorWithItsCure) {
+  const auto page = order_page(made_up_heading(), made_up_order(), {"no-such-gnuplot"});
+  ASSERT_FALSE(page);
+  EXPECT_NE(page.error().message.find("apt-get install gnuplot-nox"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coif
