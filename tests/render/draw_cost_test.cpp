@@ -11,7 +11,7 @@ namespace {
 class DrawCostTest : public DrawnWigTest {
  protected:
   static DrawCostSettings quick() {
-    return {.heads = {10, 1}, .distance_heads = {}, .width = 32, .height = 24, .seconds = 1};
+    return {.heads = {10, 1}, .distances = {}, .width = 32, .height = 24, .seconds = 1};
   }
 
   tl::expected<DrawCost, ToolError> measure(const DrawCostSettings& settings) {
@@ -83,7 +83,7 @@ TEST_F(DrawCostTest, RefusesSettingsOutOfRange) {
   too_many.heads = {10'001};
   too_small.width = 15;
   no_time.seconds = 0;
-  far_off.distance_heads = {0};
+  far_off.distances = {{0, 1}};
   for (const DrawCostSettings& settings : {nobody_there, too_many, too_small, no_time, far_off}) {
     const auto cost = measure(settings);
     ASSERT_FALSE(cost);

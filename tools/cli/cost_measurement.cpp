@@ -15,7 +15,7 @@
 namespace coif {
 namespace {
 
-constexpr double kSimulationShare = 0.35;  // of the time, where there is something to draw
+constexpr double kSimulationShare = 0.3;  // of the time, where there is something to draw
 constexpr std::uint64_t kMostCrowdBytes = std::uint64_t{1} << 30;
 
 bool is_simulated(const Asset& asset) { return asset.skeleton().simulated_count > 0 && !asset.dynamics().empty(); }
@@ -61,13 +61,15 @@ RenderingCostRow to_row(const Asset& asset, const DrawCostRow& row) {
 }
 
 DistanceCostRow to_row(const Asset& asset, const DrawDistance& distance) {
-  const double ms = 1e3 / distance.heads;
+  const std::uint32_t heads = distance.crowd.heads;
+  const double ms = 1e3 / heads;
   const auto gpu = distance.time.gpu_seconds;
-  return {.heads = distance.heads,
+  return {.heads = heads,
+          .times_as_far = distance.crowd.times_as_far,
           .screen_share = distance.screen_share,
           .lod = distance.lod,
           .triangles_per_head = asset.lod_indices(distance.lod).size() / 3,
-          .covered_pixels_per_head = distance.covered_pixels / distance.heads,
+          .covered_pixels_per_head = distance.covered_pixels / heads,
           .ms_per_head = ms * distance.time.seconds,
           .spread_pct = distance.time.spread_pct,
           .finest_ms_per_head = ms * distance.finest.seconds,

@@ -63,9 +63,14 @@ std::uint32_t CrowdStage::add(DrawnCrowd crowd, const CrowdView& view) {
   return std::uint32_t(scenes_.size() - 1);
 }
 
-CrowdView CrowdStage::filling_view(std::uint32_t heads) const {
-  return frame_crowd(points_,
-                     {.yaw_degrees = kYawDegrees, .pitch_degrees = kPitchDegrees, .aspect = aspect_, .heads = heads});
+CrowdView CrowdStage::filling_view(std::uint32_t heads, double times_as_far) const {
+  CameraSettings settings;
+  settings.yaw_degrees = kYawDegrees;
+  settings.pitch_degrees = kPitchDegrees;
+  settings.aspect = aspect_;
+  settings.heads = heads;
+  settings.margin *= times_as_far;
+  return frame_crowd(points_, settings);
 }
 
 Status CrowdStage::draw_heads(const DrawnFrame& frame) {

@@ -38,12 +38,12 @@ struct DrawnFrame {
   bool simulation = false;    ///< The crowd is stepped first.
 };
 
-/// Crowds of one asset's hair and a framebuffer without a window to draw them to. One at a time, and its thread's OpenGL
-/// context while it lives.
+/// Crowds of one asset's hair and a framebuffer without a window to draw them to. One at a time, and its thread's
+/// OpenGL context while it lives.
 class CrowdStage {
  public:
-  /// `width` and `height`: pixels. Errors: kUnsupported where no EGL display with OpenGL ES 3.0 can be had or the driver
-  /// refuses the asset, kBadInput for an asset without a mesh, kUsage for a size out of 16..8192.
+  /// `width` and `height`: pixels. Errors: kUnsupported where no EGL display with OpenGL ES 3.0 can be had or the
+  /// driver refuses the asset, kBadInput for an asset without a mesh, kUsage for a size out of 16..8192.
   static tl::expected<std::unique_ptr<CrowdStage>, ToolError> create(const Asset& asset, std::uint32_t width,
                                                                      std::uint32_t height);
 
@@ -62,8 +62,8 @@ class CrowdStage {
   /// Draws and counts the pixels that are not as they were; nothing where draw() fails.
   [[nodiscard]] std::optional<std::uint64_t> count_covered_pixels(const DrawnFrame& frame);
 
-  /// A crowd of `heads` that fills the picture.
-  [[nodiscard]] CrowdView filling_view(std::uint32_t heads) const;
+  /// A crowd of `heads` that fills the picture, or is so many times as far away (>= 1).
+  [[nodiscard]] CrowdView filling_view(std::uint32_t heads, double times_as_far = 1) const;
 
   [[nodiscard]] std::string device() const { return context_.device(); }  ///< GL_RENDERER.
   [[nodiscard]] std::uint32_t lod_count() const { return model_.lod_count(); }

@@ -10,15 +10,15 @@
 namespace coif {
 namespace {
 
-constexpr double kDistanceShare = 0.3;  // of the time
-constexpr double kLargestShare = 0.6;   // of what is left, for one crowd
+constexpr double kDistanceShare = 0.35;  // of the time
+constexpr double kLargestShare = 0.6;    // of what is left, for one crowd
 constexpr unsigned kFramesOfACrowd =
     3 * (kLeastFrames + 1);  // two ways that are dear and two that are cheap; warming up
 
 tl::expected<void, ToolError> check(const DrawCostSettings& settings) {
   const auto crowd_ok = [](std::uint32_t heads) { return heads >= 1 && heads <= kMostDrawnHeads; };
-  if (!std::ranges::all_of(settings.heads, crowd_ok) || !std::ranges::all_of(settings.distance_heads, crowd_ok) ||
-      !(settings.seconds > 0)) {
+  if (!std::ranges::all_of(settings.heads, crowd_ok) ||
+      !std::ranges::all_of(settings.distances, crowd_ok, &CrowdDistance::heads) || !(settings.seconds > 0)) {
     return tl::unexpected(ToolError{ToolError::Kind::kUsage, "1 to 10000 heads can be drawn, and drawing takes time"});
   }
   return {};
@@ -82,7 +82,7 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
   auto stage = CrowdStage::create(asset, settings.width, settings.height);
   if (!stage) return tl::unexpected(stage.error());
 
-  const double distance_seconds = settings.distance_heads.empty() ? 0 : kDistanceShare * settings.seconds;
+  const double distance_seconds = settings.distances.empty() ? 0 : kDistanceShare * settings.seconds;
   const double seconds = settings.seconds - distance_seconds;
   AffordableCrowds crowds(**stage, make_crowd, kLargestShare * seconds / kFramesOfACrowd);
   auto found = put_up_crowds(**stage, settings, crowds);
@@ -91,8 +91,8 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
   for (std::size_t i = 0; i < times.size(); ++i) found->rows[i].time = times[i];
 
   DrawCost cost{(*stage)->device(), std::move(found->rows), {}, crowds.left_out()};
-  if (settings.distance_heads.empty()) return cost;
-  auto distances = measure_distances(asset, **stage, settings.distance_heads, make_crowd, distance_seconds);
+  if (settings.distances.empty()) return cost;
+  auto distances = measure_distances(asset, **stage, settings.distances, make_crowd, distance_seconds);
   if (!distances) return tl::unexpected(distances.error());
   cost.distances = std::move(*distances);
   return cost;

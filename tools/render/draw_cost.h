@@ -17,9 +17,10 @@
 namespace coif {
 
 struct DrawCostSettings {
-  std::vector<std::uint32_t> heads{1, 10, 100};              ///< Sizes of the crowd, 1..kMostDrawnHeads.
-  std::vector<std::uint32_t> distance_heads{1, 8, 64, 512};  ///< And of those that show what distance spares.
-  std::uint32_t width = 512, height = 384;                   ///< Pixels, 16..8192.
+  std::vector<std::uint32_t> heads{1, 10, 100};  ///< Sizes of the crowd, 1..kMostDrawnHeads.
+  /// Crowds that show what distance spares, no fewer heads than before; empty: none.
+  std::vector<CrowdDistance> distances{{1, 1}, {4, 1}, {16, 1}, {16, 2}, {16, 4}, {16, 8}};
+  std::uint32_t width = 512, height = 384;  ///< Pixels, 16..8192.
   double seconds = 6;  ///< To spend, > 0. Crowds that would take longer are left out; one head never is.
 };
 
@@ -42,8 +43,8 @@ struct DrawCost {
   std::vector<DrawCostLeftOut> left_out;  ///< Of `rows`; ascending; all crowds from some size on.
 };
 
-/// Times the runtime's own renderer on a framebuffer without a window. Errors: those of CrowdStage::create(), kUsage for
-/// settings out of range; those of `make_crowd`.
+/// Times the runtime's own renderer on a framebuffer without a window. Errors: those of CrowdStage::create(), kUsage
+/// for settings out of range; those of `make_crowd`.
 tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const DrawCostSettings& settings,
                                                   const MakeCrowd& make_crowd);
 

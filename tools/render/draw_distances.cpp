@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace coif {
@@ -44,18 +43,18 @@ double head_height(const Asset& asset) {
 }
 
 tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
-                                                         std::span<const std::uint32_t> heads,
+                                                         std::span<const CrowdDistance> crowds,
                                                          const MakeCrowd& make_crowd, double seconds) {
   DrawDistances found;
   std::vector<DrawnFrame> frames;  // of each crowd two
-  AffordableCrowds crowds(stage, make_crowd, kLargestShare * seconds / kFramesOfACrowd);
-  for (const std::uint32_t count : std::set(heads.begin(), heads.end())) {
-    const CrowdView view = stage.filling_view(count);
-    const auto crowd = crowds.add(view);
+  AffordableCrowds affordable(stage, make_crowd, kLargestShare * seconds / kFramesOfACrowd);
+  for (const CrowdDistance& asked : crowds) {
+    const CrowdView view = stage.filling_view(asked.heads, asked.times_as_far);
+    const auto crowd = affordable.add(view);
     if (!crowd) return tl::unexpected(crowd.error());
     if (!*crowd) continue;
     DrawDistance distance;
-    distance.heads = count;
+    distance.crowd = asked;
     distance.screen_share = screen_share_of(view, head_height(asset));
     distance.lod = choose_lod(asset.lods(), float(distance.screen_share), 0, 0);
     const DrawnFrame chosen{.crowd = **crowd, .lod = distance.lod};
@@ -63,7 +62,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
     frames.insert(frames.end(), {chosen, DrawnFrame{.crowd = **crowd}});
     found.rows.push_back(distance);
   }
-  found.left_out = crowds.left_out();
+  found.left_out = affordable.left_out();
   const std::vector<FrameTime> times = time_frames(stage, frames, seconds);
   for (std::size_t i = 0; i < found.rows.size(); ++i) {
     found.rows[i].time = times[2 * i];

@@ -15,9 +15,14 @@
 
 namespace coif {
 
-/// A crowd that fills the picture: the more heads, the further away each.
+/// A crowd and how far away it is.
+struct CrowdDistance {
+  std::uint32_t heads = 1;  ///< 1..kMostDrawnHeads.
+  double times_as_far = 1;  ///< As where the crowd fills the picture, >= 1.
+};
+
 struct DrawDistance {
-  std::uint32_t heads = 1;
+  CrowdDistance crowd;
   double screen_share = 0;    ///< Of the picture's height, that of a head: what choose_lod() is asked with.
   std::uint32_t lod = 0;      ///< What it answers.
   double covered_pixels = 0;  ///< That hair touches, of the whole crowd, at that level; each counted once.
@@ -26,17 +31,17 @@ struct DrawDistance {
 };
 
 struct DrawDistances {
-  std::vector<DrawDistance> rows;         ///< By heads.
-  std::vector<DrawCostLeftOut> left_out;  ///< Ascending; all crowds from some size on.
+  std::vector<DrawDistance> rows;         ///< In the order asked for.
+  std::vector<DrawCostLeftOut> left_out;  ///< All from some crowd on.
 };
 
 /// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
 [[nodiscard]] double head_height(const Asset& asset);
 
-/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are left out; one
-/// head never is. `heads`: 1..kMostDrawnHeads each. Errors: those of AffordableCrowds::add().
+/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are left out;
+/// one head never is. `crowds`: no fewer heads than before. Errors: those of AffordableCrowds::add().
 tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
-                                                         std::span<const std::uint32_t> heads,
+                                                         std::span<const CrowdDistance> crowds,
                                                          const MakeCrowd& make_crowd, double seconds);
 
 }  // namespace coif

@@ -95,10 +95,10 @@ struct RenderingCostRow {
   std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself; nothing where it does not.
 };
 
-/// A crowd that fills the picture, the more heads the smaller and further away, each with the level of detail that
-/// choose_lod() gives it.
+/// A crowd near and far, each head with the level of detail that choose_lod() gives it.
 struct DistanceCostRow {
   std::uint32_t heads = 0;
+  double times_as_far = 1;  ///< As where the crowd fills the picture.
   double screen_share = 0;  ///< Of the picture's height, that of a head.
   std::uint32_t lod = 0;
   std::uint64_t triangles_per_head = 0;

@@ -135,7 +135,7 @@ TEST(CostSummary, SaysWhatOneHeadAndACrowdCost) {
 
 TEST(CostSummary, NamesOnceWhatWasLeftOut) {
   EXPECT_EQ(left_out_text(made_up_cost(), kDrawnCrowd),
-            "Not measured: drawing of 100, 1000 heads; one frame takes too long.");
+            "Not measured: drawing of 100, 1000 heads; one frame takes too long. More --time takes in more.");
   EXPECT_EQ(left_out_text(made_up_cost(), "coif"), "");
 }
 

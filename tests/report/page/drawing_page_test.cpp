@@ -42,8 +42,8 @@ TEST(DrawingJson, HasTheDocumentedKeysAndTypes) {
   EXPECT_TRUE(json["rendering"][0]["transparency"].is_string());
   EXPECT_EQ(json["rendering"][8]["device"], "made-up device");
   EXPECT_EQ(keys_of(json["distances"][0]),
-            (Keys{"heads", "screen_share", "lod", "triangles_per_head", "covered_pixels_per_head", "ms_per_head",
-                  "spread_pct", "gpu_ms_per_head", "finest_ms_per_head", "saved_pct"}));
+            (Keys{"heads", "times_as_far", "screen_share", "lod", "triangles_per_head", "covered_pixels_per_head",
+                  "ms_per_head", "spread_pct", "gpu_ms_per_head", "finest_ms_per_head", "saved_pct"}));
   EXPECT_EQ(json["distances"][1]["saved_pct"], 75);
   EXPECT_EQ(keys_of(json["table_1"][0]), (Keys{"heads", "transparency", "simulation", "ms_per_frame", "spread_pct",
                                                "gpu_ms_per_frame", "fps", "thesis_fps", "device"}));
@@ -168,7 +168,8 @@ TEST(DrawingPage, SaysWhichCrowdsAreMissing) {
   const auto page = cost_page(made_up_heading(), report);
   ASSERT_TRUE(page) << page.error().message;
   EXPECT_NE(page->find("Not measured: Table 1 of 200 heads; one frame takes a minute."), std::string::npos);
-  EXPECT_NE(page->find("Not measured: distance of 512 heads; one frame takes an hour."), std::string::npos);
+  EXPECT_NE(page->find("Not measured: distance of 512 heads; one frame takes an hour. More --time takes in more."),
+            std::string::npos);
 }
 
 TEST(DrawingSummary, SaysWhatTransparencyAndSimulationCost) {

@@ -49,7 +49,7 @@ RenderingCost made_up_rendering() {
                             .ms_per_frame = 0.25,
                             .spread_pct = 2,
                             .gpu_ms_per_frame = 0.125});
-  rendering.distances = {{1, 0.8, 0, 300, 500, 4, 2, 4}, {10, 0.2, 1, 100, 40, 1, 2, 4}};
+  rendering.distances = {{1, 1, 0.8, 0, 300, 500, 4, 2, 4}, {10, 2, 0.2, 1, 100, 40, 1, 2, 4}};
   return rendering;
 }
 

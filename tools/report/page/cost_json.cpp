@@ -57,6 +57,7 @@ ordered_json to_json(const RenderingCostRow& row, const std::string& device) {
 
 ordered_json to_json(const DistanceCostRow& row) {
   return {{"heads", row.heads},
+          {"times_as_far", number_json(row.times_as_far)},
           {"screen_share", number_json(row.screen_share)},
           {"lod", row.lod},
           {"triangles_per_head", row.triangles_per_head},

@@ -17,8 +17,8 @@ namespace coif {
 ///   framing add up to the file
 /// - `rendering[{heads, transparency, samples, lod, simulation, triangles, ms_per_frame, spread_pct, gpu_ms_per_frame,
 ///   device}]`; gpu_ms_per_frame, here and below, null where the device does not tell
-/// - `distances[{heads, screen_share, lod, triangles_per_head, covered_pixels_per_head, ms_per_head, spread_pct,
-///   gpu_ms_per_head, finest_ms_per_head, saved_pct}]`
+/// - `distances[{heads, times_as_far, screen_share, lod, triangles_per_head, covered_pixels_per_head, ms_per_head,
+///   spread_pct, gpu_ms_per_head, finest_ms_per_head, saved_pct}]`
 /// - `table_1[{heads, transparency, simulation, ms_per_frame, spread_pct, gpu_ms_per_frame, fps, thesis_fps, device}]`;
 ///   empty unless it was asked for; transparency blend or opaque; thesis_fps as published, null for other crowds
 /// - `table_1_ratios[{heads, transparency_on_off, thesis_transparency_on_off, simulation_on_off,

@@ -82,12 +82,13 @@ std::string left_out_text(const CostReport& report, const std::string& what) {
   for (const CostLeftOut& crowd : report.left_out) {
     if (crowd.what != what) continue;
     if (sizes.empty()) why = crowd.why;
-    sizes.push_back(crowd.heads);
+    if (sizes.empty() || sizes.back() != crowd.heads) sizes.push_back(crowd.heads);
   }
   if (sizes.empty()) return "";
   const bool is_simulated = what != kDrawnCrowd && what != kDistances && what != kThesisTable;
-  return fmt::format("Not measured: {} {} {} heads; {}.", what, is_simulated ? "with" : "of", fmt::join(sizes, ", "),
-                     why);
+  const bool time_helps = what == kDrawnCrowd || what == kDistances;
+  return fmt::format("Not measured: {} {} {} heads; {}.{}", what, is_simulated ? "with" : "of", fmt::join(sizes, ", "),
+                     why, time_helps ? " More --time takes in more." : "");
 }
 
 }  // namespace coif

@@ -32,8 +32,10 @@ void add_distances(const CostReport& report, PlottedPage& page) {
   const std::string left_out = left_out_text(report, kDistances);
   if (!left_out.empty()) page.paragraph(left_out);
   page.paragraph(
-      "Crowds that fill the picture, the more heads the further away, drawn with blend. Each head has the level of "
-      "detail that choose_lod() gives it for its share of the picture's height; the hair's own height is more than the "
+      "Crowds that fill the picture, and the last one further and further away, drawn with blend. Each head has the "
+      "level "
+      "of detail that choose_lod() gives it for its share of the picture's height; the hair's own height is more than "
+      "the "
       "head's. A pixel is counted once, however many strands lie on it.");
 }
 
