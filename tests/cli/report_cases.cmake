@@ -112,6 +112,22 @@ coif_cli_case(report_order_too_large EXIT 1 SAMPLE
 coif_cli_case(report_order_without_device EXIT 5 SAMPLE STDERR "bob.coif: no EGL display with OpenGL ES 3.0"
   ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order})
 set_tests_properties(cli.report_order_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
+set(quick_shadows --map-size 128 --spacing 0.01)
+coif_cli_case(report_shadows_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
+  STDOUT "bob.coif: [0-9]+ bones, .*\n  none .*\n  plain, 128 .*\n  deep, 8 layers, 128 .*Nearest to the truth.*out.html: written"
+  ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows} -o out.html)
+coif_cli_case(report_shadows_json EXIT 0 SAMPLE TIMEOUT 300
+  JSON asset device spacing hair_points head_points lights,4,light rows,39,technique rows,39,layers rows,39,size
+       rows,39,light rows,39,pose rows,39,rmse rows,39,bias rows,39,head_rmse rows,39,head_bias rows,39,ms
+       totals,3,technique totals,3,worst_light totals,3,worst_pose totals,3,worst_rmse totals,3,bytes
+  ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows} --format json)
+coif_cli_case(report_map_size_for_cost EXIT 1
+  STDERR "coif report: error: --map-size is for 'coif report FILE.coif shadows' only; leave it out"
+  ARGS report a.coif cost --map-size 64)
+coif_cli_case(report_small_map EXIT 1 STDERR "coif report: error: --map-size" ARGS report a.coif shadows --map-size 15)
+coif_cli_case(report_shadows_without_device EXIT 5 SAMPLE STDERR "bob.coif: no EGL display with OpenGL ES 3.0"
+  ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows})
+set_tests_properties(cli.report_shadows_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
 coif_cli_script(report_order_needs_a_mesh SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
 
 coif_cli_script(report_needs_gnuplot SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})

@@ -37,6 +37,8 @@ coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT w
 coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)
 coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner"
   ARGS render a.coif --shading phong -o out.png)
+coif_cli_case(render_bad_shadows EXIT 1 STDERR "--shadows: 'soft' is not one of none, plain, deep"
+  ARGS render a.coif --shadows soft -o out.png)
 coif_cli_case(render_time_without_motion EXIT 1 STDERR "coif render: error: .*--motion"
   ARGS render a.coif --time 1 -o out.png)
 

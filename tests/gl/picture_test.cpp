@@ -125,6 +125,31 @@ TEST_F(PictureTest, HeadsStandBesideEachOther) {
   }
 }
 
+/// Sums of the pixels' green, of those that are hair or of the others.
+double brightness(const Picture& picture, bool of_hair) {
+  double sum = 0;
+  for (std::size_t y = 0; y < picture.height; ++y) {
+    for (std::size_t x = 0; x < picture.width; ++x) {
+      if (is_hair(picture, x, y) == of_hair) sum += picture.rgba[4 * (y * picture.width + x) + 1];
+    }
+  }
+  return sum;
+}
+
+TEST_F(PictureTest, ShadowsDarkenHairAndHead) {
+  const Picture lit = take(settings_);
+  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
+    PictureSettings shaded = settings_;
+    shaded.shadows = technique;
+    const Picture picture = take(shaded);
+    EXPECT_LT(brightness(picture, true), 0.97 * brightness(lit, true)) << name_of(*technique);
+    EXPECT_GT(brightness(picture, true), 0.4 * brightness(lit, true)) << name_of(*technique) << ": the top stays lit";
+    EXPECT_LT(brightness(picture, false), brightness(lit, false)) << name_of(*technique) << ": of hair on the face";
+    EXPECT_EQ(take(shaded).rgba, picture.rgba);
+  }
+  EXPECT_EQ(take(settings_).rgba, lit.rgba);
+}
+
 TEST_F(PictureTest, BodyReplacesTheMannequin) {
   SourceModel body;
   body.meshes.emplace_back();
