@@ -105,7 +105,9 @@ class OrderMeasurement {
 
   void add_row(const DrawnWay& way, bool is_order, const std::string& pose, WayComparison compared,
                std::optional<double> popping) {
-    report_.worst.push_back(std::move(compared.worst));
+    // Blended with the asset's own orders is an order above: its worst picture is there already.
+    const bool is_own = !is_order && way.transparency == ways_.own.transparency;
+    if (!is_own) report_.worst.push_back(std::move(compared.worst));
     if (is_order) {
       report_.rows.push_back({way.name, pose, way.faces_together, std::move(compared.error), popping, 0, way.bytes});
     } else {

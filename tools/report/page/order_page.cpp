@@ -32,7 +32,12 @@ void add_modes(const OrderReport& report, PlottedPage& page) {
   page.heading("What does each way to draw cost, and get right?");
   page.plot(order_cost_figure(report));
   page.table(order_modes_table(report));
-  page.paragraph("With the asset's own orders, which all but blend need none of.");
+  page.paragraph(
+      "With the asset's own orders, of which only blend takes notice. Modes of several samples smooth the borders of "
+      "cards, which "
+      "the exact picture does not: that is part of their difference. Modes that show some pixels and leave out others "
+      "are "
+      "wrong in most pixels and right on average over several.");
 }
 
 void add_thresholds(const OrderReport& report, PlottedPage& page) {
