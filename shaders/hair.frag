@@ -11,9 +11,12 @@ vec2 shift_mask_at(vec2 uv) { return vec2(0.5, 1.0); }
 const float kNearestLight = 1e-4;  // square metres: a point light in a strand is bright, not infinite
 
 #ifdef COIF_SHADOW
+vec4 shadow_place;
+vec2 shadow_slope;
+
 // The share of a light that neither hair nor heads keep from this point.
 float light_reaching(int i) {
-  return i == int(shadow_map.w) ? hair_light(shadow_from_view * vec4(position, 1.0), shadow_depth, shadow_map) : 1.0;
+  return i == int(shadow_map.w) ? hair_light(shadow_place, shadow_slope, shadow_depth, shadow_map) : 1.0;
 }
 #endif
 
@@ -44,9 +47,13 @@ Reflected sum_lights(Strand strand) {
 }
 
 void main() {
-  // Both textures are read before any discard: mip selection needs the neighbours' coordinates.
+  // Before any discard: choosing mips, and the slope, needs the neighbours' coordinates.
   vec4 base = base_at(uv);
   vec2 shift_mask = shift_mask_at(uv);
+#ifdef COIF_SHADOW
+  shadow_place = shadow_from_view * vec4(position, 1.0);
+  shadow_slope = hair_slope(shadow_place);
+#endif
   float coverage = keep(base.a);
   Strand strand = strand_of(base.rgb, shift_mask);
   Reflected sum = sum_lights(strand);

@@ -27,7 +27,7 @@ using Keys = std::unordered_map<std::uint32_t, double>;
 class Reorder {
  public:
   explicit Reorder(AssetContents& contents)
-      : contents_(contents), old_(contents.patches), old_indices_(contents.indices) {}
+      : contents_(contents), levels_(levels_of(contents)), old_(contents.patches), old_indices_(contents.indices) {}
 
   /// `order`: of the finest level's patches.
   void stored(const UnitOrder& order) {
@@ -36,17 +36,16 @@ class Reorder {
     moved_to_.resize(old_indices_.size() / 3);
     contents_.patches.clear();
     contents_.indices.clear();
-    for (const LodRecord& level : levels_of(contents_)) {
+    for (const LodRecord& level : levels_) {
       for (const std::uint32_t p : sorted_patches(level, [&](std::uint32_t q) { return key(place, q); })) move(p);
     }
   }
 
   /// Appends an order by direction, after stored(). `order`: of the finest level's triangles, as they were before.
   void append(const UnitOrder& order) {
-    const std::vector<LodRecord> levels = levels_of(contents_);
     for (const std::uint32_t triangle : order) contents_.orders.push_back(moved_to_[triangle]);
-    const Keys place = mean_places(order, levels.front());
-    for (const LodRecord& level : std::span(levels).subspan(1)) {
+    const Keys place = mean_places(order, levels_.front());
+    for (const LodRecord& level : std::span(levels_).subspan(1)) {
       for (const std::uint32_t p : sorted_patches(level, [&](std::uint32_t q) { return key(place, q); })) {
         const std::uint32_t first = old_[p].first_index / 3;
         for (std::uint32_t t = 0; t < old_[p].index_count / 3; ++t) contents_.orders.push_back(moved_to_[first + t]);
@@ -83,6 +82,7 @@ class Reorder {
   }
 
   AssetContents& contents_;
+  std::vector<LodRecord> levels_;
   std::vector<PatchRecord> old_;
   std::vector<std::uint32_t> old_indices_;
   std::vector<std::uint32_t> moved_to_;  ///< Per triangle before: its new number.

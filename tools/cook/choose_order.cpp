@@ -22,6 +22,8 @@ constexpr float kHighest = 0.955f;
 
 /// dB. More views find more where more is left to be sorted, so a quick search flatters low thresholds.
 constexpr double kThresholdGain = 2;
+constexpr std::size_t kTrianglesPerView = 150;
+constexpr std::size_t kFewestViews = 2, kMostViews = 32;
 constexpr std::size_t kQuickViews = 8;
 constexpr std::size_t kQuickLines = 3000;
 
@@ -77,6 +79,9 @@ class OrderChoice {
     settings_.max_orders = most_orders();
     settings_.min_gain = recipe.order_method == "views" ? 0 : recipe.order_min_gain;
     settings_.threads = threads;
+    // What each pair of triangles wants is seen from so many sides as there are triangles to be told apart.
+    const std::size_t triangles = contents.indices.size() / 3;
+    settings_.views_per_cell = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
   }
 
   FoundOrders run() {
@@ -103,7 +108,7 @@ class OrderChoice {
     OrderSearchSettings quick = settings_;
     quick.opaque_threshold = threshold;
     quick.faces_together = faces_together;
-    quick.views_per_cell = kQuickViews;
+    quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = kQuickLines;
     return search(quick);
   }

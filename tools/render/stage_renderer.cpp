@@ -50,7 +50,8 @@ uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
 float key_light(vec3 place, vec3 n) {
-  return hair_light(map_from_world * vec4(place + n * (shadow_depth.w + 1.5 * shadow_map.w), 1.0), shadow_depth, shadow_map);
+  vec4 on_map = map_from_world * vec4(place + n * shadow_map.w, 1.0);
+  return hair_light(on_map, hair_slope(on_map), shadow_depth, shadow_map);
 }
 )glsl";
 
@@ -65,9 +66,9 @@ out vec4 fragment;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
   vec3 light = vec3(0.12);
+  float key = key_light(place, n);
   for (int i = 0; i < light_count; ++i) {
-    float reaching = i == 0 ? key_light(place, n) : 1.0;
-    light += reaching * light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
+    light += (i == 0 ? key : 1.0) * light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
   }
   fragment = vec4(color * light, 1.0);
 })glsl";

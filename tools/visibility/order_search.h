@@ -9,11 +9,12 @@ namespace coif {
 
 struct OrderSearchSettings {
   std::size_t max_orders = 8;  ///< The stored one included; 1: no others.
-  double min_gain = 0.5;       ///< dB that other orders than the stored one must be better by.
+  double min_gain =
+      0.5;  ///< dB that other orders must be better by than the stored one; what eight bits do not show is no gain.
   float opaque_threshold = 0.95f;
   std::optional<bool> faces_together;  ///< None: what is better.
   std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
-  std::size_t lines_per_view = 6000;
+  std::size_t lines_per_view = 4000;
   unsigned threads = 1;  ///< Without influence on the result.
 };
 

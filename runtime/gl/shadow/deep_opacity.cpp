@@ -86,7 +86,7 @@ bool make_layers(const GlFunctions& gl, const ShadowFunctions& functions, GLenum
 bool make(const GlFunctions& gl, const ShadowFunctions& functions, HairShadow& shadow) {
   GLuint* const textures = ShadowTechnique::textures(shadow);
   GLuint* const framebuffers = ShadowTechnique::framebuffers(shadow);
-  textures[kFrontTexture] = make_depth_texture(gl, shadow.desc().size, false);
+  textures[kFrontTexture] = make_depth_texture(gl, shadow.desc().size);
   framebuffers[kFrontFramebuffer] = make_framebuffer(functions, textures[kFrontTexture]);
   if (functions.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
   ShadowTechnique::opacity_unit(shadow) = 1;

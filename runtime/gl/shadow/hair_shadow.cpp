@@ -32,16 +32,12 @@ const char* load_shadow_functions(const GlLoader& loader, ShadowFunctions& funct
   return nullptr;
 }
 
-GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size, bool compares) {
-  const GLint filter = compares ? GL_LINEAR : GL_NEAREST;
+GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size) {
   GLuint texture = 0;
   gl.GenTextures(1, &texture);
   gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  if (compares) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, static_cast<GLsizei>(size), static_cast<GLsizei>(size));
   return texture;
 }
@@ -79,7 +75,7 @@ Status HairShadow::create(HairRenderer& renderer, const GlLoader& loader, const 
   lookup_ = desc.technique->choose_lookup(desc);
   clear_errors(gl);
   gl.ActiveTexture(GL_TEXTURE0);
-  textures_[kSolidTexture] = make_depth_texture(gl, desc.size, true);
+  textures_[kSolidTexture] = make_depth_texture(gl, desc.size);
   framebuffers_[kSolidFramebuffer] = make_framebuffer(*own, textures_[kSolidTexture]);
   const bool is_whole =
       own->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && desc.technique->make(gl, *own, *this);

@@ -49,9 +49,8 @@ struct ShadowTechnique {
   static float opacity_unit(const HairShadow& shadow) { return shadow.opacity_unit_; }
 };
 
-/// Which compares, for lookups with percentage-closer filtering, or else is read texel by texel. Leaves it bound to the active
-/// unit.
-[[nodiscard]] GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size, bool compares);
+/// Read texel by texel. Leaves it bound to the active unit.
+[[nodiscard]] GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size);
 
 /// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself where
 /// light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.

@@ -49,7 +49,7 @@ struct ShadowCrowd {
   const MaterialRecord* material = nullptr;  ///< As in DrawDesc.
 };
 
-/// What a shader needs to find its place in the map, beside the textures: the arguments of hair_light().
+/// What a shader needs to find its place in the map, beside the textures: for the arguments of hair_light().
 struct ShadowUniforms {
   float map_from_origin[16] = {};  ///< Column-major, from world axes around the origin that was asked for.
   float depth[4] = {};
@@ -99,9 +99,12 @@ class HairShadow {
   /// Builds the programs that draw() would have to build first for this asset, drawn with its own or another material.
   Status prepare(const HairModel& model, const MaterialRecord* material = nullptr);
 
-  /// For a host's own fragment shader: GLSL ES 3.00 that defines `float hair_light(vec4 place, vec4 depth, vec4 map)`, the
-  /// share 0..1 of the light that reaches a point. `place` is map_from_origin times the point; the other two are of the same
-  /// names. The two pieces belong together, before the first use; they are files of shaders/, hair_shadow_plain.glsl or
+  /// For a host's own fragment shader, GLSL ES 3.00 that defines
+  /// - `vec2 hair_slope(vec4 place)`: how the surface lies in the map, `place` being map_from_origin times the point. By the
+  ///   neighbours' values: call it before any discard.
+  /// - `float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map)`: the share 0..1 of the light that reaches the point.
+  ///
+  /// The two pieces belong together, before the first use; they are files of shaders/, hair_shadow_plain.glsl or
   /// hair_shadow_deep.glsl, after a line with the number of layers. Null before create().
   [[nodiscard]] std::span<const char* const, 2> code() const;
 

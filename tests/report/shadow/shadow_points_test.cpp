@@ -21,7 +21,8 @@ Card card_at(float z, int alpha) {
 std::vector<ShadowPoint> points_of(const AssetContents& contents) {
   const OpenedAsset asset(contents);
   const HairSurface surface(asset.asset());
-  return shadow_points(FragmentView(surface, posed_positions(asset.asset(), {}), {.spacing = 0.01f}));
+  const auto positions = posed_positions(asset.asset(), {});
+  return shadow_points(FragmentView(surface, positions, {.spacing = 0.01f}), surface, positions);
 }
 
 TEST(ShadowPoints, LoseTheAlphaOfWhatLiesBeforeThem) {
@@ -29,6 +30,7 @@ TEST(ShadowPoints, LoseTheAlphaOfWhatLiesBeforeThem) {
   ASSERT_FALSE(points.empty());
   for (const ShadowPoint& point : points) {
     EXPECT_FALSE(point.is_head);
+    EXPECT_GT(std::abs(point.normal.normalized().z()), 0.999f) << "cards across the light";
     const bool is_first = point.place.z() > 0.15f, is_second = !is_first && point.place.z() > 0.05f;
     EXPECT_NEAR(point.transmittance, is_first ? 1 : is_second ? 0.4 : 0.4 * 0.8, 1e-4) << point.place.z();
     EXPECT_NEAR(point.weight, is_first ? 0.6 : is_second ? 0.2 : 0.4, 1e-4);

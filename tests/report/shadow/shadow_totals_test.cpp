@@ -10,8 +10,8 @@ namespace coif {
 namespace {
 
 TEST(ShadowError, CountsPointsByTheirWeight) {
-  const std::array points{ShadowPoint{{}, 0.5f, 3, false}, ShadowPoint{{}, 1.0f, 1, false},
-                          ShadowPoint{{}, 0.0f, 1, true}};
+  const std::array points{ShadowPoint{{}, {}, 0.5f, 3, false}, ShadowPoint{{}, {}, 1.0f, 1, false},
+                          ShadowPoint{{}, {}, 0.0f, 1, true}};
   const std::array light{0.7f, 0.6f, 0.3f};
   const ShadowError hair = shadow_error(points, light, false), head = shadow_error(points, light, true);
   EXPECT_NEAR(hair.bias, (3 * 0.2 - 0.4) / 4, 1e-6);

@@ -110,7 +110,8 @@ class ShadowMeasurement {
       const std::vector<Eigen::Vector3f> positions = posed_positions(asset_, pose.palette);
       for (const ShadowLight& light : report_.lights) {
         const FragmentView seen(surface_, positions, {towards(light), float(settings_.spacing), kPixel});
-        if (auto done = add_light(pose, light, shadow_points(seen)); !done) return tl::unexpected(done.error());
+        if (auto done = add_light(pose, light, shadow_points(seen, surface_, positions)); !done)
+          return tl::unexpected(done.error());
       }
     }
     report_.totals = shadow_totals(report_.rows);

@@ -4,36 +4,56 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace coif {
 namespace {
 
-constexpr GLsizei kColumns = 1024;  // points in a row of the picture that they are written to
+constexpr GLsizei kColumns = 512;  // points in a row of the picture that they are written to
+constexpr GLsizei kBlock = 2;      // pixels of a point each way: those that a device takes differences of
 
+// Each point is a little piece of its surface, so that the shader finds the slope as it does in a picture.
 constexpr char kVertex[] = R"glsl(#version 300 es
-uniform vec2 picture;  // pixels
+uniform vec2 blocks;
 layout(location = 0) in vec3 point;
-out vec3 place;
+layout(location = 1) in vec3 normal;
+flat out vec3 middle;
+flat out vec3 right;
+flat out vec3 up;
 void main() {
-  place = point;
-  vec2 pixel = vec2(gl_VertexID % int(picture.x), gl_VertexID / int(picture.x));
-  gl_Position = vec4((pixel + 0.5) / picture * 2.0 - 1.0, 0.0, 1.0);
-  gl_PointSize = 1.0;
+  const float kPixel = 1e-4;  // metres
+  middle = point;
+  vec3 aside = abs(normal.x) < 0.7 * length(normal) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  right = cross(aside, normal);
+  up = cross(normal, right);
+  if (dot(normal, normal) > 0.0) {
+    right *= 2.0 * kPixel / length(right);
+    up *= 2.0 * kPixel / length(up);
+  }
+  vec2 block = vec2(gl_VertexID % int(blocks.x), gl_VertexID / int(blocks.x));
+  gl_Position = vec4((block + 0.5) / blocks * 2.0 - 1.0, 0.0, 1.0);
+  gl_PointSize = 2.0;
 })glsl";
 
 constexpr char kPreamble[] = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 
-// Two bytes of it.
+// Two bytes of it. A point without a normal has no slope: its neighbours are itself.
 constexpr char kFragment[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
-in vec3 place;
+flat in vec3 middle;
+flat in vec3 right;
+flat in vec3 up;
 out vec4 fragment;
 void main() {
-  float steps = floor(clamp(hair_light(map_from_world * vec4(place, 1.0), shadow_depth, shadow_map), 0.0, 1.0) * 65535.0 + 0.5);
+  vec2 aside = gl_PointCoord - 0.5;
+  vec4 near = map_from_world * vec4(middle + aside.x * right + aside.y * up, 1.0);
+  vec2 slope = hair_slope(near);
+  float light = hair_light(map_from_world * vec4(middle, 1.0), slope, shadow_depth, shadow_map);
+  float steps = floor(clamp(light, 0.0, 1.0) * 65535.0 + 0.5);
   fragment = vec4(floor(steps / 256.0), mod(steps, 256.0), 0.0, 255.0) / 255.0;
 })glsl";
 
@@ -52,10 +72,10 @@ class PointTarget {
     glGenFramebuffers(1, &framebuffer_);
     glGenRenderbuffers(1, &pixels_);
     glBindRenderbuffer(GL_RENDERBUFFER, pixels_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kColumns, rows);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kBlock * kColumns, kBlock * rows);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels_);
-    glViewport(0, 0, kColumns, rows);
+    glViewport(0, 0, kBlock * kColumns, kBlock * rows);
   }
   PointTarget(const PointTarget&) = delete;
   PointTarget& operator=(const PointTarget&) = delete;
@@ -78,7 +98,10 @@ void draw_points(std::span<const ShadowPoint> points) {
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(points.size_bytes()), points.data(), GL_STREAM_DRAW);
   static_assert(offsetof(ShadowPoint, place) == 0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(ShadowPoint), nullptr);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(ShadowPoint),
+                        reinterpret_cast<const void*>(offsetof(ShadowPoint, normal)));
   glEnableVertexAttribArray(0);
+  glEnableVertexAttribArray(1);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_DITHER);
@@ -114,7 +137,7 @@ std::vector<float> ShadowProbe::light_at(std::span<const ShadowPoint> points) co
   const PointTarget target(rows);
   const ShadowUniforms uniforms = shadow_->uniforms({});
   glUseProgram(program_);
-  glUniform2f(glGetUniformLocation(program_, "picture"), float(kColumns), float(rows));
+  glUniform2f(glGetUniformLocation(program_, "blocks"), float(kColumns), float(rows));
   glUniformMatrix4fv(glGetUniformLocation(program_, "map_from_world"), 1, GL_FALSE, uniforms.map_from_origin);
   glUniform4fv(glGetUniformLocation(program_, "shadow_depth"), 1, uniforms.depth);
   glUniform4fv(glGetUniformLocation(program_, "shadow_map"), 1, uniforms.map);
@@ -126,12 +149,15 @@ std::vector<float> ShadowProbe::light_at(std::span<const ShadowPoint> points) co
   }
   glActiveTexture(GL_TEXTURE0);
   draw_points(points);
-  std::vector<std::uint8_t> pixels(std::size_t{4} * kColumns * std::size_t(rows));
-  glReadPixels(0, 0, kColumns, rows, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  std::vector<std::uint8_t> pixels(std::size_t{4} * kBlock * kBlock * kColumns * std::size_t(rows));
+  glReadPixels(0, 0, kBlock * kColumns, kBlock * rows, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   std::vector<float> light;
   light.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    light.push_back(float(pixels[4 * i] * 256 + pixels[4 * i + 1]) / 65535);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t row = kBlock * (i / kColumns), column = kBlock * (i % kColumns);
+    const std::uint8_t* pixel = &pixels[4 * (row * kBlock * kColumns + column)];
+    light.push_back(float(pixel[0] * 256 + pixel[1]) / 65535);
+  }
   return light;
 }
 
