@@ -19,7 +19,7 @@ struct PerceptualDifference {
 
 /// Less is not seen, more is another picture: differences in lightness of about 1 are the least that an eye tells side by
 /// side, and a golden picture is allowed a third of it on average and some of them in places.
-inline constexpr double kMeanTolerance = 0.3, kLargestTolerance = 5;
+inline constexpr double kMeanTolerance = 0.001, kLargestTolerance = 0.001;
 
 [[nodiscard]] constexpr bool looks_the_same(const PerceptualDifference& difference) {
   return difference.mean <= kMeanTolerance && difference.largest <= kLargestTolerance;
