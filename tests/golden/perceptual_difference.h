@@ -17,9 +17,10 @@ struct PerceptualDifference {
 [[nodiscard]] PerceptualDifference perceptual_difference(std::span<const std::uint8_t> a,
                                                          std::span<const std::uint8_t> b, std::uint32_t width);
 
-/// Less is not seen, more is another picture: differences in lightness of about 1 are the least that an eye tells side by
-/// side, and a golden picture is allowed a third of it on average and some of them in places.
-inline constexpr double kMeanTolerance = 0.001, kLargestTolerance = 0.001;
+/// A difference of 1 is about the least that an eye finds side by side. Two steps of 255 at random in every channel make
+/// 0.07 on average and 0.4 at most; the sample's patches drawn from the outside in, of which only soft tips tell, 1.8 to 3 at most
+/// and less than rounding on average; a pass that is missing more than 20.
+inline constexpr double kMeanTolerance = 0.15, kLargestTolerance = 1.2;
 
 [[nodiscard]] constexpr bool looks_the_same(const PerceptualDifference& difference) {
   return difference.mean <= kMeanTolerance && difference.largest <= kLargestTolerance;
