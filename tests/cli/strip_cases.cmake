@@ -1,6 +1,6 @@
 # What `coif strip` takes, refuses and says.
 coif_cli_case(strip_text EXIT 0 SAMPLE WRITES out.coif
-  STDOUT "^out.coif: [0-9]+ bytes, [0-9]+ saved [(]9[0-9][.][0-9] %[)]\n  removed   TEXR +80\n  removed   TEXD +[0-9]+\n$"
+  STDOUT "^out.coif: [0-9]+ bytes, [0-9]+ saved [(][0-9]+[.][0-9] %[)]\n  removed   TEXR +80\n  removed   TEXD +[0-9]+\n$"
   ARGS strip ${COIF_COOKED_SAMPLE} -o out.coif --without textures)
 coif_cli_case(strip_json EXIT 0 SAMPLE WRITES out.coif
   JSON output bytes_before bytes bytes_saved removed,0,id removed,0,bytes shortened,0,id shortened,0,bytes rewritten,0

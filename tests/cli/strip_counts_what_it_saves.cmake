@@ -1,0 +1,53 @@
+# What 'coif strip' says it saves is what the files' sizes tell, and little more than what the removed chunks held.
+# ASSET: a good one, with textures.
+cmake_minimum_required(VERSION 3.24)
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+
+function(strip format)
+  execute_process(COMMAND "${PROGRAM}" strip "${ASSET}" -o out.coif --without textures --format ${format}
+                  WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "exit code ${code}\n${out}\n${err}")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
+endfunction()
+
+function(must_be what is wanted)
+  if(NOT is EQUAL wanted)
+    message(FATAL_ERROR "${what} is ${is}, wanted ${wanted}")
+  endif()
+endfunction()
+
+strip(json)
+file(SIZE "${ASSET}" before)
+file(SIZE "${FOLDER}/out.coif" after)
+math(EXPR saved "${before} - ${after}")
+foreach(key IN ITEMS bytes_before bytes bytes_saved)
+  string(JSON ${key} GET "${out}" ${key})
+endforeach()
+must_be(bytes_before ${bytes_before} ${before})
+must_be(bytes ${bytes} ${after})
+must_be(bytes_saved ${bytes_saved} ${saved})
+
+string(JSON chunks LENGTH "${out}" removed)
+set(removed 0)
+math(EXPR last "${chunks} - 1")
+foreach(i RANGE ${last})
+  string(JSON bytes GET "${out}" removed ${i} bytes)
+  math(EXPR removed "${removed} + ${bytes}")
+endforeach()
+# With each chunk goes its entry in the table, 32 bytes; what follows it is aligned anew, to 64 bytes at most.
+math(EXPR least "${removed} - ${chunks} * 64")
+math(EXPR most "${removed} + ${chunks} * (32 + 64)")
+if(saved LESS least OR saved GREATER most)
+  message(FATAL_ERROR "${saved} bytes saved by ${chunks} chunks of ${removed}")
+endif()
+
+strip(text)
+math(EXPR tenths "(2000 * ${saved} + ${before}) / (2 * ${before})")
+math(EXPR whole "${tenths} / 10")
+math(EXPR tenth "${tenths} % 10")
+if(NOT out MATCHES "^out.coif: ${after} bytes, ${saved} saved [(]${whole}[.]${tenth} %[)]\n")
+  message(FATAL_ERROR "wanted ${after} bytes, ${saved} saved, ${whole}.${tenth} %:\n${out}")
+endif()
