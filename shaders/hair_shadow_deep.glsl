@@ -54,7 +54,8 @@ float hair_solid_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
   for (int i = 0; i < 9; ++i) {
     ivec2 aside = ivec2(i % 3, i / 3) - 1;
     float there = texelFetch(hair_shadow_solid, clamp(middle + aside, ivec2(0), last), 0).r;
-    float behind = hair_shadow_metres(z + dot(vec2(aside), step_z), depth) - depth.w - hair_shadow_metres(there, depth);
+    float here = min(z + dot(vec2(aside), step_z), 1.0);  // as deep as an empty texel: the map ends there
+    float behind = hair_shadow_metres(here, depth) - depth.w - hair_shadow_metres(there, depth);
     passes += behind > 0.0 ? 0.0 : across[aside.x + 1] * upwards[aside.y + 1];
   }
   return passes;

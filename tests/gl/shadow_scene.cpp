@@ -26,13 +26,13 @@ Card ShadowScene::card_above(float height, double alpha, float half_size) {
   return card;
 }
 
-void ShadowScene::cast(HairShadow& shadow, std::span<const Card> cards, const Light& light) {
+void ShadowScene::cast(HairShadow& shadow, std::span<const Card> cards, const Light& light, const ShadowBall& ball) {
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, *OpenedAsset(card_contents(cards))), Status::kOk);
   const HeadDraw rest = at_rest();
   const HairInstance head{rest.head, rest.palette, 0};
   const ShadowCrowd crowd{&model, {&head, 1}, nullptr};
-  ASSERT_EQ(shadow.begin(light, kBall), Status::kOk);
+  ASSERT_EQ(shadow.begin(light, ball), Status::kOk);
   ASSERT_EQ(shadow.draw({&crowd, 1}), Status::kOk);
   model.destroy();
 }

@@ -27,7 +27,8 @@ class ShadowScene : public CountedGlTest {
   [[nodiscard]] static Card card_above(float height, double alpha, float half_size = 0.2f);
 
   /// The map of these cards alone; all must succeed.
-  void cast(HairShadow& shadow, std::span<const Card> cards, const Light& light = lamp());
+  void cast(HairShadow& shadow, std::span<const Card> cards, const Light& light = lamp(),
+            const ShadowBall& ball = kBall);
 
   /// The share of the light that reaches the receiver at a pixel: its diffuse light with the shadow, of that without.
   [[nodiscard]] double light_at(int x, int y, const HairShadow& shadow, const Light& light = lamp());

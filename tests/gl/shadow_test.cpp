@@ -101,6 +101,20 @@ TEST_F(Shadow, NothingShadesItselfAtItsLitSide) {
   }
 }
 
+// The map ends across the receiver, so that it holds the nearer part of it alone.
+TEST_F(Shadow, TheFarEndOfTheMapShadesNothing) {
+  constexpr ShadowBall kEndsHere{{1.06066, 0, 1.06066}, 1.5f};
+  for (const ShadowDesc& desc : all_shadows()) {
+    HairShadow shadow;
+    create(shadow, desc);
+    cast(shadow, std::array{Card{}}, lamp(), kEndsHere);
+    for (int x = 9; x < 24; ++x) EXPECT_GT(light_at(x, 16, shadow), 0.9) << named(desc) << ", pixel " << x;
+    cast(shadow, std::array{card_above(0.5f, 1)}, lamp(), kEndsHere);
+    for (const int x : {14, 17}) EXPECT_LT(light_at(x, 16, shadow), 0.1) << named(desc) << ", pixel " << x;
+    shadow.destroy();
+  }
+}
+
 TEST_F(Shadow, LightsWithAPlaceCastThemFromThere) {
   for (const ShadowDesc& desc : all_shadows()) {
     for (const Light::Kind kind : {Light::Kind::kPoint, Light::Kind::kSpot}) {
