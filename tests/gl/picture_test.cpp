@@ -125,28 +125,62 @@ TEST_F(PictureTest, HeadsStandBesideEachOther) {
   }
 }
 
-/// Sums of the pixels' green, of those that are hair or of the others.
-double brightness(const Picture& picture, bool of_hair) {
-  double sum = 0;
-  for (std::size_t y = 0; y < picture.height; ++y) {
-    for (std::size_t x = 0; x < picture.width; ++x) {
-      if (is_hair(picture, x, y) == of_hair) sum += picture.rgba[4 * (y * picture.width + x) + 1];
-    }
+using Mask = std::vector<bool>;  // one per pixel
+
+Mask equal_pixels(const Picture& a, const Picture& b) {
+  Mask equal(a.rgba.size() / 4);
+  for (std::size_t i = 0; i < equal.size(); ++i) {
+    equal[i] = std::equal(&a.rgba[4 * i], &a.rgba[4 * i] + 4, &b.rgba[4 * i]);
   }
-  return sum;
+  return equal;
 }
 
-TEST_F(PictureTest, ShadowsDarkenHairAndHead) {
-  const Picture lit = take(settings_);
-  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
-    PictureSettings shaded = settings_;
-    shaded.shadows = technique;
-    const Picture picture = take(shaded);
-    EXPECT_LT(brightness(picture, true), 0.97 * brightness(lit, true)) << name_of(*technique);
-    EXPECT_GT(brightness(picture, true), 0.4 * brightness(lit, true)) << name_of(*technique) << ": the top stays lit";
-    EXPECT_LT(brightness(picture, false), brightness(lit, false)) << name_of(*technique) << ": of hair on the face";
-    EXPECT_EQ(take(shaded).rgba, picture.rgba);
+/// Mean green of the masked pixels.
+double brightness(const Picture& picture, const Mask& mask) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i]) sum += picture.rgba[4 * i + 1], count += 1;
   }
+  return sum / count;
+}
+
+/// A level square below the hair.
+SourceModel shoulders() {
+  SourceModel body;
+  body.meshes.emplace_back();
+  body.meshes.back().positions = {
+      {-0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, 0.2f}, {-0.2f, -0.08f, 0.2f}};
+  body.meshes.back().triangles = {0, 2, 1, 0, 3, 2};
+  return body;
+}
+
+TEST_F(PictureTest, ShadowsDarkenHairAndBody) {
+  const SourceModel body = shoulders();
+  settings_.body = &body;
+  settings_.mannequin = false;
+  settings_.pitch_degrees = 20;
+  PictureSettings bald = settings_;  // tells which pixels are hair's, which the body's alone
+  bald.material = *(*wig_).material();
+  bald.material->base_color[3] = 0;
+  PictureSettings empty = bald;
+  empty.body = nullptr;
+  const Picture lit = take(settings_), lit_body = take(bald);
+  const Mask bare = equal_pixels(lit, lit_body), backdrop = equal_pixels(lit_body, take(empty));
+  Mask hair(bare.size()), shoulders(bare.size());
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    hair[i] = !bare[i];
+    shoulders[i] = bare[i] && !backdrop[i];
+  }
+  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
+    settings_.shadows = bald.shadows = technique;
+    const Picture shaded = take(settings_), shaded_body = take(bald);
+    EXPECT_LT(brightness(shaded, hair), 0.95 * brightness(lit, hair)) << name_of(*technique);
+    EXPECT_GT(brightness(shaded, hair), 0.4 * brightness(lit, hair)) << name_of(*technique) << ": the top stays lit";
+    EXPECT_LT(brightness(shaded, shoulders), 0.9 * brightness(lit, shoulders)) << name_of(*technique);
+    EXPECT_EQ(shaded_body.rgba, lit_body.rgba) << name_of(*technique) << ": a flat thing shades nothing";
+    EXPECT_EQ(take(settings_).rgba, shaded.rgba);
+  }
+  settings_.shadows = nullptr;
   EXPECT_EQ(take(settings_).rgba, lit.rgba);
 }
 
