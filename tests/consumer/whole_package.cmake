@@ -11,7 +11,8 @@ foreach(header IN LISTS public)
   endif()
 endforeach()
 
-build_game(game "${sim_games};only_skin;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly" -D PARTS=formats,sim,skinning,gl)
+build_game(game "${sim_games};only_skin;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly" -D PARTS=formats,sim,skinning,gl
+  -D README=${project}/README.md)
 # Only who simulates needs Highway, and is told when it is not there.
 build_game(reader "only_open;only_skin" -D PARTS=formats,skinning ${without_highway})
 if(SIMD STREQUAL "dispatch")
