@@ -166,22 +166,44 @@ TEST_F(PictureTest, ShadowsDarkenHairAndBody) {
   empty.body = nullptr;
   const Picture lit = take(settings_), lit_body = take(bald);
   const Mask bare = equal_pixels(lit, lit_body), backdrop = equal_pixels(lit_body, take(empty));
-  Mask hair(bare.size()), shoulders(bare.size());
+  Mask hair(bare.size()), skin(bare.size());
   for (std::size_t i = 0; i < bare.size(); ++i) {
     hair[i] = !bare[i];
-    shoulders[i] = bare[i] && !backdrop[i];
+    skin[i] = bare[i] && !backdrop[i];
   }
   for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
     settings_.shadows = bald.shadows = technique;
     const Picture shaded = take(settings_), shaded_body = take(bald);
     EXPECT_LT(brightness(shaded, hair), 0.95 * brightness(lit, hair)) << name_of(*technique);
     EXPECT_GT(brightness(shaded, hair), 0.4 * brightness(lit, hair)) << name_of(*technique) << ": the top stays lit";
-    EXPECT_LT(brightness(shaded, shoulders), 0.9 * brightness(lit, shoulders)) << name_of(*technique);
+    EXPECT_LT(brightness(shaded, skin), 0.9 * brightness(lit, skin)) << name_of(*technique);
     EXPECT_EQ(shaded_body.rgba, lit_body.rgba) << name_of(*technique) << ": a flat thing shades nothing";
     EXPECT_EQ(take(settings_).rgba, shaded.rgba);
   }
   settings_.shadows = nullptr;
   EXPECT_EQ(take(settings_).rgba, lit.rgba);
+}
+
+TEST_F(PictureTest, TheHeadsOwnShadowHasASoftEdge) {
+  settings_.width = 480;
+  settings_.height = 360;
+  settings_.material = *(*wig_).material();
+  settings_.material->base_color[3] = 0;
+  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
+    settings_.shadows = technique;
+    const Picture picture = take(settings_);
+    int steepest = 0, least = 255, most = 0;
+    for (std::size_t y = 120; y < 240; ++y) {
+      for (std::size_t x = 180; x < 300; ++x) {  // well within the head
+        const std::uint8_t* green = &picture.rgba[4 * (y * picture.width + x) + 1];
+        steepest = std::max(steepest, std::abs(green[4] - green[0]));
+        least = std::min(least, int{green[0]});
+        most = std::max(most, int{green[0]});
+      }
+    }
+    EXPECT_GT(most - least, 40) << name_of(*technique) << ": from light to shadow";
+    EXPECT_LT(steepest, 6) << name_of(*technique);
+  }
 }
 
 TEST_F(PictureTest, BodyReplacesTheMannequin) {

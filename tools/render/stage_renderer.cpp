@@ -42,16 +42,17 @@ void main() {
 
 constexpr char kPreamble[] = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 
-constexpr char kNoShadow[] = "float key_light(vec3 place, vec3 n) { return 1.0; }\n";
+constexpr char kNoShadow[] = "float key_light(vec3 place, vec3 n, float cosine) { return 1.0; }\n";
 
-// A surface is looked up a little above itself: light that grazes it would find it in shadow.
+// A surface is looked up a little above itself: light that grazes it would find it in shadow. Where it turns away it is its
+// own shadow, whose edge in the map has the steps of texels: it fades before.
 constexpr char kShadow[] = R"glsl(
 uniform mat4 map_from_world;
 uniform vec4 shadow_depth;
 uniform vec4 shadow_map;
-float key_light(vec3 place, vec3 n) {
+float key_light(vec3 place, vec3 n, float cosine) {
   vec4 on_map = map_from_world * vec4(place + n * shadow_map.w, 1.0);
-  return hair_light(on_map, hair_slope(on_map), shadow_depth, shadow_map);
+  return smoothstep(0.0, 0.3, cosine) * hair_light(on_map, hair_slope(on_map), shadow_depth, shadow_map);
 }
 )glsl";
 
@@ -66,7 +67,7 @@ out vec4 fragment;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
   vec3 light = vec3(0.12);
-  float key = key_light(place, n);
+  float key = key_light(place, n, dot(n, light_direction[0]));
   for (int i = 0; i < light_count; ++i) {
     light += (i == 0 ? key : 1.0) * light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
   }
