@@ -8,7 +8,7 @@ uint rank_in_square(uvec2 pixel) {
   return (mixed & 1u) << 3 | (y & 1u) << 2 | (mixed & 2u) | y >> 1;
 }
 
-// Integers of different triangles that have nothing to do with each other.
+// Integers that have nothing to do with each other.
 uint scattered(uint value) {
   value = (value ^ value >> 16) * 0x7FEB352Du;
   value = (value ^ value >> 15) * 0x846CA68Bu;
@@ -19,8 +19,10 @@ float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
   if (alpha < alpha_range.x) discard;
   // With one pattern for all, a strand would hide just those behind it that have its own pixels, and two layers would
-  // cover no more than one. Each triangle mixes the ranks in another way, which leaves them as evenly spread.
-  uint rank = rank_in_square(uvec2(gl_FragCoord.xy)) ^ (scattered(uint(corner)) & 15u);
+  // cover no more than one. Each triangle mixes the ranks in another way, which leaves them as evenly spread; and in another
+  // way in each square, or two large triangles would cover too much or too little together wherever they meet.
+  uvec2 pixel = uvec2(gl_FragCoord.xy), square = pixel >> 2u;
+  uint rank = rank_in_square(pixel) ^ (scattered(uint(corner) ^ square.x << 10 ^ square.y << 20) & 15u);
   if (alpha < alpha_range.z && alpha * 16.0 < float(rank) + 0.5) discard;
 #endif
   return 1.0;

@@ -67,7 +67,7 @@ TEST_P(ThinnedModes, LayersDoNotHideEachOther) {
   for (const int alpha : {120, 70, 90, 60}) {
     cards.push_back(whole_card(alpha, 0.1f * float(cards.size())));
     left *= 1 - alpha / 255.0;
-    EXPECT_NEAR(share_of(cards), 1 - left, 0.09) << cards.size() << " layers";
+    EXPECT_NEAR(share_of(cards), 1 - left, 0.05) << cards.size() << " layers";
   }
 }
 

@@ -20,7 +20,8 @@ extern const TransparencyMode kOpaqueMode;
 extern const TransparencyMode kCoverageMode;
 
 /// One pass, nothing blended: of soft texels every 4 x 4 pixels show as many as their alpha asks for, in Bayer's ordered
-/// pattern, turned from triangle to triangle so that layers do not hide each other. The pattern stays with the screen.
+/// pattern, mixed anew in each square and by each triangle so that layers do not hide each other. The pattern stays with
+/// the screen.
 extern const TransparencyMode kScreenDoorMode;
 
 /// One pass, nothing blended: hashed alpha (Wyman and McGuire 2017). Soft texels are drawn at random points, which are
