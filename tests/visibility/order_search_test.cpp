@@ -116,6 +116,36 @@ TEST(OrderSearch, FurtherOrdersMustGainEnough) {
   EXPECT_TRUE(Searched(card_contents(stack(4)), settings).found.by_view.orders.empty());
 }
 
+TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
+  const OpenedAsset opened(two_shells());
+  const HairSurface hair(opened.asset());
+  const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
+  OrderSearchSettings settings;
+  settings.views_per_cell = 1;
+  settings.lines_per_view = 200;
+  const FoundOrders quick = search_orders(hair, poses, counted(24), settings);
+  ASSERT_FALSE(quick.by_view.orders.empty());
+  settings.views_per_cell = 4;
+  settings.lines_per_view = 400;
+  const FoundOrders refined = refine_orders(hair, poses, counted(24), quick, settings);
+  EXPECT_EQ(refined.rule.faces_together, quick.rule.faces_together);
+  EXPECT_LE(refined.by_view.orders.size(), quick.by_view.orders.size());
+  EXPECT_GE(refined.found.psnr, judge_orders(hair, poses, quick, settings).psnr);
+}
+
+TEST(OrderSearch, JudgesByTheThresholdThatIsAskedFor) {
+  const OpenedAsset opened(card_contents(stack(1)));
+  const HairSurface hair(opened.asset());
+  const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
+  OrderSearchSettings settings;
+  settings.max_orders = 1;
+  settings.lines_per_view = 400;
+  const FoundOrders found = search_orders(hair, poses, counted(1), settings);
+  EXPECT_EQ(judge_orders(hair, poses, found, settings).psnr, found.found.psnr);
+  settings.opaque_threshold = 0.55f;  // less than the card's alpha: it hides what is behind
+  EXPECT_LT(judge_orders(hair, poses, found, settings).psnr, found.found.psnr - 10);
+}
+
 TEST(OrderSearch, ThreadsDoNotChangeTheResult) {
   OrderSearchSettings settings;
   const FoundOrders one = Searched(two_shells(), settings).found;

@@ -53,6 +53,18 @@ TEST(OrderVotes, FacesDrawnApartDoNotVoteOnEachOther) {
   EXPECT_EQ(votes_of(lines, kOwnUnits, kTogether).size(), 3u);
 }
 
+TEST(OrderVotes, OfGroupsAreThoseOfTheirMembers) {
+  const SightLines lines = line_of({layer(2, 0.5f), layer(0, 0.4f), layer(3, 0.7f), layer(1, 0.2f)});
+  const std::vector<std::uint32_t> groups = {1, 0, 0, 1};
+  const auto of_groups = votes_of_groups(votes_of(lines, kOwnUnits, kTogether), groups);
+  const auto wanted = votes_of(lines, groups, kTogether);
+  ASSERT_EQ(of_groups.size(), 1u);
+  ASSERT_EQ(wanted.size(), 1u);
+  EXPECT_EQ(of_groups[0].first, wanted[0].first);
+  EXPECT_EQ(of_groups[0].second, wanted[0].second);
+  EXPECT_FLOAT_EQ(of_groups[0].weight, wanted[0].weight);
+}
+
 TEST(OrderVotes, AUnitDoesNotVoteOnItself) {
   const std::vector<std::uint32_t> units = {0, 0, 1, 1};
   EXPECT_TRUE(votes_of(line_of({layer(0, 0.5f), layer(1, 0.5f)}), units, kApart).empty());

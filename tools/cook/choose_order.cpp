@@ -23,8 +23,8 @@ constexpr float kHighest = 0.955f;
 /// dB. More views find more where more is left to be sorted, so a quick search flatters low thresholds.
 constexpr double kThresholdGain = 2;
 constexpr std::size_t kTrianglesPerView = 150;
-constexpr std::size_t kFewestViews = 2, kMostViews = 32;
-constexpr std::size_t kQuickViews = 8;
+constexpr std::size_t kFewestViews = 2, kMostViews = 16;
+constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
 
 struct Moment {
@@ -66,6 +66,21 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
   return order;
 }
 
+/// The hair as it is drawn with some opaque threshold.
+struct ThresholdHair {
+  ThresholdHair(const AssetContents& contents, std::span<const Image> used, float threshold)
+      : opened(with_threshold(contents, used, threshold)), surface(opened.asset()) {}
+
+  static AssetContents with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
+    contents.material.front().opaque_threshold = threshold;
+    keep_coverage(used, contents);
+    return contents;
+  }
+
+  OpenedAsset opened;
+  HairSurface surface;
+};
+
 class OrderChoice {
  public:
   OrderChoice(const Recipe& recipe, std::span<const Image> used, unsigned threads, const AssetContents& contents,
@@ -85,13 +100,13 @@ class OrderChoice {
   }
 
   FoundOrders run() {
-    FoundOrders usual = quick_search(usual_threshold_, {});
-    FoundOrders best = recipe_.opaque_threshold == 0 ? best_threshold(usual) : usual;
-    settings_.opaque_threshold = best.rule.opaque_threshold;
-    settings_.faces_together = best.rule.faces_together;
-    FoundOrders found = search(settings_);
-    found.head = usual.head;
-    return found.found.psnr > usual.head.psnr ? std::move(found) : std::move(usual);
+    const FoundOrders quick = quick_search();
+    const FoundOrders head = by_head();
+    settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
+    const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
+    FoundOrders found = refine_orders(hair.surface, poses_, head_, quick, settings_);
+    found.head = head.head;
+    return found.found.psnr > head.head.psnr ? std::move(found) : head;
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
@@ -103,36 +118,53 @@ class OrderChoice {
     return std::min<std::size_t>(recipe_.order_max, 1 + recipe_.order_max_bytes / bytes_of_order);
   }
 
-  /// With as many views as tell one threshold from another.
-  FoundOrders quick_search(float threshold, std::optional<bool> faces_together) const {
+  /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
+  [[nodiscard]] FoundOrders quick_search() const {
     OrderSearchSettings quick = settings_;
-    quick.opaque_threshold = threshold;
-    quick.faces_together = faces_together;
+    quick.opaque_threshold = recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, kHighest) : usual_threshold_;
+    quick.min_gain = 0;
+    quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = kQuickLines;
-    return search(quick);
+    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
+    return search_orders(hair.surface, poses_, head_, quick);
   }
 
-  [[nodiscard]] FoundOrders search(const OrderSearchSettings& settings) const {
-    AssetContents tried = contents_;
-    tried.material.front().opaque_threshold = settings.opaque_threshold;
-    keep_coverage(used_, tried);
-    return search_orders(HairSurface(OpenedAsset(tried).asset()), poses_, head_, settings);
+  [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
+    OrderSearchSettings settings = settings_;
+    settings.opaque_threshold = threshold;
+    settings.judge_views_per_cell = views_per_cell;
+    const ThresholdHair hair(contents_, used_, threshold);
+    return judge_orders(hair.surface, poses_, orders, settings);
+  }
+
+  /// The thesis's way, with the usual threshold.
+  [[nodiscard]] FoundOrders by_head() const {
+    FoundOrders head;
+    head.rule = {usual_threshold_, false};
+    head.patches = head_;
+    head.head = head.single = head.found = judge(head, usual_threshold_, settings_.judge_views_per_cell);
+    return head;
   }
 
   /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
   /// and leave less to be sorted.
-  [[nodiscard]] FoundOrders best_threshold(const FoundOrders& usual) const {
-    FoundOrders higher = climb(usual, kThresholdStep);
-    FoundOrders lower = climb(usual, -kThresholdStep);
-    return lower.found.psnr > higher.found.psnr + kThresholdGain ? std::move(lower) : std::move(higher);
+  [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
+    const Judged usual{usual_threshold_, judge(orders, usual_threshold_, kQuickJudgeViews).psnr};
+    const Judged higher = climb(orders, usual, kThresholdStep), lower = climb(orders, usual, -kThresholdStep);
+    return lower.psnr > higher.psnr + kThresholdGain ? lower.threshold : higher.threshold;
   }
 
-  [[nodiscard]] FoundOrders climb(FoundOrders best, float step) const {
-    for (float threshold = usual_threshold_ + step; threshold > kLowest && threshold < kHighest; threshold += step) {
-      FoundOrders tried = quick_search(threshold, best.rule.faces_together);
-      if (tried.found.psnr <= best.found.psnr) break;
-      best = std::move(tried);
+  struct Judged {
+    float threshold;
+    double psnr;
+  };
+
+  [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, float step) const {
+    for (float threshold = best.threshold + step; threshold > kLowest && threshold < kHighest; threshold += step) {
+      const double psnr = judge(orders, threshold, kQuickJudgeViews).psnr;
+      if (psnr <= best.psnr) break;
+      best = {threshold, psnr};
     }
     return best;
   }

@@ -46,29 +46,38 @@ class FragmentView::Rasteriser {
         hair_(hair),
         positions_(positions),
         grid_(grid),
-        covered_from_(view.columns_ * view.rows_, std::numeric_limits<float>::infinity()) {}
+        covered_from_(view.columns_ * view.rows_, std::numeric_limits<float>::infinity()) {
+    for (const Eigen::Vector3f& p : positions) corners_.push_back(corner_of(p));
+  }
 
   void draw(std::uint32_t index, std::vector<Placed>& out) {
     const HairSurface::Triangle& triangle = hair_.triangles[index];
-    for (int k = 0; k < 3; ++k) {
-      point_[k] = positions_[triangle.vertex[k]];
-      corner_[k] = corner_of(point_[k]);
-      uv_[k] = hair_.uvs[triangle.vertex[k]];
-    }
+    for (int k = 0; k < 3; ++k) corner_[k] = corners_[triangle.vertex[k]];
     const std::int64_t area = edge(corner_[0], corner_[1], corner_[2]);
     if (area == 0 || (area < 0 && !hair_.double_sided)) return;
     base_ = {0, 0, index, triangle.patch, area > 0};
+    std::ranges::copy(triangle.vertex, vertex_.begin());
     if (area < 0) {
-      std::swap(point_[1], point_[2]);
       std::swap(corner_[1], corner_[2]);
-      std::swap(uv_[1], uv_[2]);
+      std::swap(vertex_[1], vertex_[2]);
     }
     area_ = std::abs(area);
-    mip_ = mip();
+    is_met_ = false;
     visit_lines(out);
   }
 
  private:
+  /// What only triangles need that a line meets: of fine hair most are met by none.
+  void meet() {
+    if (is_met_) return;
+    is_met_ = true;
+    for (int k = 0; k < 3; ++k) {
+      point_[k] = positions_[vertex_[k]];
+      uv_[k] = hair_.uvs[vertex_[k]];
+    }
+    mip_ = mip();
+  }
+
   [[nodiscard]] Corner corner_of(const Eigen::Vector3f& p) const {
     const float to_steps = kSteps / view_.spacing_;
     return {std::llround((p.dot(view_.right_) - view_.left_) * to_steps),
@@ -103,6 +112,7 @@ class FragmentView::Rasteriser {
       if (inside < 0 || (inside == 0 && !owns_edge(a, b))) return;
       share[k] = float(inside) / float(area_);
     }
+    meet();
     Placed placed{std::uint32_t(row) * std::uint32_t(view_.columns_) + std::uint32_t(column), base_};
     const Eigen::Vector3f point = share[0] * point_[0] + share[1] * point_[1] + share[2] * point_[2];
     placed.fragment.depth = -point.dot(view_.towards_eye_);
@@ -119,6 +129,9 @@ class FragmentView::Rasteriser {
   std::span<const Eigen::Vector3f> positions_;
   const ViewGrid& grid_;
   std::vector<float> covered_from_;  ///< Per line: the nearest solid fragment so far.
+  std::vector<Corner> corners_;      ///< Per vertex.
+  std::array<std::uint32_t, 3> vertex_{};
+  bool is_met_ = false;
   Eigen::Vector3f point_[3];
   Corner corner_[3];
   Eigen::Vector2f uv_[3];
@@ -141,19 +154,25 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
   find_solids(hair.solids);
 }
 
-/// So that what is solid comes before most of what it hides.
+/// So that what is solid comes before most of what it hides: in slices, each in stored order, for which no sorting is needed.
 std::vector<std::uint32_t> FragmentView::near_to_far(const HairSurface& hair,
                                                      std::span<const Eigen::Vector3f> positions) const {
-  std::vector<std::pair<float, std::uint32_t>> nearest;
-  for (std::uint32_t t = 0; t < hair.triangles.size(); ++t) {
+  constexpr std::uint32_t kSlices = 256;
+  std::vector<float> height(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) height[v] = positions[v].dot(towards_eye_);
+  const auto [low, high] = std::ranges::minmax_element(height);
+  const float to_slices = height.empty() || *high <= *low ? 0 : float(kSlices) / (*high - *low);
+  std::vector<std::uint32_t> slice(hair.triangles.size());
+  std::array<std::uint32_t, kSlices + 1> begin{};
+  for (std::size_t t = 0; t < slice.size(); ++t) {
     const auto& v = hair.triangles[t].vertex;
-    const float height = std::max(
-        {positions[v[0]].dot(towards_eye_), positions[v[1]].dot(towards_eye_), positions[v[2]].dot(towards_eye_)});
-    nearest.emplace_back(-height, t);
+    const float nearest = std::max({height[v[0]], height[v[1]], height[v[2]]});
+    slice[t] = std::min(kSlices - 1, std::uint32_t((*high - nearest) * to_slices));
+    ++begin[slice[t] + 1];
   }
-  std::ranges::sort(nearest);
-  std::vector<std::uint32_t> order;
-  for (const auto& [depth, triangle] : nearest) order.push_back(triangle);
+  for (std::size_t s = 1; s < begin.size(); ++s) begin[s] += begin[s - 1];
+  std::vector<std::uint32_t> order(slice.size());
+  for (std::uint32_t t = 0; t < slice.size(); ++t) order[begin[slice[t]]++] = t;
   return order;
 }
 

@@ -25,4 +25,7 @@ struct OrderClusters {
 [[nodiscard]] OrderClusters cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
                                            unsigned threads);
 
+/// The second half of that alone, from the orders of `found`, which other votes led to.
+[[nodiscard]] OrderClusters refine_clusters(const CellVotes& cells, OrderClusters found, unsigned threads);
+
 }  // namespace coif

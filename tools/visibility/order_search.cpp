@@ -14,39 +14,56 @@ constexpr double kUnseenPsnr = 59;          ///< dB: rounding colours to eight b
 constexpr double kMostLostToCache = 0.2;    ///< dB.
 constexpr std::uint32_t kJudgeSeed = 1000;  ///< Far from those that orders are found from.
 
+SampleSettings samples_wanted(const OrderSearchSettings& settings, std::size_t views_per_cell, std::uint32_t seed) {
+  SampleSettings wanted;
+  wanted.views_per_cell = views_per_cell;
+  wanted.seed = seed;
+  wanted.lines = settings.lines_per_view;
+  wanted.solid_alpha = settings.opaque_threshold;
+  wanted.threads = settings.threads;
+  return wanted;
+}
+
+std::vector<std::uint32_t> patches_of(const HairSurface& hair) {
+  std::vector<std::uint32_t> patch_of;
+  for (const HairSurface::Triangle& triangle : hair.triangles) patch_of.push_back(triangle.patch);
+  return patch_of;
+}
+
+TriangleOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t> patch_of) {
+  return {{triangles_in_order(patches, patch_of)}, {}};
+}
+
 class OrderSearch {
  public:
   OrderSearch(const HairSurface& hair, std::span<const HairPositions> poses, const UnitOrder& head,
               const OrderSearchSettings& settings)
       : hair_(hair),
+        poses_(poses),
         settings_(settings),
         head_(head),
-        samples_(sample_views(hair, poses, samples_wanted(settings.views_per_cell, 0))),
-        judge_(sample_views(hair, poses, samples_wanted(2, kJudgeSeed)), settings.threads) {
-    for (const HairSurface::Triangle& triangle : hair.triangles) patch_of_.push_back(triangle.patch);
-    own_.resize(patch_of_.size());
-    std::iota(own_.begin(), own_.end(), 0u);
-    may_join_faces_ = hair.double_sided;
-  }
+        judge_(sample_views(hair, poses, samples_wanted(settings, settings.judge_views_per_cell, kJudgeSeed)),
+               settings.threads),
+        patch_of_(patches_of(hair)) {}
 
-  FoundOrders run() {
+  /// `from`: null, or what to refine.
+  FoundOrders run(const FoundOrders* from) {
     start();
-    const std::optional<bool>& together = settings_.faces_together;
-    if (!may_join_faces_ || !together || !*together) consider(false);
-    if (may_join_faces_ && (!together || *together)) consider(true);
+    const std::vector<DrawRule> tried = rules(from);
+    const std::vector<CellVotes> votes = cell_votes(tried);
+    for (std::size_t i = 0; i < tried.size(); ++i) consider(tried[i], votes[i], from);
     best_.limit = judge_.best_psnr(settings_.opaque_threshold);
     return std::move(best_);
   }
 
  private:
-  [[nodiscard]] SampleSettings samples_wanted(std::size_t views_per_cell, std::uint32_t seed) const {
-    SampleSettings wanted;
-    wanted.views_per_cell = views_per_cell;
-    wanted.seed = seed;
-    wanted.lines = settings_.lines_per_view;
-    wanted.solid_alpha = settings_.opaque_threshold;
-    wanted.threads = settings_.threads;
-    return wanted;
+  [[nodiscard]] std::vector<DrawRule> rules(const FoundOrders* from) const {
+    std::optional<bool> together = from != nullptr ? from->rule.faces_together : settings_.faces_together;
+    if (!hair_.double_sided) together = false;
+    std::vector<DrawRule> rules;
+    if (!together || !*together) rules.push_back({settings_.opaque_threshold, false});
+    if (!together || *together) rules.push_back({settings_.opaque_threshold, true});
+    return rules;
   }
 
   /// The thesis's order, to be beaten.
@@ -57,14 +74,13 @@ class OrderSearch {
   }
 
   [[nodiscard]] OrderQuality judge_single(const UnitOrder& patches, const DrawRule& rule) const {
-    return judge_.judge({{triangles_in_order(patches, patch_of_)}, {}}, rule);
+    return judge_.judge(single_order(patches, patch_of_), rule);
   }
 
-  void consider(bool faces_together) {
-    const DrawRule rule{settings_.opaque_threshold, faces_together};
+  void consider(const DrawRule& rule, const CellVotes& cells, const FoundOrders* from) {
     FoundOrders candidate;
     candidate.rule = rule;
-    candidate.patches = best_single(rule);
+    candidate.patches = best_single(cells, from != nullptr ? from->patches : head_);
     candidate.single = judge_single(candidate.patches, rule);
     const OrderQuality of_head = judge_single(head_, rule);
     if (of_head.psnr >= candidate.single.psnr) {
@@ -72,37 +88,50 @@ class OrderSearch {
       candidate.single = of_head;
     }
     candidate.found = candidate.single;
-    if (settings_.max_orders > 1) add_views(candidate);
+    const bool has_views = from == nullptr ? settings_.max_orders > 1 : !from->by_view.orders.empty();
+    if (has_views) add_views(cells, clusters(cells, candidate, from), candidate);
     if (candidate.found.psnr <= best_.found.psnr) return;
     candidate.head = best_.head;
     best_ = std::move(candidate);
   }
 
-  [[nodiscard]] CellVotes cell_votes(std::span<const std::uint32_t> unit_of, const DrawRule& rule) const {
-    CellVotes cells;
+  /// Of triangles, for each rule. Only votes are kept of a view: of fine hair they take a hundredth of its layers' memory.
+  [[nodiscard]] std::vector<CellVotes> cell_votes(std::span<const DrawRule> rules) const {
+    std::vector<std::uint32_t> own(patch_of_.size());
+    std::iota(own.begin(), own.end(), 0u);
+    const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
+    std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      std::vector<std::vector<Vote>> of_views;
-      for (const ViewSamples::View& view : samples_.views) {
-        if (view.cell == cell) of_views.push_back(votes_of(view.lines, unit_of, rule));
+      const ViewSamples samples = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
+      for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+        std::vector<std::vector<Vote>> of_views;
+        for (const auto& view : samples.views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
+        votes[rule][cell] = sum_of(of_views);
       }
-      cells[cell] = sum_of(of_views);
     });
-    return cells;
+    return votes;
   }
 
-  [[nodiscard]] UnitOrder best_single(const DrawRule& rule) const {
-    const CellVotes cells = cell_votes(patch_of_, rule);
-    const std::vector<Vote> all = sum_of(cells);
-    UnitOrder from_head = improve_order(all, head_);
+  [[nodiscard]] UnitOrder best_single(const CellVotes& cells, const UnitOrder& start) const {
+    CellVotes of_patches;
+    for (std::size_t cell = 0; cell < kViewCells; ++cell) of_patches[cell] = votes_of_groups(cells[cell], patch_of_);
+    const std::vector<Vote> all = sum_of(of_patches);
+    UnitOrder from_start = improve_order(all, start);
     UnitOrder from_sums = improve_order(all, order_by_sums(all, head_));
-    const bool sums_win = votes_against(all, from_sums) < votes_against(all, from_head);
-    return sums_win ? std::move(from_sums) : std::move(from_head);
+    const bool sums_win = votes_against(all, from_sums) < votes_against(all, from_start);
+    return sums_win ? std::move(from_sums) : std::move(from_start);
   }
 
-  void add_views(FoundOrders& candidate) const {
-    const CellVotes cells = cell_votes(own_, candidate.rule);
-    OrderClusters clusters = cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_),
-                                            settings_.max_orders - 1, settings_.threads);
+  [[nodiscard]] OrderClusters clusters(const CellVotes& cells, const FoundOrders& candidate,
+                                       const FoundOrders* from) const {
+    if (from != nullptr) {
+      return refine_clusters(cells, {from->by_view.orders, from->by_view.order_of}, settings_.threads);
+    }
+    return cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_), settings_.max_orders - 1,
+                          settings_.threads);
+  }
+
+  void add_views(const CellVotes& cells, OrderClusters clusters, FoundOrders& candidate) const {
     const TriangleOrders shared = for_cache(clusters, cells);
     TriangleOrders orders{std::move(clusters.orders), clusters.order_of};
     OrderQuality quality = judge_.judge(orders, candidate.rule);
@@ -131,13 +160,11 @@ class OrderSearch {
   }
 
   const HairSurface& hair_;
+  std::span<const HairPositions> poses_;
   const OrderSearchSettings& settings_;
   const UnitOrder& head_;
-  ViewSamples samples_;
   OrderJudge judge_;
   std::vector<std::uint32_t> patch_of_;  ///< Of each triangle.
-  std::vector<std::uint32_t> own_;       ///< Each triangle as a unit of its own.
-  bool may_join_faces_ = true;
   FoundOrders best_;
 };
 
@@ -145,7 +172,22 @@ class OrderSearch {
 
 FoundOrders search_orders(const HairSurface& hair, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
-  return OrderSearch(hair, poses, by_head_distance, settings).run();
+  return OrderSearch(hair, poses, by_head_distance, settings).run(nullptr);
+}
+
+FoundOrders refine_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+                          const UnitOrder& by_head_distance, const FoundOrders& found,
+                          const OrderSearchSettings& settings) {
+  return OrderSearch(hair, poses, by_head_distance, settings).run(&found);
+}
+
+OrderQuality judge_orders(const HairSurface& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
+                          const OrderSearchSettings& settings) {
+  const OrderJudge judge(sample_views(hair, poses, samples_wanted(settings, settings.judge_views_per_cell, kJudgeSeed)),
+                         settings.threads);
+  const DrawRule rule{settings.opaque_threshold, orders.rule.faces_together};
+  if (!orders.by_view.orders.empty()) return judge.judge(orders.by_view, rule);
+  return judge.judge(single_order(orders.patches, patches_of(hair)), rule);
 }
 
 }  // namespace coif

@@ -14,6 +14,7 @@ struct OrderSearchSettings {
   float opaque_threshold = 0.95f;
   std::optional<bool> faces_together;  ///< None: what is better.
   std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
+  std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others.
   std::size_t lines_per_view = 4000;
   unsigned threads = 1;  ///< Without influence on the result.
 };
@@ -37,5 +38,15 @@ struct FoundOrders {
 /// Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
 [[nodiscard]] FoundOrders search_orders(const HairSurface& hair, std::span<const HairPositions> poses,
                                         const UnitOrder& by_head_distance, const OrderSearchSettings& settings);
+
+/// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a search's
+/// time goes into finding which directions belong together, and few views tell that as well.
+[[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+                                        const UnitOrder& by_head_distance, const FoundOrders& found,
+                                        const OrderSearchSettings& settings);
+
+/// How good orders are that were found with another threshold, by the views that the search judges by.
+[[nodiscard]] OrderQuality judge_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+                                        const FoundOrders& orders, const OrderSearchSettings& settings);
 
 }  // namespace coif

@@ -21,6 +21,10 @@ void merge(std::vector<Vote>& votes) {
   votes.resize(kept);
 }
 
+Vote vote_of(std::uint32_t before, std::uint32_t after, float weight) {
+  return before < after ? Vote{before, after, weight} : Vote{after, before, -weight};
+}
+
 /// Adds the votes of one line's blended layers.
 void vote(std::span<const Layer> blended, std::span<const std::uint32_t> unit_of, bool faces_together,
           std::vector<Vote>& votes) {
@@ -34,11 +38,7 @@ void vote(std::span<const Layer> blended, std::span<const std::uint32_t> unit_of
       const std::uint32_t under = unit_of[blended[far].triangle];
       const bool in_one_go = faces_together || blended[near].is_front == blended[far].is_front;
       if (under == over || !in_one_go) continue;
-      if (under < over) {
-        votes.push_back({under, over, loss * loss});
-      } else {
-        votes.push_back({over, under, -loss * loss});
-      }
+      votes.push_back(vote_of(under, over, loss * loss));
     }
   }
 }
@@ -56,6 +56,16 @@ std::vector<Vote> votes_of(const SightLines& lines, std::span<const std::uint32_
   }
   merge(votes);
   return votes;
+}
+
+std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of) {
+  std::vector<Vote> of_groups;
+  for (const Vote& vote : votes) {
+    const std::uint32_t before = group_of[vote.first], after = group_of[vote.second];
+    if (before != after) of_groups.push_back(vote_of(before, after, vote.weight));
+  }
+  merge(of_groups);
+  return of_groups;
 }
 
 std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists) {

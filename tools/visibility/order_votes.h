@@ -23,6 +23,9 @@ struct Vote {
 [[nodiscard]] std::vector<Vote> votes_of(const SightLines& lines, std::span<const std::uint32_t> unit_of_triangle,
                                          const DrawRule& rule);
 
+/// What votes on units say of groups of them, such as triangles' patches: as votes_of() with the groups for units.
+[[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
+
 /// The sums of several lists of votes.
 [[nodiscard]] std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists);
 

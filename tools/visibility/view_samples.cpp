@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace coif {
 namespace {
@@ -47,25 +48,32 @@ Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
   return direction.normalized();
 }
 
-ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
-                         const SampleSettings& settings) {
+ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> poses, const SampleSettings& settings,
+                        std::uint32_t cell) {
   const double outline = mean_outline(poses.front());
-  const auto per_cell = std::uint32_t(settings.views_per_cell);
   ViewSamples samples;
-  samples.views.resize(kViewCells * settings.views_per_cell);
-  parallel_for(samples.views.size(), settings.threads, [&](std::size_t i) {
-    ViewSamples::View& view = samples.views[i];
-    view.cell = std::uint32_t(i) / per_cell;
-    const std::uint32_t turn = std::uint32_t(i) % per_cell + settings.seed;
-    view.pose = pose_of_view(view.cell, turn, poses.size());
+  for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
+    const std::uint32_t turn = i + settings.seed;
+    const std::uint32_t pose = pose_of_view(cell, turn, poses.size());
     ViewGrid grid;
-    grid.towards_eye = direction_in_cell(view.cell, turn);
+    grid.towards_eye = direction_in_cell(cell, turn);
     grid.spacing = float(std::sqrt(std::max(outline, 1.0e-8) / double(settings.lines)));
     grid.pixel = settings.pixel;
     grid.solid_alpha = settings.solid_alpha;
-    view.lines = SightLines(FragmentView(hair, poses[view.pose], grid), settings.solid_alpha);
-  });
+    const FragmentView view(hair, poses[pose], grid);
+    samples.views.push_back({cell, pose, SightLines(view, settings.solid_alpha)});
+  }
   return samples;
+}
+
+ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
+                         const SampleSettings& settings) {
+  std::array<ViewSamples, kViewCells> of_cell;
+  parallel_for(kViewCells, settings.threads,
+               [&](std::size_t cell) { of_cell[cell] = sample_cell(hair, poses, settings, std::uint32_t(cell)); });
+  ViewSamples all;
+  for (ViewSamples& samples : of_cell) std::ranges::move(samples.views, std::back_inserter(all.views));
+  return all;
 }
 
 }  // namespace coif

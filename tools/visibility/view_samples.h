@@ -26,11 +26,15 @@ struct SampleSettings {
   std::size_t lines = 3000;   ///< Wanted per view.
   float solid_alpha = 0.95f;  ///< Layers behind one of at least this alpha do not matter.
   float pixel = 0.001f;       ///< Metres; as ViewGrid.
-  unsigned threads = 1;       ///< Without influence on the result.
+  unsigned threads = 1;       ///< Of sample_views(); without influence on the result.
 };
 
-/// Views in directions that fill each cell evenly. In each cell they take the poses by turns; every cell begins with
-/// another, the first pose, at rest, comes every other time.
+/// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
+/// pose, at rest, comes every other time.
+[[nodiscard]] ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
+                                      const SampleSettings& settings, std::uint32_t cell);
+
+/// Those of all cells.
 [[nodiscard]] ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
                                        const SampleSettings& settings);
 

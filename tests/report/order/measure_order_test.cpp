@@ -61,6 +61,7 @@ TEST_F(MeasureOrder, SaysWhatTheAssetHasNot) {
   EXPECT_NE(std::ranges::find(report.left_out, "view", &OrderLeftOut::what), report.left_out.end());
   const OrderReport with_orders = measured(shells_with_orders());
   EXPECT_EQ(std::ranges::find(with_orders.left_out, "view", &OrderLeftOut::what), with_orders.left_out.end());
+  EXPECT_NE(std::ranges::find(report.left_out, "bones", &OrderLeftOut::what), report.left_out.end()) << "no skin";
 }
 
 TEST_F(MeasureOrder, ExactPicturesAgreeWithThemselves) {

@@ -55,8 +55,11 @@ tl::expected<Picture, ToolError> PictureComparer::take(const DrawnWay& way, cons
   HairShot taken = shot(way, hair, view);
   taken.width /= divisor;
   taken.height /= divisor;
-  if (way.sorts_triangles) {
-    const OpenedAsset sorted(sorted_by_triangle(finest_, hair.positions, pictures_.eye(taken).cast<float>()));
+  if (!way.sorted_units.empty()) {
+    const Eigen::Vector3f eye = pictures_.eye(taken).cast<float>();
+    AssetContents contents = sorted_by_unit(finest_, way.sorted_units, hair.positions, eye);
+    set_faces(contents, way.faces_together);
+    const OpenedAsset sorted(contents);
     if (auto replaced = pictures_.replace(way.model, sorted.asset()); !replaced) {
       return tl::unexpected(replaced.error());
     }

@@ -1,7 +1,9 @@
 #include "report/order/drawn_orders.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -11,12 +13,6 @@ constexpr std::size_t kTexelAlignment = 16;  // of each texture, as the format a
 template <typename Record>
 std::vector<Record> copy(std::span<const Record> records) {
   return {records.begin(), records.end()};
-}
-
-void set_faces(AssetContents& contents, bool together) {
-  for (MaterialRecord& material : contents.material) {
-    material.flags = together ? material.flags | kMaterialFacesTogether : material.flags & ~kMaterialFacesTogether;
-  }
 }
 
 /// Patches by a key, equal ones in stored order.
@@ -69,6 +65,22 @@ void copy_appearance(const Asset& asset, AssetContents& contents) {
   }
 }
 
+struct Unit {
+  Eigen::Vector3f corners = Eigen::Vector3f::Zero();  ///< Sum.
+  float count = 0;
+};
+
+/// The one that moves the three corners most.
+std::uint32_t leading_bone(std::span<const SkinRecord> skin, std::span<const std::uint32_t, 3> corners) {
+  std::map<std::uint32_t, int> weight;
+  for (const std::uint32_t corner : corners) {
+    for (std::size_t k = 0; k < std::size(skin[corner].bone); ++k) {
+      weight[skin[corner].bone[k]] += skin[corner].weight[k];
+    }
+  }
+  return std::ranges::max_element(weight, {}, &std::pair<const std::uint32_t, int>::second)->first;
+}
+
 }  // namespace
 
 AssetContents finest_level(const Asset& asset) {
@@ -84,6 +96,12 @@ AssetContents finest_level(const Asset& asset) {
   copy_orders(asset, contents);
   copy_appearance(asset, contents);
   return contents;
+}
+
+void set_faces(AssetContents& contents, bool together) {
+  for (MaterialRecord& material : contents.material) {
+    material.flags = together ? material.flags | kMaterialFacesTogether : material.flags & ~kMaterialFacesTogether;
+  }
 }
 
 AssetContents in_file_order(AssetContents finest) {
@@ -103,26 +121,47 @@ AssetContents in_stored_order(AssetContents finest) {
 }
 
 std::vector<std::uint32_t> far_to_near(std::span<const std::uint32_t> indices,
+                                       std::span<const std::uint32_t> unit_of_triangle,
                                        std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& eye) {
-  std::vector<float> distance(indices.size() / 3);
-  for (std::size_t t = 0; t < distance.size(); ++t) {
-    const Eigen::Vector3f sum =
-        positions[indices[3 * t]] + positions[indices[3 * t + 1]] + positions[indices[3 * t + 2]];
-    distance[t] = (sum / 3 - eye).squaredNorm();
+  std::vector<Unit> units(unit_of_triangle.empty() ? 0 : 1 + std::ranges::max(unit_of_triangle));
+  for (std::size_t t = 0; t < unit_of_triangle.size(); ++t) {
+    Unit& unit = units[unit_of_triangle[t]];
+    unit.corners += positions[indices[3 * t]] + positions[indices[3 * t + 1]] + positions[indices[3 * t + 2]];
+    unit.count += 3;
   }
-  std::vector<std::uint32_t> order(distance.size());
+  std::vector<float> distance(units.size(), 0);
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    if (units[u].count > 0) distance[u] = (units[u].corners / units[u].count - eye).squaredNorm();
+  }
+  std::vector<std::uint32_t> order(unit_of_triangle.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, std::greater{}, [&distance](std::uint32_t t) { return distance[t]; });
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t unit_a = unit_of_triangle[a], unit_b = unit_of_triangle[b];
+    return distance[unit_a] != distance[unit_b] ? distance[unit_a] > distance[unit_b] : unit_a < unit_b;
+  });
   std::vector<std::uint32_t> sorted;
   sorted.reserve(indices.size());
   for (const std::uint32_t t : order) sorted.insert(sorted.end(), &indices[3 * t], &indices[3 * t] + 3);
   return sorted;
 }
 
-AssetContents sorted_by_triangle(AssetContents finest, std::span<const Eigen::Vector3f> positions,
-                                 const Eigen::Vector3f& eye) {
-  set_faces(finest, true);
-  finest.indices = far_to_near(finest.indices, positions, eye);
+std::vector<std::uint32_t> each_triangle(const AssetContents& finest) {
+  std::vector<std::uint32_t> own(finest.indices.size() / 3);
+  std::iota(own.begin(), own.end(), 0u);
+  return own;
+}
+
+std::vector<std::uint32_t> leading_bones(const AssetContents& finest) {
+  std::vector<std::uint32_t> leading;
+  for (std::size_t i = 0; i < finest.indices.size(); i += 3) {
+    leading.push_back(leading_bone(finest.skin, std::span(finest.indices).subspan(i).first<3>()));
+  }
+  return leading;
+}
+
+AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t> unit_of_triangle,
+                             std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& eye) {
+  finest.indices = far_to_near(finest.indices, unit_of_triangle, positions, eye);
   PatchRecord all = finest.patches.front();
   all.first_index = 0;
   all.index_count = std::uint32_t(finest.indices.size());

@@ -20,7 +20,8 @@ struct DrawnWay {
   const TransparencyMode* transparency = &kBlendMode;
   const MaterialRecord* material = nullptr;  ///< Instead of the asset's, unless null.
   std::uint32_t samples = 1;
-  bool sorts_triangles = false;  ///< `model` is made anew for each picture, its triangles far to near.
+  /// Per triangle what is sorted far to near for each picture, for which `model` is made anew; empty: nothing is.
+  std::vector<std::uint32_t> sorted_units = {};
   bool faces_together = false;
   std::uint64_t bytes = 0;  ///< Of indices.
 };

@@ -19,8 +19,8 @@ std::vector<double> measure_order_times(OrderPictures& pictures, const PictureCo
   for (const DrawnWay& way : ways) {
     const HairShot shot = comparer.shot(way, hair, kView);
     const Eigen::Vector3f eye = pictures.eye(shot).cast<float>();
-    works.emplace_back([&pictures, &hair, indices, shot, eye, sorts = way.sorts_triangles] {
-      if (sorts) (void)far_to_near(indices, hair.positions, eye);
+    works.emplace_back([&pictures, &hair, indices, shot, eye, &way] {
+      if (!way.sorted_units.empty()) (void)far_to_near(indices, way.sorted_units, hair.positions, eye);
       (void)pictures.draw(shot);
     });
   }

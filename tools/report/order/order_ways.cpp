@@ -4,21 +4,12 @@
 #include "report/opened_asset.h"
 #include "report/order/drawn_orders.h"
 
-#include <string_view>
 #include <utility>
 
 namespace coif {
 namespace {
 
-constexpr std::string_view kBones = "bones";
 constexpr std::uint32_t kCoverageSamples = 4;
-
-const TransparencyMode* find_mode(std::string_view name) {
-  for (const TransparencyMode* mode : transparency_modes()) {
-    if (name == name_of(*mode)) return mode;
-  }
-  return nullptr;
-}
 
 bool draws_faces_together(const AssetContents& contents) {
   return !contents.material.empty() && (contents.material.front().flags & kMaterialFacesTogether) != 0;
@@ -53,8 +44,7 @@ class WayMaker {
     ways_.exact.name = name_of(kExactMode);
     ways_.exact.transparency = &kExactMode;
     ways_.exact.material = ways_.exact_material.get();
-    add_bones();
-    if (!add_triangles()) return tl::unexpected(error_);
+    if (!add_bones() || !add_sorted("triangles", each_triangle(ways_.finest), true)) return tl::unexpected(error_);
     add_modes();
     return std::move(ways_);
   }
@@ -84,29 +74,25 @@ class WayMaker {
     return true;
   }
 
-  void add_bones() {
-    const TransparencyMode* bones = find_mode(kBones);
-    if (bones == nullptr) {
-      ways_.left_out.push_back({std::string(kBones), "this program cannot sort bones while it draws"});
-      return;
-    }
-    DrawnWay way = ways_.own;
-    way.name = kBones;
-    way.transparency = bones;
-    ways_.orders.push_back(std::move(way));
+  [[nodiscard]] bool add_sorted(const char* name, std::vector<std::uint32_t> units, bool faces_together) {
+    AssetContents contents = in_stored_order(ways_.finest);
+    set_faces(contents, faces_together);
+    if (!add(name, contents)) return false;
+    ways_.orders.back().sorted_units = std::move(units);
+    return true;
   }
 
-  [[nodiscard]] bool add_triangles() {
-    AssetContents all = ways_.finest;
-    for (MaterialRecord& material : all.material) material.flags |= kMaterialFacesTogether;
-    if (!add("triangles", in_stored_order(std::move(all)))) return false;
-    ways_.orders.back().sorts_triangles = true;
-    return true;
+  [[nodiscard]] bool add_bones() {
+    if (ways_.finest.skin.empty()) {
+      ways_.left_out.push_back({"bones", "all hair hangs on the head itself"});
+      return true;
+    }
+    return add_sorted("bones", leading_bones(ways_.finest), draws_faces_together(ways_.finest));
   }
 
   void add_modes() {
     for (const TransparencyMode* mode : transparency_modes()) {
-      if (mode == &kExactMode || name_of(*mode) == kBones) continue;
+      if (mode == &kExactMode) continue;
       DrawnWay way = ways_.own;
       way.name = name_of(*mode);
       way.transparency = mode;
@@ -123,6 +109,7 @@ class WayMaker {
 }  // namespace
 
 MaterialRecord with_true_alphas(MaterialRecord material) {
+  if (material.discard_threshold >= material.opaque_threshold) return material;  // a mask: nothing is translucent
   constexpr float kUnseen = 1.0f / 512;  // rounds to nothing; texels that are empty need no place in lists
   material.opaque_threshold = 1;
   material.discard_threshold = kUnseen;

@@ -29,7 +29,8 @@ struct OrderWays {
 /// Of the renderer that takes exact pictures: four times what it takes by itself, for pictures of a thousand pixels each way.
 inline constexpr std::uint32_t kListBytes = 256u << 20;
 
-/// The reference: none but texels of full alpha are solid, and none but those that no 8-bit picture shows are left out.
+/// The reference: none but texels of full alpha are solid, and none but those that no 8-bit picture shows are left out. Hair
+/// that is cut by a mask stays as it is: there its alpha only says where the edge is.
 [[nodiscard]] MaterialRecord with_true_alphas(MaterialRecord material);
 
 /// Uploads the asset once per order. Errors: those of OrderPictures.
