@@ -20,8 +20,8 @@ constexpr float kThresholdStep = 0.05f;
 constexpr float kLowest = 0.495f;
 constexpr float kHighest = 0.955f;
 
-/// dB. More views find more where more is left to be sorted, so a quick search flatters low thresholds.
-constexpr double kThresholdGain = 2;
+/// dB. Refining finds more where more is left to be sorted, so a quick search flatters low thresholds.
+constexpr double kThresholdGain = 0.5;
 constexpr std::size_t kTrianglesPerView = 150;
 constexpr std::size_t kFewestViews = 2, kMostViews = 16;
 constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;

@@ -20,7 +20,7 @@ struct Blended {
 /// `passes`: of the light before it.
 double error_of_solid(float alpha, float passes) {
   const double off = double((1 - alpha) * passes);
-  return 2 * off * off;
+  return (1 + kHiddenVariance) * off * off;
 }
 
 /// Squared differences of one line. `blended` is memory that calls share.
