@@ -48,7 +48,7 @@ TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
   ASSERT_TRUE(source) << source.error().message;
   const auto recipe = read_recipe(kFolder + "long.recipe.json");
   ASSERT_TRUE(recipe) << recipe.error().message;
-  const auto cooked = cook(*source, *recipe, {});
+  const auto cooked = cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
   EXPECT_EQ(cooked->report.warnings, std::vector<std::string>());
   AlignedBytes file(cooked->asset);

@@ -65,7 +65,9 @@ TEST_P(RealTextures, AreFoundWhereTheArtistLeftThem) {
 }
 
 TEST_P(RealTextures, EndHardWhereOneSeesIt) {
-  const auto result = cook(source_, default_recipe(), {.threads = 2, .recipe_directory = {}});
+  Recipe recipe = default_recipe();
+  recipe.order_method = "head";  // spares the search for orders, which says nothing of ends
+  const auto result = cook(source_, recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(result) << result.error().message;
   const bool warned = std::ranges::any_of(result->report.warnings,
                                           [](const std::string& w) { return w.find("end hard") != std::string::npos; });

@@ -11,14 +11,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 
 namespace coif {
 namespace {
 
-// Thresholds to choose from: see choose_opaque_threshold().
-constexpr float kThresholdStep = 0.05f;
-constexpr float kLowest = 0.495f;
-constexpr float kHighest = 0.955f;
+/// To choose from, beside the usual one. Dark hair before bright skin shows what a threshold of 0.95 hides.
+constexpr float kThresholds[] = {0.5f, 0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 0.97f, 0.99f};
+constexpr float kSameThreshold = 0.005f;
 
 /// dB. Refining finds more where more is left to be sorted, so a quick search flatters low thresholds.
 constexpr double kThresholdGain = 0.5;
@@ -121,7 +121,8 @@ class OrderChoice {
   /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
   [[nodiscard]] FoundOrders quick_search() const {
     OrderSearchSettings quick = settings_;
-    quick.opaque_threshold = recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, kHighest) : usual_threshold_;
+    quick.opaque_threshold =
+        recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, std::ranges::max(kThresholds)) : usual_threshold_;
     quick.min_gain = 0;
     quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
@@ -151,7 +152,10 @@ class OrderChoice {
   /// and leave less to be sorted.
   [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
     const Judged usual{usual_threshold_, judge(orders, usual_threshold_, kQuickJudgeViews).psnr};
-    const Judged higher = climb(orders, usual, kThresholdStep), lower = climb(orders, usual, -kThresholdStep);
+    const auto above = [&](float threshold) { return threshold > usual_threshold_ + kSameThreshold; };
+    const auto below = [&](float threshold) { return threshold < usual_threshold_ - kSameThreshold; };
+    const Judged higher = climb(orders, usual, kThresholds | std::views::filter(above));
+    const Judged lower = climb(orders, usual, kThresholds | std::views::reverse | std::views::filter(below));
     return lower.psnr > higher.psnr + kThresholdGain ? lower.threshold : higher.threshold;
   }
 
@@ -160,8 +164,8 @@ class OrderChoice {
     double psnr;
   };
 
-  [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, float step) const {
-    for (float threshold = best.threshold + step; threshold > kLowest && threshold < kHighest; threshold += step) {
+  [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, auto&& thresholds) const {
+    for (const float threshold : thresholds) {
       const double psnr = judge(orders, threshold, kQuickJudgeViews).psnr;
       if (psnr <= best.psnr) break;
       best = {threshold, psnr};
