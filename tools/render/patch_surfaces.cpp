@@ -1,5 +1,7 @@
 #include "render/patch_surfaces.h"
 
+#include <coif/skinning.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,6 @@
 
 namespace coif {
 namespace {
-
-constexpr float kSnorm = 32767.0f;
 
 /// Turning the hue by the golden section keeps the first n colours as far apart as n colours can be, for any n; a slow
 /// change of brightness tells apart those that come round to the same hue.
@@ -23,33 +23,24 @@ Eigen::Vector3f patch_color(std::size_t patch) {
   return color;
 }
 
-using Rows = Eigen::Matrix<float, 3, 4, Eigen::RowMajor>;
-
-/// What moves a vertex; nothing where the hair is rigid.
-Rows blended(const Asset& asset, std::uint32_t index, std::span<const Mat34> palette) {
-  if (asset.skin().empty()) return Rows::Identity();
-  const SkinRecord& skin = asset.skin()[index];
-  Rows sum = Rows::Zero();
-  for (int k = 0; k < 4; ++k) {
-    sum += float(skin.weight[k]) / 255.0f * Eigen::Map<const Rows>(&palette[skin.bone[k]].m[0][0]);
-  }
-  return sum;
+/// Empty where the palette is not the asset's.
+std::vector<SkinnedVertex> skin(const Asset& asset, std::span<const Mat34> palette) {
+  std::vector<SkinnedVertex> skinned(asset.vertices().size());
+  if (skin_vertices(asset, palette, 0, skinned) != Status::kOk) skinned.clear();
+  return skinned;
 }
 
-SolidVertex skinned(const Asset& asset, std::span<const Mat34> palette, std::uint32_t index) {
-  const VertexRecord& vertex = asset.vertices()[index];
-  const Rows rows = blended(asset, index, palette);
-  const Eigen::Map<const Eigen::Vector3f> position(vertex.position);
-  const Eigen::Vector3f normal(float(vertex.normal[0]), float(vertex.normal[1]), float(vertex.normal[2]));
-  return {rows * position.homogeneous(), (rows.leftCols<3>() * (normal / kSnorm)).normalized()};
+SolidVertex solid(const SkinnedVertex& vertex) {
+  const Eigen::Vector3f normal(vertex.normal.x, vertex.normal.y, vertex.normal.z);
+  return {{vertex.position.x, vertex.position.y, vertex.position.z}, normal.normalized()};
 }
 
-SolidMesh patch_surface(const Asset& asset, std::span<const Mat34> palette, const PatchRecord& patch) {
+SolidMesh patch_surface(const Asset& asset, std::span<const SkinnedVertex> skinned, const PatchRecord& patch) {
   SolidMesh mesh;
   std::unordered_map<std::uint32_t, std::uint32_t> place_of;  // a patch uses few of the asset's vertices
   for (const std::uint32_t index : asset.indices().subspan(patch.first_index, patch.index_count)) {
     const auto [place, is_new] = place_of.try_emplace(index, std::uint32_t(mesh.vertices.size()));
-    if (is_new) mesh.vertices.push_back(skinned(asset, palette, index));
+    if (is_new) mesh.vertices.push_back(solid(skinned[index]));
     mesh.triangles.push_back(place->second);
   }
   return mesh;
@@ -58,9 +49,11 @@ SolidMesh patch_surface(const Asset& asset, std::span<const Mat34> palette, cons
 }  // namespace
 
 std::vector<SolidMesh> patch_surfaces(const Asset& asset, std::span<const Mat34> palette, std::uint32_t lod) {
+  const std::vector<SkinnedVertex> skinned = skin(asset, palette);
   std::vector<SolidMesh> meshes;
+  if (skinned.empty()) return meshes;
   for (const PatchRecord& patch : asset.lod_patches(lod)) {
-    meshes.push_back(patch_surface(asset, palette, patch));
+    meshes.push_back(patch_surface(asset, skinned, patch));
     meshes.back().color = patch_color(meshes.size() - 1);
   }
   return meshes;
