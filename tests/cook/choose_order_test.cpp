@@ -131,6 +131,19 @@ void expect_untouched(const Recipe& recipe, AssetContents contents) {
   EXPECT_EQ(write_asset(contents), before);
 }
 
+TEST(ChooseOrder, HugeHairIsNotSearchedUnasked) {
+  AssetContents contents = card_contents(std::vector<Card>{{.alpha = 150}});
+  const std::vector<std::uint32_t> card = contents.indices;
+  while (contents.indices.size() <= 3 * 250'000u) {
+    contents.indices.insert(contents.indices.end(), card.begin(), card.end());
+  }
+  contents.patches[0].index_count = std::uint32_t(contents.indices.size());
+  const auto notes = choose(default_recipe(), contents);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("by distance from the head; 250002 triangles are more"), std::string::npos) << notes[0];
+  EXPECT_TRUE(contents.orders.empty());
+}
+
 TEST(ChooseOrder, HeadDistanceIsKeptWhereItIsAskedForOrNothingIsBlended) {
   expect_untouched(recipe_with("head"), stack());
   AssetContents contents = stack();

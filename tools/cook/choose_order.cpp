@@ -24,6 +24,9 @@ constexpr float kSameThreshold = 0.005f;
 constexpr double kThresholdGain = 0.5;
 constexpr std::size_t kTrianglesPerView = 150;
 constexpr std::size_t kFewestViews = 2, kMostViews = 16;
+constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
+/// More are not searched unasked: it would take minutes, for hair that no game draws.
+constexpr std::size_t kMostTriangles = 250'000;
 constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
 
@@ -96,7 +99,8 @@ class OrderChoice {
     settings_.threads = threads;
     // What each pair of triangles wants is seen from so many sides as there are triangles to be told apart.
     const std::size_t triangles = contents.indices.size() / 3;
-    settings_.views_per_cell = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
+    const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
+    settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
   }
 
   FoundOrders run() {
@@ -210,6 +214,13 @@ std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshol
 tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
                                                                unsigned threads, AssetContents& contents) {
   if (!recipe.scene_draw || recipe.order_method == "head" || !blends(contents)) return std::vector<std::string>{};
+  const std::size_t triangles = contents.indices.size() / 3;
+  if (recipe.order_method == "auto" && triangles > kMostTriangles) {
+    return std::vector{
+        fmt::format("draw order: by distance from the head; {} triangles are more than the {} that are "
+                    "searched for a better one unless \"order.method\" says so",
+                    triangles, kMostTriangles)};
+  }
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return std::vector<std::string>{};  // the cooker says why where it opens what it wrote
   const auto poses = find_poses(opened.asset());

@@ -122,7 +122,7 @@ const RecipeKey kKeys[] = {
 
   {"order", "method", &R::order_method, "\"auto\"", 0, 0, "auto|head|single|views", "",
    "how blended hair is sorted: by distance from the head, in the best single order of patches, or in orders of triangles for"
-   " directions to look from; auto: what comes closest to the exact picture"},
+   " directions to look from; auto: what comes closest to the exact picture, but by distance above 250000 triangles"},
   {"order", "max_orders", &R::order_max, "8", 1, 32, nullptr, "orders",
    "most draw orders, the one for all directions included"},
   {"order", "max_bytes", &R::order_max_bytes, "524288", 0, 4294967295.0, nullptr, "bytes",
