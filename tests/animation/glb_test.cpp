@@ -176,6 +176,8 @@ TEST(GlbWithoutMesh, StillHasTheMovingBones) {
   contents.skin.clear();
   contents.indices.clear();
   contents.patches.clear();
+  contents.orders.clear();
+  contents.order_views.clear();
   contents.lods.clear();
   contents.lod_bones.clear();
   const OpenAsset open(contents);

@@ -93,6 +93,8 @@ TEST(SurfaceMatch, NeedsAMesh) {
   contents.skin.clear();
   contents.indices.clear();
   contents.patches.clear();
+  contents.orders.clear();
+  contents.order_views.clear();
   contents.lods.clear();
   contents.lod_bones.clear();
   const OpenAsset bald(contents), hairy(small_asset());

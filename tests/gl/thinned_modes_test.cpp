@@ -153,8 +153,17 @@ TEST_F(PatternTest, HashedNoiseMovesWithTheHair) {
 
 TEST_F(PatternTest, ScreenDoorStaysWithTheScreen) {
   const auto still = picture_moved_by(0, kScreenDoorMode);
-  EXPECT_EQ(shifted_back(picture_moved_by(4, kScreenDoorMode), 4), still) << "its period";
-  EXPECT_NE(shifted_back(picture_moved_by(1, kScreenDoorMode), 1), still);
+  for (const int pixels : {1, 4, 6}) {
+    const auto moved = picture_moved_by(pixels, kScreenDoorMode);
+    EXPECT_NE(shifted_back(moved, pixels), still) << pixels;
+    // Where the card's lower triangle lies in both pictures.
+    for (std::size_t y = 9; y < 16; ++y) {
+      for (std::size_t x = y + 7; x < 23; ++x) {
+        const std::size_t alpha = 4 * (y * kSize + x) + 3;
+        EXPECT_EQ(moved[alpha], still[alpha]) << x << ", " << y << " moved by " << pixels;
+      }
+    }
+  }
 }
 
 TEST_F(PatternTest, ScreenDoorFillsEverySquareAlike) {
