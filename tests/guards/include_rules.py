@@ -29,6 +29,7 @@ LAYERS = {
     "runtime/gl": SIM | DRAWING,
     "runtime/examples": SIM | DRAWING,
     "tools": SIM,
+    "tools/files": {"tools"},
     "tools/import": TOOL_BASE,
     "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/report", "tools/visibility"},
     "tools/motion": TOOL_BASE,

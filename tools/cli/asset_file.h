@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/file_bytes.h"
+#include "files/file_bytes.h"
 #include "tool_error.h"
 
 #include <coif/asset.h>

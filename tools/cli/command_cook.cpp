@@ -1,13 +1,13 @@
 #include "cli/command.h"
 #include "cli/cook_summary.h"
-#include "cli/file_bytes.h"
 #include "cli/options.h"
-#include "cli/output_file.h"
 #include "cli/progress_line.h"
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "cli/source_listing.h"
 #include "cook/cook.h"
+#include "files/file_bytes.h"
+#include "files/output_file.h"
 #include "payload_hash.h"
 
 #include <algorithm>

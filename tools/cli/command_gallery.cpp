@@ -2,9 +2,9 @@
 #include "cli/command.h"
 #include "cli/json_text.h"
 #include "cli/options.h"
-#include "cli/output_file.h"
 #include "cli/progress_line.h"
 #include "cli/results.h"
+#include "files/output_file.h"
 #include "render/gallery.h"
 
 #include <memory>

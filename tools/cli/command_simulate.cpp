@@ -4,8 +4,8 @@
 #include "cli/json_text.h"
 #include "cli/motion_choice.h"
 #include "cli/options.h"
-#include "cli/output_file.h"
 #include "cli/results.h"
+#include "files/output_file.h"
 #include "render/picture.h"
 
 #include <memory>

@@ -3,8 +3,8 @@
 #include "cli/command.h"
 #include "cli/json_text.h"
 #include "cli/options.h"
-#include "cli/output_file.h"
 #include "cli/results.h"
+#include "files/output_file.h"
 #include "write/chunk_file.h"
 #include "write/strip_asset.h"
 

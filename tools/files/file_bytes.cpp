@@ -1,4 +1,4 @@
-#include "cli/file_bytes.h"
+#include "files/file_bytes.h"
 
 #include <fmt/format.h>
 
