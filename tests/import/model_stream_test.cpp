@@ -52,6 +52,7 @@ SourceModel small_model() {
   model.springs = {spring};
   model.head_node = 1;
   model.warnings = {"one", "two"};
+  model.side_files = {"strip.bin"};
   return model;
 }
 
@@ -70,6 +71,7 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->colliders[1].radius, 0.5);
   EXPECT_EQ(back->head_node, 1u);
   EXPECT_EQ(back->warnings, (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ(back->side_files, (std::vector<std::string>{"strip.bin"}));
 }
 
 TEST(ModelStream, ErrorComesBackAsItWas) {

@@ -127,6 +127,7 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   append(color.warnings, images.warnings());
   append(color.notes, images.notes());
   append(color.files, images.files());
+  color.questions = images.questions();
   return color;
 }
 

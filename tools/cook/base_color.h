@@ -4,6 +4,7 @@
 #include "cook/hair_mesh.h"
 #include "cook/image.h"
 #include "cook/texture_atlas.h"
+#include "cook/texture_question.h"
 
 namespace coif {
 
@@ -15,6 +16,7 @@ struct BaseColor {
   float alpha_cutoff = 0.5f;                         ///< For kMask.
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::vector<std::filesystem::path> files;          ///< Image files that were read.
+  std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
 };

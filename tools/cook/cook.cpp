@@ -8,7 +8,7 @@
 #include "cook/pack_material.h"
 #include "cook/pack_mesh.h"
 #include "cook/pack_skeleton.h"
-#include "payload_hash.h"
+#include "cook/provenance.h"
 #include "write/asset_writer.h"
 
 #include <coif/asset.h>
@@ -21,18 +21,6 @@
 
 namespace coif {
 namespace {
-
-ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe, const CookSettings& settings) {
-  const std::string text = print_recipe(recipe);
-  ProvenanceRecord record{};
-  record.source_hash = settings.source_hash;
-  record.recipe_hash = xxh64(std::as_bytes(std::span(text.data(), text.size())));
-  record.tool_version[0] = COIF_VERSION_MAJOR;
-  record.tool_version[1] = COIF_VERSION_MINOR;
-  record.tool_version[2] = COIF_VERSION_PATCH;
-  std::copy_n(source.importer_version, 3, record.importer_version);
-  return record;
-}
 
 /// Opens what was written: an asset that the runtime would refuse must never reach a disk.
 tl::expected<void, ToolError> check_written(const SourceModel& source, const std::vector<std::byte>& bytes) {
@@ -62,8 +50,18 @@ AssetContents pack(CookedParts& parts, const SourceModel& source, const Recipe& 
   contents.material = {pack_material(parts.base_color, parts.textures, mesh, recipe)};
   contents.textures = parts.textures.records;
   contents.texels = std::move(parts.textures.texels);
-  contents.provenance = {make_provenance(source, recipe, settings)};
+  contents.provenance = {make_provenance(source, recipe, settings.source_hash)};
   return contents;
+}
+
+CookInputs inputs_of(const CookedParts& parts, const SourceModel& source, const Recipe& recipe) {
+  CookInputs inputs;
+  inputs.source_files.assign(source.side_files.begin(), source.side_files.end());
+  inputs.recipe_files = parts.textures.files;
+  auto& of_color = recipe.base_color_texture.empty() ? inputs.source_files : inputs.recipe_files;
+  of_color.insert(of_color.end(), parts.base_color.files.begin(), parts.base_color.files.end());
+  inputs.questions = parts.base_color.questions;
+  return inputs;
 }
 
 void fill_figures(const CookedParts& parts, const AssetContents& contents, CookReport& report) {
@@ -105,6 +103,7 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   const std::vector<LeftOut> left_out = leave_out_parts(recipe, contents);
   report.left_out.insert(report.left_out.end(), left_out.begin(), left_out.end());
   fill_figures(*parts, contents, report);
+  result.inputs = inputs_of(*parts, source, recipe);
   result.asset = run_timed(settings, report, "write", [&] { return write_asset(contents); });
   if (auto ok = check_written(source, result.asset); !ok) return tl::unexpected(ok.error());
   return result;

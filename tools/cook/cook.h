@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/cook_inputs.h"
 #include "cook/left_out.h"
 #include "cook/recipe.h"
 #include "import/source_model.h"
@@ -46,6 +47,7 @@ struct CookReport {
 struct CookResult {
   std::vector<std::byte> asset;  ///< The bytes of a .coif; opens without error.
   CookReport report;
+  CookInputs inputs;
 };
 
 /// Runs every pass on a source model. Pure: same model, recipe and settings give the same bytes.

@@ -43,6 +43,7 @@ const Image* SourceImages::embedded(const SourceMaterial& material) {
 const Image* SourceImages::beside(const SourceMaterial& material) {
   const std::string& written = material.base_texture.path;
   const std::optional<fs::path> path = folder_.find(written);
+  note_question(TextureQuestion::Kind::kFind, {written});
   if (!path) {
     warn_of_absent(material);
     return nullptr;
@@ -56,6 +57,7 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
 
 const Image* SourceImages::guess(std::span<const std::string> names) {
   const std::vector<fs::path> candidates = folder_.colors_of(names);
+  note_question(TextureQuestion::Kind::kColors, {names.begin(), names.end()});
   if (candidates.empty()) {
     notes_.push_back("no material of the hair names a texture");
     return nullptr;
@@ -96,7 +98,14 @@ const Image* SourceImages::keep(const std::string& key, tl::expected<Image, std:
   return &*decoded_.emplace(key, std::move(*image)).first->second;
 }
 
+void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::string> words) {
+  TextureQuestion question{kind, std::move(words), {}};
+  question.answer = answer_to(question, folder_);
+  questions_.push_back(std::move(question));
+}
+
 void SourceImages::warn_of_absent(const SourceMaterial& material) {
+  note_question(TextureQuestion::Kind::kImages, {});
   const std::string there =
       folder_.images().empty()
           ? "put it there"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cook/image.h"
-#include "cook/texture_folder.h"
+#include "cook/texture_question.h"
 #include "import/source_model.h"
 
 #include <map>
@@ -25,6 +25,8 @@ class SourceImages {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// Every file that was read, in the order of reading.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+  /// All that was asked of the folder, in the order of asking.
+  [[nodiscard]] const std::vector<TextureQuestion>& questions() const { return questions_; }
 
  private:
   using Decoded = std::map<std::string, std::optional<Image>>;
@@ -33,6 +35,7 @@ class SourceImages {
   const Image* beside(const SourceMaterial& material);
   const Image* read(const std::filesystem::path& path, const std::string& for_what);
   const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
+  void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
   void warn_of_absent(const SourceMaterial& material);
 
   const SourceModel& source_;
@@ -41,6 +44,7 @@ class SourceImages {
   std::vector<std::string> warnings_;
   std::vector<std::string> notes_;
   std::vector<std::filesystem::path> files_;
+  std::vector<TextureQuestion> questions_;
 };
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #include "import/assimp_reader.h"
 
+#include "import/asked_files.h"
 #include "import/printable_text.h"
 #include "import/scene_materials.h"
 #include "import/scene_meshes.h"
@@ -92,22 +93,31 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
+  std::set<std::string> asked;
   Assimp::Importer importer;
+  importer.SetIOHandler(new AskedFiles(asked));  // Owned by the importer.
   configure(importer, suffix, settings);
   const aiScene* scene = read_scene(importer, path, suffix);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return tl::unexpected(refusal(path, suffix, importer.GetErrorString()));
   }
-  return convert_scene(*scene, path, suffix, settings);
+  auto model = convert_scene(*scene, path, suffix, settings);
+  asked.erase(path.string());
+  if (model) model->side_files.assign(asked.begin(), asked.end());
+  return model;
 } catch (const std::bad_alloc&) {
   throw;
 } catch (const std::exception& error) {
   return tl::unexpected(refusal(path, suffix, error.what()));
 }
 
+std::string importer_name() {
+  return fmt::format("assimp {}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch());
+}
+
 void describe_importer(SourceModel& model) {
   const unsigned version[3] = {aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()};
-  model.importer = fmt::format("assimp {}.{}.{}", version[0], version[1], version[2]);
+  model.importer = importer_name();
   for (int i = 0; i < 3; ++i) model.importer_version[i] = static_cast<std::uint16_t>(version[i]);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace coif {
 
@@ -21,6 +22,9 @@ struct ImportSettings {
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.
   std::uint64_t max_file_bytes = std::uint64_t{1} << 30;
 };
+
+/// Name and version of the library that reads sources, for example "assimp 5.2.4".
+[[nodiscard]] std::string importer_name();
 
 /// Reads FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
 /// on hostile files. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,

@@ -164,7 +164,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.images, 2 * kCount, transfer_image) &&
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
-         archive.list(model.warnings, kCount, transfer_text);
+         archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text);
 };
 
 bool decode_error(Decoder& decoder, ImportOutcome& outcome) {

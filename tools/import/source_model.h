@@ -105,6 +105,9 @@ struct SourceModel {
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
   std::vector<std::string> warnings;      ///< What was repaired or dropped, one sentence each.
+  /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
+  /// textures, which it leaves alone.
+  std::vector<std::string> side_files;
 };
 
 }  // namespace coif
