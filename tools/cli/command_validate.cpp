@@ -1,5 +1,5 @@
 #include "cli/asset_file.h"
-#include "cli/asset_issues.h"
+#include "cli/asset_origin.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
@@ -7,7 +7,9 @@
 #include "cli/verdict.h"
 #include "import/import.h"
 #include "import/source_format.h"
-#include "write/chunk_file.h"
+#include "validate/asset_issues.h"
+#include "validate/code_page.h"
+#include "validate/source_issues.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,11 +19,18 @@ namespace coif {
 namespace {
 
 namespace fs = std::filesystem;
+using Found = tl::expected<std::vector<Issue>, ToolError>;
 
 struct ValidateOptions {
   std::vector<std::string> files;
+  OriginOptions origin;
+  IssuePolicy policy;
+  bool list_codes = false;
   OutputFormat format = OutputFormat::kText;
 };
+
+constexpr Choice<Severity> kSeverities[] = {
+    {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
 
 bool has_asset_magic(std::span<const std::byte> bytes) {
   return bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
@@ -32,38 +41,39 @@ bool is_source(const fs::path& path, std::span<const std::byte> bytes) {
   return find_suffix(path).has_value() && !has_asset_magic(bytes);
 }
 
-std::string place(const LoadStatus& status) {
-  if (status.chunk == 0) return "";
-  const std::string chunk = "chunk " + chunk_name(status.chunk);
-  return status.code == LoadCode::kHash ? chunk : fmt::format("{}, record {}", chunk, status.item);
-}
-
-std::vector<Issue> validate_asset(std::span<const std::byte> bytes) {
+Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& origin, const Messages& messages) {
   Asset asset;
   const LoadStatus status = open_whole(bytes, asset);
-  if (status) return find_asset_issues(asset);
-  return {{fmt::format("A{}", 100 + int(status.code)), Severity::kError, describe_text(status), place(status)}};
-}
-
-std::vector<Issue> validate_source(const fs::path& path, const Messages& messages) {
-  const auto choice = choose_recipe(path, std::nullopt, messages);
-  const auto model = import_model(path, import_settings(choice ? choice->recipe : default_recipe()));
-  std::vector<Issue> issues;
-  if (!choice) issues.push_back({"S103", Severity::kError, choice.error().message, "recipe"});
-  if (!model) {
-    const bool unsupported = model.error().kind == ToolError::Kind::kUnsupported;
-    issues.push_back({unsupported ? "S102" : "S101", Severity::kError, model.error().message, ""});
-    return issues;
-  }
-  for (const std::string& warning : model->warnings) issues.push_back({"S201", Severity::kWarning, warning, ""});
+  if (!status) return std::vector{refusal_issue(status)};
+  std::vector<Issue> issues = find_asset_issues(asset);
+  if (origin.source.empty()) return issues;
+  auto differences = compare_with_origin(asset, origin, messages);
+  if (!differences) return differences;
+  issues.insert(issues.end(), differences->begin(), differences->end());
   return issues;
 }
 
-Verdict validate_file(const std::string& path, const Messages& messages) {
+std::vector<Issue> validate_source(const fs::path& path, const std::optional<std::string>& recipe,
+                                   const Messages& messages) {
+  const auto choice = choose_recipe(path, recipe, messages);
+  const Recipe used = choice ? choice->recipe : default_recipe();
+  std::vector<Issue> issues;
+  if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
+  const auto model = import_model(path, import_settings(used));
+  const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
+  issues.insert(issues.end(), found.begin(), found.end());
+  return issues;
+}
+
+tl::expected<Verdict, ToolError> validate_file(const std::string& path, const ValidateOptions& options,
+                                               const Messages& messages) {
   const auto bytes = FileBytes::read(path);
-  if (!bytes) return {path, false, {{"F101", Severity::kError, bytes.error().message, ""}}};
-  if (is_source(path, bytes->span())) return {path, true, validate_source(path, messages)};
-  return {path, true, validate_asset(bytes->span())};
+  if (!bytes) return Verdict{path, false, judge({make_issue("F101", bytes.error().message)}, options.policy)};
+  const bool source = is_source(path, bytes->span());
+  auto issues = source ? Found(validate_source(path, options.origin.recipe, messages))
+                       : validate_asset(bytes->span(), options.origin, messages);
+  if (!issues) return tl::unexpected(issues.error());
+  return Verdict{path, true, judge(std::move(*issues), options.policy)};
 }
 
 /// Messages of other passes begin with the path already.
@@ -73,28 +83,82 @@ std::string issue_text(const Verdict& verdict, const Issue& issue) {
   return fmt::format("{}{}{} [{}]", has_path ? "" : verdict.path + ": ", where, issue.message, issue.code);
 }
 
-void tell(const Verdict& verdict, const Messages& messages) {
-  for (const Issue& issue : verdict.issues) {
-    const std::string text = issue_text(verdict, issue);
-    switch (issue.severity) {
-      case Severity::kError: messages.error(text); break;
-      case Severity::kWarning: messages.warning(text); break;
-      case Severity::kInfo: messages.note(text); break;
-    }
+void tell(Severity severity, const std::string& text, const Messages& messages) {
+  switch (severity) {
+    case Severity::kError: messages.error(text); break;
+    case Severity::kWarning: messages.warning(text); break;
+    case Severity::kInfo: messages.note(text); break;
   }
 }
 
+void tell(const Verdict& verdict, const Messages& messages) {
+  const JudgedIssues& issues = verdict.issues;
+  for (std::size_t i = 0; i < issues.shown.size(); ++i) {
+    const Issue& issue = issues.shown[i];
+    tell(issue.severity, issue_text(verdict, issue), messages);
+    const auto same = [&issue](const auto& other) { return other.code == issue.code; };
+    if (std::any_of(issues.shown.begin() + std::ptrdiff_t(i) + 1, issues.shown.end(), same)) continue;
+    const auto more = std::ranges::find_if(issues.folded, same);
+    if (more == issues.folded.end()) continue;
+    tell(more->severity, fmt::format("{}: {} more like this [{}]", verdict.path, more->count, more->code), messages);
+  }
+}
+
+tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
+  const auto wrong = [](std::string what) {
+    return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(what)});
+  };
+  if (options.files.empty() && !options.list_codes) return wrong("FILE is required; see 'coif validate --help'");
+  if (!options.origin.source.empty() && options.files.size() != 1) return wrong("--source is for one asset at a time");
+  for (const std::string& code : options.policy.ignored) {
+    if (!may_ignore(code)) {
+      return wrong(fmt::format("--ignore: '{}' is no warning or note; 'coif validate --list-codes' lists them", code));
+    }
+  }
+  return {};
+}
+
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
+  if (const auto usage = check_usage(options); !usage) return tl::unexpected(usage.error());
+  const bool as_json = options.format == OutputFormat::kJson;
+  if (options.list_codes) {
+    print_result(as_json ? code_json() : code_page());
+    return Exit::kOk;
+  }
   std::vector<Verdict> verdicts;
   for (const std::string& path : options.files) {
-    verdicts.push_back(validate_file(path, messages));
+    auto verdict = validate_file(path, options, messages);
+    if (!verdict) return tl::unexpected(verdict.error());
+    verdicts.push_back(std::move(*verdict));
     tell(verdicts.back(), messages);
   }
-  print_result(options.format == OutputFormat::kJson ? verdicts_json(verdicts) : verdicts_text(verdicts));
+  print_result(as_json ? verdicts_json(verdicts) : verdicts_text(verdicts));
   const auto unreadable = [](const Verdict& v) { return !v.readable; };
-  const auto invalid = [](const Verdict& v) { return !v.valid(); };
-  if (std::any_of(verdicts.begin(), verdicts.end(), unreadable)) return Exit::kFileAccess;
-  return std::any_of(verdicts.begin(), verdicts.end(), invalid) ? Exit::kBadInput : Exit::kOk;
+  const auto invalid = [](const Verdict& v) { return !v.issues.valid(); };
+  if (std::ranges::any_of(verdicts, unreadable)) return Exit::kFileAccess;
+  return std::ranges::any_of(verdicts, invalid) ? Exit::kBadInput : Exit::kOk;
+}
+
+void add_policy(CLI::App& app, IssuePolicy& policy) {
+  add_choice<Severity>(app, "--severity", policy.lowest, kSeverities, "The lowest that is shown (default info)");
+  app.add_option("--ignore", policy.ignored, "A warning or note that does not count; may be repeated")
+      ->type_name("CODE")
+      ->take_all()
+      ->expected(1);
+  app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
+  app.add_option("--max-issues", policy.most_of_a_code, "Shown of each code and file; the others are counted")
+      ->check(CLI::Range(1u, 1000000u))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_origin(CLI::App& app, OriginOptions& origin) {
+  CLI::Option* source =
+      app.add_option("--source", origin.source, "What the asset was cooked from: is it still the same?")
+          ->type_name("MODEL");
+  app.add_option("--recipe", origin.recipe, "The source's recipe (default: its name with .recipe.json)")
+      ->type_name("R.json");
+  app.add_flag("--recook", origin.recook, "Cook the source again and compare what comes out")->needs(source);
 }
 
 }  // namespace
@@ -102,7 +166,10 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
 Command add_validate(CLI::App& program) {
   CLI::App* app = program.add_subcommand("validate", "Check assets and sources; exit code 3 where one has an error");
   const auto options = std::make_shared<ValidateOptions>();
-  app->add_option("FILE", options->files, "Cooked assets or models")->required();
+  app->add_option("FILE", options->files, "Cooked assets or models");
+  add_policy(*app, options->policy);
+  add_origin(*app, options->origin);
+  app->add_flag("--list-codes", options->list_codes, "Print what every code means, check nothing");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_validate(*options, messages); }};
 }

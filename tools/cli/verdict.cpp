@@ -4,34 +4,41 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace coif {
+namespace {
 
-const char* name(Severity severity) {
-  switch (severity) {
-    case Severity::kInfo: return "info";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: return "error";
+using nlohmann::ordered_json;
+
+ordered_json issue_list(const std::vector<Issue>& issues) {
+  auto list = ordered_json::array();
+  for (const Issue& issue : issues) {
+    list.push_back(
+        {{"code", issue.code}, {"severity", name(issue.severity)}, {"message", issue.message}, {"where", issue.where}});
   }
-  return "error";
+  return list;
 }
 
-bool Verdict::valid() const {
-  return std::none_of(issues.begin(), issues.end(), [](const Issue& i) { return i.severity == Severity::kError; });
+ordered_json folded_list(const std::vector<FoldedIssues>& folded) {
+  auto list = ordered_json::array();
+  for (const FoldedIssues& more : folded) {
+    list.push_back({{"code", more.code}, {"severity", name(more.severity)}, {"count", more.count}});
+  }
+  return list;
 }
+
+}  // namespace
 
 std::string verdicts_json(const std::vector<Verdict>& verdicts) {
-  auto files = nlohmann::ordered_json::array();
+  auto files = ordered_json::array();
   for (const Verdict& verdict : verdicts) {
-    auto issues = nlohmann::ordered_json::array();
-    for (const Issue& issue : verdict.issues) {
-      issues.push_back({{"code", issue.code},
-                        {"severity", name(issue.severity)},
-                        {"message", issue.message},
-                        {"where", issue.where}});
-    }
-    files.push_back({{"path", verdict.path}, {"valid", verdict.valid()}, {"issues", std::move(issues)}});
+    const JudgedIssues& issues = verdict.issues;
+    files.push_back({{"path", verdict.path},
+                     {"valid", issues.valid()},
+                     {"errors", issues.errors},
+                     {"warnings", issues.warnings},
+                     {"infos", issues.infos},
+                     {"issues", issue_list(issues.shown)},
+                     {"folded", folded_list(issues.folded)}});
   }
   return json_text({{"files", std::move(files)}});
 }
@@ -39,7 +46,7 @@ std::string verdicts_json(const std::vector<Verdict>& verdicts) {
 std::string verdicts_text(const std::vector<Verdict>& verdicts) {
   std::string text;
   for (const Verdict& verdict : verdicts) {
-    const char* word = !verdict.readable ? "unreadable" : verdict.valid() ? "valid" : "invalid";
+    const char* word = !verdict.readable ? "unreadable" : verdict.issues.valid() ? "valid" : "invalid";
     text += fmt::format("{}: {}\n", verdict.path, word);
   }
   return text;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/issue.h"
+#include "validate/issue_policy.h"
 
 #include <string>
 #include <vector>
@@ -11,13 +11,10 @@ namespace coif {
 struct Verdict {
   std::string path;
   bool readable = true;
-  std::vector<Issue> issues;
-
-  /// True without an issue of severity error.
-  [[nodiscard]] bool valid() const;
+  JudgedIssues issues;
 };
 
-/// The result as JSON; the keys are stable.
+/// The result as JSON; its keys are stable, and tools/validate/verdicts.schema.json describes them.
 [[nodiscard]] std::string verdicts_json(const std::vector<Verdict>& verdicts);
 
 /// One line per file.

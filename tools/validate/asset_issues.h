@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/issue.h"
+#include "validate/issue.h"
 
 #include <coif/asset.h>
 
@@ -10,5 +10,8 @@ namespace coif {
 
 /// What an asset that opens without error still does badly on screen: no error, but worth an artist's look.
 [[nodiscard]] std::vector<Issue> find_asset_issues(const Asset& asset);
+
+/// Why an asset was refused; `status` is that of a failed open().
+[[nodiscard]] Issue refusal_issue(const LoadStatus& status);
 
 }  // namespace coif

@@ -1,0 +1,29 @@
+#pragma once
+// What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
+
+#include "validate/issue.h"
+
+#include <coif/asset.h>
+
+#include <cstdint>
+
+namespace coif {
+
+using Issues = std::vector<Issue>;
+
+/// "bone 'fringe_2'", or "bone 7" where it has no name.
+[[nodiscard]] std::string bone_place(const Asset& asset, std::size_t bone);
+[[nodiscard]] std::string patch_place(std::size_t patch);
+
+void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
+void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223
+void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A206, A231, A232, A233, A234
+void check_patches(const Asset& asset, Issues& issues);     ///< A241, A242, A243
+void check_orders(const Asset& asset, Issues& issues);      ///< A251, A253
+void check_skin(const Asset& asset, Issues& issues);        ///< A261
+void check_textures(const Asset& asset, Issues& issues);    ///< A204, A271, A272
+void check_alpha(const Asset& asset, Issues& issues);       ///< A252, A273, A274
+void check_unwrapping(const Asset& asset, Issues& issues);  ///< A275, A276
+void check_quality(const Asset& asset, Issues& issues);     ///< A281 to A285
+
+}  // namespace coif

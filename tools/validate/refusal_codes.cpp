@@ -1,0 +1,71 @@
+#include "validate/code_tables.h"
+
+namespace coif {
+namespace {
+
+constexpr const char* kCookAgain = "Cook its source again; if the new file is refused too, the cooker has a bug.";
+constexpr const char* kTransfer =
+    "Copy the file again, in binary mode and whole; keep line endings and version control's filters away from it.";
+constexpr const char* kSameVersion = "Cook its source with the version of the tools that the game was built with.";
+
+constexpr IssueCode refused(const char* code, IssueGroup group, const char* title, const char* meaning,
+                            const char* cure = kCookAgain) {
+  return {code, group, Severity::kError, title, meaning, cure};
+}
+
+using enum IssueGroup;
+
+constexpr IssueCode kCodes[] = {
+    refused("F101", kContainer, "file cannot be read", "The file is absent, a folder, a pipe or not readable.",
+            "Check the path and its permissions."),
+    refused("A101", kContainer, "too short", "The file is shorter than an asset's header.", kTransfer),
+    refused("A102", kContainer, "misaligned memory",
+            "The memory that was given does not start at a multiple of 64. No file is at fault, and no file raises it "
+            "here.",
+            "Load assets to memory aligned to 64 bytes."),
+    refused("A103", kContainer, "not an asset", "The first bytes are not those of a cooked hair asset.",
+            "Give a file written by 'coif cook'."),
+    refused("A104", kContainer, "other major version", "The file was cooked for another major version of the format.",
+            kSameVersion),
+    refused("A105", kContainer, "wrong size", "The file was truncated, or has bytes added at its end.", kTransfer),
+    refused("A106", kContainer, "too many chunks",
+            "The header counts more chunks than the format allows, or than the file can hold."),
+    refused("A107", kContainer, "hash differs", "Bytes were changed after cooking.", kTransfer),
+    refused("A108", kContainer, "chunk out of place",
+            "A chunk lies outside of the file, overlaps another, or is out of order or not aligned."),
+    refused("A109", kContainer, "chunk twice", "Two chunks have the same name."),
+    refused("A110", kContainer, "unknown chunk", "A chunk must be understood and is not known to this version.",
+            kSameVersion),
+    refused("A111", kContainer, "chunk absent", "A chunk that another one needs is not there."),
+    refused("A112", kContainer, "chunk of odd size",
+            "A chunk's size does not fit its records, or the count declared elsewhere."),
+    refused("A113", kContainer, "reserved bits set", "A field that must be zero is not.", kSameVersion),
+    refused("A114", kContainer, "bad number", "A number is infinite, not a number, or outside of its range."),
+    refused("A115", kContainer, "unknown value", "A field has a value that this version does not know.", kSameVersion),
+    refused("A116", kContainer, "dangling index", "An index points outside of the array that it refers to."),
+    refused("A117", kSkeleton, "bones out of order", "Bones are not sorted head, scalp, simulated with parents first."),
+    refused("A118", kSkeleton, "bones not joined", "A bone does not start where its simulated parent ends."),
+    refused("A119", kDynamics, "impossible set of colliders",
+            "A bone's set names colliders that are not there, or belongs to a rigid bone."),
+    refused("A120", kSkeleton, "chains do not fit bones", "Chains do not cover the simulated bones exactly once."),
+    refused("A121", kSkeleton, "too many open bones",
+            "A chain's order keeps more bones waiting for their children than a solver has room for."),
+    refused("A122", kPatches, "patches do not fit triangles",
+            "Patches do not cover the triangles exactly once, in order."),
+    refused("A123", kGeometry, "levels do not fit patches",
+            "Levels of detail do not cover the patches exactly once, in order."),
+    refused("A124", kGeometry, "levels out of order",
+            "Screen sizes do not fall to 0 from level to level, or errors do not grow from 0."),
+    refused("A125", kGeometry, "levels do not fit bones",
+            "A bone is simulated in levels of detail where it cannot be, or not in the finest."),
+    refused("A126", kOrders, "order does not fit triangles",
+            "A draw order does not draw every triangle of a level of detail exactly once."),
+    refused("A127", kSkin, "weights do not add up", "The skin weights of a vertex do not add up to one."),
+    refused("A128", kSkeleton, "names cut off", "The list of bone names does not end with a zero byte."),
+};
+
+}  // namespace
+
+std::span<const IssueCode> refusal_codes() { return kCodes; }
+
+}  // namespace coif

@@ -1,0 +1,63 @@
+#include "cook/mip_coverage.h"
+#include "validate/asset_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace coif {
+namespace {
+
+constexpr double kAll = 0.9995;
+
+const char* place(TextureRole role) {
+  return role == TextureRole::kBaseColor ? "base colour texture" : "shift and mask texture";
+}
+
+/// Some used texel has an alpha that neither passes as solid nor as nothing.
+bool has_soft_texels(const Asset& asset, const TextureRecord& texture) {
+  const auto texels = asset.texels(texture, 0);
+  for (std::size_t i = 3; i < texels.size(); i += 4) {
+    const auto alpha = std::to_integer<int>(texels[i]);
+    if (alpha > 16 && alpha < 239) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void check_textures(const Asset& asset, Issues& issues) {
+  if (!asset.vertices().empty() && asset.texture(TextureRole::kBaseColor) == nullptr) {
+    issues.push_back(make_issue("A204", "no base colour texture: strips are drawn as solid cards"));
+  }
+  for (const TextureRecord& texture : asset.textures()) {
+    const std::string size = fmt::format("{} x {} texels", texture.width, texture.height);
+    if (!std::has_single_bit(texture.width) || !std::has_single_bit(texture.height)) {
+      issues.push_back(make_issue("A271", size + " are no powers of two", place(texture.role)));
+    }
+    const auto all = std::uint32_t(std::bit_width(std::max(texture.width, texture.height)));
+    if (texture.mip_count < all) {
+      issues.push_back(make_issue("A272", fmt::format("{} of the {} mips of {}", texture.mip_count, all, size),
+                                  place(texture.role)));
+    }
+  }
+}
+
+void check_alpha(const Asset& asset, Issues& issues) {
+  const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
+  const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
+  if (texture == nullptr || coverage.empty()) return;
+  const auto add = [&](const char* code, const char* message) {
+    issues.push_back(make_issue(code, message, place(texture->role)));
+  };
+  if (coverage.front().opacity <= 0) {
+    add("A274", "no texel that the hair uses is above the threshold that discards: nothing is drawn");
+  } else if (coverage.front().opaque >= kAll) {
+    add("A273", "every texel that the hair uses is opaque: strips are drawn as solid cards");
+  }
+  const bool blends = asset.material()->discard_threshold < asset.material()->opaque_threshold;
+  if (!blends && has_soft_texels(asset, *texture)) add("A252", "soft edges, of which the thresholds leave nothing");
+}
+
+}  // namespace coif
