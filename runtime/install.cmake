@@ -1,6 +1,6 @@
 # What a game takes with it: shipped libraries, public headers, the CMake package; and the coif program for its build.
 include(CMakePackageConfigHelpers)
-set(shipped coif_formats coif_sim coif_skinning)
+set(shipped coif_formats coif_sim coif_skinning coif_c coif_shared)
 if(COIF_GL)
   list(APPEND shipped coif_gl)
 endif()
@@ -14,6 +14,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/coif-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/coif-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif-config-version.cmake
   DESTINATION ${package_folder})
+
+include(${CMAKE_CURRENT_LIST_DIR}/pkgconfig.cmake)
 
 if(TARGET coif_cli)
   install(TARGETS coif_cli RUNTIME)

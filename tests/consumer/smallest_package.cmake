@@ -17,6 +17,8 @@ must_fail(MATCHES "this machine has no OpenGL" ${CMAKE_COMMAND} --build ${WORK}/
 
 build_game(game "${sim_games};only_skin" -D PARTS=sim,skinning -D README=${SOURCE}/README.md ${without_highway})
 
+include(${consumer}/pkg_config.cmake)
+
 # The part that was not built is missed when the game is configured, by name, and has left nothing behind.
 must_fail(MATCHES "built without 'gl'" ${configure_game} -B ${WORK}/absent -D PARTS=gl)
 file(GLOB_RECURSE left ${prefix}/*coif_gl* ${prefix}/*renderer.h)

@@ -11,8 +11,13 @@ foreach(header IN LISTS public)
   endif()
 endforeach()
 
-build_game(game "${sim_games};only_skin;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly" -D PARTS=formats,sim,skinning,gl
+set(c_games "")
+if(ASSET)
+  set(c_games step_in_c_c step_in_c_shared)
+endif()
+build_game(game "${sim_games};${c_games};only_skin;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly" -D PARTS=formats,sim,skinning,gl,c,shared
   -D README=${project}/README.md)
+include(${consumer}/pkg_config.cmake)
 # Only who simulates needs Highway, and is told when it is not there.
 build_game(reader "only_open;only_skin" -D PARTS=formats,skinning ${without_highway})
 if(SIMD STREQUAL "dispatch")

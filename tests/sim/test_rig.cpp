@@ -39,7 +39,7 @@ void add_levels(AssetContents& contents, const std::vector<std::uint8_t>& levels
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     contents.indices.insert(contents.indices.end(), {0, 1, 2});
-    contents.patches.push_back({3 * i, 3, 0, 0});
+    contents.patches.push_back({3 * i, 3, 0, 0, i});
     contents.lods.push_back({i, 1, float(count - 1 - i), float(i)});
   }
   contents.lod_bones = levels;

@@ -1,0 +1,198 @@
+#include <coif.h>
+#include <coif/hair.h>
+
+#include <cstddef>
+#include <new>
+#include <span>
+
+// In the first bytes of the caller's memory; what coif::Hair needs follows.
+struct coif_hair {
+  coif::Asset asset;
+  coif::Hair hair;
+};
+
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+constexpr std::size_t kHeadBytes = (sizeof(coif_hair) + kAlignment - 1) / kAlignment * kAlignment;
+
+static_assert(int(COIF_DRIVER) == int(coif::Status::kDriver));
+static_assert(sizeof(coif_vec3) == sizeof(coif::Vec3) && sizeof(coif_mat34) == sizeof(coif::Mat34));
+static_assert(alignof(coif_hair) <= kAlignment);
+
+coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
+
+std::span<const std::byte> bytes_of(const void* asset, std::size_t bytes) {
+  return {static_cast<const std::byte*>(asset), asset == nullptr ? 0 : bytes};
+}
+
+/// False for an enumerator that this version does not know.
+bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
+  if (from == nullptr || (from->solver != COIF_SOLVER_COIF && from->solver != COIF_SOLVER_THESIS)) return false;
+  desc.instances = from->instances;
+  desc.solver = from->solver == COIF_SOLVER_THESIS ? &coif::kThesisSolver : &coif::kCoifSolver;
+  desc.longest_interval = from->longest_interval;
+  return true;
+}
+
+coif::HeadPose pose_of(const coif_head_pose& from) {
+  coif::HeadPose pose;
+  for (int i = 0; i < 3; ++i) pose.position[i] = from.position[i];
+  pose.rotation = {from.rotation[0], from.rotation[1], from.rotation[2], from.rotation[3]};
+  return pose;
+}
+
+coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
+
+coif::StepSettings settings_of(const coif_step_settings& from) {
+  coif::StepSettings settings;
+  settings.dt = from.dt;
+  settings.substeps = from.substeps;
+  settings.iterations = from.iterations;
+  settings.environment = {vector_of(from.gravity), vector_of(from.wind), from.air_follow};
+  settings.dynamics = {from.stiffness, from.damping, from.friction};
+  settings.inertia = from.inertia;
+  settings.teleport_distance = from.teleport_distance;
+  settings.teleport_angle = from.teleport_angle;
+  settings.sleep_after = from.sleep_after;
+  settings.sleep_speed = from.sleep_speed;
+  return settings;
+}
+
+using PoseCall = coif::Status (coif::Hair::*)(std::uint32_t, const coif::HeadPose&);
+
+coif_status call(PoseCall method, coif_hair* hair, std::uint32_t instance, const coif_head_pose* pose) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (pose == nullptr) return COIF_BAD_POSE;
+  return code((hair->hair.*method)(instance, pose_of(*pose)));
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* coif_version(void) { return COIF_VERSION; }
+
+const char* coif_describe(coif_status status) { return coif::describe(static_cast<coif::Status>(status)); }
+
+int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity) {
+  coif::Asset opened;
+  coif::LoadStatus status = opened.open(bytes_of(asset, bytes));
+  if (status) status = opened.verify_draw_data();
+  if (!status && why != nullptr && capacity > 0) coif::describe(status, why, capacity);
+  return status ? 1 : 0;
+}
+
+void coif_hair_desc_init(coif_hair_desc* desc) {
+  const coif::HairDesc usual;
+  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval};
+}
+
+void coif_step_settings_init(coif_step_settings* settings) {
+  const coif::StepSettings usual;
+  const coif::Environment& air = usual.environment;
+  *settings = {usual.dt,
+               usual.substeps,
+               usual.iterations,
+               {air.gravity.x, air.gravity.y, air.gravity.z},
+               {air.wind.x, air.wind.y, air.wind.z},
+               air.air_follow,
+               usual.dynamics.stiffness,
+               usual.dynamics.damping,
+               usual.dynamics.friction,
+               usual.inertia,
+               usual.teleport_distance,
+               usual.teleport_angle,
+               usual.sleep_after,
+               usual.sleep_speed};
+}
+
+size_t coif_hair_memory_need(const void* asset, size_t asset_bytes, const coif_hair_desc* desc) {
+  coif::Asset opened;
+  coif::HairDesc wanted;
+  if (!read(desc, wanted) || !opened.open(bytes_of(asset, asset_bytes))) return 0;
+  const coif::MemoryNeed need = coif::Hair::memory_need(opened, wanted);
+  return need.bytes == 0 ? 0 : kHeadBytes + need.bytes;
+}
+
+coif_status coif_hair_create(const void* asset, size_t asset_bytes, const coif_hair_desc* desc, void* memory,
+                             size_t memory_bytes, coif_hair** hair) {
+  if (hair == nullptr) return COIF_BAD_ARGUMENT;
+  *hair = nullptr;
+  coif::HairDesc wanted;
+  if (!read(desc, wanted)) return COIF_BAD_ARGUMENT;
+  const bool is_aligned = reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
+  if (memory == nullptr || !is_aligned || memory_bytes < kHeadBytes) return COIF_MEMORY_TOO_SMALL;
+  coif::Asset opened;
+  if (!opened.open(bytes_of(asset, asset_bytes))) return COIF_ASSET_LACKS_DATA;
+  coif::Hair crowd;
+  const std::span<std::byte> rest(static_cast<std::byte*>(memory) + kHeadBytes, memory_bytes - kHeadBytes);
+  const coif::Status status = crowd.create(opened, wanted, rest);
+  if (status != coif::Status::kOk) return code(status);
+  *hair = new (memory) coif_hair{opened, static_cast<coif::Hair&&>(crowd)};
+  return COIF_OK;
+}
+
+uint32_t coif_hair_instance_count(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.instance_count(); }
+
+uint32_t coif_hair_bone_count(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.bone_count(); }
+
+const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone) {
+  return hair == nullptr || bone >= hair->hair.bone_count() ? "" : hair->asset.bone_name(bone);
+}
+
+coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
+  return call(&coif::Hair::set_head, hair, instance, pose);
+}
+
+coif_status coif_hair_reset(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
+  return call(&coif::Hair::reset, hair, instance, pose);
+}
+
+coif_status coif_hair_teleport(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
+  return call(&coif::Hair::teleport, hair, instance, pose);
+}
+
+coif_status coif_hair_set_detail(coif_hair* hair, uint32_t instance, const coif_detail* detail) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (detail == nullptr) return COIF_BAD_ARGUMENT;
+  return code(hair->hair.set_detail(instance, {detail->level, detail->interval, detail->simulated != 0}));
+}
+
+int coif_hair_is_asleep(const coif_hair* hair, uint32_t instance) {
+  return hair != nullptr && hair->hair.is_asleep(instance) ? 1 : 0;
+}
+
+coif_status coif_hair_step(coif_hair* hair, const coif_step_settings* settings) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  return settings == nullptr ? COIF_BAD_ARGUMENT : code(hair->hair.step(settings_of(*settings)));
+}
+
+coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* settings) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  return settings == nullptr ? COIF_BAD_ARGUMENT : code(hair->hair.begin_step(settings_of(*settings)));
+}
+
+uint32_t coif_hair_job_count(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.job_count(); }
+
+void coif_hair_run_job(coif_hair* hair, uint32_t job) {
+  if (hair != nullptr) hair->hair.run_job(job);
+}
+
+void coif_hair_finish_step(coif_hair* hair) {
+  if (hair != nullptr) hair->hair.finish_step();
+}
+
+const coif_mat34* coif_hair_palette(const coif_hair* hair, uint32_t instance) {
+  if (hair == nullptr) return nullptr;
+  const std::span<const coif::Mat34> palette = hair->hair.palette(instance);
+  return palette.empty() ? nullptr : reinterpret_cast<const coif_mat34*>(palette.data());
+}
+
+coif_status coif_hair_bone_ends(const coif_hair* hair, uint32_t instance, coif_vec3* ends, uint32_t count) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (ends == nullptr) return COIF_SIZE_MISMATCH;
+  return code(hair->hair.bone_ends(instance, {reinterpret_cast<coif::Vec3*>(ends), count}));
+}
+
+}  // extern "C"

@@ -1,0 +1,124 @@
+#ifndef COIF_H
+#define COIF_H
+/* The simulation for hosts that are not written in C++: engines with a C interface, and languages that call C. Each
+ * function is the method of coif::Asset or coif::Hair (coif/asset.h, coif/hair.h) of that name, where the rules are:
+ * nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
+ *
+ * Plain data has the same layout as in C++. Descriptions are filled with their defaults by the function beside them, so
+ * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* coif::Status, number by number. */
+typedef enum coif_status {
+  COIF_OK = 0,
+  COIF_BAD_TIME_STEP,
+  COIF_BAD_POSE,
+  COIF_BAD_ARGUMENT,
+  COIF_BAD_INDEX,
+  COIF_MEMORY_TOO_SMALL,
+  COIF_NOT_CREATED,
+  COIF_ASSET_LACKS_DATA,
+  COIF_SIZE_MISMATCH,
+  COIF_DRIVER
+} coif_status;
+
+typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1 } coif_solver;
+
+typedef struct coif_vec3 {
+  float x, y, z;
+} coif_vec3;
+
+/* Affine transform, three rows of four: p' = rows * (p, 1). */
+typedef struct coif_mat34 {
+  float m[3][4];
+} coif_mat34;
+
+/* World from head space: metres; unit quaternion x, y, z, w. */
+typedef struct coif_head_pose {
+  double position[3];
+  float rotation[4];
+} coif_head_pose;
+
+typedef struct coif_hair_desc {
+  uint32_t instances;
+  uint32_t solver; /* coif_solver */
+  uint32_t longest_interval;
+} coif_hair_desc;
+
+typedef struct coif_step_settings {
+  float dt; /* seconds */
+  uint32_t substeps;
+  uint32_t iterations;
+  coif_vec3 gravity; /* world, m/s^2 */
+  coif_vec3 wind;    /* world, m/s */
+  float air_follow;
+  float stiffness, damping, friction; /* factors */
+  float inertia;
+  float teleport_distance, teleport_angle;
+  float sleep_after, sleep_speed;
+} coif_step_settings;
+
+typedef struct coif_detail {
+  uint32_t level;
+  uint32_t interval;
+  uint32_t simulated; /* 0 or 1 */
+} coif_detail;
+
+/* A crowd of heads that wear one asset. Lives in memory that the caller gave, as long as that does; there is nothing to
+ * destroy. */
+typedef struct coif_hair coif_hair;
+
+/* "0.1.0", static storage. */
+const char* coif_version(void);
+/* One sentence, static storage, never null. */
+const char* coif_describe(coif_status status);
+
+/* Proves that a cooked asset of `bytes` bytes at a multiple of 64 is sound. 1: it is. 0: it is not, and the reason is
+ * written to `why` (null: is not wanted), ended by a zero byte, cut at `capacity`. */
+int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity);
+
+void coif_hair_desc_init(coif_hair_desc* desc);
+void coif_step_settings_init(coif_step_settings* settings);
+
+/* Bytes that coif_hair_create() needs, at a multiple of 64; 0 for an asset or a description that it refuses. */
+size_t coif_hair_memory_need(const void* asset, size_t asset_bytes, const coif_hair_desc* desc);
+
+/* `asset` and `memory` outlive the hair, and start at multiples of 64. *hair points into `memory`; null on an error.
+ * COIF_ASSET_LACKS_DATA: coif_check_asset() says why. */
+coif_status coif_hair_create(const void* asset, size_t asset_bytes, const coif_hair_desc* desc, void* memory,
+                             size_t memory_bytes, coif_hair** hair);
+
+uint32_t coif_hair_instance_count(const coif_hair* hair);
+uint32_t coif_hair_bone_count(const coif_hair* hair);
+/* Static for as long as the asset; empty where the asset has no names or no such bone. */
+const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone);
+
+coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
+coif_status coif_hair_reset(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
+coif_status coif_hair_teleport(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
+coif_status coif_hair_set_detail(coif_hair* hair, uint32_t instance, const coif_detail* detail);
+int coif_hair_is_asleep(const coif_hair* hair, uint32_t instance);
+
+coif_status coif_hair_step(coif_hair* hair, const coif_step_settings* settings);
+/* The same in parts, for the host's own scheduler: every job once, on any thread, between the two calls. */
+coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* settings);
+uint32_t coif_hair_job_count(const coif_hair* hair);
+void coif_hair_run_job(coif_hair* hair, uint32_t job);
+void coif_hair_finish_step(coif_hair* hair);
+
+/* Skinning matrices, coif_hair_bone_count() of them: rest pose in head space to current pose in head space. Null for a
+ * bad index. Their values change with step and reset. */
+const coif_mat34* coif_hair_palette(const coif_hair* hair, uint32_t instance);
+/* Room for exactly coif_hair_bone_count(). Head space, metres. */
+coif_status coif_hair_bone_ends(const coif_hair* hair, uint32_t instance, coif_vec3* ends, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,34 @@
+# Files for pkg-config, for games that are not built by CMake: one per library, and `coif` for the C interface's libcoif.so.
+# They find the installed tree from where they lie, wherever it is moved to.
+file(RELATIVE_PATH coif_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" coif_pc_up "${coif_pc_up}")
+
+# coif_pc(FILE LIBRARY DESCRIPTION REQUIRES)
+function(coif_pc file library description requires)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc @ONLY CONTENT [[prefix=${pcfiledir}/@coif_pc_up@
+libdir=${prefix}/@CMAKE_INSTALL_LIBDIR@
+includedir=${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
+
+Name: @file@
+Description: @description@
+Version: @PROJECT_VERSION@
+Requires: @requires@
+Cflags: -I${includedir}
+Libs: -L${libdir} -l@library@
+]])
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# Archives say what they need themselves. The simulation needs Highway where it chooses its instruction set at run time.
+set(coif_pc_simd "")
+if(COIF_SIMD STREQUAL "dispatch")
+  set(coif_pc_simd ", libhwy")
+endif()
+coif_pc(coif coif "Hair simulation for games, C interface" "")
+coif_pc(coif-formats coif_formats "Hair assets for games: the reader" "")
+coif_pc(coif-sim coif_sim "Hair simulation for games" "coif-formats${coif_pc_simd}")
+coif_pc(coif-skinning coif_skinning "Hair for games, skinned on the processor" "coif-formats")
+coif_pc(coif-c coif_c "Hair simulation for games, C interface as an archive" "coif-sim")
+if(COIF_GL)
+  coif_pc(coif-gl coif_gl "Hair for games, drawn with OpenGL ES 3.0" "coif-sim")
+endif()

@@ -1,0 +1,169 @@
+// coif.h does what coif/hair.h does, and takes what C callers may do wrong.
+
+#include "formats/aligned_bytes.h"
+#include "sim/playback.h"
+#include "sim/test_rig.h"
+
+#include <coif.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace coif {
+namespace {
+
+coif_head_pose in_c(const HeadPose& pose) {
+  return {{pose.position[0], pose.position[1], pose.position[2]},
+          {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w}};
+}
+
+class CInterface : public testing::Test {
+ protected:
+  void SetUp() override {
+    coif_hair_desc_init(&desc_);
+    desc_.instances = 2;
+    coif_step_settings_init(&settings_);
+  }
+
+  coif_status create() {
+    allocate(coif_hair_memory_need(asset(), asset_bytes(), &desc_));
+    return create_in(memory(), memory_->bytes().size());
+  }
+
+  coif_status create_in(void* memory, std::size_t bytes) {
+    return coif_hair_create(asset(), asset_bytes(), &desc_, memory, bytes, &hair_);
+  }
+
+  void allocate(std::size_t bytes) { memory_ = std::make_unique<AlignedBytes>(std::vector<std::byte>(bytes)); }
+
+  [[nodiscard]] const void* asset() { return file_.bytes().data(); }
+  [[nodiscard]] std::byte* memory() { return memory_->bytes().data(); }
+  [[nodiscard]] std::size_t asset_bytes() { return file_.bytes().size(); }
+
+  AlignedBytes file_{write_asset(nine_bone_rig().contents())};
+  std::unique_ptr<AlignedBytes> memory_;
+  coif_hair_desc desc_{};
+  coif_step_settings settings_{};
+  coif_hair* hair_ = nullptr;
+};
+
+TEST_F(CInterface, MovesHairToTheSameBits) {
+  for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS}) {
+    desc_.solver = solver;
+    ASSERT_EQ(create(), COIF_OK);
+    HairDesc desc{.instances = 2};
+    if (solver == COIF_SOLVER_THESIS) desc.solver = &kThesisSolver;
+    TestHair same(nine_bone_rig(), desc);
+    ASSERT_EQ(coif_hair_bone_count(hair_), same.hair.bone_count());
+    for (int frame = 1; frame <= 30; ++frame) {
+      const HeadPose pose = wander(frame / 60.0);
+      const coif_head_pose pose_in_c = in_c(pose);
+      ASSERT_EQ(coif_hair_set_head(hair_, 1, &pose_in_c), COIF_OK);
+      ASSERT_EQ(same.hair.set_head(1, pose), Status::kOk);
+      ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
+      ASSERT_EQ(same.hair.step({}), Status::kOk);
+    }
+    const auto palette = same.hair.palette(1);
+    EXPECT_EQ(std::memcmp(coif_hair_palette(hair_, 1), palette.data(), palette.size_bytes()), 0);
+    std::vector<coif_vec3> ends(palette.size());
+    std::vector<Vec3> same_ends(palette.size());
+    ASSERT_EQ(coif_hair_bone_ends(hair_, 1, ends.data(), std::uint32_t(ends.size())), COIF_OK);
+    ASSERT_EQ(same.hair.bone_ends(1, same_ends), Status::kOk);
+    EXPECT_EQ(std::memcmp(ends.data(), same_ends.data(), ends.size() * sizeof ends[0]), 0);
+  }
+}
+
+TEST_F(CInterface, StepsInParts) {
+  ASSERT_EQ(create(), COIF_OK);
+  const coif_head_pose pose = in_c(wander(0.1));
+  ASSERT_EQ(coif_hair_teleport(hair_, 0, &pose), COIF_OK);
+  ASSERT_EQ(coif_hair_begin_step(hair_, &settings_), COIF_OK);
+  ASSERT_EQ(coif_hair_job_count(hair_), 1u);
+  coif_hair_run_job(hair_, 0);
+  coif_hair_finish_step(hair_);
+  const coif_detail unseen{0, 1, 0};
+  EXPECT_EQ(coif_hair_set_detail(hair_, 0, &unseen), COIF_OK);
+  EXPECT_EQ(coif_hair_is_asleep(hair_, 7), 0);
+}
+
+TEST_F(CInterface, DefaultsAreThoseOfTheOtherInterface) {
+  const StepSettings usual;
+  EXPECT_EQ(settings_.dt, usual.dt);
+  EXPECT_EQ(settings_.gravity.y, usual.environment.gravity.y);
+  EXPECT_EQ(settings_.air_follow, usual.environment.air_follow);
+  EXPECT_EQ(settings_.stiffness, usual.dynamics.stiffness);
+  EXPECT_EQ(settings_.teleport_angle, usual.teleport_angle);
+  EXPECT_EQ(settings_.sleep_speed, usual.sleep_speed);
+  coif_hair_desc_init(&desc_);
+  EXPECT_EQ(desc_.instances, HairDesc{}.instances);
+  EXPECT_EQ(desc_.longest_interval, HairDesc{}.longest_interval);
+}
+
+TEST_F(CInterface, StatusesAreTheSameNumbers) {
+  for (int code = COIF_OK; code <= COIF_DRIVER; ++code) {
+    EXPECT_STREQ(coif_describe(coif_status(code)), describe(Status(code)));
+  }
+  EXPECT_STREQ(coif_describe(COIF_BAD_POSE), describe(Status::kBadPose));
+  EXPECT_STREQ(coif_describe(COIF_SIZE_MISMATCH), describe(Status::kSizeMismatch));
+}
+
+TEST_F(CInterface, RefusesMemoryThatDoesNotDo) {
+  const std::size_t need = coif_hair_memory_need(asset(), asset_bytes(), &desc_);
+  allocate(need + 64);
+  for (const std::size_t bytes : {std::size_t(0), std::size_t(64), need - 1}) {
+    hair_ = reinterpret_cast<coif_hair*>(memory());
+    EXPECT_EQ(create_in(memory(), bytes), COIF_MEMORY_TOO_SMALL) << bytes;
+    EXPECT_EQ(hair_, nullptr);
+  }
+  EXPECT_EQ(create_in(memory() + 8, need), COIF_MEMORY_TOO_SMALL);
+  EXPECT_EQ(create_in(nullptr, need), COIF_MEMORY_TOO_SMALL);
+  EXPECT_EQ(create_in(memory(), need), COIF_OK);
+}
+
+TEST_F(CInterface, SaysWhatIsWrongWithAnAsset) {
+  char why[160] = "";
+  EXPECT_EQ(coif_check_asset(asset(), asset_bytes(), why, sizeof why), 1);
+  EXPECT_STREQ(why, "");
+  EXPECT_EQ(coif_check_asset(asset(), asset_bytes() - 1, why, sizeof why), 0);
+  EXPECT_GT(std::string(why).size(), 10u);
+  EXPECT_EQ(coif_check_asset(asset(), 3, nullptr, 0), 0);
+  EXPECT_EQ(coif_check_asset(nullptr, 100, why, sizeof why), 0);
+  EXPECT_EQ(coif_hair_memory_need(asset(), 3, &desc_), 0u);
+  ASSERT_EQ(create(), COIF_OK);
+  EXPECT_EQ(coif_hair_create(asset(), 3, &desc_, memory(), memory_->bytes().size(), &hair_), COIF_ASSET_LACKS_DATA);
+}
+
+TEST_F(CInterface, DescriptionsItDoesNotKnowAreRefused) {
+  ASSERT_EQ(create(), COIF_OK);
+  const std::size_t bytes = memory_->bytes().size();
+  for (const coif_hair_desc wrong : {coif_hair_desc{0, COIF_SOLVER_COIF, 1}, {1, 2, 1}, {1, COIF_SOLVER_COIF, 3}}) {
+    desc_ = wrong;
+    EXPECT_EQ(coif_hair_memory_need(asset(), asset_bytes(), &desc_), 0u);
+    EXPECT_EQ(create_in(memory(), bytes), COIF_BAD_ARGUMENT);
+    EXPECT_EQ(hair_, nullptr);
+  }
+}
+
+TEST_F(CInterface, NullIsAnErrorAndNoCrash) {
+  const coif_head_pose pose = in_c({});
+  EXPECT_EQ(coif_hair_set_head(nullptr, 0, &pose), COIF_NOT_CREATED);
+  EXPECT_EQ(coif_hair_step(nullptr, &settings_), COIF_NOT_CREATED);
+  EXPECT_EQ(coif_hair_bone_count(nullptr), 0u);
+  EXPECT_EQ(coif_hair_palette(nullptr, 0), nullptr);
+  EXPECT_STREQ(coif_hair_bone_name(nullptr, 0), "");
+  EXPECT_EQ(coif_hair_memory_need(asset(), asset_bytes(), nullptr), 0u);
+  ASSERT_EQ(create(), COIF_OK);
+  EXPECT_EQ(coif_hair_set_head(hair_, 0, nullptr), COIF_BAD_POSE);
+  EXPECT_EQ(coif_hair_set_head(hair_, 2, &pose), COIF_BAD_INDEX);
+  EXPECT_EQ(coif_hair_step(hair_, nullptr), COIF_BAD_ARGUMENT);
+  EXPECT_EQ(coif_hair_bone_ends(hair_, 0, nullptr, 12), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(coif_hair_palette(hair_, 2), nullptr);
+  EXPECT_STREQ(coif_hair_bone_name(hair_, 1000), "");
+}
+
+}  // namespace
+}  // namespace coif
