@@ -31,6 +31,7 @@ LAYERS = {
     "tools": SIM,
     "tools/files": {"tools"},
     "tools/import": TOOL_BASE,
+    "tools/pipeline": TOOL_BASE | {"tools/cook", "tools/files", "tools/import"},
     "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/report", "tools/visibility"},
     "tools/motion": TOOL_BASE,
     "tools/visibility": TOOL_BASE | {"tools/motion", "tools/report"},
@@ -41,6 +42,7 @@ LAYERS = {
     "tools/compare": TOOL_BASE | {"tools/animation", "tools/motion"},
     "tools/render": TOOL_BASE | {"tools/import", "tools/motion"} | DRAWING,
     "tools/sample": TOOL_BASE,
+    "tools/validate": TOOL_BASE | {"tools/animation", "tools/cook", "tools/import"},
     "tools/cli": None,  # Everything.
     "tests": None,
 }

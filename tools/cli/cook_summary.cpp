@@ -67,6 +67,7 @@ std::string cook_json(const CookSummary& summary) {
   for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
   return json_text({{"output", summary.output},
                     {"bytes", summary.bytes},
+                    {"from_cache", summary.from_cache},
                     {"passes", std::move(passes)},
                     {"warnings", report.warnings},
                     {"triangles", report.triangles},
@@ -89,7 +90,8 @@ std::string cook_text(const CookSummary& summary) {
                   report.patches_by_index, report.patches_by_position);
   text += fmt::format("  {} of {}, {} of them simulated\n", counted(report.chains, "chain", "chains"),
                       counted(report.bones, "bone", "bones"), report.simulated_bones);
-  text += fmt::format("  {} bytes in {:.0f} ms, {}\n", summary.bytes, total_ms(report),
+  text += fmt::format("  {} bytes {} {:.0f} ms, {}\n", summary.bytes,
+                      summary.from_cache ? "from the cache, once cooked in" : "in", total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
   text += folded(report.notes, "");
   text += folded(left_out_lines(report), "left out: ");

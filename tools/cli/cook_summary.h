@@ -9,9 +9,10 @@ namespace coif {
 
 /// A cook as it is told to people and programs.
 struct CookSummary {
-  std::string output;     ///< Path of the asset.
-  std::size_t bytes = 0;  ///< Its size.
-  CookReport report;      ///< Passes include the import; warnings include the importer's.
+  std::string output;       ///< Path of the asset.
+  std::size_t bytes = 0;    ///< Its size.
+  CookReport report;        ///< Passes include the import; warnings include the importer's.
+  bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
 };
 
 /// The result as JSON; the keys are stable.

@@ -1,0 +1,131 @@
+#include "cli/cook_job.h"
+
+#include "cli/progress_line.h"
+#include "cook/cook.h"
+#include "files/file_bytes.h"
+#include "files/output_file.h"
+#include "payload_hash.h"
+#include "pipeline/cook_cache.h"
+#include "pipeline/cook_key.h"
+#include "pipeline/depfile.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<ToolError> usage(std::string message) {
+  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
+}
+
+tl::expected<void, ToolError> check_outputs(const CookJob& job, const RecipeChoice& choice) {
+  if (auto asset = check_output(job.output, {job.source, choice.file}); !asset) return asset;
+  for (const auto& [option, file] : {std::pair{"--report", &job.report}, std::pair{"--depfile", &job.depfile}}) {
+    if (file->empty()) continue;
+    if (*file == job.output) return usage(fmt::format("{} and --output name the same file", option));
+    if (auto checked = check_output(*file, {job.source, choice.file}); !checked) return checked;
+  }
+  if (!job.report.empty() && job.report == job.depfile) return usage("--report and --depfile name the same file");
+  return {};
+}
+
+/// The version alone would not tell apart two builds of it.
+std::string tool_identity() {
+  const auto program = FileBytes::read("/proc/self/exe");
+  return fmt::format("coif {} {}", COIF_VERSION, program ? content_digits(program->span()) : "");
+}
+
+struct FinishedCook {
+  CookResult result;
+  bool from_cache = false;
+};
+
+/// Cooks as if there were no cache.
+tl::expected<CookResult, ToolError> cook_source(const CookJob& job, const CookOptions& options,
+                                                const RecipeChoice& choice, std::span<const std::byte> bytes) {
+  std::optional<ProgressLine> progress;
+  if (job.shows_progress) progress.emplace(job.source);
+  const auto show = [&progress](const char* pass) {
+    if (progress) progress->show(pass);
+  };
+  show("import");
+  const auto begin = std::chrono::steady_clock::now();
+  const auto model = import_model(job.source, options.import_limits(import_settings(choice.recipe)));
+  if (!model) return tl::unexpected(model.error());
+  const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
+  CookSettings settings;
+  settings.threads = job.threads;
+  settings.recipe_directory = choice.directory;
+  settings.source_hash = xxh64(bytes);
+  settings.progress = show;
+  auto result = cook(*model, choice.recipe, settings);
+  if (!result) return result;
+  result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
+  return result;
+}
+
+tl::expected<FinishedCook, ToolError> cook_or_find(const CookJob& job, const CookOptions& options,
+                                                   const RecipeChoice& choice, const Messages& messages) {
+  const auto begin = file_time_now();
+  const auto bytes = FileBytes::read(job.source);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto fresh = [&] { return cook_source(job, options, choice, bytes->span()); };
+  if (job.cache.empty()) return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
+
+  const CookCache cache(job.cache);
+  const CookPlace place{job.source, choice.directory};
+  const std::string key =
+      cook_key({tool_identity(), importer_name(), job.source, bytes->span(), print_recipe(choice.recipe)});
+  if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
+  auto result = fresh();
+  if (!result) return tl::unexpected(result.error());
+  // A full disk costs the next cook's time, not this one's result.
+  if (auto stored = cache.store(key, place, *result, begin); !stored) messages.warning(stored.error().message);
+  return FinishedCook{std::move(*result), false};
+}
+
+tl::expected<void, ToolError> write_text(const std::string& path, const std::string& text) {
+  return write_output(path, std::as_bytes(std::span(text)));
+}
+
+tl::expected<std::string, ToolError> depfile_of(const CookJob& job, const RecipeChoice& choice,
+                                                const CookInputs& inputs) {
+  std::vector<fs::path> files{job.source};
+  if (!choice.file.empty()) files.push_back(choice.file);
+  files.insert(files.end(), inputs.source_files.begin(), inputs.source_files.end());
+  files.insert(files.end(), inputs.recipe_files.begin(), inputs.recipe_files.end());
+  return depfile_text(job.output, files);
+}
+
+}  // namespace
+
+ImportSettings CookOptions::import_limits(ImportSettings settings) const {
+  settings.max_memory_bytes = max_memory_mb << 20;
+  settings.max_seconds = max_seconds;
+  return settings;
+}
+
+tl::expected<CookSummary, ToolError> run_cook_job(const CookJob& job, const CookOptions& options,
+                                                  const RecipeChoice& choice, const Messages& messages) {
+  if (auto checked = check_outputs(job, choice); !checked) return tl::unexpected(checked.error());
+  const auto cooked = cook_or_find(job, options, choice, messages);
+  if (!cooked) return tl::unexpected(cooked.error());
+  const CookResult& result = cooked->result;
+  tl::expected<std::string, ToolError> depfile;
+  if (!job.depfile.empty()) depfile = depfile_of(job, choice, result.inputs);
+  if (!depfile) return tl::unexpected(depfile.error());
+
+  for (const std::string& warning : result.report.warnings) messages.warning(job.source + ": " + warning);
+  CookSummary summary{job.output, result.asset.size(), result.report, cooked->from_cache};
+  auto written = write_output(job.output, result.asset);
+  if (written && !job.report.empty()) written = write_text(job.report, cook_json(summary));
+  if (written && !job.depfile.empty()) written = write_text(job.depfile, *depfile);
+  if (!written) return tl::unexpected(written.error());
+  return summary;
+}
+
+}  // namespace coif

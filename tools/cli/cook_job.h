@@ -1,0 +1,55 @@
+#pragma once
+
+#include "cli/cook_summary.h"
+#include "cli/messages.h"
+#include "cli/options.h"
+#include "cli/recipe_choice.h"
+#include "import/import.h"
+#include "tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace coif {
+
+/// The command line of `coif cook`.
+struct CookOptions {
+  std::vector<std::string> sources;
+  std::string output;  ///< A file for one source, a folder for several.
+  std::optional<std::string> recipe;
+  std::string report;
+  std::string depfile;
+  std::string cache;  ///< A folder; empty: none.
+  bool print_recipe = false;
+  bool list = false;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  std::optional<unsigned> threads;  ///< Of each cook.
+  std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
+  std::uint32_t max_seconds = ImportSettings{}.max_seconds;
+  OutputFormat format = OutputFormat::kText;
+
+  [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
+};
+
+/// One source of a command line.
+struct CookJob {
+  std::string source{};
+  std::string output{};
+  std::string report{};  ///< Empty: none; so with the others.
+  std::string depfile{};
+  std::string cache{};
+  unsigned threads = 1;
+  bool shows_progress = true;
+};
+
+/// Cooks, or takes the result from the cache, tells the warnings, and writes asset, report and depfile, each whole or not
+/// at all and none without the asset.
+tl::expected<CookSummary, ToolError> run_cook_job(const CookJob& job, const CookOptions& options,
+                                                  const RecipeChoice& choice, const Messages& messages);
+
+}  // namespace coif
