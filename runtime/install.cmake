@@ -9,10 +9,11 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/coif)
 install(TARGETS ${shipped} EXPORT coif-targets FILE_SET HEADERS)
 install(EXPORT coif-targets NAMESPACE coif:: DESTINATION ${package_folder})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/coif-config.cmake.in
-  ${PROJECT_BINARY_DIR}/coif-config.cmake INSTALL_DESTINATION ${package_folder})
+  ${PROJECT_BINARY_DIR}/coif-config.cmake INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_BINDIR)
 # Before 1.0 a minor version may change the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/coif-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif-config-version.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/coif_cook.cmake
   DESTINATION ${package_folder})
 
 include(${CMAKE_CURRENT_LIST_DIR}/pkgconfig.cmake)
