@@ -1,16 +1,4 @@
 # What the other verbs print and write.
-coif_cli_case(validate_absent EXIT 2 STDERR "coif validate: error: nope.coif: cannot open: No such file or directory"
-  STDOUT "nope.coif: unreadable" ARGS validate nope.coif)
-coif_cli_case(validate_text EXIT 3 STDERR "notes.coif: not a cooked hair asset" STDOUT "notes.coif: invalid"
-  TEXT notes.coif "this text is long enough for a header" ARGS validate notes.coif)
-coif_cli_case(validate_source EXIT 0 STDOUT "bob.glb: valid" ARGS validate ${sample})
-coif_cli_case(validate_bad_source EXIT 3 STDERR "coif validate: error: braid.glb: .*S101" STDOUT "braid.glb: invalid"
-  TEXT braid.glb "not a glTF at all" ARGS validate braid.glb)
-coif_cli_case(validate_asset EXIT 0 SAMPLE STDOUT "bob.coif: valid" ARGS validate ${COIF_COOKED_SAMPLE})
-coif_cli_case(validate_json EXIT 2 SAMPLE JSON files,0,path files,0,valid files,0,issues files,1,issues,0,code
-       files,1,issues,0,severity files,1,issues,0,message files,1,issues,0,where
-  ARGS validate --format json ${COIF_COOKED_SAMPLE} nope.coif)
-
 coif_cli_case(info_text EXIT 0 SAMPLE STDOUT "bob.coif: format 1.0, .*triangles .*settings.*friction.*chunks.*SKEL"
   ARGS info ${COIF_COOKED_SAMPLE})
 coif_cli_case(info_json EXIT 0 SAMPLE

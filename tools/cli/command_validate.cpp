@@ -143,8 +143,7 @@ void add_policy(CLI::App& app, IssuePolicy& policy) {
   add_choice<Severity>(app, "--severity", policy.lowest, kSeverities, "The lowest that is shown (default info)");
   app.add_option("--ignore", policy.ignored, "A warning or note that does not count; may be repeated")
       ->type_name("CODE")
-      ->take_all()
-      ->expected(1);
+      ->allow_extra_args(false);
   app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
   app.add_option("--max-issues", policy.most_of_a_code, "Shown of each code and file; the others are counted")
       ->check(CLI::Range(1u, 1000000u))

@@ -17,7 +17,7 @@ using Issues = std::vector<Issue>;
 
 void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
 void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223
-void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A206, A231, A232, A233, A234
+void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A231, A232, A233, A234
 void check_patches(const Asset& asset, Issues& issues);     ///< A241, A242, A243
 void check_orders(const Asset& asset, Issues& issues);      ///< A251, A253
 void check_skin(const Asset& asset, Issues& issues);        ///< A261

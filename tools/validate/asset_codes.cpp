@@ -6,6 +6,7 @@ namespace {
 using enum IssueGroup;
 using enum Severity;
 
+/// A206, vertices without a normal, is not given again: the reader refuses them (A114).
 constexpr IssueCode kCodes[] = {
     {"A201", kGeometry, kWarning, "no mesh", "The asset can be simulated but not drawn.",
      "Cook with \"scene.draw\": true, or ignore the code where only the motion is wanted."},
@@ -18,8 +19,6 @@ constexpr IssueCode kCodes[] = {
     {"A205", kDynamics, kInfo, "rest pose inside a collider",
      "Hair starts inside a collider by more than 1 % of its radius, and the simulation pushes it out at once.",
      "Make the head smaller with \"head.radii\", or move the strips outwards."},
-    {"A206", kGeometry, kWarning, "vertices without normal", "They are lit wrongly, mostly black.",
-     "Export normals, or let the cooker compute them from triangles that have an area."},
     {"A207", kSkeleton, kInfo, "bone that no vertex follows", "It is simulated, and nothing of it is seen.",
      "Leave the bone out of the model, or paint weights for it."},
     {"A211", kSkeleton, kInfo, "chain of one bone", "It swings as a stiff stick and cannot bend.",
@@ -41,8 +40,9 @@ constexpr IssueCode kCodes[] = {
      "Merge doubled vertices in the modeller, or cook again."},
     {"A232", kGeometry, kInfo, "unused vertices", "No triangle has them, yet each is skinned in every frame.",
      "Cook again; the cooker leaves them out."},
-    {"A233", kGeometry, kWarning, "vertices without strand direction", "Highlights are missing there.",
-     "Unwrap the strips along their length, or set \"strands.root\"."},
+    {"A233", kGeometry, kInfo, "patch turned inside out",
+     "Normals point away from the side that triangles wind around: it is lit from the wrong side.",
+     "Recalculate normals or flip the faces in the modeller."},
     {"A234", kGeometry, kWarning, "not of a head's size",
      "The hair is less than 0.05 m or more than 3 m large, so that gravity and inertia look wrong.",
      "Set the file's unit: \"source.metres_per_unit\"."},

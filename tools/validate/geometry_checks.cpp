@@ -9,35 +9,40 @@
 namespace coif {
 namespace {
 
+using Eigen::Vector3f;
+using Corners = std::span<const std::uint32_t>;
+
 constexpr float kNoArea = 1e-12f;  // square metres: a thousandth of a millimetre each way
 
-Eigen::Vector3f position(const VertexRecord& vertex) { return Eigen::Vector3f(vertex.position); }
-
-bool is_zero(const std::int16_t (&direction)[4]) { return direction[0] == 0 && direction[1] == 0 && direction[2] == 0; }
+Vector3f position(const VertexRecord& vertex) { return Vector3f(vertex.position); }
 
 struct PatchFaults {
-  std::size_t flat = 0;  ///< Triangles.
-  std::size_t dark = 0;  ///< Corners.
-  std::size_t bald = 0;
+  std::size_t flat = 0;    ///< Triangles without area.
+  std::size_t turned = 0;  ///< Triangles whose normals point to their back.
 };
 
-bool is_flat(const Asset& asset, std::span<const std::uint32_t> corners) {
-  const Eigen::Vector3f a = position(asset.vertices()[corners[0]]);
-  const Eigen::Vector3f b = position(asset.vertices()[corners[1]]) - a;
-  const Eigen::Vector3f c = position(asset.vertices()[corners[2]]) - a;
-  return b.cross(c).norm() / 2 < kNoArea;
+/// Twice the area, towards the side that the corners wind around.
+Vector3f area_vector(const Asset& asset, Corners corners) {
+  const Vector3f a = position(asset.vertices()[corners[0]]);
+  const Vector3f b = position(asset.vertices()[corners[1]]) - a;
+  const Vector3f c = position(asset.vertices()[corners[2]]) - a;
+  return b.cross(c);
 }
 
-/// Vertices that several triangles share are counted once.
-PatchFaults faults_of(const Asset& asset, const PatchRecord& patch, std::vector<bool>& seen) {
+bool is_turned(const Asset& asset, Corners corners, const Vector3f& area) {
+  return std::ranges::all_of(corners, [&](std::uint32_t corner) {
+    const auto& normal = asset.vertices()[corner].normal;
+    return area.dot(Vector3f(normal[0], normal[1], normal[2])) < 0;
+  });
+}
+
+PatchFaults faults_of(const Asset& asset, Corners corners) {
   PatchFaults faults;
-  const auto corners = asset.indices().subspan(patch.first_index, patch.index_count);
-  for (std::size_t i = 0; i < corners.size(); i += 3) faults.flat += is_flat(asset, corners.subspan(i, 3)) ? 1 : 0;
-  for (const std::uint32_t vertex : corners) {
-    if (seen[vertex]) continue;
-    seen[vertex] = true;
-    faults.dark += is_zero(asset.vertices()[vertex].normal) ? 1 : 0;
-    faults.bald += is_zero(asset.vertices()[vertex].tangent) ? 1 : 0;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Corners triangle = corners.subspan(i, 3);
+    const Vector3f area = area_vector(asset, triangle);
+    faults.flat += area.norm() / 2 < kNoArea ? 1 : 0;
+    faults.turned += is_turned(asset, triangle, area) ? 1 : 0;
   }
   return faults;
 }
@@ -46,22 +51,26 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-void find_faulty_vertices(const Asset& asset, Issues& issues) {
-  std::vector<bool> seen(asset.vertices().size(), false);
+void find_faulty_triangles(const Asset& asset, Issues& issues) {
   for (std::size_t i = 0; i < asset.patches().size(); ++i) {
-    const PatchFaults faults = faults_of(asset, asset.patches()[i], seen);
-    const auto add = [&](const char* code, std::size_t count, const char* one, const char* many) {
-      if (count > 0) issues.push_back(make_issue(code, counted(count, one, many), patch_place(i)));
-    };
-    add("A206", faults.dark, "vertex without a normal is lit wrongly", "vertices without a normal are lit wrongly");
-    add("A231", faults.flat, "triangle without area", "triangles without area");
-    add("A233", faults.bald, "vertex without a strand direction", "vertices without a strand direction");
+    const PatchRecord& patch = asset.patches()[i];
+    const PatchFaults faults = faults_of(asset, asset.indices().subspan(patch.first_index, patch.index_count));
+    if (faults.flat > 0) {
+      const std::string count = counted(faults.flat, "triangle", "triangles");
+      issues.push_back(make_issue("A231", count + " without area", patch_place(i)));
+    }
+    if (6 * faults.turned > patch.index_count) {
+      issues.push_back(make_issue("A233", "normals point to the back of its triangles", patch_place(i)));
+    }
   }
-  const auto unused = std::ranges::count(seen, false);
-  if (unused > 0) {
-    issues.push_back(
-        make_issue("A232", counted(std::size_t(unused), "vertex", "vertices") + " in no triangle", "chunk VERT"));
-  }
+}
+
+void find_unused_vertices(const Asset& asset, Issues& issues) {
+  std::vector<bool> used(asset.vertices().size(), false);
+  for (const std::uint32_t vertex : asset.indices()) used[vertex] = true;
+  const auto unused = std::size_t(std::ranges::count(used, false));
+  if (unused == 0) return;
+  issues.push_back(make_issue("A232", counted(unused, "vertex", "vertices") + " in no triangle", "chunk VERT"));
 }
 
 void check_size(const Asset& asset, Issues& issues) {
@@ -80,7 +89,8 @@ void check_geometry(const Asset& asset, Issues& issues) {
     issues.push_back(make_issue("A201", "no mesh: it can be simulated but not drawn"));
     return;
   }
-  find_faulty_vertices(asset, issues);
+  find_faulty_triangles(asset, issues);
+  find_unused_vertices(asset, issues);
   check_size(asset, issues);
 }
 

@@ -8,8 +8,8 @@ namespace coif {
 
 /// Which issues count and which are shown.
 struct IssuePolicy {
-  Severity lowest = Severity::kInfo;  ///< Less severe ones are not shown; they count all the same.
-  std::vector<std::string> ignored;   ///< Codes that neither count nor are shown. Not for errors: may_ignore().
+  Severity lowest = Severity::kInfo;   ///< Less severe ones are not shown; they count all the same.
+  std::vector<std::string> ignored{};  ///< Codes that neither count nor are shown. Not for errors: may_ignore().
   bool warnings_as_errors = false;
   std::size_t most_of_a_code = 5;  ///< Shown, > 0; the others of a code are only counted.
 };

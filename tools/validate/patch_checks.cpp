@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kFewTriangles = 4;  // of a patch
 constexpr std::size_t kManyPatches = 8;
-constexpr float kTooWide = 1.5f;    // of the head's radius: the cooker cuts what is wider than 0.75
+constexpr float kTooWide = 1.5f;     // of the head's radius: the cooker cuts what is wider than 0.75
 constexpr float kHeadRadius = 0.1f;  // metres, where no collider tells
 constexpr std::size_t kSections = 8;
 

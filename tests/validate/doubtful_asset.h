@@ -1,0 +1,36 @@
+#pragma once
+
+#include "formats/aligned_bytes.h"
+#include "validate/asset_issues.h"
+#include "write/asset_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace coif {
+
+/// A small asset of a head, one chain of two bones and three patches that raises no issue.
+[[nodiscard]] AssetContents sound_asset();
+
+/// Codes of all that is found in `contents`, each once; fails the test where the reader refuses it.
+[[nodiscard]] std::set<std::string> codes_of(const AssetContents& contents);
+
+[[nodiscard]] inline std::set<std::string> codes_of(const std::vector<Issue>& issues) {
+  std::set<std::string> codes;
+  for (const Issue& issue : issues) codes.insert(issue.code);
+  return codes;
+}
+
+/// A change to sound_asset() that raises `code`.
+struct Doubt {
+  const char* code;
+  void (*change)(AssetContents&);
+};
+
+[[nodiscard]] std::span<const Doubt> body_doubts();     ///< Skeleton, dynamics, quality.
+[[nodiscard]] std::span<const Doubt> surface_doubts();  ///< Geometry, patches, orders, skin, textures.
+
+}  // namespace coif
