@@ -1,0 +1,17 @@
+# `cpack` in the build folder makes coif_VERSION_ARCHITECTURE.deb of what is installed: program, libraries, headers, packages
+# for CMake and pkg-config. dpkg-shlibdeps finds out which packages the program and libcoif.so need.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME coif)
+set(CPACK_PACKAGE_VENDOR "the coif authors")
+set(CPACK_PACKAGE_CONTACT "the coif authors <coif@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION_FILE ${PROJECT_SOURCE_DIR}/tools/package_description.txt)
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What a game that links the archives has to have; the program draws plots with gnuplot where it is there.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev, gnuplot-nox")
+include(CPack)
