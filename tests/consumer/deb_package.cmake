@@ -1,13 +1,13 @@
 # The Debian package, unpacked somewhere: the program runs, a game links what is in it, and it asks for what it needs.
 #   cmake -D BUILD=... -D WORK=... -D ASSET=... -P deb_package.cmake
 set(consumer ${CMAKE_CURRENT_LIST_DIR})
-set(prefix ${WORK}/root/usr)
+set(prefix ${WORK}/unpacked/usr)
 file(REMOVE_RECURSE ${WORK})
 include(${consumer}/run.cmake)
 
 run(${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -B ${WORK})
 file(GLOB package ${WORK}/coif_*.deb)
-run(dpkg-deb -x ${package} ${WORK}/root)
+run(dpkg-deb -x ${package} ${WORK}/unpacked)
 
 execute_process(COMMAND dpkg-deb -f ${package} Depends OUTPUT_VARIABLE needs)
 foreach(library libassimp libc6 libegl1 libfmt)
