@@ -47,7 +47,7 @@ void reach_no_collider(AssetContents& asset) {
 constexpr Doubt kDoubts[] = {
     {"A202", make_rigid},
     {"A203", [](AssetContents& asset) { reach_no_collider(asset), asset.colliders.clear(); }},
-    {"A205", [](AssetContents& asset) { asset.colliders[0].center[1] = -0.1f; }},
+    {"A205", [](AssetContents& asset) { std::copy_n(asset.bones[3].joint, 3, asset.colliders[0].center); }},
     {"A207",
      [](AssetContents& asset) {
        for (SkinRecord& skin : asset.skin) skin.bone[0] = 2;

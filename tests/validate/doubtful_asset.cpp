@@ -14,6 +14,8 @@ AssetContents sound_asset() {
   asset.lod_bones.pop_back();
   for (SkinRecord& skin : asset.skin) skin.bone[0] = std::min<std::uint16_t>(skin.bone[0], 3);
   for (PatchRecord& patch : asset.patches) patch.bone = std::min(patch.bone, 3u);
+  // Bones amid the patches, which start at x = 0 and lie at z = 0.1.
+  for (std::size_t i = 1; i < asset.bones.size(); ++i) asset.bones[i].joint[0] = asset.bones[i].joint[2] = 0.1f;
   // One collider, above all hair.
   asset.colliders.resize(1);
   asset.colliders[0].center[1] = 0.3f;

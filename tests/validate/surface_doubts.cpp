@@ -44,6 +44,14 @@ void set_texture(AssetContents& asset, std::uint32_t width, std::uint32_t mips, 
   asset.texels.resize(bytes);
 }
 
+/// 32 x 32 texels, solid; in smaller mips hardly there.
+void fade_mips(AssetContents& asset) {
+  asset.textures[0].height = 32;
+  set_texture(asset, 32, 6, 4 * (1024 + 256 + 64 + 16 + 4 + 1));
+  std::ranges::fill(asset.texels, std::byte{255});
+  std::fill(asset.texels.begin() + 4 * 1024, asset.texels.end(), std::byte{40});
+}
+
 void blend_nothing(AssetContents& asset) { asset.material[0].discard_threshold = asset.material[0].opaque_threshold; }
 
 constexpr Doubt kDoubts[] = {
@@ -63,6 +71,13 @@ constexpr Doubt kDoubts[] = {
      [](AssetContents& asset) {
        for (VertexRecord& vertex : asset.vertices) vertex.position[0] *= 100;
      }},
+    {"A235",
+     [](AssetContents& asset) {
+       asset.lods[0].patch_count = 1;
+       asset.lods[1] = {1, 2, asset.lods[1].screen_size, asset.lods[1].error};
+       asset.orders.clear();
+       asset.order_views.clear();
+     }},
     {"A241", join_patches},
     {"A242", [](AssetContents& asset) { asset.vertices[2].position[0] = 1; }},
     {"A243", shatter},
@@ -73,6 +88,7 @@ constexpr Doubt kDoubts[] = {
      [](AssetContents& asset) {
        for (SkinRecord& skin : asset.skin) skin.bone[0] = 0;
      }},
+    {"A262", [](AssetContents& asset) { asset.vertices[8].position[0] = 1; }},
     {"A271", [](AssetContents& asset) { set_texture(asset, 3, 2, 4 * (3 * 2 + 1)); }},
     {"A272", [](AssetContents& asset) { set_texture(asset, 4, 1, 4 * 4 * 2); }},
     {"A273", [](AssetContents& asset) { std::ranges::fill(asset.texels, std::byte{255}); }},
@@ -81,6 +97,7 @@ constexpr Doubt kDoubts[] = {
        std::ranges::fill(asset.texels, std::byte{0});
        asset.material[0].discard_threshold = 0.02f;
      }},
+    {"A277", fade_mips},
     {"A275",
      [](AssetContents& asset) {
        for (VertexRecord& vertex : asset.vertices) vertex.uv[0] *= 15'000, vertex.uv[1] *= 15'000;

@@ -17,12 +17,12 @@ using Issues = std::vector<Issue>;
 
 void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
 void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223
-void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A231, A232, A233, A234
+void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A231 to A235
 void check_patches(const Asset& asset, Issues& issues);     ///< A241, A242, A243
 void check_orders(const Asset& asset, Issues& issues);      ///< A251, A253
-void check_skin(const Asset& asset, Issues& issues);        ///< A261
+void check_skin(const Asset& asset, Issues& issues);        ///< A261, A262
 void check_textures(const Asset& asset, Issues& issues);    ///< A204, A271, A272
-void check_alpha(const Asset& asset, Issues& issues);       ///< A252, A273, A274
+void check_alpha(const Asset& asset, Issues& issues);       ///< A252, A273, A274, A277
 void check_unwrapping(const Asset& asset, Issues& issues);  ///< A275, A276
 void check_quality(const Asset& asset, Issues& issues);     ///< A281 to A285
 

@@ -13,6 +13,7 @@ using Eigen::Vector3f;
 using Corners = std::span<const std::uint32_t>;
 
 constexpr float kNoArea = 1e-12f;  // square metres: a thousandth of a millimetre each way
+constexpr double kSavesLittle = 0.9;
 
 Vector3f position(const VertexRecord& vertex) { return Vector3f(vertex.position); }
 
@@ -80,6 +81,15 @@ void check_size(const Asset& asset, Issues& issues) {
   issues.push_back(make_issue("A234", fmt::format("{:.3g} m large; hair has 0.05 .. 3 m", largest_side(box))));
 }
 
+void find_equal_levels(const Asset& asset, Issues& issues) {
+  for (std::uint32_t lod = 1; lod < asset.lod_count(); ++lod) {
+    const double share = double(asset.lod_indices(lod).size()) / double(asset.lod_indices(lod - 1).size());
+    if (share <= kSavesLittle) continue;
+    issues.push_back(make_issue("A235", fmt::format("{:.0f} % of the triangles of the finer level", 100 * share),
+                                fmt::format("level of detail {}", lod)));
+  }
+}
+
 }  // namespace
 
 std::string patch_place(std::size_t patch) { return fmt::format("patch {}", patch); }
@@ -91,6 +101,7 @@ void check_geometry(const Asset& asset, Issues& issues) {
   }
   find_faulty_triangles(asset, issues);
   find_unused_vertices(asset, issues);
+  find_equal_levels(asset, issues);
   check_size(asset, issues);
 }
 

@@ -29,14 +29,4 @@ void check_orders(const Asset& asset, Issues& issues) {
       "chunk ORDR"));
 }
 
-void check_skin(const Asset& asset, Issues& issues) {
-  if (asset.vertices().empty() || asset.skeleton().simulated_count == 0) return;
-  for (const SkinRecord& skin : asset.skin()) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (skin.weight[k] > 0 && asset.bones()[skin.bone[k]].kind == BoneKind::kSimulated) return;
-    }
-  }
-  issues.push_back(make_issue("A261", "no vertex follows a simulated bone: what is drawn does not move"));
-}
-
 }  // namespace coif

@@ -10,6 +10,8 @@ namespace coif {
 namespace {
 
 constexpr double kAll = 0.9995;
+constexpr double kThin = 0.75;            // of what the largest mip covers
+constexpr std::uint32_t kFewTexels = 16;  // a side: hair so far away is hardly seen
 
 const char* place(TextureRole role) {
   return role == TextureRole::kBaseColor ? "base colour texture" : "shift and mask texture";
@@ -23,6 +25,16 @@ bool has_soft_texels(const Asset& asset, const TextureRecord& texture) {
     if (alpha > 16 && alpha < 239) return true;
   }
   return false;
+}
+
+void find_thin_mips(const TextureRecord& texture, std::span<const AlphaCoverage> coverage, Issues& issues) {
+  for (std::uint32_t mip = 1; mip < coverage.size(); ++mip) {
+    if (std::min(texture.width, texture.height) >> mip < kFewTexels) return;
+    const double share = coverage[mip].opacity / coverage[0].opacity;
+    if (share >= kThin) continue;
+    issues.push_back(make_issue(
+        "A277", fmt::format("mip {} covers {:.0f} % of what the texture does", mip, 100 * share), place(texture.role)));
+  }
 }
 
 }  // namespace
@@ -56,6 +68,7 @@ void check_alpha(const Asset& asset, Issues& issues) {
   } else if (coverage.front().opaque >= kAll) {
     add("A273", "every texel that the hair uses is opaque: strips are drawn as solid cards");
   }
+  if (coverage.front().opacity > 0) find_thin_mips(*texture, coverage, issues);
   const bool blends = asset.material()->discard_threshold < asset.material()->opaque_threshold;
   if (!blends && has_soft_texels(asset, *texture)) add("A252", "soft edges, of which the thresholds leave nothing");
 }
