@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <memory>
 
 namespace coif {
@@ -91,15 +92,15 @@ void tell(Severity severity, const std::string& text, const Messages& messages) 
   }
 }
 
+/// What is folded is told behind the last that is shown of its code.
 void tell(const Verdict& verdict, const Messages& messages) {
-  const JudgedIssues& issues = verdict.issues;
-  for (std::size_t i = 0; i < issues.shown.size(); ++i) {
-    const Issue& issue = issues.shown[i];
+  std::map<std::string, std::size_t> last;
+  for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) last[verdict.issues.shown[i].code] = i;
+  for (std::size_t i = 0; i < verdict.issues.shown.size(); ++i) {
+    const Issue& issue = verdict.issues.shown[i];
     tell(issue.severity, issue_text(verdict, issue), messages);
-    const auto same = [&issue](const auto& other) { return other.code == issue.code; };
-    if (std::any_of(issues.shown.begin() + std::ptrdiff_t(i) + 1, issues.shown.end(), same)) continue;
-    const auto more = std::ranges::find_if(issues.folded, same);
-    if (more == issues.folded.end()) continue;
+    const auto more = std::ranges::find(verdict.issues.folded, issue.code, &FoldedIssues::code);
+    if (last[issue.code] != i || more == verdict.issues.folded.end()) continue;
     tell(more->severity, fmt::format("{}: {} more like this [{}]", verdict.path, more->count, more->code), messages);
   }
 }

@@ -48,21 +48,23 @@ void mark_row(double low, double high, std::uint32_t y, Image& used) {
   for (std::uint32_t i = 0; i < count; ++i) row[(first + i) % used.width] = 255;
 }
 
-void mark_triangle(const Corners& corners, Image& used) {
+/// Returns false where no other triangle can add to what is used: broken files repeat a large texture in every one.
+bool mark_triangle(const Corners& corners, Image& used) {
   Range x, y;
   for (const Vector2d& corner : corners) {
-    if (!corner.allFinite()) return;
+    if (!corner.allFinite()) return true;
     x.include(corner.x());
     y.include(corner.y());
   }
   if (x.high - x.low > kManyRepeats * used.width || y.high - y.low > kManyRepeats * used.height) {
     std::ranges::fill(used.texels, std::uint8_t{255});
-    return;
+    return false;
   }
   for (double row = std::floor(y.low); row <= y.high; ++row) {
     const Range columns = columns_in_row(corners, row);
     if (columns.low <= columns.high) mark_row(columns.low, columns.high, wrapped(row, used.height), used);
   }
+  return true;
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ Image used_texels(const HairMesh& hair, std::uint32_t width, std::uint32_t heigh
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = hair.uvs[hair.triangles[t + k]].cast<double>().cwiseProduct(size);
     }
-    mark_triangle(corners, used);
+    if (!mark_triangle(corners, used)) break;
   }
   return used;
 }

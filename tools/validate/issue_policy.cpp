@@ -3,6 +3,7 @@
 #include "validate/issue_codes.h"
 
 #include <algorithm>
+#include <map>
 
 namespace coif {
 namespace {
@@ -34,13 +35,13 @@ bool may_ignore(std::string_view code) {
 
 JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy) {
   JudgedIssues judged;
+  std::map<std::string, std::size_t> shown_of;
   for (Issue& issue : issues) {
     if (std::ranges::find(policy.ignored, issue.code) != policy.ignored.end()) continue;
     if (policy.warnings_as_errors && issue.severity == Severity::kWarning) issue.severity = Severity::kError;
     ++counter(judged, issue.severity);
     if (issue.severity < policy.lowest) continue;
-    const auto same = std::ranges::count(judged.shown, issue.code, &Issue::code);
-    if (std::size_t(same) < policy.most_of_a_code) {
+    if (shown_of[issue.code]++ < policy.most_of_a_code) {
       judged.shown.push_back(std::move(issue));
     } else {
       fold(issue, judged);
