@@ -1,0 +1,74 @@
+#include "pipeline/cache_entry.h"
+
+#include <gtest/gtest.h>
+
+namespace coif {
+namespace {
+
+CacheEntry small_entry() {
+  CacheEntry entry;
+  entry.dependencies = {{Dependency::Base::kSource, "wig.mtl", 0xFEDCBA9876543210u},
+                        {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
+  entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
+  entry.report.passes = {{"import", 12.5}};
+  entry.report.warnings = {"name \xFF of no encoding"};
+  entry.report.notes = {"a note"};
+  entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
+  entry.report.triangles = 7;
+  entry.report.simulated_bones = 9;
+  entry.asset = {std::byte{1}, std::byte{2}, std::byte{3}};
+  return entry;
+}
+
+TEST(CacheEntry, ComesBackAsItWas) {
+  const std::vector<std::byte> bytes = encode_entry(small_entry());
+  const auto back = decode_entry(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(encode_entry(*back), bytes);
+  EXPECT_EQ(back->dependencies[0].hash, 0xFEDCBA9876543210u);
+  EXPECT_FALSE(back->dependencies[1].hash);
+  EXPECT_EQ(back->dependencies[1].base, Dependency::Base::kRecipe);
+  EXPECT_EQ(back->questions[0].answer, std::vector<std::string>{"hair.png"});
+  EXPECT_EQ(back->report.passes[0].ms, 12.5);
+  EXPECT_EQ(back->report.warnings, small_entry().report.warnings);
+  EXPECT_EQ(back->report.left_out[0].ns_per_frame, 3.5);
+  EXPECT_EQ(back->report.triangles, 7u);
+  EXPECT_EQ(back->report.simulated_bones, 9u);
+  EXPECT_EQ(back->asset, small_entry().asset);
+}
+
+TEST(CacheEntry, DecodeRefusesEveryTruncation) {
+  const std::vector<std::byte> whole = encode_entry(small_entry());
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const std::vector<std::byte> cut(whole.begin(), whole.begin() + std::ptrdiff_t(size));
+    EXPECT_FALSE(decode_entry(cut)) << size << " of " << whole.size();
+  }
+}
+
+TEST(CacheEntry, DecodeRefusesEveryFlippedBit) {
+  const std::vector<std::byte> good = encode_entry(small_entry());
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (int bit = 0; bit < 8; ++bit) {
+      std::vector<std::byte> bytes = good;
+      bytes[at] ^= std::byte(1 << bit);
+      EXPECT_FALSE(decode_entry(bytes)) << "byte " << at << " bit " << bit;
+    }
+  }
+}
+
+TEST(CacheEntry, DecodeRefusesWhatFollowsTheEnd) {
+  std::vector<std::byte> bytes = encode_entry(small_entry());
+  bytes.push_back(std::byte{0});
+  EXPECT_FALSE(decode_entry(bytes));
+}
+
+TEST(CacheEntry, CircumstancesAreThoseOfInputsAlone) {
+  CacheEntry other = small_entry();
+  other.report.passes[0].ms = 99;
+  EXPECT_EQ(circumstances(other), circumstances(small_entry()));
+  other.dependencies[1].hash = 1;
+  EXPECT_NE(circumstances(other), circumstances(small_entry()));
+}
+
+}  // namespace
+}  // namespace coif
