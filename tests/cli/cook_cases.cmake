@@ -12,6 +12,16 @@ coif_cli_case(cook_over_its_source EXIT 1 STDERR "braid.obj: is also an input; c
   TEXT braid.obj "v 0 0 0\n" ARGS cook braid.obj -o braid.obj)
 coif_cli_case(cook_report_over_asset EXIT 1 STDERR "--report and --output name the same file"
   ARGS cook ${sample} -o out.coif --report out.coif)
+coif_cli_case(cook_depfile_over_asset EXIT 1 STDERR "--depfile and --output name the same file"
+  ARGS cook ${sample} -o out.coif --depfile out.coif)
+coif_cli_case(cook_depfile_over_report EXIT 1 STDERR "--report and --depfile name the same file"
+  ARGS cook ${sample} -o out.coif --depfile out.d --report out.d)
+coif_cli_case(cook_several_into_a_file EXIT 1 STDERR "out.coif: several sources need a folder that exists; create it first"
+  ARGS cook ${sample} other.glb -o out.coif)
+coif_cli_case(cook_several_of_one_name EXIT 1 STDERR "bob.glb and bob.obj would both become [.]/bob.coif"
+  ARGS cook ${sample} bob.obj -o .)
+coif_cli_case(cook_several_with_a_depfile EXIT 1 STDERR "--depfile goes with one SOURCE" ARGS cook a.obj b.obj -o . --depfile d)
+coif_cli_case(cook_several_without_a_folder EXIT 1 STDERR "needs -o FOLDER for several sources" ARGS cook a.obj b.obj)
 
 coif_cli_case(cook_absent_recipe EXIT 2 STDERR "coif cook: error: r.json: "
   ARGS cook ${sample} --recipe r.json -o out.coif)

@@ -24,7 +24,7 @@ bool holds(const std::vector<std::string>& files, const std::filesystem::path& p
 
 TEST(SideFiles, AnExternalBufferIsNamed) {
   const TemporaryFolder folder;
-  const auto path = SmallGltf{}.write(folder, "strip");
+  const auto path = SmallGltf{}.write(folder, "strip.gltf");
   const std::vector<std::string> files = side_files_of(path);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_TRUE(std::filesystem::is_regular_file(files[0])) << files[0];
