@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <random>
 #include <system_error>
 
 namespace coif {
@@ -79,8 +80,9 @@ tl::expected<void, ToolError> write_output(const fs::path& output, std::span<con
     return {};
   }
   fs::path temporary = target;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  std::error_code failed = write_new_file(temporary, O_CREAT | O_TRUNC | O_NOFOLLOW, bytes);
+  // Machines and containers that share a folder have equal process numbers.
+  temporary += fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+  std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes);
   if (!failed) fs::rename(temporary, target, failed);
   if (failed) {
     fs::remove(temporary, why);
