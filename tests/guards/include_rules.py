@@ -67,6 +67,7 @@ HOMES = {
     "GLES2/": ["tools/render", "tests/gl", "tests/render"],
     "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples"],
     "KHR/": ["tools/render"],
+    "linux/": ["tools/import"],
     "gtest/": ["tests/"],
     "benchmark/": ["tests/"],
     "BulletSoftBody/": ["tests/bench/peers"],

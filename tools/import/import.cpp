@@ -3,6 +3,7 @@
 #include "import/assimp_reader.h"
 #include "import/child_process.h"
 #include "import/file_error.h"
+#include "import/file_fence.h"
 #include "import/model_stream.h"
 #include "import/readable_file.h"
 #include "import/source_format.h"
@@ -48,8 +49,11 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
                                      supported_suffixes()));
   }
   const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
-  const ChildResult result =
-      run_in_child(limits, [&] { return encode_outcome(read_with_assimp(path, *suffix, settings)); });
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const ChildResult result = run_in_child(limits, [&] {
+    fence_files(folder, path);  // where the kernel can; without it the other limits hold
+    return encode_outcome(read_with_assimp(path, *suffix, settings));
+  });
   ImportOutcome outcome;
   if (result.end == ChildResult::End::kFinished && decode_outcome(result.output, outcome)) return outcome;
   return tl::unexpected(explain(result, path, settings));
