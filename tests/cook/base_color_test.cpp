@@ -55,6 +55,35 @@ TEST(BaseColor, ATextureFoundElsewhereIsTakenWithAWarning) {
   EXPECT_EQ(only_warning(color), "material 'strands': texture 'D:\\art\\strands.psd' taken from Textures/Strands.png");
 }
 
+TEST(BaseColor, WhatWasAskedOfTheFolderIsToldWithItsAnswer) {
+  const ImageFolder folder;
+  folder.write_flat("strands.png", kRed);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  const BaseColor color = base_color_of(model);
+  ASSERT_EQ(color.questions.size(), 1u);
+  EXPECT_EQ(color.questions[0].kind, TextureQuestion::Kind::kFind);
+  EXPECT_EQ(color.questions[0].answer, std::vector<std::string>{"strands.png"});
+  const TextureFolder textures(model.path);
+  EXPECT_EQ(answer_to(color.questions[0], textures), color.questions[0].answer);
+
+  Recipe recipe = default_recipe();
+  recipe.base_color_texture = (folder.path() / "strands.png").string();
+  EXPECT_TRUE(base_color_of(model, recipe).questions.empty()) << "the recipe leaves nothing to ask";
+}
+
+TEST(BaseColor, ATextureInVainIsAskedForAndEveryImageIsListed) {
+  const ImageFolder folder;
+  folder.write_flat("sofa.png");
+  SourceModel model = model_beside(folder, "wig.fbx");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  const BaseColor color = base_color_of(model);
+  ASSERT_EQ(color.questions.size(), 2u);
+  EXPECT_TRUE(color.questions[0].answer.empty());
+  EXPECT_EQ(color.questions[1].kind, TextureQuestion::Kind::kImages);
+  EXPECT_EQ(color.questions[1].answer, std::vector<std::string>{"sofa.png"});
+}
+
 TEST(BaseColor, AMissingTextureIsAWarningThatListsWhatIsThere) {
   const ImageFolder folder;
   folder.write_flat("a.png");
