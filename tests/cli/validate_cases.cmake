@@ -44,3 +44,11 @@ coif_cli_case(validate_other_recipe EXIT 3 SAMPLE STDOUT "bob.coif: invalid"
 coif_cli_case(validate_absent_origin EXIT 2 SAMPLE STDERR "coif validate: error: nope.glb: cannot open"
   ARGS validate ${COIF_COOKED_SAMPLE} --source nope.glb)
 coif_cli_script(validate_keeps_to_its_policy SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE} SOURCE=${sample})
+
+coif_cli_case(validate_page_suffix EXIT 1 STDERR "coif validate: error: out.pdf: the suffix must be .html"
+  ARGS validate a.coif --report out.pdf)
+coif_cli_case(validate_page_folder EXIT 2 STDERR "coif validate: error: no/out.html: cannot write: no folder 'no'"
+  ARGS validate a.coif --report no/out.html)
+coif_cli_case(validate_page_of_bad EXIT 3 WRITES out.html STDOUT "notes.coif: invalid"
+  TEXT notes.coif "this text is long enough for a header" ARGS validate notes.coif --report out.html)
+coif_cli_script(validate_draws_patches)

@@ -5,6 +5,8 @@
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
 #include "cli/verdict.h"
+#include "cli/verdict_page.h"
+#include "files/output_file.h"
 #include "import/import.h"
 #include "import/source_format.h"
 #include "validate/asset_issues.h"
@@ -26,6 +28,7 @@ struct ValidateOptions {
   std::vector<std::string> files;
   OriginOptions origin;
   IssuePolicy policy;
+  std::string report;
   bool list_codes = false;
   OutputFormat format = OutputFormat::kText;
 };
@@ -66,15 +69,23 @@ std::vector<Issue> validate_source(const fs::path& path, const std::optional<std
   return issues;
 }
 
+/// Nothing of what is no asset, or does not open.
+IssuePictures pictures_of(std::span<const std::byte> bytes, const JudgedIssues& issues) {
+  Asset asset;
+  return open_whole(bytes, asset) ? picture_issues(asset, issues.shown) : IssuePictures{};
+}
+
 tl::expected<Verdict, ToolError> validate_file(const std::string& path, const ValidateOptions& options,
                                                const Messages& messages) {
   const auto bytes = FileBytes::read(path);
-  if (!bytes) return Verdict{path, false, judge({make_issue("F101", bytes.error().message)}, options.policy)};
+  if (!bytes) return Verdict{path, false, judge({make_issue("F101", bytes.error().message)}, options.policy), {}};
   const bool source = is_source(path, bytes->span());
   auto issues = source ? Found(validate_source(path, options.origin.recipe, messages))
                        : validate_asset(bytes->span(), options.origin, messages);
   if (!issues) return tl::unexpected(issues.error());
-  return Verdict{path, true, judge(std::move(*issues), options.policy)};
+  Verdict verdict{path, true, judge(std::move(*issues), options.policy), {}};
+  if (!options.report.empty()) verdict.pictures = pictures_of(bytes->span(), verdict.issues);
+  return verdict;
 }
 
 /// Messages of other passes begin with the path already.
@@ -105,18 +116,35 @@ void tell(const Verdict& verdict, const Messages& messages) {
   }
 }
 
+tl::expected<void, ToolError> check_page(const ValidateOptions& options) {
+  if (options.report.empty()) return {};
+  if (auto suffix = choose_suffix(options.report, {".html"}); !suffix) return tl::unexpected(suffix.error());
+  for (const std::string& file : options.files) {
+    if (auto checked = check_output(options.report, {file, options.origin.source}); !checked) return checked;
+  }
+  return {};
+}
+
 tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
   const auto wrong = [](std::string what) {
     return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(what)});
   };
   if (options.files.empty() && !options.list_codes) return wrong("FILE is required; see 'coif validate --help'");
   if (!options.origin.source.empty() && options.files.size() != 1) return wrong("--source is for one asset at a time");
+  if (const auto page = check_page(options); !page) return page;
   for (const std::string& code : options.policy.ignored) {
     if (!may_ignore(code)) {
       return wrong(fmt::format("--ignore: '{}' is no warning or note; 'coif validate --list-codes' lists them", code));
     }
   }
   return {};
+}
+
+Exit exit_of(std::span<const Verdict> verdicts) {
+  const auto unreadable = [](const Verdict& v) { return !v.readable; };
+  const auto invalid = [](const Verdict& v) { return !v.issues.valid(); };
+  if (std::ranges::any_of(verdicts, unreadable)) return Exit::kFileAccess;
+  return std::ranges::any_of(verdicts, invalid) ? Exit::kBadInput : Exit::kOk;
 }
 
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
@@ -134,10 +162,12 @@ tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const
     tell(verdicts.back(), messages);
   }
   print_result(as_json ? verdicts_json(verdicts) : verdicts_text(verdicts));
-  const auto unreadable = [](const Verdict& v) { return !v.readable; };
-  const auto invalid = [](const Verdict& v) { return !v.issues.valid(); };
-  if (std::ranges::any_of(verdicts, unreadable)) return Exit::kFileAccess;
-  return std::ranges::any_of(verdicts, invalid) ? Exit::kBadInput : Exit::kOk;
+  if (!options.report.empty()) {
+    const std::string page = verdict_page(verdicts);
+    auto written = write_output(options.report, std::as_bytes(std::span(page)));
+    if (!written) return tl::unexpected(written.error());
+  }
+  return exit_of(verdicts);
 }
 
 void add_policy(CLI::App& app, IssuePolicy& policy) {
@@ -169,6 +199,8 @@ Command add_validate(CLI::App& program) {
   app->add_option("FILE", options->files, "Cooked assets or models");
   add_policy(*app, options->policy);
   add_origin(*app, options->origin);
+  app->add_option("--report", options->report, "Also write a page, with pictures of the patches that have issues")
+      ->type_name("OUT.html");
   app->add_flag("--list-codes", options->list_codes, "Print what every code means, check nothing");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_validate(*options, messages); }};

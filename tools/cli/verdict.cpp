@@ -28,6 +28,11 @@ ordered_json folded_list(const std::vector<FoldedIssues>& folded) {
 
 }  // namespace
 
+const char* verdict_word(const Verdict& verdict) {
+  if (!verdict.readable) return "unreadable";
+  return verdict.issues.valid() ? "valid" : "invalid";
+}
+
 std::string verdicts_json(const std::vector<Verdict>& verdicts) {
   auto files = ordered_json::array();
   for (const Verdict& verdict : verdicts) {
@@ -46,8 +51,7 @@ std::string verdicts_json(const std::vector<Verdict>& verdicts) {
 std::string verdicts_text(const std::vector<Verdict>& verdicts) {
   std::string text;
   for (const Verdict& verdict : verdicts) {
-    const char* word = !verdict.readable ? "unreadable" : verdict.issues.valid() ? "valid" : "invalid";
-    text += fmt::format("{}: {}\n", verdict.path, word);
+    text += fmt::format("{}: {}\n", verdict.path, verdict_word(verdict));
   }
   return text;
 }

@@ -59,4 +59,10 @@ std::vector<SolidMesh> patch_surfaces(const Asset& asset, std::span<const Mat34>
   return meshes;
 }
 
+void mark_patch(std::size_t marked, std::span<SolidMesh> patches) {
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    patches[i].color = i == marked ? Eigen::Vector3f(0.8f, 0.02f, 0.02f) : Eigen::Vector3f(0.25f, 0.25f, 0.25f);
+  }
+}
+
 }  // namespace coif

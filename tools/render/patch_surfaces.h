@@ -17,4 +17,7 @@ namespace coif {
 [[nodiscard]] std::vector<SolidMesh> patch_surfaces(const Asset& asset, std::span<const Mat34> palette,
                                                     std::uint32_t lod);
 
+/// Paints one of `patches` red and all others grey.
+void mark_patch(std::size_t marked, std::span<SolidMesh> patches);
+
 }  // namespace coif

@@ -70,7 +70,9 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     meshes = mannequin_meshes(asset.colliders());
   }
   if (settings.patches) {
-    for (SolidMesh& patch : patch_surfaces(asset, pose.palette, settings.lod)) meshes.push_back(std::move(patch));
+    std::vector<SolidMesh> patches = patch_surfaces(asset, pose.palette, settings.lod);
+    if (settings.marked_patch) mark_patch(*settings.marked_patch, patches);
+    for (SolidMesh& patch : patches) meshes.push_back(std::move(patch));
   }
   return meshes;
 }

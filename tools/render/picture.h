@@ -34,6 +34,7 @@ struct PictureSettings {
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
   bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
+  std::optional<std::uint32_t> marked_patch;  ///< With `patches`: this one of the level in red, the others grey.
   std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.

@@ -13,7 +13,7 @@ using Issues = std::vector<Issue>;
 
 /// "bone 'fringe_2'", or "bone 7" where it has no name.
 [[nodiscard]] std::string bone_place(const Asset& asset, std::size_t bone);
-[[nodiscard]] std::string patch_place(std::size_t patch);
+[[nodiscard]] Issue patch_issue(std::string_view code, std::string message, std::size_t patch);
 
 void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
 void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223

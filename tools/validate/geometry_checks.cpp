@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -58,10 +59,10 @@ void find_faulty_triangles(const Asset& asset, Issues& issues) {
     const PatchFaults faults = faults_of(asset, asset.indices().subspan(patch.first_index, patch.index_count));
     if (faults.flat > 0) {
       const std::string count = counted(faults.flat, "triangle", "triangles");
-      issues.push_back(make_issue("A231", count + " without area", patch_place(i)));
+      issues.push_back(patch_issue("A231", count + " without area", i));
     }
     if (6 * faults.turned > patch.index_count) {
-      issues.push_back(make_issue("A233", "normals point to the back of its triangles", patch_place(i)));
+      issues.push_back(patch_issue("A233", "normals point to the back of its triangles", i));
     }
   }
 }
@@ -92,7 +93,11 @@ void find_equal_levels(const Asset& asset, Issues& issues) {
 
 }  // namespace
 
-std::string patch_place(std::size_t patch) { return fmt::format("patch {}", patch); }
+Issue patch_issue(std::string_view code, std::string message, std::size_t patch) {
+  Issue issue = make_issue(code, std::move(message), fmt::format("patch {}", patch));
+  issue.patch = std::uint32_t(patch);
+  return issue;
+}
 
 void check_geometry(const Asset& asset, Issues& issues) {
   if (asset.vertices().empty()) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +15,8 @@ struct Issue {
   std::string code;
   Severity severity = Severity::kError;
   std::string message;
-  std::string where;  ///< Chunk, record, bone or patch; empty: the whole file.
+  std::string where;                     ///< Chunk, record, bone or patch; empty: the whole file.
+  std::optional<std::uint32_t> patch{};  ///< Of all of the asset's, where the issue is one of a patch.
 };
 
 [[nodiscard]] const char* name(Severity severity);

@@ -58,7 +58,8 @@ const IssueCode* find_issue_code(std::string_view code) {
 Issue make_issue(std::string_view code, std::string message, std::string where) {
   const IssueCode* row = find_issue_code(code);
   assert(row != nullptr && "an issue without a row in its table");
-  return {std::string(code), row != nullptr ? row->severity : Severity::kError, std::move(message), std::move(where)};
+  return {
+      std::string(code), row != nullptr ? row->severity : Severity::kError, std::move(message), std::move(where), {}};
 }
 
 }  // namespace coif

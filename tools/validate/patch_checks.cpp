@@ -81,12 +81,12 @@ void find_unsortable(const Asset& asset, Issues& issues) {
     const Corners corners = asset.indices().subspan(patch.first_index, patch.index_count);
     const std::size_t pieces = pieces_of(asset, corners);
     if (pieces > 1) {
-      issues.push_back(make_issue("A241", fmt::format("{} pieces that do not touch", pieces), patch_place(i)));
+      issues.push_back(patch_issue("A241", fmt::format("{} pieces that do not touch", pieces), i));
     }
     const float width = width_of(asset, corners);
     if (width > widest) {
-      issues.push_back(make_issue(
-          "A242", fmt::format("{:.2g} m wide across its strands, above {:.2g} m", width, widest), patch_place(i)));
+      issues.push_back(
+          patch_issue("A242", fmt::format("{:.2g} m wide across its strands, above {:.2g} m", width, widest), i));
     }
   }
 }

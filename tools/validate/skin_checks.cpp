@@ -50,8 +50,7 @@ void find_strays(const Asset& asset, Issues& issues) {
       const float off = distance(Vector3f(asset.vertices()[vertex].position), *bone);
       if (off <= far_away) continue;
       const std::string mover = bone_place(asset, std::size_t(bone - asset.bones().data()));
-      issues.push_back(
-          make_issue("A262", fmt::format("a vertex follows {}, {:.2g} m away", mover, off), patch_place(i)));
+      issues.push_back(patch_issue("A262", fmt::format("a vertex follows {}, {:.2g} m away", mover, off), i));
       break;
     }
   }

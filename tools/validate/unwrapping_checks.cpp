@@ -56,7 +56,7 @@ void check_unwrapping(const Asset& asset, Issues& issues) {
   if (texture == nullptr || asset.vertices().empty()) return;
   for (std::size_t i = 0; i < asset.lod_patches(0).size(); ++i) {
     if (is_unwrapped(asset, asset.lod_patches(0)[i])) continue;
-    issues.push_back(make_issue("A276", "all of it shows one texel: it is not unwrapped", patch_place(i)));
+    issues.push_back(patch_issue("A276", "all of it shows one texel: it is not unwrapped", i));
   }
   const Areas areas = areas_of(asset);
   if (!(areas.surface > 0)) return;
