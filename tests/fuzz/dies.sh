@@ -1,0 +1,3 @@
+#!/bin/sh
+# Stands for a program that crashes: the fuzz test must notice.
+kill -SEGV $$
