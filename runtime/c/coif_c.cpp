@@ -67,6 +67,14 @@ coif_status call(PoseCall method, coif_hair* hair, std::uint32_t instance, const
   return code((hair->hair.*method)(instance, pose_of(*pose)));
 }
 
+using StepCall = coif::Status (coif::Hair::*)(const coif::StepSettings&);
+
+coif_status call(StepCall method, coif_hair* hair, const coif_step_settings* settings) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (settings == nullptr) return COIF_BAD_ARGUMENT;
+  return code((hair->hair.*method)(settings_of(*settings)));
+}
+
 }  // namespace
 
 extern "C" {
@@ -164,13 +172,11 @@ int coif_hair_is_asleep(const coif_hair* hair, uint32_t instance) {
 }
 
 coif_status coif_hair_step(coif_hair* hair, const coif_step_settings* settings) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  return settings == nullptr ? COIF_BAD_ARGUMENT : code(hair->hair.step(settings_of(*settings)));
+  return call(&coif::Hair::step, hair, settings);
 }
 
 coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* settings) {
-  if (hair == nullptr) return COIF_NOT_CREATED;
-  return settings == nullptr ? COIF_BAD_ARGUMENT : code(hair->hair.begin_step(settings_of(*settings)));
+  return call(&coif::Hair::begin_step, hair, settings);
 }
 
 uint32_t coif_hair_job_count(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.job_count(); }

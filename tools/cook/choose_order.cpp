@@ -105,10 +105,11 @@ class OrderChoice {
 
   FoundOrders run() {
     const FoundOrders quick = quick_search();
-    const FoundOrders head = by_head();
     settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
     const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
     FoundOrders found = refine_orders(hair.surface, poses_, head_, quick, settings_);
+    if (settings_.opaque_threshold == usual_threshold_) return found;  // which was compared with it
+    const FoundOrders head = by_head();
     found.head = head.head;
     return found.found.psnr > head.head.psnr ? std::move(found) : head;
   }

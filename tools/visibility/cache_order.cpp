@@ -17,15 +17,11 @@ class VertexCache {
   [[nodiscard]] bool has(std::uint32_t vertex) const { return std::ranges::find(vertices_, vertex) != vertices_.end(); }
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
 
-  /// Shades what is missing; how many that were.
-  int shade(const HairSurface::Triangle& triangle) {
-    int missing = 0;
+  /// Shades what is missing.
+  void shade(const HairSurface::Triangle& triangle) {
     for (const std::uint32_t vertex : triangle.vertex) {
-      if (has(vertex)) continue;
-      vertices_[next_++ % kCacheSize] = vertex;
-      ++missing;
+      if (!has(vertex)) vertices_[next_++ % kCacheSize] = vertex;
     }
-    return missing;
   }
 
  private:
@@ -94,13 +90,6 @@ class CacheOrder {
 
 UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order) {
   return CacheOrder(hair, votes, order).run();
-}
-
-double vertices_per_triangle(const HairSurface& hair, const UnitOrder& order) {
-  VertexCache cache;
-  double shaded = 0;
-  for (const std::uint32_t t : order) shaded += cache.shade(hair.triangles[t]);
-  return order.empty() ? 0 : shaded / double(order.size());
 }
 
 }  // namespace coif

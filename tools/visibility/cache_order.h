@@ -10,7 +10,4 @@ namespace coif {
 /// result. Greedy: of the triangles that nothing holds back, the one with most vertices among the last few that were shaded.
 [[nodiscard]] UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order);
 
-/// Vertices that are shaded per triangle with a cache of the last 16; 3 where none is ever shared.
-[[nodiscard]] double vertices_per_triangle(const HairSurface& hair, const UnitOrder& order);
-
 }  // namespace coif
