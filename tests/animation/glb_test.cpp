@@ -1,6 +1,7 @@
 #include "animation/glb_reader.h"
 #include "animation/open_asset.h"
 #include "animation/recording.h"
+#include "formats/without_mesh.h"
 #include "import/import.h"
 
 #include <gtest/gtest.h>
@@ -171,16 +172,7 @@ TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
 }
 
 TEST(GlbWithoutMesh, StillHasTheMovingBones) {
-  AssetContents contents = small_asset();
-  contents.vertices.clear();
-  contents.skin.clear();
-  contents.indices.clear();
-  contents.patches.clear();
-  contents.orders.clear();
-  contents.order_views.clear();
-  contents.lods.clear();
-  contents.lod_bones.clear();
-  const OpenAsset open(contents);
+  const OpenAsset open(without_mesh(small_asset()));
   ASSERT_TRUE(open.asset().is_open());
   const auto recording = record(open.asset(), {.motion = Motion::kNod, .seconds = 1});
   ASSERT_TRUE(recording);

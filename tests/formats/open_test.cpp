@@ -3,6 +3,7 @@
 #include "formats/aligned_bytes.h"
 #include "formats/refusal.h"
 #include "formats/small_asset.h"
+#include "formats/without_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -82,15 +83,7 @@ TEST(Open, AcceptsAMeshWithoutSkin) {
 }
 
 TEST(Open, AcceptsASkeletonAlone) {
-  AssetContents contents = small_asset();
-  contents.vertices.clear();
-  contents.skin.clear();
-  contents.indices.clear();
-  contents.patches.clear();
-  contents.orders.clear();
-  contents.order_views.clear();
-  contents.lods.clear();
-  contents.lod_bones.clear();
+  AssetContents contents = without_mesh(small_asset());
   contents.material.clear();
   contents.textures.clear();
   contents.texels.clear();

@@ -1,5 +1,6 @@
 #include "render/draw_cost.h"
 
+#include "formats/without_mesh.h"
 #include "render/drawn_wig.h"
 #include "render/transparency_modes.h"
 
@@ -92,15 +93,7 @@ TEST_F(DrawCostTest, RefusesSettingsOutOfRange) {
 }
 
 TEST_F(DrawCostTest, RefusesAnAssetWithoutMesh) {
-  const AssetContents bald = [] {
-    AssetContents contents = card_contents(std::array{Card{}});
-    contents.vertices.clear();
-    contents.skin.clear();
-    contents.indices.clear();
-    contents.patches.clear();
-    return contents;
-  }();
-  const OpenedAsset asset(bald);
+  const OpenedAsset asset(without_mesh(card_contents(std::array{Card{}})));
   const auto cost = measure_drawing(*asset, quick(), maker());
   ASSERT_FALSE(cost);
   EXPECT_EQ(cost.error().kind, ToolError::Kind::kBadInput);

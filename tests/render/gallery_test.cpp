@@ -1,5 +1,6 @@
 #include "render/gallery.h"
 
+#include "formats/without_mesh.h"
 #include "gl/card_asset.h"
 #include "gl/made_up_wig.h"
 #include "render/egl_context.h"
@@ -156,12 +157,7 @@ TEST_F(GalleryTest, PicturesOfOneGalleryDiffer) {
 }
 
 TEST_F(GalleryTest, HairWithoutAMeshIsRefused) {
-  AssetContents contents = card_contents(std::array{Card{}});
-  contents.vertices.clear();
-  contents.skin.clear();
-  contents.indices.clear();
-  contents.patches.clear();
-  const OpenedAsset bald(contents);
+  const OpenedAsset bald(without_mesh(card_contents(std::array{Card{}})));
   const auto sheet = render_gallery(*bald, {}, [](const std::string&) {});
   ASSERT_FALSE(sheet);
   EXPECT_EQ(sheet.error().kind, ToolError::Kind::kBadInput);

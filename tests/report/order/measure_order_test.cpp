@@ -1,5 +1,6 @@
 #include "report/order/measure_order.h"
 
+#include "formats/without_mesh.h"
 #include "render/egl_context.h"
 #include "report/opened_asset.h"
 #include "report/order/shells.h"
@@ -119,11 +120,7 @@ TEST_F(MeasureOrder, WithoutAnOrbitThereIsNoPopping) {
 }
 
 TEST(MeasureOrderErrors, NoMeshIsNamedWithItsCure) {
-  AssetContents rigged = shells();
-  rigged.vertices.clear();
-  rigged.indices.clear();
-  rigged.patches.clear();
-  const OpenedAsset asset(rigged);
+  const OpenedAsset asset(without_mesh(shells()));
   ASSERT_TRUE(asset.asset().is_open());
   const auto report = measure_order(asset.asset(), {}, {});
   ASSERT_FALSE(report);
