@@ -19,5 +19,9 @@ install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif
 include(${CMAKE_CURRENT_LIST_DIR}/pkgconfig.cmake)
 
 if(TARGET coif_cli)
+  if(BUILD_SHARED_LIBS)
+    file(RELATIVE_PATH coif_libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(coif_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${coif_libraries}")
+  endif()
   install(TARGETS coif_cli RUNTIME)
 endif()

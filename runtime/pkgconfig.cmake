@@ -19,9 +19,10 @@ Libs: -L${libdir} -l@library@
   install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
-# Archives say what they need themselves. The simulation needs Highway where it chooses its instruction set at run time.
+# Archives say what they need themselves. The simulation needs Highway where it chooses its instruction set at run time; as
+# a shared library it finds it alone.
 set(coif_pc_simd "")
-if(COIF_SIMD STREQUAL "dispatch")
+if(COIF_SIMD STREQUAL "dispatch" AND NOT BUILD_SHARED_LIBS)
   set(coif_pc_simd ", libhwy")
 endif()
 coif_pc(coif coif "Hair simulation for games, C interface" "")

@@ -1,8 +1,9 @@
 # Installs coif into an empty place and builds games against it.
-#   cmake -D BUILD=... -D SIMD=dispatch|static -D WORK=... [-D ASSET=...] -P consume.cmake
+#   cmake -D BUILD=... -D SIMD=dispatch|static -D SHARED=ON|OFF -D WORK=... [-D ASSET=...] -P consume.cmake
 # Installs that build tree, which has all parts.
 #   cmake -D SOURCE=... ... instead of BUILD: build that source tree first, with as little as can be: no OpenGL, no tools.
 #   cmake -D EMBED=... ... instead of BUILD: install nothing; the game adds that source tree to its own build.
+#   cmake -D SHARE=... -D GL=ON|OFF ... instead of BUILD: shared libraries, as part of a game's build and installed.
 set(consumer ${CMAKE_CURRENT_LIST_DIR})
 set(prefix ${WORK}/installed)
 file(REMOVE_RECURSE ${WORK})
@@ -25,6 +26,8 @@ endfunction()
 
 if(EMBED)
   build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED})
+elseif(SHARE)
+  include(${consumer}/shared_package.cmake)
 elseif(BUILD)
   include(${consumer}/whole_package.cmake)
 else()

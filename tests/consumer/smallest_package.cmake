@@ -15,12 +15,14 @@ must_fail(MATCHES "COIF_GLES3_INCLUDE" ${configure} -B ${WORK}/fenced ${no_heade
 run(${configure} -B ${WORK}/fenced -D COIF_GL=ON -D COIF_GLES3_INCLUDE=${fence})
 must_fail(MATCHES "this machine has no OpenGL" ${CMAKE_COMMAND} --build ${WORK}/fenced --target coif_gl)
 
-build_game(game "${sim_games};only_skin" -D PARTS=sim,skinning -D README=${SOURCE}/README.md ${without_highway})
+build_game(game "${sim_games};only_skin" -D PARTS=sim,skinning -D README=${SOURCE}/README.md -D CMAKE_CXX_FLAGS=-I${fence}
+  ${without_highway})
 
 include(${consumer}/pkg_config.cmake)
 
 # The part that was not built is missed when the game is configured, by name, and has left nothing behind.
 must_fail(MATCHES "built without 'gl'" ${configure_game} -B ${WORK}/absent -D PARTS=gl)
+must_fail(MATCHES "no component 'smi'; it has formats, sim," ${configure_game} -B ${WORK}/unknown -D PARTS=formats,smi)
 file(GLOB_RECURSE left ${prefix}/*coif_gl* ${prefix}/*renderer.h)
 if(left)
   message(FATAL_ERROR "installed although not built: ${left}")

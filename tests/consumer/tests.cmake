@@ -10,8 +10,16 @@ coif_consumer_test(sim_only -D SOURCE=${PROJECT_SOURCE_DIR})
 set_tests_properties(consumer.sim_only PROPERTIES FIXTURES_SETUP COIF_SIM_ONLY_PACKAGE)
 coif_consumer_test(embedded -D EMBED=${PROJECT_SOURCE_DIR})
 if(TARGET coif_cli)
+  coif_consumer_test(shared -D SHARE=${PROJECT_SOURCE_DIR} -D GL=${COIF_GL} -D SIMD=${COIF_SIMD}
+    -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
+  set_tests_properties(consumer.shared PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE)
+else()
+  coif_consumer_test(shared -D SHARE=${PROJECT_SOURCE_DIR} -D GL=${COIF_GL} -D SIMD=${COIF_SIMD})
+endif()
+set_tests_properties(consumer.shared PROPERTIES FIXTURES_SETUP COIF_SHARED_PACKAGE)
+if(TARGET coif_cli)
   coif_consumer_test(installed
-    -D BUILD=${CMAKE_BINARY_DIR} -D SIMD=${COIF_SIMD} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
+    -D BUILD=${CMAKE_BINARY_DIR} -D SIMD=${COIF_SIMD} -D SHARED=${BUILD_SHARED_LIBS} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
   set_tests_properties(consumer.installed PROPERTIES
     FIXTURES_REQUIRED COIF_COOKED_SAMPLE FIXTURES_SETUP COIF_WHOLE_PACKAGE)
   add_test(NAME consumer.deb_package

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/asset_records.h>
+#include <coif/export.h>
 #include <coif/load_status.h>
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct OpenOptions {
 
 /// A read-only view of a cooked asset. Owns nothing and allocates nothing: the bytes given to open() must stay
 /// where they are, unchanged, for as long as the view or anything created from it is used.
-class Asset {
+class COIF_API Asset {
  public:
   /// Checks everything once: sizes, ranges, references, finite numbers, order. `bytes` starts at a multiple of 16,
   /// of 64 where textures are used. On failure the view is empty and the status says which check failed where.

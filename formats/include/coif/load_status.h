@@ -1,5 +1,7 @@
 #pragma once
 
+#include <coif/export.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -50,10 +52,10 @@ struct [[nodiscard]] LoadStatus {
 };
 
 /// One sentence, static storage, never null.
-[[nodiscard]] const char* describe(LoadCode code);
+[[nodiscard]] COIF_API const char* describe(LoadCode code);
 
 /// Writes "chunk BONE, record 7: ... (expected 3, found 9)" into `text`, always ended by a zero byte, cut where
 /// `capacity` is too small. Returns the length written.
-std::size_t describe(const LoadStatus& status, char* text, std::size_t capacity);
+COIF_API std::size_t describe(const LoadStatus& status, char* text, std::size_t capacity);
 
 }  // namespace coif

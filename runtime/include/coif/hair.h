@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/asset.h>
+#include <coif/export.h>
 #include <coif/instruction_set.h>
 #include <coif/math.h>
 #include <coif/status.h>
@@ -19,9 +20,9 @@ inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds; the thesis's own boun
 
 /// How bones are moved. A program links only those that it names.
 struct Solver;
-extern const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
+extern COIF_API const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
 /// The model of runtime/docs/MODEL.md: the same at every frame rate, no stretch, no penetration.
-extern const Solver kCoifSolver;
+extern COIF_API const Solver kCoifSolver;
 
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
@@ -87,7 +88,7 @@ struct MemoryNeed {
 };
 
 /// Sub-steps that the asset was tuned for at this dt (seconds), 1..kMaxSubsteps: what StepSettings::substeps = 0 means.
-[[nodiscard]] std::uint32_t tuned_substeps(const Asset& asset, float dt);
+[[nodiscard]] COIF_API std::uint32_t tuned_substeps(const Asset& asset, float dt);
 
 struct CrowdState;
 
@@ -96,7 +97,7 @@ struct CrowdState;
 ///
 /// Results do not depend on the instruction set, on how many instances there are and in which order they were touched,
 /// nor on which thread runs which job: the same bits everywhere.
-class Hair {
+class COIF_API Hair {
  public:
   Hair() = default;
   Hair(const Hair&) = delete;  ///< Two owners would step the same memory.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <coif/export.h>
+
 #include <cstdint>
 
 namespace coif {
@@ -17,12 +19,12 @@ enum class InstructionSet : std::uint8_t {
 };
 
 /// The widest that this build has and this processor knows; never kBest.
-[[nodiscard]] InstructionSet best_instruction_set();
+[[nodiscard]] COIF_API InstructionSet best_instruction_set();
 
 /// False for those that are not in this build or that this processor lacks.
-[[nodiscard]] bool can_run(InstructionSet set);
+[[nodiscard]] COIF_API bool can_run(InstructionSet set);
 
 /// For logs and reports: "AVX2". Static storage, never null.
-[[nodiscard]] const char* name_of(InstructionSet set);
+[[nodiscard]] COIF_API const char* name_of(InstructionSet set);
 
 }  // namespace coif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/asset.h>
+#include <coif/export.h>
 #include <coif/math.h>
 #include <coif/status.h>
 #include <coif/transparency.h>
@@ -103,7 +104,7 @@ struct ModeMemory {
 /// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded,
 /// and does only what that model needs. The context must be current in every call. Allocates nothing itself. The
 /// destructor calls no OpenGL function: call destroy() while the context lives.
-class HairRenderer {
+class COIF_API HairRenderer {
  public:
   HairRenderer() = default;
   HairRenderer(const HairRenderer&) = delete;
@@ -194,7 +195,7 @@ class HairRenderer {
 
 /// One asset's buffers and textures on the GPU. Any number of heads may be drawn from one model. The destructor calls
 /// no OpenGL function: call destroy() while the context lives.
-class HairModel {
+class COIF_API HairModel {
  public:
   HairModel() = default;
   HairModel(const HairModel&) = delete;

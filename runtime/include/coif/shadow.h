@@ -1,5 +1,6 @@
 #pragma once
 
+#include <coif/export.h>
 #include <coif/renderer.h>
 
 #include <cstddef>
@@ -15,16 +16,16 @@ struct ShadowTechnique;
 
 /// A depth map: hair from alpha 0.5 on casts a shadow as if it were solid, with soft edges of about two texels by
 /// percentage-closer filtering (Reeves et al. 1987). 4 bytes a texel, one pass over the hair.
-extern const ShadowTechnique kPlainShadow;
+extern COIF_API const ShadowTechnique kPlainShadow;
 
 /// Deep opacity maps (Yuksel and Keyser 2008): layers that begin where the light first meets hair, and how much hair lies
 /// in each. Light fades as it goes in, by each strand's alpha. Two passes over the hair; 16 bytes a texel with four layers,
 /// 24 with eight, 12 and 16 where the driver cannot draw into half floats. The errors of both techniques:
 /// `coif report FILE shadows`.
-extern const ShadowTechnique kDeepOpacityShadow;
+extern COIF_API const ShadowTechnique kDeepOpacityShadow;
 
 /// As the command line calls it: "plain", "deep".
-[[nodiscard]] const char* name_of(const ShadowTechnique& technique);
+[[nodiscard]] COIF_API const char* name_of(const ShadowTechnique& technique);
 
 struct ShadowDesc {
   const ShadowTechnique* technique = &kDeepOpacityShadow;
@@ -61,7 +62,7 @@ struct ShadowUniforms {
 /// HairRenderer::draw() shades hair by DrawDesc::shadow, and the host's own shaders look shadows up with code(), uniforms()
 /// and the textures. All OpenGL objects are made by create(). The renderer's context must be current in every call. The
 /// destructor calls no OpenGL function: call destroy() while the context lives.
-class HairShadow {
+class COIF_API HairShadow {
  public:
   static constexpr std::uint32_t kTextures = 4;
 

@@ -2,6 +2,7 @@
 // Skinning on the processor, for engines that draw hair with a renderer of their own and want finished vertices.
 
 #include <coif/asset.h>
+#include <coif/export.h>
 #include <coif/math.h>
 #include <coif/status.h>
 
@@ -26,7 +27,7 @@ struct SkinnedVertex {
 ///
 /// kAssetLacksData without vertices; kBadIndex where the range is not inside of them; kSizeMismatch when the palette has
 /// not one matrix per bone (hair without SKIN may also have none). `out` is then as it was.
-Status skin_vertices(const Asset& asset, std::span<const Mat34> palette, std::uint32_t first,
-                     std::span<SkinnedVertex> out);
+COIF_API Status skin_vertices(const Asset& asset, std::span<const Mat34> palette, std::uint32_t first,
+                              std::span<SkinnedVertex> out);
 
 }  // namespace coif

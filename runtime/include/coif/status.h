@@ -1,5 +1,7 @@
 #pragma once
 
+#include <coif/export.h>
+
 #include <cstdint>
 
 namespace coif {
@@ -19,6 +21,6 @@ enum class [[nodiscard]] Status : std::uint8_t{
 };
 
 /// One sentence, static storage, never null.
-[[nodiscard]] const char* describe(Status status);
+[[nodiscard]] COIF_API const char* describe(Status status);
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <coif/export.h>
+
 namespace coif {
 
 /// A way to draw hair that lets light through. A program holds those that it names, and builds the shaders of those that
@@ -8,25 +10,25 @@ struct TransparencyMode;
 
 /// The four passes of the thesis (5.3.1): solid texels; back faces of the rest, blended; its front faces; depth.
 /// Within a pass the cooked order is all the sorting there is.
-extern const TransparencyMode kBlendMode;
+extern COIF_API const TransparencyMode kBlendMode;
 
 /// One pass, nothing blended: cut at the opaque threshold.
-extern const TransparencyMode kOpaqueMode;
+extern COIF_API const TransparencyMode kOpaqueMode;
 
 /// One pass, nothing blended: alpha to coverage. Of a pixel on the line where alpha is half, or the opaque threshold if that
 /// is less, as many samples are drawn as lie inside, so edges are as smooth as the target has samples. For multisampled
 /// targets; with one sample the cut lies half a pixel further out. The target's alpha stays 1 where it was 1; over less it is only right in
 /// pixels that the hair covers wholly.
-extern const TransparencyMode kCoverageMode;
+extern COIF_API const TransparencyMode kCoverageMode;
 
 /// One pass, nothing blended: of soft texels every 4 x 4 pixels show as many as their alpha asks for, in Bayer's ordered
 /// pattern, mixed anew in each square and by each triangle so that layers do not hide each other. The pattern stays with
 /// the screen.
-extern const TransparencyMode kScreenDoorMode;
+extern COIF_API const TransparencyMode kScreenDoorMode;
 
 /// One pass, nothing blended: hashed alpha (Wyman and McGuire 2017). Soft texels are drawn at random points, which are
 /// fixed to the hair at rest, so the noise moves with the strands and stands still with them.
-extern const TransparencyMode kHashedMode;
+extern COIF_API const TransparencyMode kHashedMode;
 
 /// The reference: kBlendMode's texels, soft ones in the order of their depth in each pixel, whatever order the asset has;
 /// of equal depths the patch stored later is in front. Takes solid texels from the opaque threshold on like all modes; for
@@ -39,9 +41,9 @@ extern const TransparencyMode kHashedMode;
 /// the first draw, and again for a larger viewport; draw() returns kDriver where there is none. Peeling rounds each layer to
 /// the target's format, takes no polygon offset for soft texels, and asks whether any samples passed, so that no query of
 /// the host's for that may be under way.
-extern const TransparencyMode kExactMode;
+extern COIF_API const TransparencyMode kExactMode;
 
 /// As the command line calls it: "blend", "opaque" and so on.
-[[nodiscard]] const char* name_of(const TransparencyMode& transparency);
+[[nodiscard]] COIF_API const char* name_of(const TransparencyMode& transparency);
 
 }  // namespace coif
