@@ -1,10 +1,40 @@
 #include "cli/exit_code.h"
 
+#include <fmt/format.h>
+
 namespace coif {
 
-const char* const kExitCodeHelp =
-    "Exit codes: 0 ok, 1 usage, 2 file access, 3 bad input or asset, 4 over budget,\n"
-    "            5 unsupported, 70 internal error";
+namespace {
+
+constexpr ExitMeaning kMeanings[] = {
+    {Exit::kOk, "ok", "All is well."},
+    {Exit::kUsage, "usage", "The command line is wrong."},
+    {Exit::kFileAccess, "file access", "A file cannot be opened, read or written."},
+    {Exit::kBadInput, "bad input or asset", "A source, a recipe or an asset is not usable."},
+    {Exit::kOverBudget, "over budget", "The result exceeds a budget that was asked for."},
+    {Exit::kUnsupported, "unsupported",
+     "A file's format or version is none of those known, or this machine lacks something."},
+    {Exit::kInternal, "internal error", "A bug in this program, or no memory left."},
+};
+
+}  // namespace
+
+std::span<const ExitMeaning> exit_meanings() { return kMeanings; }
+
+std::string exit_code_help() {
+  constexpr std::size_t kWidth = 80;
+  std::string lines, line = "Exit codes:";
+  for (const ExitMeaning& exit : kMeanings) {
+    const std::string entry =
+        fmt::format(" {} {}{}", static_cast<int>(exit.code), exit.name, exit.code == Exit::kInternal ? "" : ",");
+    if (line.size() + entry.size() > kWidth) {
+      lines += line + "\n";
+      line = std::string(sizeof "Exit codes:" - 1, ' ');
+    }
+    line += entry;
+  }
+  return lines + line;
+}
 
 Exit exit_code(ToolError::Kind kind) {
   switch (kind) {

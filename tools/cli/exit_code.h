@@ -2,6 +2,9 @@
 
 #include "tool_error.h"
 
+#include <span>
+#include <string>
+
 namespace coif {
 
 /// What the program tells the shell. An interface: build scripts depend on the numbers.
@@ -17,7 +20,16 @@ enum class Exit : int {
 
 [[nodiscard]] Exit exit_code(ToolError::Kind kind);
 
-/// The table of exit codes, for --help.
-extern const char* const kExitCodeHelp;
+struct ExitMeaning {
+  Exit code;
+  const char* name;     ///< A word or two.
+  const char* meaning;  ///< A sentence.
+};
+
+/// Every exit code, ascending.
+[[nodiscard]] std::span<const ExitMeaning> exit_meanings();
+
+/// Codes and names, for --help.
+[[nodiscard]] std::string exit_code_help();
 
 }  // namespace coif

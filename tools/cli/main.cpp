@@ -1,6 +1,7 @@
 // coif: cooks, checks, simulates and draws hair for games.
 
 #include "cli/command.h"
+#include "cli/manual_page.h"
 
 #include <fmt/format.h>
 
@@ -41,17 +42,23 @@ Exit run_program(int argc, char** argv) {
   CLI::App program("Hair for games: cooks polygon hair into an asset, checks, simulates and draws it.", "coif");
   program.set_version_flag("--version", "coif " COIF_VERSION);
   program.require_subcommand(0, 1);
-  program.footer(kExitCodeHelp);
+  bool wants_manual = false;
+  program.add_flag("--man", wants_manual, "Print the manual page: coif --man | man -l -");
+  program.footer(exit_code_help());
   std::vector<Command> commands;
   for (const auto add :
        {add_cook, add_validate, add_info, add_simulate, add_render, add_gallery, add_compare, add_report, add_strip}) {
     commands.push_back(add(program));
-    commands.back().app->footer(kExitCodeHelp);
+    commands.back().app->footer(exit_code_help());
   }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return report_usage(program, error);
+  }
+  if (wants_manual) {
+    fmt::print("{}", manual_page(program));
+    return flush_results(Exit::kOk, Messages(""));
   }
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command);
