@@ -7,6 +7,9 @@
 
 namespace coif {
 
+/// As many as the processor runs at once, at least 1.
+inline unsigned all_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
+
 /// Calls body(i) for each i below `count` on up to `threads` threads. Each call must write only what belongs to its own i,
 /// so that the result does not depend on the number of threads. `body` must not throw.
 template <typename Body>

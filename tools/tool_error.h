@@ -1,6 +1,9 @@
 #pragma once
 
+#include <tl/expected.hpp>
+
 #include <string>
+#include <utility>
 
 namespace coif {
 
@@ -10,5 +13,10 @@ struct ToolError {
   Kind kind = Kind::kInternal;
   std::string message;  ///< "FILE: what is wrong; cure", without a trailing period or newline.
 };
+
+/// Of what the caller asked for.
+[[nodiscard]] inline tl::unexpected<ToolError> usage(std::string message) {
+  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
+}
 
 }  // namespace coif

@@ -19,7 +19,7 @@ foreach(jobs 1 3)
   cook(${all} --jobs ${jobs})
   must_hold("exit code" "${code}" "^3$")
   must_hold("standard output" "${out}"
-    "one.obj +ok +1 .* no\ntwo.obj +bad input +- +- .*three.obj +ok +1 +[1-9][0-9]* +[0-9]+ +no\n$")
+    "one.obj +ok +1 .* no\ntwo.obj +bad input +- +- .*three.obj +ok +1 +[1-9][0-9]* +[0-9]+ +no\n3 asked, 2 cooked [(]0 from the cache[)], 1 failed\n$")
   must_hold("standard error" "${err}" "coif cook: error: two.obj: ")
   file(GLOB made RELATIVE "${FOLDER}/out" "${FOLDER}/out/*")
   must_hold("folder" "${made}" "^one.coif;three.coif$")

@@ -15,10 +15,6 @@ constexpr double kMaxFps = 1000;
 constexpr double kMaxSeconds = 3600;
 constexpr double kMaxRecordingBytes = 1024.0 * 1024.0 * 1024.0;
 
-tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-}
-
 tl::unexpected<ToolError> refused(Status status) {
   return tl::unexpected(
       ToolError{ToolError::Kind::kBadInput, fmt::format("the runtime refuses this simulation: {}", describe(status))});

@@ -1,5 +1,7 @@
 #include "cli/asset_file.h"
 
+#include "validate/asset_issues.h"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -23,12 +25,6 @@ LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
   if (status) status = asset.verify_draw_data();
   if (!status) asset = Asset{};
   return status;
-}
-
-std::string describe_text(const LoadStatus& status) {
-  if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
-  char text[256];
-  return std::string(text, describe(status, text, sizeof text));
 }
 
 tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {

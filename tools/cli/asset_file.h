@@ -34,7 +34,4 @@ class AssetFile {
 /// open() with every hash compared: a tool's files are looked at by people, who want to know.
 LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
 
-/// The reader's verdict as a sentence with its evidence.
-[[nodiscard]] std::string describe_text(const LoadStatus& status);
-
 }  // namespace coif

@@ -4,11 +4,12 @@
 #include "cli/recipe_choice.h"
 #include "cook/cook.h"
 #include "cook/provenance.h"
+#include "parallel_for.h"
 #include "payload_hash.h"
+#include "validate/asset_issues.h"
 #include "validate/origin_issues.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace coif {
 namespace {
@@ -18,7 +19,7 @@ using Found = tl::expected<std::vector<Issue>, ToolError>;
 Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
                             std::uint64_t source_hash) {
   CookSettings settings;
-  settings.threads = std::max(1u, std::thread::hardware_concurrency());
+  settings.threads = all_threads();
   settings.recipe_directory = choice.directory;
   settings.source_hash = source_hash;
   const auto result = cook(model, choice.recipe, settings);

@@ -21,10 +21,6 @@ std::string in_case(std::string text, int (*letter)(int)) {
   return text;
 }
 
-tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-}
-
 /// Chunks of the format and those that only this asset has.
 Ids nameable_chunks(const Asset& asset) {
   Ids ids(std::begin(kKnownChunks), std::end(kKnownChunks));

@@ -12,10 +12,6 @@
 namespace coif {
 namespace {
 
-tl::unexpected<ToolError> usage(const char* message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, message});
-}
-
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
   const auto model = import_model(options.sources[0], options.import_limits(import_settings(choice.recipe)));
   if (!model) return tl::unexpected(model.error());
@@ -25,13 +21,12 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
 
 tl::expected<Exit, ToolError> cook_to_file(const CookOptions& options, const RecipeChoice& choice,
                                            const Messages& messages) {
-  const unsigned all = std::max(1u, std::thread::hardware_concurrency());
   const CookJob job{.source = options.sources[0],
                     .output = options.output,
                     .report = options.report,
                     .depfile = options.depfile,
                     .cache = options.cache,
-                    .threads = options.threads.value_or(all)};
+                    .threads = options.threads.value_or(all_threads())};
   const auto summary = run_cook_job(job, options, choice, messages);
   if (!summary) return tl::unexpected(summary.error());
   print_result(options.format == OutputFormat::kJson ? cook_json(*summary) : cook_text(*summary));
@@ -39,12 +34,9 @@ tl::expected<Exit, ToolError> cook_to_file(const CookOptions& options, const Rec
 }
 
 tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Messages& messages) {
+  const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
+  if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  const bool is_batch = options.sources.size() > 1;
-  if (is_batch && !options.print_recipe) {
-    if (options.output.empty()) return usage("needs -o FOLDER for several sources; see 'coif cook --help'");
-    return run_cook_batch(options, messages);
-  }
   const auto choice = choose_recipe(options.sources.empty() ? "" : options.sources[0], options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   if (options.print_recipe) {
@@ -53,17 +45,29 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
   }
   if (options.list) return list_source(options, *choice);
   if (options.output.empty()) return usage("needs -o OUT.coif; see 'coif cook --help'");
+  if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
   return cook_to_file(options, *choice, messages);
 }
 
-void add_limits(CLI::App& app, CookOptions& options) {
+void add_many(CLI::App& app, CookOptions& options) {
+  CLI::Option* manifest = app.add_option("--manifest", options.manifest, "A list of sources, instead of SOURCE");
+  manifest->type_name("M.json");
+  app.add_option("--batch", options.share, "Of the manifest's sources, cook the K-th of N equal shares")
+      ->type_name("K/N")
+      ->needs(manifest);
   app.add_option("--jobs", options.jobs,
                  "How many of several sources are cooked at once (default: the processor's threads)")
       ->check(CLI::Range(1u, 256u))
       ->type_name("N");
+}
+
+void add_limits(CLI::App& app, CookOptions& options) {
   app.add_option("--threads", options.threads, "Threads of each cook; the asset's bytes do not depend on it")
       ->check(CLI::Range(1u, 256u))
       ->type_name("N");
+  app.add_option("--max-source-mb", options.max_source_mb, "Largest source that is read, MiB")
+      ->check(CLI::Range(1u, 1024u))
+      ->capture_default_str();
   app.add_option("--max-memory-mb", options.max_memory_mb, "Memory limit of the importer, MiB")
       ->check(CLI::Range(64u, 1u << 20))
       ->capture_default_str();
@@ -82,11 +86,13 @@ Command add_cook(CLI::App& program) {
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
       ->type_name("R.json");
-  app->add_option("--report", options->report, "Also write the JSON result to this file")->type_name("REPORT.json");
+  app->add_option("--report", options->report, "Also write the JSON result to this file; of many sources OUT.html, too")
+      ->type_name("REPORT.json");
   app->add_option("--depfile", options->depfile, "Also write what was read, for Make and Ninja")->type_name("D");
   app->add_option("--cache", options->cache, "Keep results in this folder, and take them from there")->type_name("DIR");
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
   app->add_flag("--list", options->list, "Print the source's meshes, materials and nodes, cook nothing");
+  add_many(*app, *options);
   add_limits(*app, *options);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_cook(*options, messages); }};

@@ -4,6 +4,7 @@
 #include "cli/options.h"
 #include "cli/progress_line.h"
 #include "cli/results.h"
+#include "counted.h"
 #include "files/output_file.h"
 #include "render/gallery.h"
 

@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
 #include "cli/results.h"
+#include "counted.h"
 #include "files/output_file.h"
 #include "render/picture.h"
 #include "render/shaded_material.h"

@@ -5,6 +5,7 @@
 #include "cli/motion_choice.h"
 #include "cli/options.h"
 #include "cli/results.h"
+#include "counted.h"
 #include "files/output_file.h"
 #include "render/picture.h"
 

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/results.h"
 #include "files/output_file.h"
+#include "validate/asset_issues.h"
 #include "write/chunk_file.h"
 #include "write/strip_asset.h"
 

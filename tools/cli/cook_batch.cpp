@@ -1,5 +1,8 @@
 #include "cli/cook_batch.h"
 
+#include "cli/batch_page.h"
+#include "cli/batch_requests.h"
+#include "cli/batch_summary.h"
 #include "cli/json_text.h"
 #include "cli/results.h"
 #include "files/output_file.h"
@@ -7,18 +10,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <map>
 
 namespace coif {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-}
 
 const char* status_word(Exit code) {
   switch (code) {
@@ -33,41 +32,31 @@ const char* status_word(Exit code) {
   return "internal error";
 }
 
-std::string output_of(const CookOptions& options, const std::string& source) {
-  return (fs::path(options.output) / fs::path(source).stem()).string() + ".coif";
-}
-
-tl::expected<void, ToolError> check_batch(const CookOptions& options) {
-  std::error_code ignored;
-  if (!options.depfile.empty()) return usage("--depfile goes with one SOURCE; cook each by a call of its own");
-  if (options.list) return usage("--list goes with one SOURCE");
-  if (!options.output.empty() && !fs::is_directory(options.output, ignored)) {
-    return usage(fmt::format("{}: several sources need a folder that exists; create it first", options.output));
-  }
-  std::map<std::string, std::string> owners;
-  for (const std::string& source : options.sources) {
-    const auto [owner, is_new] = owners.emplace(output_of(options, source), source);
-    if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, owner->first));
-  }
-  return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {});
-}
-
-tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const std::string& source,
+tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                               const Messages& messages) {
-  const auto choice = choose_recipe(source, options.recipe, messages);
+  const auto choice = choose_recipe(request.source, request.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  CookJob job{.source = source, .output = output_of(options, source), .cache = options.cache, .shows_progress = false};
-  const unsigned cooks = std::min(options.jobs, unsigned(options.sources.size()));
-  job.threads = options.threads.value_or(std::max(1u, std::thread::hardware_concurrency() / cooks));
+  std::error_code told_by_the_cook;
+  fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
+  const CookJob job{.source = request.source,
+                    .output = request.output,
+                    .cache = options.cache,
+                    .threads = threads,
+                    .shows_progress = false};
   return run_cook_job(job, options, *choice, messages);
 }
 
 /// What a process sends home: the lines of the result, as JSON.
-ordered_json outcome_of(const CookOptions& options, const std::string& source, const Messages& messages) {
+ordered_json outcome_of(const CookOptions& options, const CookRequest& request, unsigned threads,
+                        const Messages& messages) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto summary = cook_one(options, source, messages);
+  const auto summary = cook_one(options, request, threads, messages);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
-  ordered_json outcome{{"source", source}, {"status", "ok"}, {"exit_code", 0}, {"ms", elapsed.count()}};
+  ordered_json outcome{{"source", request.source},
+                       {"output", request.output},
+                       {"status", "ok"},
+                       {"exit_code", 0},
+                       {"ms", elapsed.count()}};
   if (summary) {
     outcome.update(ordered_json::parse(cook_json(*summary)));
     return outcome;
@@ -81,52 +70,44 @@ ordered_json outcome_of(const CookOptions& options, const std::string& source, c
 }
 
 /// Of a process that never answered.
-ordered_json crashed(const std::string& source, const Messages& messages) {
-  const std::string text = source + ": the cook crashed; cook it alone, and report it with the file";
+ordered_json crashed(const CookRequest& request, const Messages& messages) {
+  const std::string text = request.source + ": the cook crashed; cook it alone, and report it with the file";
   messages.error(text);
-  const int code = int(Exit::kInternal);
-  return {
-      {"source", source}, {"status", status_word(Exit::kInternal)}, {"exit_code", code}, {"ms", 0.0}, {"error", text}};
+  return {{"source", request.source},
+          {"output", request.output},
+          {"status", status_word(Exit::kInternal)},
+          {"exit_code", int(Exit::kInternal)},
+          {"ms", 0.0},
+          {"error", text}};
 }
 
-std::string table_of(const ordered_json& files) {
-  std::size_t width = 4;
-  for (const auto& file : files) width = std::max(width, file["source"].get_ref<const std::string&>().size());
-  std::string text = fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8}  {}\n", "file", width, "status", "triangles",
-                                 "bytes", "ms", "from cache");
-  for (const auto& file : files) {
-    const bool done = file["exit_code"] == 0;
-    const auto figure = [&](const char* key) { return done ? fmt::format("{}", file[key].get<std::uint64_t>()) : "-"; };
-    text +=
-        fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8.0f}  {}\n", file["source"].get<std::string>(), width,
-                    file["status"].get<std::string>(), figure("triangles"), figure("bytes"), file["ms"].get<double>(),
-                    !done                            ? "-"
-                    : file["from_cache"].get<bool>() ? "yes"
-                                                     : "no");
-  }
-  return text;
+std::string report_text(const CookOptions& options, const Outcomes& outcomes) {
+  const bool is_page = fs::path(options.report).extension() == ".html";
+  return is_page ? batch_page(outcomes, options.jobs) : batch_json(outcomes);
 }
 
 }  // namespace
 
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages) {
-  if (auto checked = check_batch(options); !checked) return tl::unexpected(checked.error());
-  const auto answers = run_in_processes(options.sources.size(), options.jobs, [&](std::size_t i) {
-    return json_text(outcome_of(options, options.sources[i], messages));
+  const auto requests = batch_requests(options);
+  if (!requests) return tl::unexpected(requests.error());
+  const auto cooks = unsigned(std::clamp<std::size_t>(requests->size(), 1, options.jobs));
+  const unsigned threads = options.threads.value_or(std::max(1u, all_threads() / cooks));
+  const auto answers = run_in_processes(requests->size(), options.jobs, [&](std::size_t i) {
+    return json_text(outcome_of(options, (*requests)[i], threads, messages));
   });
-  auto files = ordered_json::array();
+  auto outcomes = Outcomes::array();
   int worst = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const std::string& source = options.sources[i];
-    files.push_back(answers[i] ? ordered_json::parse(*answers[i]) : crashed(source, messages));
-    worst = std::max(worst, files.back()["exit_code"].get<int>());
+    outcomes.push_back(answers[i] ? ordered_json::parse(*answers[i]) : crashed((*requests)[i], messages));
+    worst = std::max(worst, outcomes.back()["exit_code"].get<int>());
   }
-  const std::string json = json_text({{"files", files}});
   if (!options.report.empty()) {
-    const auto written = write_output(options.report, std::as_bytes(std::span(json)));
+    const std::string text = report_text(options, outcomes);
+    const auto written = write_output(options.report, std::as_bytes(std::span(text)));
     if (!written) return tl::unexpected(written.error());
   }
-  print_result(options.format == OutputFormat::kJson ? json : table_of(files));
+  print_result(options.format == OutputFormat::kJson ? batch_json(outcomes) : batch_text(outcomes));
   return Exit(worst);
 }
 

@@ -5,9 +5,9 @@
 
 namespace coif {
 
-/// Cooks several sources into a folder, each for itself, in processes of their own; one that fails or crashes stops no
-/// other. Prints a table (or JSON, which --report gets too), and returns the highest exit code of all. Errors: kUsage,
-/// before anything is cooked.
+/// Cooks several sources, or a manifest's, into a folder, each for itself, in processes of their own; one that fails or crashes
+/// stops no other. Prints a table or JSON, writes that or a page with pictures to --report, and returns the highest exit code
+/// of all. Errors: those of batch_requests(), before anything is cooked, and a report that cannot be written.
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages);
 
 }  // namespace coif

@@ -18,10 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-}
-
 tl::expected<void, ToolError> check_outputs(const CookJob& job, const RecipeChoice& choice) {
   if (auto asset = check_output(job.output, {job.source, choice.file}); !asset) return asset;
   for (const auto& [option, file] : {std::pair{"--report", &job.report}, std::pair{"--depfile", &job.depfile}}) {
@@ -104,6 +100,7 @@ tl::expected<std::string, ToolError> depfile_of(const CookJob& job, const Recipe
 }  // namespace
 
 ImportSettings CookOptions::import_limits(ImportSettings settings) const {
+  settings.max_file_bytes = max_source_mb << 20;
   settings.max_memory_bytes = max_memory_mb << 20;
   settings.max_seconds = max_seconds;
   return settings;

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "cli/recipe_choice.h"
 #include "import/import.h"
+#include "parallel_for.h"
 #include "tool_error.h"
 
 #include <tl/expected.hpp>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace coif {
@@ -22,13 +22,16 @@ struct CookOptions {
   std::vector<std::string> sources;
   std::string output;  ///< A file for one source, a folder for several.
   std::optional<std::string> recipe;
+  std::string manifest;       ///< Instead of sources.
+  std::string share = "1/1";  ///< The batch of the manifest that is cooked here, as K/N.
   std::string report;
   std::string depfile;
   std::string cache;  ///< A folder; empty: none.
   bool print_recipe = false;
   bool list = false;
-  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
+  std::uint64_t max_source_mb = ImportSettings{}.max_file_bytes >> 20;
   std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
   std::uint32_t max_seconds = ImportSettings{}.max_seconds;
   OutputFormat format = OutputFormat::kText;

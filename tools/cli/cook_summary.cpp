@@ -2,6 +2,7 @@
 
 #include "cli/json_text.h"
 #include "cli/results.h"
+#include "counted.h"
 
 #include <fmt/format.h>
 

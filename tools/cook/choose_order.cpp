@@ -39,10 +39,8 @@ struct Moment {
 constexpr Moment kMoments[] = {
     {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
 
-bool blends(const AssetContents& contents) {
-  if (contents.material.empty() || contents.patches.empty()) return false;
-  const MaterialRecord& material = contents.material.front();
-  return material.discard_threshold < material.opaque_threshold;
+bool is_blended(const AssetContents& contents) {
+  return !contents.material.empty() && !contents.patches.empty() && blends(contents.material.front());
 }
 
 tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset) {
@@ -214,7 +212,7 @@ std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshol
 
 tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
                                                                unsigned threads, AssetContents& contents) {
-  if (!recipe.scene_draw || recipe.order_method == "head" || !blends(contents)) return std::vector<std::string>{};
+  if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return std::vector<std::string>{};
   const std::size_t triangles = contents.indices.size() / 3;
   if (recipe.order_method == "auto" && triangles > kMostTriangles) {
     return std::vector{

@@ -6,10 +6,15 @@
 
 namespace coif {
 
+namespace {
+
+/// Of the complete recipe as print_recipe() writes it.
 std::uint64_t recipe_hash(const Recipe& recipe) {
   const std::string text = print_recipe(recipe);
   return xxh64(std::as_bytes(std::span(text.data(), text.size())));
 }
+
+}  // namespace
 
 ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe, std::uint64_t source_hash) {
   ProvenanceRecord record{};

@@ -9,9 +9,6 @@
 
 namespace coif {
 
-/// XXH64 of the complete recipe as print_recipe() writes it.
-[[nodiscard]] std::uint64_t recipe_hash(const Recipe& recipe);
-
 /// What a cook by this version of the tool says of its origin. `source_hash`: XXH64 of the source file's bytes.
 [[nodiscard]] ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe,
                                                std::uint64_t source_hash);

@@ -2,6 +2,7 @@
 
 #include "cook/nearest_word.h"
 #include "cook/recipe_values.h"
+#include "shallow_json.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t kMaxRecipeBytes = 1 << 20;
+constexpr std::size_t kLongestKey = 100;  // nothing longer was meant to be one of ours, and comparing takes time
 
 tl::unexpected<ToolError> bad_recipe(const std::string& name, const std::string& what) {
   return tl::unexpected(ToolError{ToolError::Kind::kBadInput, name + ": " + what});
@@ -32,10 +34,10 @@ const RecipeKey* find_key(const std::string& path) {
 std::string unknown_key(const std::string& path) {
   std::vector<std::string> paths;
   for (const RecipeKey& key : recipe_keys()) paths.push_back(key.path());
-  const std::string nearest = nearest_word(path, paths);
+  const std::string nearest = path.size() < kLongestKey ? nearest_word(path, paths) : "";
   const std::string cure =
       nearest.empty() ? "'coif cook --print-recipe' lists all keys" : fmt::format("did you mean \"{}\"?", nearest);
-  return fmt::format("\"{}\" is not a key; {}", path, cure);
+  return fmt::format("\"{}\" is not a key; {}", excerpt(path), cure);
 }
 
 /// Reads one section's keys into `recipe`; the error is a sentence without the file's name.
@@ -64,16 +66,10 @@ Recipe default_recipe() {
 
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name) {
   Recipe recipe = default_recipe();
-  json document;
-  try {
-    document = json::parse(text, nullptr, true, true);
-  } catch (const json::exception& error) {
-    // The library's own prefix names its exception class, which tells an artist nothing.
-    const char* message = std::strstr(error.what(), "] ");
-    return bad_recipe(name, fmt::format("not JSON: {}", message != nullptr ? message + 2 : error.what()));
-  }
-  if (!document.is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
-  for (const auto& [section, values] : document.items()) {
+  const auto document = parse_shallow_json(text);
+  if (!document) return bad_recipe(name, document.error());
+  if (!document->is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
+  for (const auto& [section, values] : document->items()) {
     if (!values.is_object()) return bad_recipe(name, unknown_key(section));
     if (auto outcome = read_section(section, values, recipe); !outcome) return bad_recipe(name, outcome.error());
   }

@@ -1,5 +1,7 @@
 #include "files/output_file.h"
 
+#include "write_all.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,16 +24,6 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
   return tl::unexpected(
       ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot write: {}", path.string(), why)});
-}
-
-std::error_code write_all(int file, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return last_error();
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return {};
 }
 
 std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes) {

@@ -1,5 +1,7 @@
 #include "import/child_process.h"
 
+#include "write_all.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -74,17 +76,6 @@ void keep_only(int pipe_end) {
   close_range(kPipeDescriptor + 1, ~0u, 0);
 }
 
-bool write_all(int descriptor, const std::vector<std::uint8_t>& bytes) {
-  std::size_t written = 0;
-  while (written < bytes.size()) {
-    const ssize_t n = write(descriptor, bytes.data() + written, bytes.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    written += static_cast<std::size_t>(n);
-  }
-  return true;
-}
-
 [[noreturn]] void child_main(int pipe_end, const ChildLimits& limits,
                              const std::function<std::vector<std::uint8_t>()>& work) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -93,7 +84,8 @@ bool write_all(int descriptor, const std::vector<std::uint8_t>& bytes) {
   apply_limits(limits);
   // _exit: the parent's buffers and exit handlers are not the child's to flush and run.
   try {
-    _exit(write_all(kPipeDescriptor, work()) ? 0 : kExitFailed);
+    const std::vector<std::uint8_t> answer = work();
+    _exit(write_all(kPipeDescriptor, std::as_bytes(std::span(answer))) ? kExitFailed : 0);
   } catch (const std::bad_alloc&) {
     _exit(kExitOutOfMemory);
   } catch (...) {

@@ -1,5 +1,7 @@
 #include "pipeline/process_pool.h"
 
+#include "write_all.h"
+
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
@@ -22,17 +24,6 @@ struct Running {
   int answer = -1;  ///< A file in memory that both processes hold.
 };
 
-bool write_all(int file, const std::string& text) {
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const ssize_t n = ::write(file, text.data() + written, text.size() - written);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    written += static_cast<std::size_t>(n);
-  }
-  return true;
-}
-
 std::string read_all(int file) {
   struct stat status {};
   if (::fstat(file, &status) != 0) return {};
@@ -45,7 +36,8 @@ std::string read_all(int file) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed build leaves nobody working
   // _exit: what the parent has registered for its end is not the child's to run.
   try {
-    ::_exit(write_all(answer, work(index)) ? EXIT_SUCCESS : EXIT_FAILURE);
+    const std::string text = work(index);
+    ::_exit(write_all(answer, std::as_bytes(std::span(text))) ? EXIT_FAILURE : EXIT_SUCCESS);
   } catch (...) {
     ::_exit(EXIT_FAILURE);
   }

@@ -1,5 +1,7 @@
 #include "report/measure_accuracy.h"
 
+#include "parallel_for.h"
+
 #include "report/motion_trial.h"
 #include "report/page/accuracy_means.h"
 #include "report/static_pose.h"
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 namespace coif {
@@ -45,7 +46,7 @@ class AccuracyMeasurement {
     tell(fmt::format("reference, {}", motion.name));
     const ReferenceRun reference =
         solve_reference(sample_.rig, scene_, *motion.path,
-                        {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = threads()});
+                        {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = all_threads()});
     report_.reference.push_back({motion.name, reference.self_difference_pct(), reference.steps_per_second()});
     std::vector<FramePoses> frames;
     for (const double fps : settings_.fps) frames.emplace_back(*motion.path, fps, settings_.seconds);
@@ -110,7 +111,7 @@ class AccuracyMeasurement {
   [[nodiscard]] std::vector<Vector3d> resting_tips() const {
     const StaticPose pose = static_pose(sample_.rig, scene_);
     const ReferenceRun settled = solve_reference(sample_.rig, scene_, *path_of(Motion::kStill),
-                                                 {.sample_times = {kSettleSeconds}, .threads = threads()});
+                                                 {.sample_times = {kSettleSeconds}, .threads = all_threads()});
     std::vector<Vector3d> tips;
     for (std::size_t i = 0; i < sample_.rig.tips.size(); ++i) {
       const std::uint32_t tip = sample_.rig.tips[i];
@@ -151,8 +152,6 @@ class AccuracyMeasurement {
     if (progress_) progress_(step);
   }
 
-  static unsigned threads() { return std::max(1u, std::thread::hardware_concurrency()); }
-
   const Asset& asset_;
   const AccuracySettings& settings_;
   const ReportProgress& progress_;
@@ -161,10 +160,6 @@ class AccuracyMeasurement {
   ConstraintMeter meter_{sample_.rig};
   AccuracyReport report_;
 };
-
-tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-}
 
 tl::expected<void, ToolError> check(const AccuracySettings& settings) {
   if (!(settings.seconds > 0) || settings.seconds > 60)

@@ -14,13 +14,13 @@ std::string place(const LoadStatus& status) {
   return status.code == LoadCode::kHash ? chunk : fmt::format("{}, record {}", chunk, status.item);
 }
 
-std::string sentence(const LoadStatus& status) {
+}  // namespace
+
+std::string describe_text(const LoadStatus& status) {
   if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
   char text[256];
   return std::string(text, describe(status, text, sizeof text));
 }
-
-}  // namespace
 
 std::vector<Issue> find_asset_issues(const Asset& asset) {
   Issues issues;
@@ -32,7 +32,7 @@ std::vector<Issue> find_asset_issues(const Asset& asset) {
 }
 
 Issue refusal_issue(const LoadStatus& status) {
-  return make_issue(fmt::format("A{}", 100 + int(status.code)), sentence(status), place(status));
+  return make_issue(fmt::format("A{}", 100 + int(status.code)), describe_text(status), place(status));
 }
 
 }  // namespace coif

@@ -14,4 +14,7 @@ namespace coif {
 /// Why an asset was refused; `status` is that of a failed open().
 [[nodiscard]] Issue refusal_issue(const LoadStatus& status);
 
+/// The reader's verdict as a sentence with its evidence.
+[[nodiscard]] std::string describe_text(const LoadStatus& status);
+
 }  // namespace coif

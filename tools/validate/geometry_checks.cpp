@@ -1,3 +1,4 @@
+#include "counted.h"
 #include "validate/asset_checks.h"
 #include "validate/hair_size.h"
 
@@ -47,10 +48,6 @@ PatchFaults faults_of(const Asset& asset, Corners corners) {
     faults.turned += is_turned(asset, triangle, area) ? 1 : 0;
   }
   return faults;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 void find_faulty_triangles(const Asset& asset, Issues& issues) {

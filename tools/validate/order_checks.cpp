@@ -7,8 +7,6 @@
 namespace coif {
 namespace {
 
-bool blends(const MaterialRecord& material) { return material.discard_threshold < material.opaque_threshold; }
-
 void find_unused_orders(const Asset& asset, Issues& issues) {
   std::vector<bool> used(asset.order_count(), false);
   for (const std::uint8_t order : asset.order_views()) used[order] = true;

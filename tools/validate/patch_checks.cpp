@@ -1,5 +1,6 @@
 #include "cook/disjoint_sets.h"
 #include "validate/asset_checks.h"
+#include "validate/strip_size.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -13,8 +14,6 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kFewTriangles = 4;  // of a patch
-constexpr std::size_t kManyPatches = 8;
 constexpr float kTooWide = 1.5f;     // of the head's radius: the cooker cuts what is wider than 0.75
 constexpr float kHeadRadius = 0.1f;  // metres, where no collider tells
 constexpr std::size_t kSections = 8;
@@ -96,7 +95,7 @@ void find_unsortable(const Asset& asset, Issues& issues) {
 void check_patches(const Asset& asset, Issues& issues) {
   const std::size_t patches = asset.lod_patches(0).size();
   const std::size_t triangles = asset.lod_indices(0).size() / 3;
-  if (patches > kManyPatches && triangles < kFewTriangles * patches) {
+  if (is_shattered(triangles, patches)) {
     issues.push_back(make_issue("A243", fmt::format("{} triangles in {} patches", triangles, patches)));
   }
   find_unsortable(asset, issues);

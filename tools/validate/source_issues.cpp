@@ -4,6 +4,7 @@
 #include "cook/select_hair.h"
 #include "cook/weld.h"
 #include "validate/hair_size.h"
+#include "validate/strip_size.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,6 @@ namespace coif {
 namespace {
 
 using Issues = std::vector<Issue>;
-
-constexpr std::size_t kFewTriangles = 4;  // of a patch
-constexpr std::size_t kManyPatches = 8;
 
 std::string mesh_place(const SourceModel& source, std::uint32_t mesh) {
   return fmt::format("mesh '{}'", source.meshes[mesh].name);
@@ -45,7 +43,7 @@ void check_strips(const HairMesh& mesh, const Recipe& recipe, Issues& issues) {
   const auto places = weld_places(mesh.positions, recipe.patch_weld_distance);
   const ExtractedPatches extracted = extract_patches(mesh, places, recipe.patch_connectivity);
   const std::size_t patches = extracted.patches.count;
-  if (patches <= kManyPatches || mesh.triangle_count() >= kFewTriangles * patches) return;
+  if (!is_shattered(mesh.triangle_count(), patches)) return;
   issues.push_back(make_issue("S206", fmt::format("{} triangles fall into {} patches by {}", mesh.triangle_count(),
                                                   patches, extracted.chosen)));
 }

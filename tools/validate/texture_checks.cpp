@@ -69,8 +69,8 @@ void check_alpha(const Asset& asset, Issues& issues) {
     add("A273", "every texel that the hair uses is opaque: strips are drawn as solid cards");
   }
   if (coverage.front().opacity > 0) find_thin_mips(*texture, coverage, issues);
-  const bool blends = asset.material()->discard_threshold < asset.material()->opaque_threshold;
-  if (!blends && has_soft_texels(asset, *texture)) add("A252", "soft edges, of which the thresholds leave nothing");
+  if (!blends(*asset.material()) && has_soft_texels(asset, *texture))
+    add("A252", "soft edges, of which the thresholds leave nothing");
 }
 
 }  // namespace coif

@@ -28,25 +28,28 @@ inline constexpr float kMostRoughness = 1.0f;
 /// Shading and the four passes of the thesis's 5.3.1. Colours are linear. Highlights' colours, exponents and shifts are
 /// kThesis's; kKajiyaKay takes the primary colour and exponent for its one, kMarschner none of them.
 struct MaterialRecord {
-  float base_color[4];      ///< Multiplies the base texture.
-  float ambient[3];         ///< Times base colour, independent of lights.
-  float opaque_threshold;   ///< Texels with at least this alpha are drawn opaque, 0..1.
+  float base_color[4];     ///< Multiplies the base texture.
+  float ambient[3];        ///< Times base colour, independent of lights.
+  float opaque_threshold;  ///< Texels with at least this alpha are drawn opaque, 0..1.
   float primary_color[3];
   float primary_exponent;
   float secondary_color[3];
   float secondary_exponent;
-  float primary_shift;      ///< Tangent shift along the normal, before the texture's share.
+  float primary_shift;  ///< Tangent shift along the normal, before the texture's share.
   float secondary_shift;
   float discard_threshold;  ///< Texels with less alpha than this are never drawn, 0..1.
   std::uint32_t flags;
   ShadingModel shading;
-  float tilt;       ///< kMarschner: of the fibre's scales towards the tip, radians, -kMostTilt..kMostTilt.
+  float tilt;  ///< kMarschner: of the fibre's scales towards the tip, radians, -kMostTilt..kMostTilt.
   /// kMarschner: width of the first highlight along the strand, radians, kLeastRoughness..kMostRoughness; 0 fits others.
   float roughness;
   float scatter;    ///< kMarschner: share of the light let through that other strands scatter before it is seen, 0..1.
   float light_cut;  ///< Share of what lights add that is taken away, 0 (as published) .. 1.
   std::uint32_t reserved[3];
 };
+
+/// Some alphas are blended; else the material is a mask, which is there or not.
+constexpr bool blends(const MaterialRecord& material) { return material.discard_threshold < material.opaque_threshold; }
 static_assert(sizeof(MaterialRecord) == 112);
 
 enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };

@@ -109,7 +109,7 @@ class WayMaker {
 }  // namespace
 
 MaterialRecord with_true_alphas(MaterialRecord material) {
-  if (material.discard_threshold >= material.opaque_threshold) return material;  // a mask: nothing is translucent
+  if (!blends(material)) return material;
   constexpr float kUnseen = 1.0f / 512;  // rounds to nothing; texels that are empty need no place in lists
   material.opaque_threshold = 1;
   material.discard_threshold = kUnseen;

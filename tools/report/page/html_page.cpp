@@ -69,12 +69,16 @@ std::string head_row(const std::vector<Column>& columns) {
   return html + "</tr>";
 }
 
+std::string image(std::span<const std::uint8_t> png, std::string_view meaning) {
+  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(meaning), base64(png));
+}
+
 std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>& cells) {
   std::string html = "<tr>";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Cell cell = i < cells.size() ? cells[i] : Cell{};
-    html += fmt::format("<td{}>{}</td>", class_attribute(class_of(columns[i].kind), class_of(cell.look)),
-                        escaped_lines(cell.text));
+    html += fmt::format("<td{}>{}{}</td>", class_attribute(class_of(columns[i].kind), class_of(cell.look)),
+                        cell.png.empty() ? "" : image(cell.png, ""), escaped_lines(cell.text));
   }
   return html + "</tr>\n";
 }
@@ -106,7 +110,7 @@ void HtmlPage::figure(std::string_view svg, std::string_view caption) {
 }
 
 void HtmlPage::picture(std::span<const std::uint8_t> png, std::string_view caption) {
-  body_ += fmt::format("<figure>\n<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", escaped(caption), base64(png));
+  body_ += fmt::format("<figure>\n{}\n", image(png, caption));
   element("figcaption", caption);
   body_ += "</figure>\n";
 }

@@ -14,6 +14,7 @@ enum class CellLook { kPlain, kGood, kNeutral, kWarning, kBad };
 struct Cell {
   std::string text;  ///< Line feeds start new lines.
   CellLook look = CellLook::kPlain;
+  std::span<const std::uint8_t> png{};  ///< Bytes of a PNG file, shown before the text; must live as long as the cell.
 };
 
 struct Column {

@@ -1,0 +1,109 @@
+#include "pipeline/manifest.h"
+
+#include "files/file_bytes.h"
+#include "json_fault.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kMaxManifestBytes = std::size_t{64} << 20;
+constexpr const char* kForm = R"({"assets": ["bob.fbx", {"source": "b.glb", "recipe": "r.json", "output": "b.coif"}]})";
+
+/// A sentence without the manifest's name.
+using Fault = tl::unexpected<std::string>;
+
+bool climbs(const fs::path& path) {
+  return path.is_absolute() || std::ranges::find(path, fs::path("..")) != path.end();
+}
+
+tl::expected<std::string, std::string> text_of(const json& asset, const char* key) {
+  const auto found = asset.find(key);
+  if (found == asset.end()) return std::string{};
+  if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
+    return Fault(fmt::format("\"{}\" must be a path, not {}", key, found->dump()));
+  }
+  return found->get<std::string>();
+}
+
+tl::expected<CookRequest, std::string> from_paths(const std::string& source, const std::string& recipe,
+                                                  const std::string& output, const fs::path& inputs,
+                                                  const fs::path& outputs) {
+  const fs::path place = output.empty() ? fs::path(source).replace_extension(".coif") : fs::path(output);
+  if (climbs(place)) {
+    return Fault(output.empty() ? fmt::format("{} lies outside the manifest's folder; give it an \"output\"", source)
+                                : fmt::format("\"output\": {} leaves the output folder; name a path below it", output));
+  }
+  CookRequest request{(inputs / source).string(), {}, (outputs / place).lexically_normal().string()};
+  if (!recipe.empty()) request.recipe = (inputs / recipe).string();
+  return request;
+}
+
+tl::expected<CookRequest, std::string> read_asset(const json& asset, const fs::path& inputs, const fs::path& outputs) {
+  const bool is_path = asset.is_string() && !asset.get_ref<const std::string&>().empty();
+  if (is_path) return from_paths(asset.get<std::string>(), {}, {}, inputs, outputs);
+  if (!asset.is_object() || !asset.contains("source")) return Fault(fmt::format("no \"source\"; as in {}", kForm));
+  for (const auto& [key, value] : asset.items()) {
+    if (key != "source" && key != "recipe" && key != "output") {
+      return Fault(fmt::format("\"{}\" is none of source, recipe, output", key));
+    }
+  }
+  const auto source = text_of(asset, "source"), recipe = text_of(asset, "recipe"), output = text_of(asset, "output");
+  for (const auto* text : {&source, &recipe, &output}) {
+    if (!*text) return Fault(text->error());
+  }
+  return from_paths(*source, *recipe, *output, inputs, outputs);
+}
+
+tl::expected<json, std::string> parse(std::span<const std::byte> bytes) {
+  if (bytes.size() > kMaxManifestBytes) return Fault("over 64 MiB; split it into several manifests");
+  const auto* text = reinterpret_cast<const char*>(bytes.data());
+  try {
+    json document = json::parse(text, text + bytes.size(), nullptr, true, true);
+    const bool fits = document.is_object() && document.size() == 1 && document.contains("assets");
+    if (fits && document["assets"].is_array()) return document["assets"];
+  } catch (const json::exception& error) {
+    return Fault("not JSON: " + json_fault(error));
+  }
+  return Fault(fmt::format("not a manifest; a manifest looks like {}", kForm));
+}
+
+}  // namespace
+
+tl::expected<std::vector<CookRequest>, ToolError> read_manifest(const fs::path& manifest,
+                                                                const fs::path& output_folder) {
+  const auto bytes = FileBytes::read(manifest);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto bad = [&manifest](const std::string& what) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, manifest.string() + ": " + what});
+  };
+  const auto assets = parse(bytes->span());
+  if (!assets) return bad(assets.error());
+  std::vector<CookRequest> requests;
+  std::map<std::string, std::size_t> owners;
+  for (std::size_t i = 0; i < assets->size(); ++i) {
+    auto request = read_asset((*assets)[i], manifest.parent_path(), output_folder);
+    if (!request) return bad(fmt::format("assets[{}]: {}", i, request.error()));
+    const auto [owner, is_new] = owners.emplace(request->output, i);
+    if (!is_new)
+      return bad(fmt::format("assets[{}] and assets[{}] would both become {}", owner->second, i, request->output));
+    requests.push_back(std::move(*request));
+  }
+  return requests;
+}
+
+std::vector<CookRequest> share_of(const std::vector<CookRequest>& all, Share share) {
+  std::vector<CookRequest> mine;
+  for (std::size_t i = share.index - 1; i < all.size(); i += share.count) mine.push_back(all[i]);
+  return mine;
+}
+
+}  // namespace coif
