@@ -88,6 +88,22 @@ TEST(Recipe, WhatIsNotJsonIsRefusedWithItsPlace) {
   EXPECT_NE(message_of("[]").find("JSON object"), std::string::npos);
 }
 
+TEST(Recipe, EndlessNestingIsRefused) {
+  const std::string deep = std::string(500'000, '[') + std::string(500'000, ']');
+  for (const std::string& text : {deep, "{\"dynamics\": {\"friction\": " + deep + "}}", std::string(500'000, '[')}) {
+    EXPECT_NE(message_of(text).find("nested more than 32 levels deep"), std::string::npos) << message_of(text);
+  }
+}
+
+TEST(Recipe, RefusalsQuoteNoMoreThanABeginning) {
+  const std::string long_text(1 << 19, 'x');
+  for (const std::string& text : {"{\"" + long_text + "\": 1}", "{\"dynamics\": {\"friction\": \"" + long_text + "\"}}",
+                                  long_text, "{\"dynamics\": {\"" + long_text + "\": 1}}"}) {
+    EXPECT_FALSE(message_of(text).empty());
+    EXPECT_LT(message_of(text).size(), 1000u);
+  }
+}
+
 TEST(Recipe, AbsentFileIsAFileAccessError) {
   const auto recipe = read_recipe("/nowhere/r.json");
   ASSERT_FALSE(recipe);

@@ -1,5 +1,7 @@
 #include "cook/recipe_values.h"
 
+#include "shallow_json.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +14,7 @@ using nlohmann::json;
 using Outcome = tl::expected<void, std::string>;
 
 tl::unexpected<std::string> wants(const std::string& what, const json& found) {
-  return tl::unexpected(fmt::format("wants {}, found {}", what, found.dump()));
+  return tl::unexpected(fmt::format("wants {}, found {}", what, excerpt(found.dump())));
 }
 
 std::string number_range(const RecipeKey& key) {
