@@ -46,7 +46,7 @@ std::vector<std::byte> write_chunks(std::span<const PendingChunk> chunks, std::u
   header.chunk_count = std::uint32_t(table.size());
   header.total_bytes = file.size();
   std::memcpy(file.data(), &header, sizeof header);
-  std::memcpy(file.data() + sizeof header, table.data(), table.size() * sizeof(ChunkEntry));
+  if (!table.empty()) std::memcpy(file.data() + sizeof header, table.data(), table.size() * sizeof(ChunkEntry));
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     if (chunks[i].bytes.empty()) continue;
     std::memcpy(file.data() + table[i].offset, chunks[i].bytes.data(), chunks[i].bytes.size());

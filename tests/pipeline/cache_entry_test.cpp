@@ -1,9 +1,16 @@
 #include "pipeline/cache_entry.h"
 
+#include "payload_hash.h"
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
 
 namespace coif {
 namespace {
+
+using nlohmann::json;
 
 CacheEntry small_entry() {
   CacheEntry entry;
@@ -60,6 +67,42 @@ TEST(CacheEntry, DecodeRefusesWhatFollowsTheEnd) {
   std::vector<std::byte> bytes = encode_entry(small_entry());
   bytes.push_back(std::byte{0});
   EXPECT_FALSE(decode_entry(bytes));
+}
+
+/// An entry as it would be written with another document: the hash is right.
+std::vector<std::byte> entry_with(const std::vector<std::uint8_t>& document) {
+  std::vector<std::byte> bytes = encode_entry(small_entry());
+  constexpr std::size_t kHash = 8, kSize = 16, kDocument = 24;
+  bytes.resize(kDocument + document.size());
+  const std::uint64_t size = document.size();
+  std::memcpy(bytes.data() + kSize, &size, sizeof size);
+  std::memcpy(bytes.data() + kDocument, document.data(), document.size());
+  const std::uint64_t hash = xxh64(std::span(bytes).subspan(kSize));
+  std::memcpy(bytes.data() + kHash, &hash, sizeof hash);
+  return bytes;
+}
+
+/// The document of an entry, which follows three words.
+json document_of(const CacheEntry& entry) {
+  const std::vector<std::byte> bytes = encode_entry(entry);
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(bytes.data()) + 24;
+  return json::from_cbor(begin, begin + (bytes.size() - 24 - entry.asset.size()));
+}
+
+TEST(CacheEntry, DecodeRefusesEndlessNesting) {
+  constexpr std::uint8_t kListOfOne = 0x81;
+  EXPECT_FALSE(decode_entry(entry_with(std::vector<std::uint8_t>(1'000'000, kListOfOne))));
+}
+
+TEST(CacheEntry, DecodeRefusesNumbersThatAreNotWhole) {
+  const json good = document_of(small_entry());
+  ASSERT_TRUE(decode_entry(entry_with(json::to_cbor(good))));
+  for (const char* place : {"/questions/0/0", "/dependencies/0/0", "/dependencies/0/2", "/report/left_out/0/2",
+                            "/report/left_out/0/3", "/report/figures/0"}) {
+    json document = good;
+    document[json::json_pointer(place)] = 1.0e300;
+    EXPECT_FALSE(decode_entry(entry_with(json::to_cbor(document)))) << place;
+  }
 }
 
 TEST(CacheEntry, CircumstancesAreThoseOfInputsAlone) {

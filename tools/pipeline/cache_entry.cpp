@@ -12,21 +12,27 @@ namespace coif {
 // Names in artists' files need not be UTF-8, which CBOR carries and JSON text would not.
 using nlohmann::json;
 
+/// The library would convert any number, also those that are none of the type: a whole one, or an exception.
+template <class Whole>
+static Whole whole(const json& in) {
+  return static_cast<Whole>(in.get_ref<const json::number_integer_t&>());
+}
+
 static void to_json(json& out, const Dependency& d) {
   out = {int(d.base), d.path, d.hash ? json(*d.hash) : json(nullptr)};
 }
 
 static void from_json(const json& in, Dependency& d) {
-  d.base =
-      in.at(0).get<int>() == int(Dependency::Base::kRecipe) ? Dependency::Base::kRecipe : Dependency::Base::kSource;
+  const bool from_recipe = whole<int>(in.at(0)) == int(Dependency::Base::kRecipe);
+  d.base = from_recipe ? Dependency::Base::kRecipe : Dependency::Base::kSource;
   d.path = in.at(1).get<std::string>();
-  if (!in.at(2).is_null()) d.hash = in.at(2).get<std::uint64_t>();
+  if (!in.at(2).is_null()) d.hash = whole<std::uint64_t>(in.at(2));
 }
 
 static void to_json(json& out, const TextureQuestion& q) { out = {int(q.kind), q.words, q.answer}; }
 
 static void from_json(const json& in, TextureQuestion& q) {
-  q.kind = TextureQuestion::Kind(in.at(0).get<int>());
+  q.kind = TextureQuestion::Kind(whole<int>(in.at(0)));
   in.at(1).get_to(q.words);
   in.at(2).get_to(q.answer);
 }
@@ -43,8 +49,8 @@ static void to_json(json& out, const LeftOut& l) { out = {l.what, l.why, l.bytes
 static void from_json(const json& in, LeftOut& l) {
   in.at(0).get_to(l.what);
   in.at(1).get_to(l.why);
-  in.at(2).get_to(l.bytes);
-  in.at(3).get_to(l.bytes_per_head);
+  l.bytes = whole<decltype(l.bytes)>(in.at(2));
+  l.bytes_per_head = whole<decltype(l.bytes_per_head)>(in.at(3));
   in.at(4).get_to(l.ns_per_frame);
 }
 
@@ -72,9 +78,36 @@ CookReport report_from(const json& in) {
   in.at("left_out").get_to(r.left_out);
   std::uint32_t* const figures[] = {&r.triangles,           &r.vertices, &r.patches, &r.patches_by_index,
                                     &r.patches_by_position, &r.chains,   &r.bones,   &r.simulated_bones};
-  for (std::size_t i = 0; i < std::size(figures); ++i) in.at("figures").at(i).get_to(*figures[i]);
+  for (std::size_t i = 0; i < std::size(figures); ++i) *figures[i] = whole<std::uint32_t>(in.at("figures").at(i));
   return r;
 }
+
+/// Reads a document without keeping it, and stops where it is nested deeper than an entry is: the library's reader calls
+/// itself for each level, and would run out of stack.
+class LevelGauge : public json::json_sax_t {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return ++level_ <= kDeepest; }
+  bool start_array(std::size_t) override { return ++level_ <= kDeepest; }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+
+ private:
+  static constexpr int kDeepest = 16;
+  bool leave() {
+    --level_;
+    return true;
+  }
+  int level_ = 0;
+};
 
 std::vector<std::byte> bytes_of(const json& document) {
   const std::vector<std::uint8_t> cbor = json::to_cbor(document);
@@ -116,6 +149,8 @@ std::optional<CacheEntry> decode_entry(std::span<const std::byte> bytes) try {
   const auto rest = bytes.subspan(kHeader);
   if (size > rest.size()) return {};
   const auto* const begin = reinterpret_cast<const std::uint8_t*>(rest.data());
+  LevelGauge gauge;
+  if (!json::sax_parse(begin, begin + size, &gauge, json::input_format_t::cbor)) return {};
   const json document = json::from_cbor(begin, begin + size);
   CacheEntry entry;
   document.at("dependencies").get_to(entry.dependencies);
