@@ -88,6 +88,14 @@ TEST_F(Manifest, TellsWhatIsNotOfItsForm) {
   EXPECT_TRUE(contains(fault(R"({"assets": [{"source": "a.glb", "output": 3}]})"), "\"output\" must be a path, not 3"));
 }
 
+TEST_F(Manifest, KeepsMessagesShortAndItsStackSmall) {
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  EXPECT_TRUE(contains(fault(R"({"assets": [{"source": )" + deep + "}]}"), "levels deep"));
+  const std::string wide = "[" + std::string(9999, '1') + "]";
+  EXPECT_LT(fault(R"({"assets": [{"source": )" + wide + "}]}").size(), 400u);
+  EXPECT_LT(fault(R"({"assets": [{"source": "a", ")" + std::string(9999, 'k') + "\": 1}]}").size(), 400u);
+}
+
 TEST_F(Manifest, ThatIsAbsentIsAMatterOfFiles) {
   const auto requests = read_manifest(in("never.json"), "out");
   ASSERT_FALSE(requests);

@@ -126,15 +126,12 @@ tl::expected<void, ToolError> check_page(const ValidateOptions& options) {
 }
 
 tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
-  const auto wrong = [](std::string what) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(what)});
-  };
-  if (options.files.empty() && !options.list_codes) return wrong("FILE is required; see 'coif validate --help'");
-  if (!options.origin.source.empty() && options.files.size() != 1) return wrong("--source is for one asset at a time");
+  if (options.files.empty() && !options.list_codes) return usage("FILE is required; see 'coif validate --help'");
+  if (!options.origin.source.empty() && options.files.size() != 1) return usage("--source is for one asset at a time");
   if (const auto page = check_page(options); !page) return page;
   for (const std::string& code : options.policy.ignored) {
     if (!may_ignore(code)) {
-      return wrong(fmt::format("--ignore: '{}' is no warning or note; 'coif validate --list-codes' lists them", code));
+      return usage(fmt::format("--ignore: '{}' is no warning or note; 'coif validate --list-codes' lists them", code));
     }
   }
   return {};
@@ -148,7 +145,7 @@ Exit exit_of(std::span<const Verdict> verdicts) {
 }
 
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
-  if (const auto usage = check_usage(options); !usage) return tl::unexpected(usage.error());
+  if (const auto checked = check_usage(options); !checked) return tl::unexpected(checked.error());
   const bool as_json = options.format == OutputFormat::kJson;
   if (options.list_codes) {
     print_result(as_json ? code_json() : code_page());

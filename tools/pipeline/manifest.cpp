@@ -1,7 +1,7 @@
 #include "pipeline/manifest.h"
 
 #include "files/file_bytes.h"
-#include "json_fault.h"
+#include "shallow_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ tl::expected<std::string, std::string> text_of(const json& asset, const char* ke
   const auto found = asset.find(key);
   if (found == asset.end()) return std::string{};
   if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
-    return Fault(fmt::format("\"{}\" must be a path, not {}", key, found->dump()));
+    return Fault(fmt::format("\"{}\" must be a path, not {}", key, excerpt(found->dump())));
   }
   return found->get<std::string>();
 }
@@ -53,7 +53,7 @@ tl::expected<CookRequest, std::string> read_asset(const json& asset, const fs::p
   if (!asset.is_object() || !asset.contains("source")) return Fault(fmt::format("no \"source\"; as in {}", kForm));
   for (const auto& [key, value] : asset.items()) {
     if (key != "source" && key != "recipe" && key != "output") {
-      return Fault(fmt::format("\"{}\" is none of source, recipe, output", key));
+      return Fault(fmt::format("\"{}\" is none of source, recipe, output", excerpt(key)));
     }
   }
   const auto source = text_of(asset, "source"), recipe = text_of(asset, "recipe"), output = text_of(asset, "output");
@@ -65,15 +65,13 @@ tl::expected<CookRequest, std::string> read_asset(const json& asset, const fs::p
 
 tl::expected<json, std::string> parse(std::span<const std::byte> bytes) {
   if (bytes.size() > kMaxManifestBytes) return Fault("over 64 MiB; split it into several manifests");
-  const auto* text = reinterpret_cast<const char*>(bytes.data());
-  try {
-    json document = json::parse(text, text + bytes.size(), nullptr, true, true);
-    const bool fits = document.is_object() && document.size() == 1 && document.contains("assets");
-    if (fits && document["assets"].is_array()) return document["assets"];
-  } catch (const json::exception& error) {
-    return Fault("not JSON: " + json_fault(error));
+  auto document = parse_shallow_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!document) return document;
+  const bool fits = document->is_object() && document->size() == 1 && document->contains("assets");
+  if (!fits || !(*document)["assets"].is_array()) {
+    return Fault(fmt::format("not a manifest; a manifest looks like {}", kForm));
   }
-  return Fault(fmt::format("not a manifest; a manifest looks like {}", kForm));
+  return std::move((*document)["assets"]);
 }
 
 }  // namespace
