@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs what is missing, builds, runs every test. The last line is "N passed, N failed, N skipped"; the exit code is
 # 0 only when something passed and nothing failed.
-#   tests/run.sh [release] [asan] [asan-cook]     which parts to run; release and asan when none is named
+#   tests/run.sh [release] [asan] [asan-cook] [debug]   which parts to run; release and asan when none is named
 # asan repeats, under sanitizers, the tests of what reads foreign bytes or runs in a game; asan-cook those of the cooker,
 # which take as long again. Drawing and command-line tests are in neither: they would watch the driver, and start hundreds
-# of slow processes.
+# of slow processes. debug: the program, compiled for a debugger, cooks the bytes that the one for release cooks.
 set -u
 cd "$(dirname "$0")/.."
 parts=${*:-release asan}
@@ -22,11 +22,13 @@ build() {
   return 1
 }
 
-# run_folder PRESET FOLDER: every test that ctest knows in that folder of the build tree.
+# run_folder PRESET FOLDER [ARGUMENTS...]: every test that ctest knows in that folder of the build tree, or some of them.
 run_folder() {
-  file=$PWD/build/$1/$2/results.xml
+  place=build/$1/$2
+  shift 2
+  file=$PWD/$place/results${*:+.chosen}.xml
   rm -f "$file"
-  ctest --test-dir "build/$1/$2" --parallel "$jobs" --output-on-failure --output-junit "$file"
+  ctest --test-dir "$place" "$@" --parallel "$jobs" --output-on-failure --output-junit "$file"
   results="$results $file"
 }
 
@@ -40,13 +42,19 @@ sanitize() {
   for folder in "$@"; do run_folder asan "tests/$folder"; done
 }
 
+# The test that the release leaves out where there is no other build.
+compare_builds() {
+  build debug coif_cli && build release coif_cli && run_folder release tests/cli -R '^cli[.]builds_cook_alike$'
+}
+
 sh tools/install_packages.sh || broken=$((broken + 1))
 for part in $parts; do
   case $part in
     release) run_release ;;
     asan) sanitize formats sim import ;;
     asan-cook) sanitize cook ;;
-    *) echo "run.sh: '$part' is none of release, asan, asan-cook" >&2; broken=$((broken + 1)) ;;
+    debug) compare_builds ;;
+    *) echo "run.sh: '$part' is none of release, asan, asan-cook, debug" >&2; broken=$((broken + 1)) ;;
   esac
 done
 
