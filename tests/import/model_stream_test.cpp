@@ -1,5 +1,6 @@
 #include "import/model_stream.h"
 
+#include "import/small_source_model.h"
 #include "import/source_model_check.h"
 
 #include <gtest/gtest.h>
@@ -11,54 +12,11 @@ namespace coif {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-SourceModel small_model() {
-  SourceModel model;
-  model.path = "braid.glb";
-  model.importer = "test 1.2.3";
-  model.importer_version[0] = 1;
-  SourceNode root{"root", kNoIndex, Eigen::Affine3d::Identity()};
-  SourceNode tip{"tip", 0, Eigen::Affine3d(Eigen::Translation3d(0, 1, 0))};
-  model.nodes = {root, tip};
-  SourceMesh mesh;
-  mesh.name = "strip";
-  mesh.node = 1;
-  mesh.material = 0;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.normals.assign(3, {0, 0, 1});
-  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
-  mesh.influence_begin = {0, 1, 2, 4};
-  mesh.influences = {{0, 1.0f}, {1, 1.0f}, {0, 0.75f}, {1, 0.25f}};
-  mesh.triangles = {0, 1, 2};
-  model.meshes = {mesh};
-  SourceMaterial material;
-  material.name = "hair";
-  material.base_texture = {"hair.png", 0};
-  material.alpha_use = AlphaUse::kMask;
-  material.alpha_cutoff = 0.25f;
-  material.double_sided = true;
-  model.materials = {material};
-  model.images = {{"hair.png", {1, 2, 3}}};
-  SourceCollider collider;
-  collider.radius = 0.5;
-  model.colliders = {collider, collider};
-  SourceSpring spring;
-  spring.name = "tail";
-  spring.joints.resize(2);
-  spring.joints[0].length = 1;
-  spring.joints[1].node = 1;
-  spring.colliders = {0, 1};
-  spring.center = 0;
-  model.springs = {spring};
-  model.head_node = 1;
-  model.warnings = {"one", "two"};
-  model.side_files = {"strip.bin"};
-  return model;
-}
+using test::small_source_model;
 
 TEST(ModelStream, ModelComesBackAsItWas) {
   ImportOutcome back;
-  const Bytes bytes = encode_outcome(small_model());
+  const Bytes bytes = encode_outcome(small_source_model());
   ASSERT_TRUE(decode_outcome(bytes, back));
   ASSERT_TRUE(back);
   EXPECT_EQ(encode_outcome(back), bytes);
@@ -85,7 +43,7 @@ TEST(ModelStream, ErrorComesBackAsItWas) {
 
 TEST(ModelStream, DecodeRefusesEveryTruncation) {
   for (const ImportOutcome& outcome :
-       {ImportOutcome(small_model()), ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"}))}) {
+       {ImportOutcome(small_source_model()), ImportOutcome(tl::unexpected(ToolError{ToolError::Kind::kUsage, "no"}))}) {
     const Bytes whole = encode_outcome(outcome);
     for (std::size_t size = 0; size < whole.size(); ++size) {
       const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -96,14 +54,14 @@ TEST(ModelStream, DecodeRefusesEveryTruncation) {
 }
 
 TEST(ModelStream, DecodeRefusesBytesAfterTheEnd) {
-  Bytes bytes = encode_outcome(small_model());
+  Bytes bytes = encode_outcome(small_source_model());
   bytes.push_back(0);
   ImportOutcome back;
   EXPECT_FALSE(decode_outcome(bytes, back));
 }
 
 TEST(ModelStream, EveryFlippedBitGivesNothingOrAFaultlessModel) {
-  const Bytes good = encode_outcome(small_model());
+  const Bytes good = encode_outcome(small_source_model());
   std::size_t refused = 0;
   for (std::size_t at = 0; at < good.size(); ++at) {
     for (int bit = 0; bit < 8; ++bit) {
@@ -135,7 +93,7 @@ using Break = void (*)(SourceModel&);
 class BrokenPromise : public testing::TestWithParam<Break> {};
 
 TEST_P(BrokenPromise, IsFoundAndRefused) {
-  SourceModel model = small_model();
+  SourceModel model = small_source_model();
   ASSERT_EQ(find_model_fault(model), "");
   GetParam()(model);
   EXPECT_NE(find_model_fault(model), "");

@@ -28,9 +28,8 @@ class Encoder {
     return true;
   }
   template <class T>
-  bool plain(const T& value) {
-    return raw(&value, sizeof value);
-  }
+  requires kPlain<T>
+  bool plain(const T& value) { return raw(&value, sizeof value); }
   template <class Container>
   bool sequence(const Container& items) {
     return plain(std::uint64_t{items.size()}) && raw(items.data(), items.size() * sizeof *items.data());
@@ -56,9 +55,8 @@ class Decoder {
     return true;
   }
   template <class T>
-  bool plain(T& value) {
-    return raw(&value, sizeof value);
-  }
+  requires kPlain<T>
+  bool plain(T& value) { return raw(&value, sizeof value); }
   template <class Container>
   bool sequence(Container& items) {
     std::uint64_t count = 0;
