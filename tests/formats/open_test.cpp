@@ -4,6 +4,7 @@
 #include "formats/refusal.h"
 #include "formats/small_asset.h"
 #include "formats/without_mesh.h"
+#include "write/chunk_file.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,13 @@
 
 namespace coif {
 namespace {
+
+TEST(Open, RefusesAFileOfNoChunks) {
+  AlignedBytes file(write_chunks({}));
+  EXPECT_EQ(file.bytes().size(), sizeof(FileHeader));
+  Asset asset;
+  EXPECT_EQ(asset.open(file.bytes()).code, LoadCode::kChunkMissing);
+}
 
 TEST(Open, GivesBackWhatWasWritten) {
   const AssetContents contents = small_asset();

@@ -19,6 +19,7 @@ bool try_manifest(Input input) {
   for (const CookRequest& request : *requests) {
     promise(request.output.starts_with("out/"), "no output leaves the folder");
     promise(request.output.find("/../") == std::string::npos, "no output climbs");
+    promise(!request.output.ends_with('/'), "an output is a file");
     promise(outputs.insert(request.output).second, "no two assets have one output");
   }
   return true;

@@ -64,6 +64,10 @@ TEST_F(Manifest, KeepsOutputsInTheirFolder) {
       contains(fault(R"({"assets": [{"source": "b.glb", "output": "/tmp/b.coif"}]})"), "leaves the output folder"));
   EXPECT_TRUE(
       contains(fault(R"({"assets": [{"source": "b.glb", "output": "x/../../b"}]})"), "leaves the output folder"));
+  for (const char* folder : {".", "./", "x/", "x/."}) {
+    const std::string text = R"({"assets": [{"source": "b.glb", "output": ")" + std::string(folder) + "\"}]}";
+    EXPECT_TRUE(contains(fault(text), "is a folder; name a file")) << folder;
+  }
   const auto elsewhere = read(R"({"assets": [{"source": "/srv/b.glb", "output": "b.coif"}]})");
   ASSERT_TRUE(elsewhere);
   EXPECT_EQ(elsewhere->front().source, "/srv/b.glb");

@@ -39,10 +39,15 @@ tl::expected<CookRequest, std::string> from_paths(const std::string& source, con
                                                   const fs::path& outputs) {
   const fs::path place = output.empty() ? fs::path(source).replace_extension(".coif") : fs::path(output);
   if (climbs(place)) {
-    return Fault(output.empty() ? fmt::format("{} lies outside the manifest's folder; give it an \"output\"", source)
-                                : fmt::format("\"output\": {} leaves the output folder; name a path below it", output));
+    return Fault(output.empty()
+                     ? fmt::format("{} lies outside the manifest's folder; give it an \"output\"", excerpt(source))
+                     : fmt::format("\"output\": {} leaves the output folder; name a path below it", excerpt(output)));
   }
-  CookRequest request{(inputs / source).string(), {}, (outputs / place).lexically_normal().string()};
+  const fs::path file = (outputs / place).lexically_normal();
+  if (!file.has_filename() || file == outputs.lexically_normal()) {
+    return Fault(fmt::format("\"output\": {} is a folder; name a file", excerpt(output)));
+  }
+  CookRequest request{(inputs / source).string(), {}, file.string()};
   if (!recipe.empty()) request.recipe = (inputs / recipe).string();
   return request;
 }
