@@ -43,57 +43,100 @@ std::vector<Bytes> thumbnails(const std::vector<Outcomes>& files, unsigned jobs)
   return pictures;
 }
 
+std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
+
+/// Of all paths under `key`, with a slash at its end; nothing where they share none.
+std::string common_folder(const std::vector<Outcomes>& files, const char* key) {
+  std::string folder = files.empty() ? "" : text_of(files[0], key);
+  for (const Outcomes& file : files) {
+    const std::string path = text_of(file, key);
+    folder.resize(std::size_t(std::ranges::mismatch(folder, path).in1 - folder.begin()));
+  }
+  return folder.substr(0, folder.rfind('/') + 1);
+}
+
+/// Long paths would push what matters off the screen.
+struct Places {
+  std::string sources;  ///< The folder of all.
+  std::string assets;
+
+  std::string source(const Outcomes& file) const { return text_of(file, "source").substr(sources.size()); }
+  std::string asset(const Outcomes& file) const { return text_of(file, "output").substr(assets.size()); }
+};
+
+/// The page's reader knows which file it is about.
+std::string fault_of(const Outcomes& file) {
+  const std::string error = text_of(file, "error"), prefix = text_of(file, "source") + ": ";
+  return error.starts_with(prefix) ? error.substr(prefix.size()) : error;
+}
+
+Table failures(const std::vector<Outcomes>& files, const Places& places) {
+  Table table{{{"Source"}, {"Status"}, {"What and cure", Column::Kind::kProse}}, {}};
+  for (const Outcomes& file : files) {
+    if (is_cooked(file)) continue;
+    table.rows.push_back({{places.source(file)}, {text_of(file, "status"), CellLook::kBad}, {fault_of(file)}});
+  }
+  return table;
+}
+
 std::string lines(const Outcomes& texts) {
   std::string all;
   for (const auto& text : texts) all += (all.empty() ? "" : "\n") + text.get<std::string>();
   return all;
 }
 
-std::vector<Cell> row_of(const Outcomes& file, const Bytes& picture) {
-  const std::string source = file["source"].get<std::string>() + "\n" + file["output"].get<std::string>();
-  if (!is_cooked(file)) {
-    return {{}, {source}, {file["status"].get<std::string>(), CellLook::kBad}, {}, {}, {}, {}, {}, {file["error"]}};
-  }
-  const auto figure = [&](const char* key) { return Cell{fmt::format("{}", file[key].get<std::uint64_t>())}; };
-  const Cell warnings{lines(file["warnings"]), file["warnings"].empty() ? CellLook::kPlain : CellLook::kWarning};
-  return {{"", CellLook::kPlain, picture},
-          {source},
-          {"ok", CellLook::kGood},
-          figure("triangles"),
-          figure("simulated_bones"),
-          figure("bytes"),
-          {fmt::format("{:.0f}", file["ms"].get<double>())},
-          {file["from_cache"].get<bool>() ? "yes" : "no"},
-          warnings};
-}
-
-}  // namespace
-
-std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
-  std::vector<Outcomes> files(outcomes.begin(), outcomes.end());
-  std::ranges::stable_partition(files, [](const Outcomes& file) { return !is_cooked(file); });
-  const std::vector<Bytes> pictures = thumbnails(files, jobs);
+Table assets(const std::vector<Outcomes>& files, const std::vector<Bytes>& pictures, const Places& places) {
   using Kind = Column::Kind;
   Table table{{{"Picture"},
                {"Source and asset"},
-               {"Status"},
                {"Triangles", Kind::kNumbers},
                {"Moving bones", Kind::kNumbers},
                {"Bytes", Kind::kNumbers},
                {"ms", Kind::kNumbers},
                {"From cache"},
-               {"Errors and warnings", Kind::kProse}},
+               {"Warnings", Kind::kProse}},
               {}};
-  for (std::size_t i = 0; i < files.size(); ++i) table.rows.push_back(row_of(files[i], pictures[i]));
-  HtmlPage page("coif cook");
-  page.summary(sentence(count(outcomes)) + ".");
-  const auto undrawn =
-      count(outcomes).cooked - std::ranges::count_if(pictures, [](const Bytes& p) { return !p.empty(); });
-  if (undrawn > 0) {
-    page.paragraph(fmt::format("{} not drawn: no mesh inside, or no OpenGL ES 3.0 here; 'coif render' tells which.",
-                               counted(undrawn, "asset is", "assets are")));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Outcomes& file = files[i];
+    if (!is_cooked(file)) continue;
+    const auto figure = [&](const char* key) { return Cell{fmt::format("{}", file[key].get<std::uint64_t>())}; };
+    table.rows.push_back({{"", CellLook::kPlain, pictures[i]},
+                          {places.source(file) + "\n" + places.asset(file)},
+                          figure("triangles"),
+                          figure("simulated_bones"),
+                          figure("bytes"),
+                          {fmt::format("{:.0f}", file["ms"].get<double>())},
+                          {file["from_cache"].get<bool>() ? "yes" : "no"},
+                          {lines(file["warnings"]), file["warnings"].empty() ? CellLook::kPlain : CellLook::kWarning}});
   }
-  page.table(table);
+  return table;
+}
+
+std::string undrawn_text(std::size_t count) {
+  return fmt::format("{} not drawn: no mesh inside, or no OpenGL ES 3.0 here; 'coif render' tells which.",
+                     counted(count, "asset is", "assets are"));
+}
+
+}  // namespace
+
+std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
+  const std::vector<Outcomes> files(outcomes.begin(), outcomes.end());
+  const std::vector<Bytes> pictures = thumbnails(files, jobs);
+  const Places places{common_folder(files, "source"), common_folder(files, "output")};
+  const BatchCounts counts = count(outcomes);
+  const auto undrawn =
+      counts.cooked - std::size_t(std::ranges::count_if(pictures, [](const Bytes& p) { return !p.empty(); }));
+  HtmlPage page("coif cook");
+  page.summary(sentence(counts) + ".");
+  page.paragraph(fmt::format("Sources lie in {}, assets in {}", places.sources.empty() ? "./" : places.sources,
+                             places.assets.empty() ? "./" : places.assets));
+  if (counts.failed > 0) {
+    page.heading("Failed");
+    page.table(failures(files, places));
+  }
+  page.heading("Cooked");
+  if (undrawn > 0) page.paragraph(undrawn_text(undrawn));
+  page.table(assets(files, pictures, places));
   return page.text();
 }
 

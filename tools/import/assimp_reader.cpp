@@ -1,6 +1,7 @@
 #include "import/assimp_reader.h"
 
 #include "import/asked_files.h"
+#include "import/collada_arrays.h"
 #include "import/printable_text.h"
 #include "import/scene_materials.h"
 #include "import/scene_meshes.h"
@@ -44,11 +45,15 @@ void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const Imp
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
+std::vector<char> bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::path& path, const SourceSuffix& suffix) {
   const bool known_by_name = std::string_view(suffix.suffix).substr(1) == suffix.assimp_suffix;
   if (known_by_name) return importer.ReadFile(path.string(), kPostProcess);
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+  const std::vector<char> bytes = bytes_of(path);
   return importer.ReadFileFromMemory(bytes.data(), bytes.size(), kPostProcess, suffix.assimp_suffix);
 }
 
@@ -93,6 +98,11 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
 
 tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path, const SourceSuffix& suffix,
                                                       const ImportSettings& settings) try {
+  if (suffix.format == SourceFormat::kDae) {
+    const std::vector<char> text = bytes_of(path);
+    if (auto fault = overrun_array({text.data(), text.size()}))
+      return tl::unexpected(refusal(path, suffix, fault->c_str()));
+  }
   std::set<std::string> asked;
   Assimp::Importer importer;
   importer.SetIOHandler(new AskedFiles(asked));  // Owned by the importer.

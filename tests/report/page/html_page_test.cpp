@@ -61,6 +61,14 @@ TEST(HtmlPage, LineFeedsInCellsAreLines) {
   EXPECT_NE(page.text().find("<td class=\"prose\">one<br>&lt;two&gt;<br></td>"), std::string::npos);
 }
 
+TEST(HtmlPage, CellsShowPicturesThatLieInThePage) {
+  const std::uint8_t bytes[] = {0x89, 'P', 'N', 'G'};
+  HtmlPage page("title");
+  page.table({{{"a"}}, {{{"bob", CellLook::kPlain, bytes}}, {{"none"}}}});
+  EXPECT_NE(page.text().find("<td><img alt=\"\" src=\"data:image/png;base64,iVBORw==\">bob</td>"), std::string::npos);
+  EXPECT_NE(page.text().find("<td>none</td>"), std::string::npos);
+}
+
 TEST(HtmlPage, ShortRowsAreFilledUp) {
   HtmlPage page("title");
   page.table({{{"a"}, {"b"}, {"c"}}, {{{"1"}}}});
