@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coif {
 namespace {
 
@@ -50,6 +52,20 @@ TEST(Image, EveryTruncationIsAnErrorOrAWholeImage) {
     }
     EXPECT_FALSE(decode_image(std::span(whole).first(8))) << int(format);
   }
+}
+
+// stb_image counts on at most 256 codes of a Huffman table, and writes as many as the file says.
+TEST(Image, ATableThatOverrunsTheDecoderCostsNoMoreThanTheImage) {
+  auto jpeg = encoded(flag(), FileFormat::kJpeg);
+  std::size_t tables = 0;
+  for (std::size_t at = 2; at + 21 < jpeg.size(); ++at) {
+    if (jpeg[at] != 0xFF || jpeg[at + 1] != 0xC4) continue;
+    std::fill_n(jpeg.begin() + std::ptrdiff_t(at) + 5, 16, std::uint8_t{255});
+    ++tables;
+  }
+  ASSERT_GT(tables, 0u);
+  EXPECT_FALSE(decode_image(jpeg));
+  EXPECT_TRUE(decode_image(encoded(flag(), FileFormat::kJpeg)));
 }
 
 /// The beginning of a PNG that claims a size, and nothing behind it.

@@ -2,7 +2,7 @@
 
 #include "import/file_fence.h"
 
-#include "import/child_process.h"
+#include "process/child_process.h"
 
 #include <gtest/gtest.h>
 

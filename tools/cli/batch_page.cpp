@@ -2,7 +2,7 @@
 
 #include "cli/asset_file.h"
 #include "counted.h"
-#include "pipeline/process_pool.h"
+#include "process/process_pool.h"
 #include "render/picture.h"
 #include "report/page/html_page.h"
 

@@ -6,7 +6,7 @@
 #include "cli/json_text.h"
 #include "cli/results.h"
 #include "files/output_file.h"
-#include "pipeline/process_pool.h"
+#include "process/process_pool.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "import/import.h"
 
 #include "import/assimp_reader.h"
-#include "import/child_process.h"
+#include "process/child_process.h"
 #include "import/file_error.h"
 #include "import/file_fence.h"
 #include "import/model_stream.h"

@@ -1,4 +1,4 @@
-#include "pipeline/process_pool.h"
+#include "process/process_pool.h"
 
 #include "write_all.h"
 
