@@ -67,12 +67,15 @@ void add_limits(CLI::App& app, CookOptions& options) {
       ->type_name("N");
   app.add_option("--max-source-mb", options.max_source_mb, "Largest source that is read, MiB")
       ->check(CLI::Range(1u, 1024u))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--max-memory-mb", options.max_memory_mb, "Memory limit of the importer, MiB")
       ->check(CLI::Range(64u, 1u << 20))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--max-seconds", options.max_seconds, "Time limit of the importer, seconds")
       ->check(CLI::Range(1u, 86400u))
+      ->type_name("N")
       ->capture_default_str();
 }
 
