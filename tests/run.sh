@@ -2,9 +2,9 @@
 # Installs what is missing, builds, runs every test. The last line is "N passed, N failed, N skipped"; the exit code is
 # 0 only when something passed and nothing failed.
 #   tests/run.sh [release] [asan] [fuzz] [asan-cook] [debug]   which parts to run; the first three when none is named
-# asan repeats, under sanitizers, the tests of what reads foreign bytes or runs in a game; asan-cook those of the cooker,
-# which take as long again. Drawing and command-line tests are in neither: they would watch the driver, and start hundreds
-# of slow processes. fuzz: 10 s of libFuzzer for each reader of foreign bytes, see tests/fuzz/README.md. debug: the
+# asan repeats, under sanitizers, the tests of what reads foreign bytes or runs in a game; asan-cook those of the cooker, of
+# batches and of checks, which take as long again. Drawing and command-line tests are in neither: they would watch the driver,
+# and start hundreds of slow processes. fuzz: 10 s of libFuzzer for each reader of foreign bytes, see tests/fuzz/README.md. debug: the
 # program, compiled for a debugger, cooks the bytes that the one for release cooks.
 set -u
 cd "$(dirname "$0")/.."
@@ -53,7 +53,7 @@ for part in $parts; do
   case $part in
     release) run_release ;;
     asan) sanitize formats sim import ;;
-    asan-cook) sanitize cook ;;
+    asan-cook) sanitize cook pipeline validate ;;
     fuzz) build fuzz fuzzers && run_folder fuzz tests/fuzz ;;
     debug) compare_builds ;;
     *) echo "run.sh: '$part' is none of release, asan, fuzz, asan-cook, debug" >&2; broken=$((broken + 1)) ;;

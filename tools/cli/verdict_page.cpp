@@ -1,5 +1,6 @@
 #include "cli/verdict_page.h"
 
+#include "counted.h"
 #include "report/page/html_page.h"
 #include "validate/issue_codes.h"
 
@@ -44,8 +45,8 @@ Table issue_table(const JudgedIssues& issues) {
 void add_file(const Verdict& verdict, HtmlPage& page) {
   const JudgedIssues& issues = verdict.issues;
   page.heading(verdict.path);
-  page.paragraph(fmt::format("{}: {} errors, {} warnings, {} notes.", verdict_word(verdict), issues.errors,
-                             issues.warnings, issues.infos));
+  page.paragraph(fmt::format("{}: {}, {}, {}.", verdict_word(verdict), counted(issues.errors, "error", "errors"),
+                             counted(issues.warnings, "warning", "warnings"), counted(issues.infos, "note", "notes")));
   if (!issues.shown.empty()) page.table(issue_table(issues));
   for (const IssuePicture& picture : verdict.pictures.pictures) {
     page.picture(picture.png, fmt::format("Patch {}, in red, from its own side.", picture.patch));
