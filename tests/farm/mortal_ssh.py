@@ -14,18 +14,19 @@ from dying_machine import kill_all
 
 
 def main():
-    words = [word for word in sys.argv[1:]]
+    words = sys.argv[1:]
     while words[0].startswith("-"):
         words.pop(0)
     host = words.pop(0)
     command = " ".join(words[1:] if words[0] == "--" else words)
+    login = {"SHELL": "/bin/sh", **os.environ}  # which sshd sets, and parallel relies on
     if host != "mortal":
-        return subprocess.run(["sh", "-c", command]).returncode
+        return subprocess.run(["sh", "-c", command], env=login).returncode
     output = pathlib.Path(os.environ["FARM_OUTPUT"])
     grave = output / "mortal_is_dead"
     if not grave.exists():
         mark = {"ON_HOST": f"mortal of {output}"}
-        work = subprocess.Popen(["sh", "-c", command], env={**os.environ, **mark})
+        work = subprocess.Popen(["sh", "-c", command], env={**login, **mark})
         while work.poll() is None and not any(output.rglob("*.coif")):
             time.sleep(0.01)
         kill_all([f"{name}={value}" for name, value in mark.items()])

@@ -9,7 +9,8 @@
 
 namespace coif {
 
-// Names in artists' files need not be UTF-8, which CBOR carries and JSON text would not.
+// Names in artists' files need not be UTF-8, which MessagePack carries and JSON text would not. CBOR would, too, but its
+// strings may be made of strings, for each level of which the library's reader calls itself.
 using nlohmann::json;
 
 /// The library would convert any number, also those that are none of the type: a whole one, or an exception.
@@ -56,7 +57,7 @@ static void from_json(const json& in, LeftOut& l) {
 
 namespace {
 
-constexpr char kMagic[] = "coifent1";
+constexpr char kMagic[] = "coifent2";
 constexpr std::size_t kWord = 8;
 constexpr std::size_t kHeader = 3 * kWord;  // magic, hash, length of the document
 
@@ -110,8 +111,8 @@ class LevelGauge : public json::json_sax_t {
 };
 
 std::vector<std::byte> bytes_of(const json& document) {
-  const std::vector<std::uint8_t> cbor = json::to_cbor(document);
-  const auto bytes = std::as_bytes(std::span(cbor));
+  const std::vector<std::uint8_t> packed = json::to_msgpack(document);
+  const auto bytes = std::as_bytes(std::span(packed));
   return {bytes.begin(), bytes.end()};
 }
 
@@ -150,8 +151,8 @@ std::optional<CacheEntry> decode_entry(std::span<const std::byte> bytes) try {
   if (size > rest.size()) return {};
   const auto* const begin = reinterpret_cast<const std::uint8_t*>(rest.data());
   LevelGauge gauge;
-  if (!json::sax_parse(begin, begin + size, &gauge, json::input_format_t::cbor)) return {};
-  const json document = json::from_cbor(begin, begin + size);
+  if (!json::sax_parse(begin, begin + size, &gauge, json::input_format_t::msgpack)) return {};
+  const json document = json::from_msgpack(begin, begin + size);
   CacheEntry entry;
   document.at("dependencies").get_to(entry.dependencies);
   document.at("questions").get_to(entry.questions);

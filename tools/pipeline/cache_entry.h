@@ -18,7 +18,7 @@ struct CacheEntry {
   std::vector<std::byte> asset;
 };
 
-/// One file: a magic word, the hash of all that follows, the length of a CBOR document, the document, the asset's bytes.
+/// One file: a magic word, the hash of all that follows, the length of a MessagePack document, the document, the asset's bytes.
 [[nodiscard]] std::vector<std::byte> encode_entry(const CacheEntry& entry);
 
 /// Nothing unless the bytes are those of one entry, to the last bit.
