@@ -69,6 +69,10 @@ def wait_until(condition, seconds, what):
         time.sleep(0.02)
 
 
+class CannotRun(Exception):
+    """A daemon of Slurm does not run on this machine, or not for this user."""
+
+
 class Cluster:
     def __init__(self, folder, nodes):
         self.folder = pathlib.Path(folder).resolve()
@@ -88,12 +92,13 @@ class Cluster:
         (self.folder / "slurm.conf").write_text(
             CONFIGURATION.format(host=host, user=user, port=port, folder=self.folder, nodes=nodes)
         )
+        # Also without limits slurmd wants to know of which kind they would be, and looks for itself where none are mounted.
+        (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         try:
             self.start("controller", [find("slurmctld"), "-D", "-i"])
             for node in self.nodes:
                 self.start(node, [find("slurmd"), "-D", "-N", node])
-            idle = lambda: self.ask("sinfo", "-h", "-N", "-o", "%t").split() == ["idle"] * len(self.nodes)
-            wait_until(idle, 60, "nodes idle")
+            wait_until(self.is_ready, 60, "nodes idle")
         except BaseException:
             self.__exit__()
             raise
@@ -103,6 +108,13 @@ class Cluster:
         for name in [*self.nodes, "controller"]:
             if name in self.daemons:
                 self.kill(name)
+
+    def is_ready(self):
+        for name, daemon in self.daemons.items():
+            if daemon.poll() is not None:
+                lines = (self.folder / f"{name}.out").read_text().splitlines()
+                raise CannotRun(f"{name}: {lines[-1] if lines else 'ended without a word'}")
+        return self.ask("sinfo", "-h", "-N", "-o", "%t").split() == ["idle"] * len(self.nodes)
 
     def start(self, name, command):
         log = open(self.folder / f"{name}.out", "wb")

@@ -65,7 +65,11 @@ def main():
     manifest = pathlib.Path(manifest[0]) if manifest else write_manifest(folder / "in", 12)
     folder.mkdir(exist_ok=True)
     begin = time.monotonic()
-    batch, done, code = run_farm(coif, script, manifest, folder, batches)
+    try:
+        batch, done, code = run_farm(coif, script, manifest, folder, batches)
+    except emulated_slurm.CannotRun as fault:
+        print(f"skipped: Slurm does not run here: {fault}")
+        return 77
     seconds = time.monotonic() - begin
     report = json.loads((folder / "report.json").read_text())
     found_again = (folder / f"out/farm/batch-{batch}.log").read_text().count(" yes\n")
