@@ -26,7 +26,7 @@ def main():
     ssh = pathlib.Path(__file__).resolve().parent / "mortal_ssh.py"
     command = [script, "parallel", manifest, "-o", folder / "out", "--cache", folder / "cache", "--coif", coif]
     command += ["--batches", "4", "--jobs", "1", "--report", folder / "report.json"]
-    command += ["--", "--ssh", ssh, "--sshlogin", "mortal,steady", "--jobs", "1"]
+    command += ["--", "--sshlogin", f"1/{ssh} mortal", "--sshlogin", f"1/{ssh} steady"]
     environment = dict(os.environ, FARM_OUTPUT=str(folder / "out"))
     farm = subprocess.run(command, capture_output=True, text=True, env=environment)
     print(farm.stdout, farm.stderr)
