@@ -5,7 +5,7 @@
 #include "import/clip_files.h"
 #include "import/model_stream.h"
 #include "import/small_source_model.h"
-#include "pipeline/cache_entry.h"
+#include "pipeline/small_entry.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -62,18 +62,6 @@ void write_outcomes(const fs::path& folder) {
   write(folder / "error", encode_outcome(tl::unexpected(ToolError{ToolError::Kind::kBadInput, "x.obj: broken"})));
 }
 
-void write_entries(const fs::path& folder) {
-  CacheEntry entry;
-  entry.dependencies = {{Dependency::Base::kSource, "wig.mtl", 0xFEDCBA9876543210u},
-                        {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
-  entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
-  entry.report.passes = {{"import", 12.5}};
-  entry.report.warnings = {"name \xFF of no encoding"};
-  entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
-  entry.asset = {std::byte{1}, std::byte{2}};
-  write(folder / "entry", encode_entry(entry));
-}
-
 }  // namespace
 }  // namespace coif::fuzz
 
@@ -87,6 +75,6 @@ int main(int argc, char** argv) {
   write_assets(folder / "asset");
   write_clips(folder / "clip");
   write_outcomes(folder / "model_stream");
-  write_entries(folder / "cache_entry");
+  write(folder / "cache_entry" / "entry", coif::encode_entry(coif::small_entry()));
   write(folder / "recipe" / "every_key.recipe.json", coif::print_recipe(coif::default_recipe()));
 }

@@ -1,6 +1,7 @@
 #include "pipeline/cache_entry.h"
 
 #include "payload_hash.h"
+#include "pipeline/small_entry.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,21 +12,6 @@ namespace coif {
 namespace {
 
 using nlohmann::json;
-
-CacheEntry small_entry() {
-  CacheEntry entry;
-  entry.dependencies = {{Dependency::Base::kSource, "wig.mtl", 0xFEDCBA9876543210u},
-                        {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
-  entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
-  entry.report.passes = {{"import", 12.5}};
-  entry.report.warnings = {"name \xFF of no encoding"};
-  entry.report.notes = {"a note"};
-  entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
-  entry.report.triangles = 7;
-  entry.report.simulated_bones = 9;
-  entry.asset = {std::byte{1}, std::byte{2}, std::byte{3}};
-  return entry;
-}
 
 TEST(CacheEntry, ComesBackAsItWas) {
   const std::vector<std::byte> bytes = encode_entry(small_entry());

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace coif {
@@ -31,19 +32,16 @@ std::string thumbnail(const std::string& path) {
   return {png.begin(), png.end()};
 }
 
-bool is_cooked(const Outcomes& file) { return file["exit_code"] == 0; }
+std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
 
 /// One each, empty where there is none.
 std::vector<Bytes> thumbnails(const std::vector<Outcomes>& files, unsigned jobs) {
-  const auto answers = run_in_processes(files.size(), jobs, [&](std::size_t i) {
-    return is_cooked(files[i]) ? thumbnail(files[i]["output"].get<std::string>()) : std::string{};
-  });
+  const auto answers =
+      run_in_processes(files.size(), jobs, [&](std::size_t i) { return thumbnail(text_of(files[i], "output")); });
   std::vector<Bytes> pictures;
   for (const auto& answer : answers) pictures.push_back(answer ? Bytes(answer->begin(), answer->end()) : Bytes{});
   return pictures;
 }
-
-std::string text_of(const Outcomes& file, const char* key) { return file[key].get<std::string>(); }
 
 /// Of all paths under `key`, with a slash at its end; nothing where they share none.
 std::string common_folder(const std::vector<Outcomes>& files, const char* key) {
@@ -73,7 +71,6 @@ std::string fault_of(const Outcomes& file) {
 Table failures(const std::vector<Outcomes>& files, const Places& places) {
   Table table{{{"Source"}, {"Status"}, {"What and cure", Column::Kind::kProse}}, {}};
   for (const Outcomes& file : files) {
-    if (is_cooked(file)) continue;
     table.rows.push_back({{places.source(file)}, {text_of(file, "status"), CellLook::kBad}, {fault_of(file)}});
   }
   return table;
@@ -98,7 +95,6 @@ Table assets(const std::vector<Outcomes>& files, const std::vector<Bytes>& pictu
               {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     const Outcomes& file = files[i];
-    if (!is_cooked(file)) continue;
     const auto figure = [&](const char* key) { return Cell{fmt::format("{}", file[key].get<std::uint64_t>())}; };
     table.rows.push_back({{"", CellLook::kPlain, pictures[i]},
                           {places.source(file) + "\n" + places.asset(file)},
@@ -121,22 +117,22 @@ std::string undrawn_text(std::size_t count) {
 
 std::string batch_page(const Outcomes& outcomes, unsigned jobs) {
   const std::vector<Outcomes> files(outcomes.begin(), outcomes.end());
-  const std::vector<Bytes> pictures = thumbnails(files, jobs);
+  std::vector<Outcomes> cooked, failed;
+  std::ranges::partition_copy(files, std::back_inserter(cooked), std::back_inserter(failed), is_cooked);
+  const std::vector<Bytes> pictures = thumbnails(cooked, jobs);
   const Places places{common_folder(files, "source"), common_folder(files, "output")};
-  const BatchCounts counts = count(outcomes);
-  const auto undrawn =
-      counts.cooked - std::size_t(std::ranges::count_if(pictures, [](const Bytes& p) { return !p.empty(); }));
+  const auto undrawn = std::size_t(std::ranges::count_if(pictures, &Bytes::empty));
   HtmlPage page("coif cook");
-  page.summary(sentence(counts) + ".");
+  page.summary(sentence(count(outcomes)) + ".");
   page.paragraph(fmt::format("Sources lie in {}, assets in {}", places.sources.empty() ? "./" : places.sources,
                              places.assets.empty() ? "./" : places.assets));
-  if (counts.failed > 0) {
+  if (!failed.empty()) {
     page.heading("Failed");
-    page.table(failures(files, places));
+    page.table(failures(failed, places));
   }
   page.heading("Cooked");
   if (undrawn > 0) page.paragraph(undrawn_text(undrawn));
-  page.table(assets(files, pictures, places));
+  page.table(assets(cooked, pictures, places));
   return page.text();
 }
 

@@ -10,7 +10,7 @@ namespace coif {
 namespace {
 
 std::string line_of(const Outcomes& file, std::size_t width) {
-  const bool done = file["exit_code"] == 0;
+  const bool done = is_cooked(file);
   const auto figure = [&](const char* key) { return done ? fmt::format("{}", file[key].get<std::uint64_t>()) : "-"; };
   const char* from_cache = !done ? "-" : file["from_cache"].get<bool>() ? "yes" : "no";
   return fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8.0f}  {}\n", file["source"].get<std::string>(), width,
@@ -20,10 +20,12 @@ std::string line_of(const Outcomes& file, std::size_t width) {
 
 }  // namespace
 
+bool is_cooked(const nlohmann::ordered_json& outcome) { return outcome["exit_code"] == 0; }
+
 BatchCounts count(const Outcomes& outcomes) {
   BatchCounts counts{.asked = outcomes.size()};
   for (const auto& file : outcomes) {
-    const bool done = file["exit_code"] == 0;
+    const bool done = is_cooked(file);
     ++(done ? counts.cooked : counts.failed);
     if (done && file["from_cache"].get<bool>()) ++counts.from_cache;
   }

@@ -11,6 +11,8 @@ namespace coif {
 /// what `coif cook --format json` says of an asset, or "error".
 using Outcomes = nlohmann::ordered_json;
 
+[[nodiscard]] bool is_cooked(const nlohmann::ordered_json& outcome);
+
 struct BatchCounts {
   std::size_t asked = 0;
   std::size_t cooked = 0;

@@ -17,16 +17,7 @@ void* resize_block(void* block, std::size_t bytes) { return bytes <= kMaxBlock ?
 
 }  // namespace
 
-// The one home of this header: third-party code, compiled without the project's warnings.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+// The one home of this header.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_MAX_DIMENSIONS 16384
@@ -40,7 +31,6 @@ void* resize_block(void* block, std::size_t bytes) { return bytes <= kMaxBlock ?
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #include <stb/stb_image.h>
-#pragma GCC diagnostic pop
 
 namespace coif {
 namespace {
