@@ -1,5 +1,11 @@
 #pragma once
+
 // Reads back what a test needs of a binary glTF, without the code under test.
+
+#include "models/small_asset.h"
+#include "write/asset_writer.h"
+
+#include <coif/asset.h>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -30,6 +36,19 @@ class GlbReader {
 
   nlohmann::json document_;
   std::vector<std::byte> binary_;
+};
+
+/// Written contents, opened; is_open() tells whether the reader took them.
+class OpenAsset {
+ public:
+  explicit OpenAsset(const AssetContents& contents) : bytes_(write_asset(contents)) {
+    if (!asset_.open(bytes_.bytes())) asset_ = Asset{};
+  }
+  [[nodiscard]] const Asset& asset() const { return asset_; }
+
+ private:
+  AlignedBytes bytes_;
+  Asset asset_;
 };
 
 }  // namespace coif

@@ -10,8 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::job_crew_test {
 
 TEST(JobCrew, RunsEveryJobOnceInEveryRound) {
   for (const std::uint32_t threads : {1u, 2u, 3u}) {
@@ -62,5 +61,4 @@ TEST(TimedCrowd, SleepsWhileItsHeadsStandStill) {
   EXPECT_EQ(crowd.sleeping_heads(), 0u);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::job_crew_test

@@ -1,8 +1,5 @@
 // Everything that is timed of the runtime. tests/bench/README.md says how to run it and read it.
-#include "bench/crowd_bench.h"
-#include "bench/load_bench.h"
-#include "bench/skin_bench.h"
-#include "bench/sleep_bench.h"
+#include "bench/benches.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 
 #include "bench/job_crew.h"
 #include "bench/workload.h"
-#include "formats/aligned_bytes.h"
+#include "models/small_asset.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace coif {
-namespace {
+namespace coif::workload_test {
 
 TEST(Workload, BonesHangEndToEndOutsideTheSphere) {
   const AssetContents contents = crowd_contents({1, 5, 16});
@@ -76,5 +75,4 @@ TEST(FrameTimes, TheMedianIgnoresTheFrameThatWasInterrupted) {
   EXPECT_EQ(FrameTimes{}.median_seconds(), 0);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::workload_test

@@ -7,7 +7,7 @@
 #   WRITES          files that must lie there, not empty, afterwards; others must not
 #   PROGRAM, GROUP  another program than coif, and the first part of the test's name (default cli)
 #   SAMPLE          runs after the sample is cooked; ${COIF_COOKED_SAMPLE} is its path
-set(COIF_COOKED_SAMPLE "${CMAKE_BINARY_DIR}/sample/bob.coif")
+
 set(COIF_CLI_FOLDER "${CMAKE_CURRENT_LIST_DIR}")
 
 function(coif_cli_case name)

@@ -1,4 +1,4 @@
-#include "cook/alpha_mips.h"
+#include "cook/texture/alpha.h"
 
 #include "cook/image_files.h"
 
@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace coif {
-namespace {
+namespace coif::alpha_mips_test {
 
 constexpr std::uint32_t kSide = 256;
 constexpr std::size_t kJudgedMips = 6;  ///< The last of them has 8 x 8 texels.
@@ -155,5 +154,4 @@ TEST(AlphaCoverage, AThresholdOfATexelsOwnAlphaPassesIt) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::alpha_mips_test

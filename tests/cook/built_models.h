@@ -1,7 +1,12 @@
 #pragma once
+
 // Source models that tests make themselves, small enough to know every number of.
 
-#include "cook/hair_mesh.h"
+#include "cook/lods/make_lods.h"
+#include "cook/select/hair_mesh.h"
+#include "cook/select/mesh_topology.h"
+
+#include <string>
 
 namespace coif {
 
@@ -37,5 +42,44 @@ void split_vertices(SourceMesh& mesh);
 
 /// Adds a node; returns its index.
 std::uint32_t add_node(SourceModel& model, const std::string& name, std::uint32_t parent, const Eigen::Vector3d& at);
+
+// Strips with textures, for what is measured over texture coordinates.
+
+/// A strip whose texture coordinates fill the rectangle from `low` to `high`.
+[[nodiscard]] SourceMesh strip_over(const Eigen::Vector2f& low, const Eigen::Vector2f& high);
+
+/// Adds a strip with a material of its own, beside those that are there.
+SourceMaterial& add_surface(SourceModel& model, const std::string& material,
+                            const Eigen::Vector2f& low = Eigen::Vector2f::Zero(),
+                            const Eigen::Vector2f& high = Eigen::Vector2f::Ones());
+
+/// All meshes of the model as the cooker joins them.
+[[nodiscard]] HairMesh whole_hair(const SourceModel& model);
+
+// Surfaces and levels of detail of them for tests, small enough to know every number of.
+
+struct CardDesc {
+  std::uint32_t columns = 4, rows = 12;
+  float width = 0.06f, length = 0.3f;
+  float bend_radius = 0;  ///< Of the cylinder that the card is part of, along its length; 0: flat.
+  Eigen::Vector3f root{0, 1.6f, -0.1f};
+};
+
+/// A grid that hangs down from its root, U across, V 0 at the root and 1 at the tip.
+[[nodiscard]] SourceMesh make_card(const CardDesc& desc);
+
+/// Appends `card` to `mesh`.
+void append_card(const SourceMesh& card, SourceMesh& mesh);
+
+/// All of the mesh as one patch, in one pose.
+[[nodiscard]] PatchSurface surface_of(const HairMesh& mesh, std::span<const Pose> poses);
+
+/// The patch after so many steps, as vertices of the mesh.
+[[nodiscard]] std::vector<std::uint32_t> after(const HairMesh& mesh, const PatchSurface& surface,
+                                               const CollapseSequence& sequence, std::size_t steps);
+
+/// Distance of a point from the nearest of these triangles, by looking at all of them.
+[[nodiscard]] double distance_from(const HairMesh& mesh, std::span<const std::uint32_t> triangles,
+                                   const Eigen::Vector3f& point);
 
 }  // namespace coif

@@ -1,18 +1,16 @@
-#include "cook/choose_twist.h"
+#include "cook/dynamics/settle_dynamics.h"
 
-#include "cook/tune_solver.h"
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+#include "models/test_rig.h"
 #include "motion/head_path.h"
-#include "report/opened_asset.h"
-#include "report/runtime_solver.h"
-#include "sim/test_rig.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace coif {
-namespace {
+namespace coif::choose_twist_test {
 
 constexpr float kTorsion = 20;
 
@@ -146,5 +144,4 @@ TEST(ChooseTwist, ChangesNothingButTheTorsion) {
   EXPECT_EQ(choose_twist(contents, 4).dynamics[1].torsion, chosen.dynamics[1].torsion) << "whatever the threads";
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::choose_twist_test

@@ -1,22 +1,19 @@
 // Chains whose equation has no solution to converge to are damped until it has one, and no others are touched.
 
-#include "cook/condition_chains.h"
+#include "cook/dynamics/settle_dynamics.h"
 
-#include "cook/chain_groups.h"
-#include "cook/chain_growth.h"
-#include "cook/chain_sample.h"
-#include "cook/soft_chain.h"
-#include "cook/measure_runtime.h"
-#include "report/opened_asset.h"
-#include "report/runtime_solver.h"
+#include "cook/dynamics/chain_groups.h"
+#include "cook/vrm_chain.h"
+#include "lab/reference_solver.h"
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstring>
 
-namespace coif {
-namespace {
+namespace coif::condition_chains_test {
 
 bool same(const std::vector<DynamicsRecord>& a, const std::vector<DynamicsRecord>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(DynamicsRecord)) == 0;
@@ -170,5 +167,4 @@ TEST(ChainsAlone, EachMovesAsAmongAll) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::condition_chains_test

@@ -1,7 +1,7 @@
 #include "cook/fitted_wig.h"
-#include "cook/weld.h"
+#include "cook/select/mesh_topology.h"
 
-#include "cook/build_skeleton.h"
+#include "cook/rig/skeleton.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cook/hard_tips.h"
+#include "cook/texture/hair_views.h"
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"
@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace coif {
-namespace {
+namespace coif::hard_tips_test {
 
 const Eigen::Vector3d kHead{0, 1.6, 0};
 
@@ -190,5 +189,4 @@ TEST(HardTips, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
 
 TEST(HardTips, NoHairHasNone) { EXPECT_TRUE(Wig().tips().patches.empty()); }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::hard_tips_test

@@ -1,7 +1,7 @@
 #pragma once
 // Images that tests paint, as files of every format, and a folder of their own to find them in.
 
-#include "cook/image.h"
+#include "cook/texture/image.h"
 
 #include <Eigen/Core>
 

@@ -1,12 +1,9 @@
-#include "cook/leave_out.h"
-
-#include "cook/cook.h"
-#include "cook/tune_solver.h"
-#include "formats/aligned_bytes.h"
-#include "formats/small_asset.h"
-#include "write/strip_asset.h"
-
 #include "cook/built_models.h"
+#include "cook/cook.h"
+#include "cook/dynamics/settle_dynamics.h"
+#include "cook/pack/pack.h"
+#include "models/small_asset.h"
+#include "write/strip_asset.h"
 
 #include <coif/asset.h>
 
@@ -14,9 +11,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
 
-namespace coif {
-namespace {
+namespace coif::leave_out_test {
 
 /// A cooked model that stays open.
 struct Cooked {
@@ -220,5 +219,56 @@ TEST(LeaveOut, LevelsThatNoSizeOfTheSceneUsesGo) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+MaterialRecord packed(const std::string& material_keys) {
+  const auto recipe = parse_recipe("{\"material\": {" + material_keys + "}}", "r.json");
+  EXPECT_TRUE(recipe) << recipe.error().message;
+  return pack_material(BaseColor{}, BakedTextures{}, HairMesh{}, recipe ? *recipe : default_recipe());
+}
+
+TEST(PackMaterial, ShadesAsPublishedUnlessTold) {
+  const MaterialRecord m = packed("");
+  EXPECT_EQ(m.shading, ShadingModel::kThesis);
+  EXPECT_EQ(m.light_cut, 0);
+}
+
+TEST(PackMaterial, TakesTheModelByItsName) {
+  EXPECT_EQ(packed(R"("shading": "thesis")").shading, ShadingModel::kThesis);
+  EXPECT_EQ(packed(R"("shading": "kajiya-kay")").shading, ShadingModel::kKajiyaKay);
+  EXPECT_EQ(packed(R"("shading": "marschner")").shading, ShadingModel::kMarschner);
+  const auto wrong = parse_recipe(R"({"material": {"shading": "marshner"}})", "r.json");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().message.find("material.shading"), std::string::npos) << wrong.error().message;
+  EXPECT_NE(wrong.error().message.find("kajiya-kay"), std::string::npos) << "lists what there is";
+}
+
+TEST(PackMaterial, TurnsDegreesIntoRadians) {
+  const MaterialRecord m = packed(R"("tilt": -4, "roughness": 9, "scatter": 0.25)");
+  EXPECT_NEAR(m.tilt, -4 * std::numbers::pi / 180, 1e-6);
+  EXPECT_NEAR(m.roughness, 9 * std::numbers::pi / 180, 1e-6);
+  EXPECT_EQ(m.scatter, 0.25f);
+}
+
+TEST(PackMaterial, RecipesRangesFitTheFormats) {
+  for (const char* end : {R"("tilt": -20, "roughness": 1.2)", R"("tilt": 20, "roughness": 57)"}) {
+    const MaterialRecord m = packed(end);
+    EXPECT_LE(std::abs(m.tilt), kMostTilt);
+    EXPECT_GE(m.roughness, kLeastRoughness);
+    EXPECT_LE(m.roughness, kMostRoughness);
+  }
+}
+
+TEST(PackMaterial, BoundedLightsAreCutByTheModelsBound) {
+  for (const std::string name : {"thesis", "kajiya-kay", "marschner"}) {
+    const MaterialRecord m = packed("\"energy\": \"bounded\", \"shading\": \"" + name + '"');
+    EXPECT_LE((1 - m.light_cut) * furnace_bound(m), 1 + 1e-6) << name;
+    EXPECT_EQ(m.light_cut > 0, name != "marschner") << name;
+  }
+}
+
+TEST(PackMaterial, BoundedLightsOfDarkHairAreNotCutFurther) {
+  EXPECT_EQ(packed(R"("energy": "bounded", "base_color": [0.1, 0.1, 0.1, 1])").light_cut, 0);
+  EXPECT_LT(packed(R"("energy": "bounded", "base_color": [0.5, 0.5, 0.5, 1])").light_cut,
+            packed(R"("energy": "bounded")").light_cut);
+}
+
+}  // namespace coif::leave_out_test

@@ -1,7 +1,7 @@
-#include "cook/order_bones.h"
+#include "cook/rig/skeleton.h"
 
 #include "cook/cook.h"
-#include "formats/aligned_bytes.h"
+#include "models/small_asset.h"
 
 #include "cook/built_models.h"
 
@@ -14,8 +14,7 @@
 #include <random>
 #include <set>
 
-namespace coif {
-namespace {
+namespace coif::order_bones_test {
 
 constexpr std::uint32_t kRoot = 0;  ///< The head carries every chain here.
 
@@ -172,5 +171,4 @@ TEST(OrderBones, VerticesFollowTheirBonesIntoTheAsset) {
   EXPECT_GT(of_side, 0u);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::order_bones_test

@@ -1,6 +1,6 @@
 // What an artist's resistance is baked into, against the recurrence that it is defined by.
 
-#include "cook/bake_dynamics.h"
+#include "cook/dynamics/bake_dynamics.h"
 #include "write/pose_oscillator.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace coif {
-namespace {
+namespace coif::oscillator_test {
 
 /// Algorithm 1 without friction, far from its constraints: the distance to the default position, step by step, under a
 /// constant acceleration.
@@ -187,5 +186,4 @@ TEST(BakeDynamics, TorsionAndParentShareAreTheRecipes) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::oscillator_test

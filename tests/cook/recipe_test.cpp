@@ -1,12 +1,11 @@
-#include "cook/recipe.h"
+#include "cook/recipe/recipe.h"
 
-#include "cook/name_pattern.h"
-#include "cook/recipe_values.h"
+#include "base/text.h"
+#include "cook/recipe/recipe_keys.h"
 
 #include <gtest/gtest.h>
 
-namespace coif {
-namespace {
+namespace coif::recipe_test {
 
 std::string message_of(const std::string& text) {
   const auto recipe = parse_recipe(text, "r.json");
@@ -125,5 +124,4 @@ TEST(NamePattern, ManyStarsStayFast) {
   EXPECT_FALSE(matches(std::string(5000, 'a'), std::string("*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*a*b")));
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::recipe_test

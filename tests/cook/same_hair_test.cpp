@@ -2,8 +2,8 @@
 // is absent every case skips and says so.
 
 #include "cook/cook.h"
-#include "formats/aligned_bytes.h"
 #include "import/import.h"
+#include "models/small_asset.h"
 
 #include <coif/asset.h>
 
@@ -14,8 +14,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace coif {
-namespace {
+namespace coif::same_hair_test {
 
 using Eigen::Vector3f;
 
@@ -164,5 +163,4 @@ TEST_F(SameHair, AMirroredInstanceGivesTwoMirroredHalves) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::same_hair_test

@@ -1,11 +1,164 @@
-#include "cook/select_hair.h"
-
 #include "cook/built_models.h"
+#include "cook/rig/skeleton.h"
+#include "cook/select/hair_evidence.h"
+#include "cook/select/select_hair.h"
 
 #include <gtest/gtest.h>
 
-namespace coif {
-namespace {
+namespace coif::select_hair_test {
+
+HairChoice choice_of(const SourceModel& model) {
+  auto choice = choose_hair(model, default_recipe());
+  EXPECT_TRUE(choice) << (choice ? "" : choice.error().message);
+  return choice ? *choice : HairChoice{};
+}
+
+std::size_t taken(const HairChoice& choice, std::size_t mesh) {
+  return std::size_t(std::ranges::count(choice.taken.at(mesh), true));
+}
+
+/// The wig in one mesh with a face and a body below, nothing of which is called hair except bones.
+SourceModel merged_body() {
+  SourceModel model = make_wig();
+  SourceMesh& mesh = model.meshes[0];
+  mesh.name = "Body";
+  append_piece(mesh, make_cap(6, 4, 6.2f, 0.09f), 1);
+  append_piece(mesh, make_strip({.root = {0, 1.4f, 0}, .along = {0, -1, 0}}), 0);
+  return model;
+}
+
+TEST(HairNames, HairIsFoundInSeveralWordsAndLanguages) {
+  for (const char* name : {"Hair", "hair_back", "HAIR.001", "Fringe_L", "ponytail01", "PonyTail", "braid", "Hair_Black",
+                           "newhair", "J_Sec_Hair1_04", "twintail_R", "髪の毛"}) {
+    EXPECT_TRUE(is_called_hair(name)) << name;
+  }
+}
+
+TEST(HairNames, WhatIsWornInHairOrSpeltLikeItIsNot) {
+  for (const char* name :
+       {"Chair", "hairband", "Hair_Clip", "HairRibbon", "armchair", "body", "face", "Wear", "head"}) {
+    EXPECT_FALSE(is_called_hair(name)) << name;
+  }
+}
+
+TEST(ChooseHair, AMaterialCalledHairSaysSo) {
+  SourceModel model = merged_body();
+  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  SourceMesh strip = make_strip({});
+  strip.name = "Object_7";
+  strip.material = 0;
+  model.materials.emplace_back();
+  model.materials[0].name = "mat_Hair_01";
+  model.meshes.push_back(strip);
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 0), 0u);
+  EXPECT_EQ(taken(choice, 1), 8u);
+  ASSERT_EQ(choice.reasons.size(), 1u);
+  EXPECT_EQ(choice.reasons[0], "hair: mesh 'Object_7' (8 triangles): its material is called 'mat_Hair_01'");
+}
+
+TEST(ChooseHair, ATextureCalledHairSaysSoButNotItsFolder) {
+  SourceModel model = merged_body();
+  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  model.meshes.push_back(make_strip({}));
+  model.meshes.push_back(make_strip({}));
+  model.materials.resize(2);
+  for (std::uint32_t m = 0; m < 2; ++m) {
+    model.meshes[m + 1].name = "Object";
+    model.meshes[m + 1].material = m;
+  }
+  model.materials[0].base_texture.path = "D:\\art\\tex\\hair_d.png";
+  model.materials[1].base_texture.path = "D:\\art\\hair_and_body\\skin.png";
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 1), 8u);
+  EXPECT_EQ(taken(choice, 2), 0u);
+}
+
+TEST(ChooseHair, APartOfTheHairMeshWithAnotherMaterialIsAnAdornment) {
+  SourceModel model = make_wig();
+  model.meshes.push_back(make_strip({}));  // also called hair, on the same node
+  model.meshes[1].node = model.meshes[0].node;
+  model.materials.resize(2);
+  model.materials[0].name = "hair";
+  model.materials[1].name = "metal";
+  model.meshes[0].material = 0;
+  model.meshes[1].material = 1;
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 0), 10u);
+  EXPECT_EQ(taken(choice, 1), 0u);
+}
+
+TEST(ChooseHair, MergedHairIsCutOutByBonesCalledHair) {
+  const SourceModel model = merged_body();
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 0), 10u) << "neither the face nor the body";
+  EXPECT_NE(choice.reasons.at(0).find("pieces that hair bones move"), std::string::npos);
+}
+
+TEST(ChooseHair, ATouchOfAHairBoneDoesNotMakeAFaceHair) {
+  SourceModel model = merged_body();
+  SourceMesh& mesh = model.meshes[0];
+  const std::size_t face_vertex = 13;  // the strip has twelve vertices
+  mesh.influences.at(mesh.influence_begin.at(face_vertex)).node = 3;
+  EXPECT_EQ(taken(choice_of(model), 0), 10u);
+}
+
+TEST(ChooseHair, SpringsBelowTheHeadAreHairBonesWhateverTheirNames) {
+  SourceModel model = merged_body();
+  model.nodes[3].name = "J_Sec_01";
+  model.nodes[4].name = "J_Sec_02";
+  EXPECT_NE(taken(choice_of(model), 0), 10u) << "nothing says so yet";
+  model.springs.push_back({"", {{.node = 3}, {.node = 4}}, kNoIndex, {}});
+  EXPECT_EQ(taken(choice_of(model), 0), 10u);
+}
+
+TEST(ChooseHair, TransparentPiecesOnTheHeadAreHairButNotLashes) {
+  SourceModel model = merged_body();
+  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  const std::uint32_t lid = add_node(model, "REyeBlinkTop", 1, {0.03, 1.62, 0.09});
+  SourceMesh cards = make_strip({});
+  cards.name = "opacity_mesh";
+  cards.material = 0;
+  cards.influence_begin = {0};
+  for (std::size_t v = 0; v < cards.positions.size(); ++v) {
+    cards.influences.push_back({1, 1.0f});
+    cards.influence_begin.push_back(std::uint32_t(v + 1));
+  }
+  append_piece(cards, make_strip({.root = {0.03f, 1.62f, 0.1f}, .along = {0.02f, 0, 0}}), lid);
+  append_piece(cards, make_strip({.root = {0, 0.3f, 0}, .along = {0, -0.2f, 0}}), 0);  // a skirt's lace
+  model.meshes.push_back(cards);
+  model.materials.emplace_back();
+  model.materials[0].alpha_use = AlphaUse::kBlend;
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 0), 0u);
+  EXPECT_EQ(taken(choice, 1), 8u);
+}
+
+TEST(ChooseHair, AFileOfNothingButAHairstyleIsAllHairWithoutAWarning) {
+  SourceModel model;
+  model.path = "style.obj";
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  model.meshes.push_back(make_strip({}));
+  model.meshes[0].name = "defaultobject";
+  const HairChoice choice = choice_of(model);
+  EXPECT_EQ(taken(choice, 0), 8u);
+  EXPECT_TRUE(choice.warnings.empty());
+}
+
+TEST(ChooseHair, ABodyOfWhichNothingIsHairIsTakenWholeWithAWarning) {
+  SourceModel model = merged_body();
+  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  EXPECT_EQ(choice_of(model).warnings.size(), 1u);
+}
+
+TEST(Carriers, BonesOfTheFaceCarryNoChain) {
+  SourceModel model = merged_body();
+  model.meshes[0].name = "hair";
+  for (std::size_t n : {2u, 3u, 4u, 5u}) model.nodes[n].name = n < 4 ? "MJaw" : "MBottomLip";
+  const auto hair = select_hair(model, default_recipe());
+  const auto head = find_head_bone(model, hair->mesh, "");
+  EXPECT_TRUE(build_skeleton(model, hair->mesh, *head, default_recipe())->chains.empty());
+}
 
 /// The wig with a body: a second mesh that no hair bone moves.
 SourceModel wig_with_body() {
@@ -81,5 +234,4 @@ TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
   EXPECT_EQ(hair->mesh.uvs.size(), hair->mesh.positions.size());
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::select_hair_test

@@ -1,8 +1,7 @@
-#include "cook/build_skeleton.h"
-#include "cook/fit_head.h"
-#include "cook/select_hair.h"
-#include "cook/settle_colliders.h"
-#include "cook/skin_weights.h"
+#include "cook/rig/colliders.h"
+#include "cook/rig/skeleton.h"
+#include "cook/select/head.h"
+#include "cook/select/select_hair.h"
 
 #include "cook/built_models.h"
 
@@ -11,8 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif {
-namespace {
+namespace coif::skeleton_test {
 
 tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
   const auto hair = select_hair(model, recipe);
@@ -288,5 +286,4 @@ TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::skeleton_test

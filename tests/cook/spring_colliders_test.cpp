@@ -1,11 +1,10 @@
-#include "cook/spring_colliders.h"
+#include "cook/rig/colliders.h"
 
 #include "cook/built_models.h"
 
 #include <gtest/gtest.h>
 
-namespace coif {
-namespace {
+namespace coif::spring_colliders_test {
 
 using Shape = SourceCollider::Shape;
 constexpr std::uint32_t kHead = 1;
@@ -139,5 +138,4 @@ TEST_F(SpringCollidersTest, MoreShapesThanAnAssetHoldsAreLeftOut) {
   EXPECT_EQ(result.left_out.size(), 3u);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::spring_colliders_test

@@ -1,14 +1,15 @@
-#include "cook/transparency.h"
-
 #include "cook/built_models.h"
 #include "cook/image_files.h"
-#include "cook/textured_hair.h"
-#include "cook/used_texels.h"
+#include "cook/texture/transparency.h"
 
 #include <gtest/gtest.h>
 
-namespace coif {
-namespace {
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace coif::transparency_test {
 
 constexpr std::uint32_t kSide = 64;
 
@@ -106,5 +107,156 @@ TEST(Transparency, HairWithoutAnImageHasOneAlpha) {
   EXPECT_FALSE(choose_transparency(color, nullptr, {}, default_recipe()).warnings.empty());
 }
 
-}  // namespace
-}  // namespace coif
+constexpr double kDiscard = 0.02;
+
+/// A bell of `weight` texels around `alpha`, 0..255.
+void add_mode(AlphaHistogram& histogram, double alpha, double width, double weight) {
+  for (int bin = 0; bin < 256; ++bin) {
+    const double x = (bin - alpha) / width;
+    histogram[std::size_t(bin)] += weight / (width * 2.5066) * std::exp(-0.5 * x * x);
+  }
+}
+
+double value_of(const AlphaHistogram& histogram) { return choose_opaque_threshold(histogram, kDiscard).value; }
+
+TEST(OpaqueThreshold, IsTheFootOfTheOpaqueCore) {
+  AlphaHistogram histogram{};
+  histogram[0] = 500;
+  add_mode(histogram, 100, 15, 200);
+  add_mode(histogram, 215, 8, 600);
+  const OpaqueThreshold chosen = choose_opaque_threshold(histogram, kDiscard);
+  EXPECT_LT(chosen.value, 210 / 255.0) << "the core is opaque";
+  EXPECT_GT(chosen.value, 150 / 255.0) << "what is soft stays soft";
+  EXPECT_NEAR(chosen.opaque_share, 600.0 / 800, 0.05);
+}
+
+TEST(OpaqueThreshold, FollowsTheCoreDown) {
+  double above = 1;
+  for (const double core : {245.0, 225.0, 205.0, 185.0, 165.0}) {
+    AlphaHistogram histogram{};
+    add_mode(histogram, 60, 10, 300);
+    add_mode(histogram, core, 6, 700);
+    EXPECT_LT(value_of(histogram), above) << core;
+    above = value_of(histogram);
+  }
+}
+
+TEST(OpaqueThreshold, AntialiasedStrandsHaveTheirCoreAtOne) {
+  AlphaHistogram histogram{};
+  histogram.fill(1);  // Edges of strands: a little of every alpha.
+  histogram[0] = 1000;
+  histogram[255] = 1000;
+  const OpaqueThreshold chosen = choose_opaque_threshold(histogram, kDiscard);
+  EXPECT_GT(chosen.value, 0.9);
+  EXPECT_LE(chosen.value, 0.95) << "filtering takes a little from alpha 1 too";
+  EXPECT_GT(chosen.opaque_share, 0.75);
+}
+
+TEST(OpaqueThreshold, NothingTransparentNeedsNone) {
+  AlphaHistogram histogram{};
+  histogram[255] = 100;
+  EXPECT_EQ(value_of(histogram), 0);
+  histogram[251] = 20;  // Lossy compression.
+  EXPECT_EQ(value_of(histogram), 0);
+  histogram[0] = 1;
+  EXPECT_GT(value_of(histogram), 0.5);
+}
+
+TEST(OpaqueThreshold, GoesLowerForASmallCoreUntilAQuarterIsOpaque) {
+  AlphaHistogram histogram{};
+  add_mode(histogram, 160, 10, 700);
+  add_mode(histogram, 245, 3, 150);
+  const OpaqueThreshold chosen = choose_opaque_threshold(histogram, kDiscard);
+  EXPECT_GE(chosen.opaque_share, 0.25);
+  EXPECT_LT(chosen.opaque_share, 0.4);
+}
+
+TEST(OpaqueThreshold, FaintHairHasNoCoreAndSaysSo) {
+  AlphaHistogram histogram{};
+  add_mode(histogram, 80, 10, 1000);
+  const OpaqueThreshold chosen = choose_opaque_threshold(histogram, kDiscard);
+  EXPECT_LT(chosen.opaque_share, kFewOpaque);
+  EXPECT_GE(chosen.value, 0.5);
+  EXPECT_NE(chosen.reason.find("no opaque core"), std::string::npos);
+}
+
+TEST(OpaqueThreshold, TexelsThatAreNeverDrawnDoNotCount) {
+  AlphaHistogram histogram{};
+  add_mode(histogram, 90, 12, 300);
+  add_mode(histogram, 200, 10, 500);
+  const double without = value_of(histogram);
+  histogram[0] += 1.0e6;
+  histogram[3] += 1.0e6;
+  EXPECT_EQ(value_of(histogram), without);
+}
+
+TEST(OpaqueThreshold, StaysWithinItsBoundsForAnyHistogram) {
+  std::mt19937 random(7);
+  const auto number = [&](int low, int high) { return int(random() % unsigned(high - low)) + low; };
+  for (int round = 0; round < 500; ++round) {
+    AlphaHistogram histogram{};
+    for (int mode = number(0, 4); mode-- > 0;) add_mode(histogram, number(0, 256), number(1, 40), number(0, 99));
+    histogram[std::size_t(number(0, 256))] += number(0, 100);
+    const OpaqueThreshold chosen = choose_opaque_threshold(histogram, kDiscard);
+    EXPECT_TRUE(chosen.value == 0 || (chosen.value >= 0.5 && chosen.value <= 0.95)) << chosen.value;
+    EXPECT_GE(chosen.opaque_share, 0);
+    EXPECT_LE(chosen.opaque_share, 1 + 1.0e-9);
+  }
+}
+
+TEST(AlphaHistogram, CountsUsedTexelsTimesTheFactor) {
+  const Image image = painted(4, 1, [](std::uint32_t x, auto) { return Rgba{0, 0, 0, std::uint8_t(x * 80)}; });
+  const Image used{4, 1, 1, {255, 255, 0, 51}};
+  const AlphaHistogram histogram = alpha_histogram(image, used, 0.5);
+  EXPECT_DOUBLE_EQ(histogram[0], 1);
+  EXPECT_DOUBLE_EQ(histogram[40], 1);
+  EXPECT_DOUBLE_EQ(histogram[80], 0) << "not used";
+  EXPECT_DOUBLE_EQ(histogram[120], 0.2);
+}
+
+constexpr std::uint32_t kSmallSide = 32;
+
+Image used_by(const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+  return used_texels(hair_from(strip_over(low, high)), kSmallSide, kSmallSide);
+}
+
+std::ptrdiff_t count(const Image& used) { return std::ranges::count(used.texels, 255); }
+
+TEST(UsedTexels, AreThoseUnderTheTrianglesAndNoOthers) {
+  const Image used = used_by({0.26f, 0.51f}, {0.49f, 0.99f});
+  for (std::uint32_t y = 0; y < kSmallSide; ++y) {
+    for (std::uint32_t x = 0; x < kSmallSide; ++x) {
+      const bool inside = x >= 8 && x < 16 && y >= 16;
+      EXPECT_EQ(used.texels[y * kSmallSide + x], inside ? 255 : 0) << x << ", " << y;
+    }
+  }
+}
+
+TEST(UsedTexels, WrapAtTheBorders) {
+  const Image wrapped = used_by({-0.24f, 1.76f}, {0.24f, 2.24f});
+  EXPECT_EQ(count(wrapped), 16 * 16);
+  for (const std::size_t corner : {0u, kSmallSide - 1, kSmallSide * (kSmallSide - 1), kSmallSide * kSmallSide - 1}) {
+    EXPECT_EQ(wrapped.texels[corner], 255) << corner;
+  }
+  EXPECT_EQ(wrapped.texels[kSmallSide * kSmallSide / 2 + kSmallSide / 2], 0);
+}
+
+TEST(UsedTexels, SliversCountWhereTheyPass) {
+  const Image line = used_by({0.4f, 0.01f}, {0.4001f, 0.99f});
+  EXPECT_EQ(count(line), kSmallSide) << "narrower than a texel, as high as the image";
+}
+
+TEST(UsedTexels, RepeatsShowEverything) {
+  EXPECT_EQ(count(used_by({0, 0}, {3, 3})), kSmallSide * kSmallSide);
+  EXPECT_EQ(count(used_by({0, 0}, {3000, 2000})), kSmallSide * kSmallSide);
+}
+
+TEST(UsedTexels, CoordinatesThatAreNoNumbersCountForNothing) {
+  HairMesh hair = hair_from(strip_over({0, 0}, {1, 1}));
+  for (Eigen::Vector2f& uv : hair.uvs) uv.x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(count(used_texels(hair, kSmallSide, kSmallSide)), 0);
+  hair.uvs.clear();
+  EXPECT_EQ(count(used_texels(hair, kSmallSide, kSmallSide)), 0);
+}
+
+}  // namespace coif::transparency_test

@@ -1,10 +1,10 @@
 // The fewest sub-steps that keep a recipe's budget, and what they were chosen from.
 
-#include "cook/tune_solver.h"
+#include "cook/dynamics/settle_dynamics.h"
 
-#include "cook/chain_sample.h"
-#include "cook/soft_chain.h"
-#include "report/opened_asset.h"
+#include "cook/dynamics/chain_groups.h"
+#include "cook/vrm_chain.h"
+#include "lab/rig.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace coif {
-namespace {
+namespace coif::tune_solver_test {
 
 constexpr float kLength = 0.4f;
 
@@ -165,5 +164,4 @@ TEST(TuneSolver, ThreadsAndRepetitionDoNotChangeTheResult) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::tune_solver_test

@@ -1,5 +1,7 @@
 #include "cook/vrm_chain.h"
 
+#include "base/decompositions.h"
+
 namespace coif {
 
 using Eigen::Quaterniond;
@@ -30,7 +32,7 @@ void VrmChain::step(const Vector3d& root) {
                           joint.gravity_direction * (joint.gravity_power * kFrame);
     before_[j] = tails_[j];
     tails_[j] = start + (next - start).normalized() * joint.length;
-    parent = Quaterniond::FromTwoVectors(rest, tails_[j] - start) * parent;
+    parent = turn_between(rest, tails_[j] - start) * parent;
     start = tails_[j];
   }
 }

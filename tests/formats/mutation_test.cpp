@@ -2,9 +2,7 @@
 
 #include <coif/asset.h>
 
-#include "formats/aligned_bytes.h"
-#include "formats/small_asset.h"
-#include "formats/touch_asset.h"
+#include "models/small_asset.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +11,7 @@
 #include <cstring>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::mutation_test {
 
 TEST(Mutation, OpenRefusesEveryTruncation) {
   const std::vector<std::byte> good = write_asset(small_asset());
@@ -128,5 +125,4 @@ TEST(Mutation, WithoutTheHashEverySingleByteChangeIsRefusedOrHarmless) {
   EXPECT_GT(refused, harmless) << "the structural checks see most changes";
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::mutation_test

@@ -3,8 +3,7 @@
 #include "write/chunk_file.h"
 #include "write/strip_asset.h"
 
-#include "formats/aligned_bytes.h"
-#include "formats/small_asset.h"
+#include "models/small_asset.h"
 
 #include <coif/asset.h>
 
@@ -15,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::strip_test {
 
 using Ids = std::vector<std::uint32_t>;
 
@@ -191,5 +189,4 @@ TEST(Strip, BonesThatAreNeededAreKeptNamelessAndTouchNothing) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::strip_test

@@ -1,6 +1,6 @@
 // Assets of every version of the format stay readable: sample_assets/versions has one of each.
 
-#include "formats/aligned_bytes.h"
+#include "models/small_asset.h"
 
 #include <coif/asset.h>
 
@@ -14,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::versions_test {
 
 namespace fs = std::filesystem;
 
@@ -62,5 +61,4 @@ TEST(Versions, TheFirstHasEveryPartOfAnAsset) {
   EXPECT_TRUE(asset.material() != nullptr && asset.tuning() != nullptr && asset.provenance() != nullptr);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::versions_test

@@ -1,10 +1,9 @@
-#include "formats/aligned_bytes.h"
-#include "formats/touch_asset.h"
 #include "fuzz/play_asset.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 #include "gl/alpha_range.h"
 #include "gl/reach.h"
+#include "models/small_asset.h"
 #include "write/strip_asset.h"
 
 #include <cmath>

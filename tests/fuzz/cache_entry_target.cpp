@@ -1,7 +1,7 @@
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 
-#include "pipeline/cache_entry.h"
+#include "cache/cook_cache.h"
 
 namespace coif::fuzz {
 

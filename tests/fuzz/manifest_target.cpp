@@ -2,7 +2,7 @@
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 
-#include "pipeline/manifest.h"
+#include "cache/manifest.h"
 
 #include <set>
 

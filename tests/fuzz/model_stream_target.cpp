@@ -2,7 +2,7 @@
 #include "fuzz/targets.h"
 
 #include "import/model_stream.h"
-#include "import/source_model_check.h"
+#include "import/source_model.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "fuzz/play_asset.h"
 
-#include "formats/aligned_bytes.h"
 #include "fuzz/promise.h"
+#include "models/small_asset.h"
 
 #include <coif/hair.h>
 #include <coif/lod.h>

@@ -1,7 +1,7 @@
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 
-#include "cook/recipe.h"
+#include "cook/recipe/recipe.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
 
-#include "import/source_model_check.h"
+#include "import/source_model.h"
 #include "import/vrm_springs.h"
 
 #include <Eigen/Geometry>

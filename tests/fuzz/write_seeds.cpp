@@ -1,11 +1,10 @@
 // Writes those seeds of the corpora that are not text: fuzz_write_seeds FOLDER. To be run again when their format changes.
 
-#include "cook/recipe.h"
-#include "formats/small_asset.h"
-#include "import/clip_files.h"
+#include "cache/small_entry.h"
+#include "cook/recipe/recipe.h"
+#include "import/model_files.h"
 #include "import/model_stream.h"
-#include "import/small_source_model.h"
-#include "pipeline/small_entry.h"
+#include "models/small_asset.h"
 
 #include <cstdio>
 #include <filesystem>

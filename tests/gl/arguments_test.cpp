@@ -1,15 +1,24 @@
 #include "gl/gl_test.h"
+#include "models/skinned_asset.h"
 
+#include <coif/hair.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
+#include <sys/mman.h>
+#include <unistd.h>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::arguments_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -41,7 +50,7 @@ TEST(HairRendererWithoutContext, CreateRefusesHostWithoutFunctionsAndNamesOne) {
 TEST(HairRendererWithoutContext, DrawAndUploadNeedCreate) {
   HairRenderer renderer;
   HairModel model;
-  const OpenedAsset asset(card_contents(std::array{Card{}}));
+  const DrawnAsset asset(card_contents(std::array{DrawnCard{}}));
   EXPECT_EQ(model.upload(renderer, *asset), Status::kNotCreated);
   EXPECT_EQ(renderer.draw(model, {}, {}), Status::kNotCreated);
   model.destroy();
@@ -53,7 +62,7 @@ class Arguments : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (!context_) return;
-    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{Card{}}))), Status::kOk);
+    ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(card_contents(std::array{DrawnCard{}}))), Status::kOk);
   }
   void TearDown() override {
     model_.destroy();
@@ -120,16 +129,16 @@ TEST_F(Arguments, UploadRefusesAssetWithoutMeshAndKeepsTheModel) {
   AssetContents skeleton_only = card_contents({});
   skeleton_only.textures.clear();
   skeleton_only.texels.clear();
-  EXPECT_EQ(model_.upload(renderer_, *OpenedAsset(skeleton_only)), Status::kAssetLacksData);
+  EXPECT_EQ(model_.upload(renderer_, *DrawnAsset(skeleton_only)), Status::kAssetLacksData);
   EXPECT_EQ(model_.upload(renderer_, Asset{}), Status::kAssetLacksData);
   EXPECT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   EXPECT_TRUE(near(middle_pixel(), {255, 255, 255, 255}));
 }
 
 TEST_F(Arguments, UploadReplacesTheModel) {
-  Card red;
+  DrawnCard red;
   red.rgba = {255, 0, 0, 255};
-  ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{red}, 3))), Status::kOk);
+  ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(card_contents(std::array{red}, 3))), Status::kOk);
   EXPECT_EQ(model_.bone_count(), 3u);
   ASSERT_EQ(draw_head(renderer_, model_, at_rest(3)), Status::kOk);
   EXPECT_TRUE(near(middle_pixel(), {255, 0, 0, 255}));
@@ -145,5 +154,79 @@ TEST_F(Arguments, DestroyTwiceIsHarmless) {
   EXPECT_FALSE(renderer_.is_created());
 }
 
-}  // namespace
-}  // namespace coif
+// An asset is used where the system mapped its file: a write into it would end this program.
+
+/// A file that is gone when the test ends, mapped read-only.
+class MappedFile {
+ public:
+  explicit MappedFile(std::span<const std::byte> content) : size_(content.size()) {
+    std::string path = testing::TempDir() + "coif_mapped_XXXXXX";
+    const int file = mkstemp(path.data());
+    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(content.data()), std::streamsize(size_));
+    bytes_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file, 0);
+    close(file);
+    unlink(path.c_str());
+  }
+  ~MappedFile() {
+    if (is_mapped()) munmap(bytes_, size_);
+  }
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  [[nodiscard]] bool is_mapped() const { return bytes_ != MAP_FAILED; }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(bytes_), size_}; }
+
+ private:
+  std::size_t size_;
+  void* bytes_ = MAP_FAILED;
+};
+
+/// A crowd of one, in memory of its own.
+class OneHead {
+ public:
+  explicit OneHead(const Asset& asset) : memory_(Hair::memory_need(asset, {}).bytes / sizeof(Line) + 1) {
+    const auto bytes = std::as_writable_bytes(std::span(memory_)).first(Hair::memory_need(asset, {}).bytes);
+    EXPECT_EQ(hair.create(asset, {}, bytes), Status::kOk);
+  }
+  void nod() {
+    for (int frame = 1; frame <= 30; ++frame) {
+      const float half = 0.1f * std::sin(0.4f * float(frame));
+      ASSERT_EQ(hair.set_head(0, {{0, 0, 0}, {half, 0, 0, std::sqrt(1 - half * half)}}), Status::kOk);
+      ASSERT_EQ(hair.step({}), Status::kOk);
+    }
+  }
+
+  Hair hair;
+
+ private:
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+  std::vector<Line> memory_;
+};
+
+using MappedAsset = GlTest;
+
+TEST_F(MappedAsset, OpensStepsAndDrawsWithoutAWriteIntoIt) {
+  const std::vector<std::byte> file = made_up_wig({.strips = 24, .texture_size = 64});
+  const MappedFile mapped(file);
+  ASSERT_TRUE(mapped.is_mapped());
+  Asset asset;
+  ASSERT_TRUE(asset.open(mapped.bytes()));
+  OneHead head(asset);
+  head.nod();
+
+  HairModel model;
+  ASSERT_EQ(model.upload(renderer_, asset), Status::kOk);
+  HeadDraw desc = at_rest();
+  desc.palette = head.hair.palette(0);
+  desc.clip_from_world[0] = desc.clip_from_world[5] = 4;  // a head fills the view
+  ASSERT_EQ(draw_head(renderer_, model, desc), Status::kOk);
+  int covered = 0;
+  for (int i = 0; i < kSize * kSize; ++i) covered += pixel(i % kSize, i / kSize)[3] > 0 ? 1 : 0;
+  EXPECT_GT(covered, kSize * kSize / 20);
+  EXPECT_TRUE(std::ranges::equal(mapped.bytes(), file));
+  model.destroy();
+}
+
+}  // namespace coif::arguments_test

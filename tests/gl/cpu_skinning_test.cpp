@@ -1,7 +1,8 @@
 // skin_vertices() against shaders/hair.vert itself, whose outputs are captured before anything is drawn.
-#include "formats/aligned_bytes.h"
+
+#include "models/skinned_asset.h"
+#include "models/small_asset.h"
 #include "render/egl_context.h"
-#include "skinning/skinned_asset.h"
 
 #include <coif/skinning.h>
 
@@ -16,8 +17,7 @@
 #include <optional>
 #include <string>
 
-namespace coif {
-namespace {
+namespace coif::cpu_skinning_test {
 
 constexpr std::uint32_t kBones = 9;
 constexpr GLsizeiptr kRowBytes = 16, kPaletteRows = 1024;
@@ -161,5 +161,4 @@ TEST_F(CpuSkinning, AgreesWithTheShader) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::cpu_skinning_test

@@ -1,7 +1,9 @@
 // Many heads in one call: what is drawn, with how many calls, and what is left out.
 
-#include "gl/counted_gl_test.h"
-#include "gl/made_up_wig.h"
+#include "gl/gl_test.h"
+#include "models/skinned_asset.h"
+
+#include <coif/view_cells.h>
 
 #include <GLES3/gl3.h>
 
@@ -10,8 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::crowd_test {
 
 constexpr Pixel kNothing{0, 0, 0, 0};
 
@@ -30,7 +31,7 @@ class Crowd : public CountedGlTest {
   }
 
   static AssetContents small_card(std::uint32_t bones = 1, int alpha = 255) {
-    Card card;
+    DrawnCard card;
     card.half_size = 0.05f;
     card.rgba[3] = std::uint8_t(alpha);
     return card_contents(std::span(&card, 1), bones);
@@ -38,7 +39,7 @@ class Crowd : public CountedGlTest {
 
   void draw_crowd(const AssetContents& contents, const std::vector<HairInstance>& heads) {
     HairModel model;
-    ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+    ASSERT_EQ(model.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
     calls_->forget();
     clear();
     ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
@@ -117,7 +118,7 @@ std::vector<Mat34> lifted_chains(const Asset& asset) {
 }
 
 TEST_F(Crowd, HairThatSwingsIntoViewIsDrawnThoughItsHeadIsFarOutside) {
-  const OpenedAsset wig(made_up_wig());
+  const DrawnAsset wig(made_up_wig());
   const std::vector<Mat34> palette = lifted_chains(*wig);
   float leftmost = 0;
   for (std::size_t v = 0; v < (*wig).vertices().size(); ++v) {
@@ -155,7 +156,7 @@ TEST_F(Crowd, MoreHeadsThanABlockHoldsTakeMoreCallsAndLookTheSame) {
   EXPECT_EQ(calls_->instances, 7);
   const auto together = picture();
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card(kBones))), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(small_card(kBones))), Status::kOk);
   clear();
   for (const HairInstance& head : heads) ASSERT_EQ(renderer_.draw(model, {&head, 1}, at_rest()), Status::kOk);
   EXPECT_EQ(picture(), together);
@@ -177,7 +178,7 @@ TEST_F(Crowd, FurtherHeadsFirstBlendAsIfDrawnOneByOne) {
   draw_crowd(contents, heads);
   const auto together = picture();
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
   clear();
   for (const HairInstance& head : heads) ASSERT_EQ(renderer_.draw(model, {&head, 1}, at_rest()), Status::kOk);
   EXPECT_EQ(picture(), together);
@@ -191,7 +192,7 @@ TEST_F(Crowd, ManyFramesThroughASmallStreamStayRight) {
   const std::vector<HairInstance> heads = heads_at(std::vector<double>(70, 0.5), kBones);
   const AssetContents contents = small_card(kBones);
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
   clear();
   ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
   const auto first = picture();
@@ -207,7 +208,7 @@ TEST_F(Crowd, ManyFramesThroughASmallStreamStayRight) {
 TEST_F(Crowd, FramesMakeNoObjects) {
   const std::vector<HairInstance> heads = heads_at({-0.5, 0.5});
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card(1, 120))), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(small_card(1, 120))), Status::kOk);
   ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
   calls_->forget();
   for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(renderer_.draw(model, heads, at_rest()), Status::kOk);
@@ -221,12 +222,81 @@ TEST_F(Crowd, OneBadHeadStopsAll) {
   std::vector<HairInstance> heads = heads_at({-0.5, 0.5});
   heads[1].head.position[1] = std::nan("");
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(small_card())), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(small_card())), Status::kOk);
   clear();
   EXPECT_EQ(renderer_.draw(model, heads, at_rest()), Status::kBadPose);
   EXPECT_EQ(pixel(8, 16), kNothing);
   model.destroy();
 }
 
-}  // namespace
-}  // namespace coif
+// A draw order may depend on the side that the head is seen from.
+
+/// Two cards in one place, half transparent: what is drawn later shows more. Stored: red, then blue; from behind the
+/// other way round.
+AssetContents red_before_blue() {
+  std::array<DrawnCard, 2> cards{};
+  cards[0].rgba = {255, 0, 0, 160};
+  cards[1].rgba = {0, 0, 255, 160};
+  for (DrawnCard& card : cards) card.half_size = 0.2f;
+  AssetContents contents = card_contents(cards);
+  contents.orders = {2, 3, 0, 1};  // triangles
+  contents.order_views.assign(kViewCells, 0);
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
+    float direction[3];
+    view_cell_direction(cell, direction);
+    if (direction[2] < 0) contents.order_views[cell] = 1;
+  }
+  return contents;
+}
+
+HairInstance head_at(float x, bool seen_from_behind) {
+  HairInstance head;
+  head.head.position[0] = x;
+  if (seen_from_behind) head.head.rotation = {0, 1, 0, 0};
+  return head;
+}
+
+bool is_red(const Pixel& pixel) { return pixel[0] > pixel[2] + 20; }
+bool is_blue(const Pixel& pixel) { return pixel[2] > pixel[0] + 20; }
+
+class DrawOrders : public CountedGlTest {
+ protected:
+  void draw_heads(const AssetContents& contents, std::vector<HairInstance> heads) {
+    const HeadDraw desc = at_rest();
+    for (HairInstance& head : heads) head.palette = desc.palette;
+    HairModel model;
+    ASSERT_EQ(model.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
+    clear();
+    calls_->forget();
+    ASSERT_EQ(renderer_.draw(model, heads, desc), Status::kOk);
+    model.destroy();
+  }
+};
+
+TEST_F(DrawOrders, SideOfTheHeadThatIsSeenChoosesTheOrder) {
+  draw_heads(red_before_blue(), {head_at(0, false)});
+  EXPECT_TRUE(is_blue(middle_pixel()));
+  draw_heads(red_before_blue(), {head_at(0, true)});
+  EXPECT_TRUE(is_red(middle_pixel()));
+}
+
+TEST_F(DrawOrders, AssetWithoutOrdersKeepsTheStoredOne) {
+  AssetContents contents = red_before_blue();
+  contents.orders.clear();
+  contents.order_views.clear();
+  draw_heads(contents, {head_at(0, true)});
+  EXPECT_TRUE(is_blue(middle_pixel()));
+}
+
+TEST_F(DrawOrders, HeadsOfACrowdEachHaveTheirOwn) {
+  const AssetContents contents = red_before_blue();
+  draw_heads(contents, {head_at(-0.5f, false), head_at(0, true), head_at(0.5f, false)});
+  EXPECT_TRUE(is_blue(pixel(8, 16)));
+  EXPECT_TRUE(is_red(pixel(16, 16)));
+  EXPECT_TRUE(is_blue(pixel(24, 16)));
+  const int of_both = calls_->draws;
+  draw_heads(contents, {head_at(-0.5f, false), head_at(0.5f, false)});
+  EXPECT_EQ(of_both, 2 * calls_->draws) << "one set of draw calls for each order in view";
+}
+
+}  // namespace coif::crowd_test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl/counted_gl_test.h"
+#include "gl/gl_test.h"
 
 #include <coif/transparency.h>
 
@@ -13,8 +13,8 @@
 
 namespace coif {
 
-inline Card soft_card(const std::array<std::uint8_t, 4>& rgba, float z) {
-  Card card;
+inline DrawnCard soft_card(const std::array<std::uint8_t, 4>& rgba, float z) {
+  DrawnCard card;
   card.rgba = rgba;
   card.center[2] = z;
   return card;
@@ -62,7 +62,7 @@ class ExactMode : public CountedGlTest, public testing::WithParamInterface<Way> 
     desc.transparency = &kExactMode;
     return desc;
   }
-  void draw_exactly(const std::vector<Card>& cards) { draw_cards(cards, exact()); }
+  void draw_exactly(const std::vector<DrawnCard>& cards) { draw_cards(cards, exact()); }
 
   std::optional<WithoutFunctions> without_;
 };

@@ -1,7 +1,7 @@
 // White furnace: light from everywhere alike, so strong that a white matte surface sends out 1. What sends out more adds
 // energy, and with many lights looks as if it glowed. Prints the table of shaders/SHADING.md.
 
-#include "cook/furnace_bound.h"
+#include "cook/pack/pack.h"
 #include "gl/reference_shading.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::furnace_test {
 
 using Eigen::Array3d;
 using Eigen::Vector3d;
@@ -156,5 +155,4 @@ TEST(Furnace, FibersReturnNoMoreThanTheyGet) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::furnace_test

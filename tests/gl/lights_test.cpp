@@ -1,20 +1,24 @@
 // How much of a light arrives: cones and distances, as glTF's KHR_lights_punctual has them, and sums of many.
 
 #include "gl/gl_test.h"
+#include "render/egl_context.h"
 
+#include <GLES3/gl3.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::lights_test {
 
 /// White, without ambient light, that faces the eye at the origin: a light in front of it shows as it arrives.
 class Lights : public GlTest {
  protected:
   /// Linear, 0..1, at the picture's middle.
   double arriving(std::span<const Light> lights, const MaterialRecord& material = dark_material()) {
-    AssetContents contents = card_contents(std::array{Card{}});
+    AssetContents contents = card_contents(std::array{DrawnCard{}});
     contents.material = {material};
     HeadDraw desc = at_rest();
     desc.lights = lights;
@@ -114,5 +118,142 @@ TEST_F(Lights, AddUpWhateverTheirKindAndTheModel) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+// Shading is linear; sRGB is encoded once, by the framebuffer or by the shader. What differs between the two is what
+// blending mixes.
+
+using Bytes = std::vector<std::uint8_t>;
+
+double decode(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
+
+/// Draws into two targets that differ in who encodes.
+class LinearLight : public GlTest {
+ protected:
+  Bytes drawn(const AssetContents& contents, std::span<const Light> lights, double wall, bool framebuffer_encodes) {
+    std::optional<OffscreenTarget> target;
+    if (framebuffer_encodes) {
+      auto made = OffscreenTarget::create(kSize, kSize, 0);
+      EXPECT_TRUE(made) << made.error().message;
+      if (!made) return {};
+      target.emplace(std::move(*made));
+      target->bind();
+    } else {
+      bind_own_target();
+    }
+    const auto clear_to = float(framebuffer_encodes ? decode(wall) : wall);
+    glClearColor(clear_to, clear_to, clear_to, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    HeadDraw desc = at_rest();
+    desc.lights = lights;
+    desc.framebuffer_is_srgb = framebuffer_encodes;
+    draw(contents, desc);
+    if (target) return target->read();
+    Bytes rgba(4 * kSize * kSize);
+    glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+  }
+
+  const std::array<Light, 2> lights_{Light{Light::Kind::kDirectional, {0.3f, 0.8f, 0.5f}, {0.7f, 0.7f, 0.7f}},
+                                     Light{Light::Kind::kPoint, {-0.6f, 0.2f, 1.0f}, {0.4f, 0.4f, 0.5f}}};
+
+ private:
+  void SetUp() override {
+    GlTest::SetUp();
+    GLint bound = 0;
+    if (!IsSkipped()) glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    own_target_ = GLuint(bound);
+  }
+  void bind_own_target() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, own_target_);
+    glViewport(0, 0, kSize, kSize);
+  }
+  GLuint own_target_ = 0;
+};
+
+AssetContents shaded_card(ShadingModel model, std::array<std::uint8_t, 4> rgba) {
+  DrawnCard card;
+  card.half_size = 2;  // the same everywhere but for light and view
+  card.rgba = rgba;
+  AssetContents contents = card_contents(std::array{card});
+  MaterialRecord& m = contents.material[0];
+  m.shading = model;
+  m.roughness = 0.2f;
+  m.scatter = 0.5f;
+  m.primary_exponent = m.secondary_exponent = 20;
+  std::fill_n(m.ambient, 3, 0.05f);
+  std::fill_n(m.primary_color, 3, 0.4f);
+  std::fill_n(m.secondary_color, 3, 0.3f);
+  return contents;
+}
+
+TEST_F(LinearLight, OpaqueColorsAreTheSameWhoeverEncodes) {
+  for (const ShadingModel model : {ShadingModel::kThesis, ShadingModel::kKajiyaKay, ShadingModel::kMarschner}) {
+    for (const int level : {8, 60, 140, 250}) {
+      const AssetContents card =
+          shaded_card(model, {std::uint8_t(level), std::uint8_t(level / 2), std::uint8_t(level / 3), 255});
+      const Bytes by_framebuffer = drawn(card, lights_, 0, true), by_shader = drawn(card, lights_, 0, false);
+      ASSERT_EQ(by_framebuffer.size(), by_shader.size());
+      int brightest = 0;
+      for (int y = 0; y < kSize; ++y) {
+        for (int i = 0; i < 4 * kSize; ++i) {
+          const int found = by_framebuffer[std::size_t(4 * kSize * (kSize - 1 - y) + i)];  // rows from the top
+          const int expected = by_shader[std::size_t(4 * kSize * y + i)];
+          ASSERT_NEAR(found, expected, 1) << "model " << int(model) << ", level " << level << ", row " << y;
+          if (i % 4 != 3) brightest = std::max(brightest, expected);
+        }
+      }
+      EXPECT_GT(brightest, level / 2) << "something is lit";
+    }
+  }
+}
+
+/// Of one grey, alpha from 0 at the left to 1 at the right.
+AssetContents soft_card(std::uint8_t grey) {
+  AssetContents contents = shaded_card(ShadingModel::kThesis, {grey, grey, grey, 255});
+  contents.material[0] = plain_material();
+  contents.material[0].opaque_threshold = 1;
+  contents.material[0].discard_threshold = 0;
+  for (VertexRecord& v : contents.vertices) v.uv[0] = 0.5f + 0.5f * v.position[0];  // 0..1 over what is seen
+  constexpr std::uint32_t kTexels = 64;
+  contents.textures.resize(1);
+  TextureRecord& texture = contents.textures[0];
+  texture.width = kTexels;
+  texture.bytes = 4 * kTexels;
+  contents.texels.clear();
+  for (std::uint32_t i = 0; i < kTexels; ++i) {
+    for (const std::uint32_t value :
+         {std::uint32_t{grey}, std::uint32_t{grey}, std::uint32_t{grey}, i * 255 / (kTexels - 1)}) {
+      contents.texels.push_back(std::byte(value));
+    }
+  }
+  return contents;
+}
+
+/// Decibels of blended encoded values against blended light, peak 255.
+double blending_psnr(const Bytes& encoded, const Bytes& linear) {
+  double square = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < encoded.size(); i += 4, ++count) square += std::pow(double(encoded[i]) - linear[i], 2);
+  return 10 * std::log10(255.0 * 255.0 * double(count) / square);
+}
+
+// The figures that coif/renderer.h states at DrawDesc::framebuffer_is_srgb.
+TEST_F(LinearLight, BlendingEncodedValuesCostsWhatTheHeaderSays) {
+  struct Edge {
+    const char* name;
+    std::uint8_t hair;
+    double wall;
+    double decibels;
+  };
+  for (const Edge& edge : {Edge{"dark hair, light wall", 40, 0.8, 20.5},
+                           {"brown hair, grey wall", 80, 0.5, 41.8},
+                           {"light hair, dark wall", 200, 0.1, 19.0},
+                           {"hair over hair", 80, 60 / 255.0, 49.0}}) {
+    const AssetContents card = soft_card(edge.hair);
+    const Bytes linear = drawn(card, {}, edge.wall, true), encoded = drawn(card, {}, edge.wall, false);
+    const double found = blending_psnr(encoded, linear);
+    std::printf("%-24s %.1f dB\n", edge.name, found);
+    EXPECT_NEAR(found, edge.decibels, 0.5) << edge.name;
+  }
+}
+
+}  // namespace coif::lights_test

@@ -1,4 +1,5 @@
 #pragma once
+
 // The shading models on the CPU, written from their papers, in double precision.
 
 #include <coif/asset_records.h>

@@ -4,7 +4,6 @@
 #include "gl/reference_shading.h"
 
 #include <Eigen/Geometry>
-
 #include <GLES3/gl3.h>
 
 #include <algorithm>
@@ -15,8 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::shading_models_test {
 
 using Eigen::Vector3d;
 
@@ -24,7 +22,7 @@ constexpr ShadingModel kModels[] = {ShadingModel::kThesis, ShadingModel::kKajiya
 
 /// A card, its material and its light, drawn from a seed.
 struct Scene {
-  Card card;
+  DrawnCard card;
   MaterialRecord material;
   std::vector<Light> lights;
 };
@@ -202,9 +200,9 @@ TEST_F(ShadingModels, AProgramHoldsTheOneItDrawsWith) {
     renderer_.destroy();
     ASSERT_EQ(renderer_.create(context_->loader(), kSmallBlocks), Status::kOk);
     HairModel uploaded;
-    AssetContents contents = card_contents(std::array{Card{}});
+    AssetContents contents = card_contents(std::array{DrawnCard{}});
     contents.material = {random_scene(5, kModels[model]).material};
-    ASSERT_EQ(uploaded.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+    ASSERT_EQ(uploaded.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
     const std::string text = all_shader_text();
     ASSERT_FALSE(text.empty());
     for (std::size_t other = 0; other < std::size(kModels); ++other) {
@@ -230,9 +228,9 @@ TEST_F(ShadingModels, NumbersOutOfRangeAreRefused) {
   const auto drawn_with = [&](auto change) {
     MaterialRecord material = random_scene(9, ShadingModel::kMarschner).material;
     change(material);
-    const AssetContents contents = card_contents(std::array{Card{}});
+    const AssetContents contents = card_contents(std::array{DrawnCard{}});
     HairModel model;
-    EXPECT_EQ(model.upload(renderer_, *OpenedAsset(contents)), Status::kOk);
+    EXPECT_EQ(model.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
     HeadDraw desc = at_rest();
     desc.material = &material;
     const Status status = draw_head(renderer_, model, desc);
@@ -248,5 +246,4 @@ TEST_F(ShadingModels, NumbersOutOfRangeAreRefused) {
             Status::kBadArgument);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::shading_models_test

@@ -1,16 +1,14 @@
 #include "gl/gl_test.h"
 #include "gl/reference_shading.h"
-#include "render/offscreen_target.h"
+#include "render/egl_context.h"
 
 #include <Eigen/Geometry>
-
 #include <GLES3/gl3.h>
 
 #include <cmath>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::shading_test {
 
 using Eigen::Vector3d;
 
@@ -18,23 +16,23 @@ Vector3d to_eigen(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 struct Case {
   const char* name;
-  Card card;
+  DrawnCard card;
   std::vector<Light> lights;
 };
 
 Light directional(Vec3 towards, Vec3 color) { return {Light::Kind::kDirectional, towards, color}; }
 Light point(Vec3 place, Vec3 color) { return {Light::Kind::kPoint, place, color}; }
 
-Card large_card() {
-  Card card;
+DrawnCard large_card() {
+  DrawnCard card;
   card.half_size = 0.95f;
   card.rgba = {180, 120, 70, 255};
   card.shift_mask = {150, 90};
   return card;
 }
 
-Card leaning_card() {  // as an artist's bent normals, still perpendicular to the tangent
-  Card card = large_card();
+DrawnCard leaning_card() {  // as an artist's bent normals, still perpendicular to the tangent
+  DrawnCard card = large_card();
   card.normal = {0.6f, 0, 0.8f};
   card.tangent = {0.48f, -0.8f, -0.36f};
   card.shift_mask = {40, 255};
@@ -150,7 +148,7 @@ TEST_F(Shading, FramebufferThatEncodesBlendsLinearLight) {
   ASSERT_TRUE(target) << target.error().message;
   target->bind();
   clear();
-  Card half = large_card();
+  DrawnCard half = large_card();
   half.rgba = {255, 255, 255, 128};
   HeadDraw desc = at_rest();
   desc.framebuffer_is_srgb = true;
@@ -160,7 +158,7 @@ TEST_F(Shading, FramebufferThatEncodesBlendsLinearLight) {
 }
 
 TEST_F(Shading, MaterialOfTheCallReplacesTheAssets) {
-  const Card white;
+  const DrawnCard white;
   MaterialRecord red = plain_material();
   red.base_color[1] = red.base_color[2] = 0;
   HeadDraw desc = at_rest();
@@ -183,5 +181,4 @@ TEST_F(Shading, AssetWithoutTexturesIsWhiteWithNeutralShiftAndFullMask) {
   expect_reference(c);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::shading_test

@@ -10,7 +10,7 @@ void ShadowScene::SetUp() {
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   target_ = GLuint(target);
-  ASSERT_EQ(receiver_.upload(renderer_, *OpenedAsset(card_contents(std::array{Card{}}))), Status::kOk);
+  ASSERT_EQ(receiver_.upload(renderer_, *DrawnAsset(card_contents(std::array{DrawnCard{}}))), Status::kOk);
 }
 
 void ShadowScene::TearDown() {
@@ -18,17 +18,17 @@ void ShadowScene::TearDown() {
   CountedGlTest::TearDown();
 }
 
-Card ShadowScene::card_above(float height, double alpha, float half_size) {
-  Card card;
+DrawnCard ShadowScene::card_above(float height, double alpha, float half_size) {
+  DrawnCard card;
   card.center = {height, 0, height};
   card.half_size = half_size;
   card.rgba[3] = static_cast<std::uint8_t>(std::lround(255 * alpha));
   return card;
 }
 
-void ShadowScene::cast(HairShadow& shadow, std::span<const Card> cards, const Light& light, const ShadowBall& ball) {
+void ShadowScene::cast(HairShadow& shadow, std::span<const DrawnCard> cards, const Light& light, const ShadowBall& ball) {
   HairModel model;
-  ASSERT_EQ(model.upload(renderer_, *OpenedAsset(card_contents(cards))), Status::kOk);
+  ASSERT_EQ(model.upload(renderer_, *DrawnAsset(card_contents(cards))), Status::kOk);
   const HeadDraw rest = at_rest();
   const HairInstance head{rest.head, rest.palette, 0};
   const ShadowCrowd crowd{&model, {&head, 1}, nullptr};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl/counted_gl_test.h"
+#include "gl/gl_test.h"
 
 #include <coif/shadow.h>
 
@@ -24,10 +24,10 @@ class ShadowScene : public CountedGlTest {
   [[nodiscard]] static Light lamp() { return {Light::Kind::kDirectional, kTowardsLight, {1, 1, 1}}; }
 
   /// `height` metres above the receiver and as many to the right of it; `alpha` 0..1.
-  [[nodiscard]] static Card card_above(float height, double alpha, float half_size = 0.2f);
+  [[nodiscard]] static DrawnCard card_above(float height, double alpha, float half_size = 0.2f);
 
   /// The map of these cards alone; all must succeed.
-  void cast(HairShadow& shadow, std::span<const Card> cards, const Light& light = lamp(),
+  void cast(HairShadow& shadow, std::span<const DrawnCard> cards, const Light& light = lamp(),
             const ShadowBall& ball = kBall);
 
   /// The share of the light that reaches the receiver at a pixel: its diffuse light with the shadow, of that without.

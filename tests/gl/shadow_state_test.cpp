@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::shadow_state_test {
 
 GLint query(GLenum name) {
   GLint value[4] = {};
@@ -76,7 +75,7 @@ class ShadowState : public ShadowScene {
   void SetUp() override {
     ShadowScene::SetUp();
     if (!context_) return;
-    ASSERT_EQ(caster_.upload(renderer_, *OpenedAsset(card_contents(std::array{card_above(0.5f, 0.5)}))), Status::kOk);
+    ASSERT_EQ(caster_.upload(renderer_, *DrawnAsset(card_contents(std::array{card_above(0.5f, 0.5)}))), Status::kOk);
   }
   void TearDown() override {
     caster_.destroy();
@@ -235,5 +234,4 @@ TEST_F(ShadowState, RefusesWhatItCannotDraw) {
   EXPECT_EQ(draw_head(renderer_, receiver_, draw), Status::kBadArgument);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::shadow_state_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::skinning_test {
 
 constexpr Pixel kNothing{0, 0, 0, 0};
 constexpr Pixel kWhite{255, 255, 255, 255};
@@ -18,8 +17,8 @@ Mat34 moved(float x, float y) {
   return m;
 }
 
-Card small_card(SkinRecord skin) {
-  Card card;
+DrawnCard small_card(SkinRecord skin) {
+  DrawnCard card;
   card.half_size = 0.1f;
   card.skin = skin;
   return card;
@@ -27,7 +26,7 @@ Card small_card(SkinRecord skin) {
 
 class Skinning : public GlTest {
  protected:
-  void draw_with(const Card& card, const std::vector<Mat34>& palette) {
+  void draw_with(const DrawnCard& card, const std::vector<Mat34>& palette) {
     HeadDraw desc = at_rest();
     desc.palette = palette;
     draw(card_contents(std::span(&card, 1), static_cast<std::uint32_t>(palette.size())), desc);
@@ -41,7 +40,7 @@ TEST_F(Skinning, BoneMovesItsVertices) {
 }
 
 TEST_F(Skinning, FourWeightsBlendTheirBones) {
-  const Card card = small_card({{0, 1, 2, 3}, {51, 51, 51, 102}});  // 0.2, 0.2, 0.2, 0.4
+  const DrawnCard card = small_card({{0, 1, 2, 3}, {51, 51, 51, 102}});  // 0.2, 0.2, 0.2, 0.4
   draw_with(card, {Mat34{}, moved(1, 0), moved(0, 1), moved(-1, 1)});
   // 0.2 * (1, 0) + 0.2 * (0, 1) + 0.4 * (-1, 1) = (-0.2, 0.6)
   EXPECT_EQ(middle_pixel(), kNothing);
@@ -89,7 +88,7 @@ TEST_F(Skinning, EachOfManyBonesHasItsOwnMatrix) {
 }
 
 TEST_F(Skinning, AHeadOfFewBonesAfterOneOfManyIsDrawnAsBefore) {
-  const Card card = small_card({{1, 0, 0, 0}, {255, 0, 0, 0}});
+  const DrawnCard card = small_card({{1, 0, 0, 0}, {255, 0, 0, 0}});
   draw_with(card, std::vector<Mat34>(kMostInBlock + 1));
   clear();
   draw_with(card, {Mat34{}, moved(0.5f, -0.5f)});
@@ -104,7 +103,7 @@ TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {
   tilt.m[1][1] = tilt.m[2][2] = c;
   tilt.m[1][2] = -s;
   tilt.m[2][1] = s;
-  AssetContents contents = card_contents(std::array{Card{}});
+  AssetContents contents = card_contents(std::array{DrawnCard{}});
   MaterialRecord& m = contents.material.front();
   std::fill_n(m.ambient, 3, 0.0f);
   std::fill_n(m.primary_color, 3, 0.5f);
@@ -122,7 +121,7 @@ TEST_F(Skinning, NormalsAndTangentsTurnWithTheBone) {
 }
 
 TEST_F(Skinning, HeadPoseMovesAndTurnsTheHair) {
-  Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
+  DrawnCard card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
   card.center = {0.5f, 0, 0};
   HeadDraw desc = at_rest();
   desc.head.position[1] = -0.25;
@@ -134,7 +133,7 @@ TEST_F(Skinning, HeadPoseMovesAndTurnsTheHair) {
 
 TEST_F(Skinning, HeadFarFromTheOriginLooksTheSame) {
   const double far_away = 16'777'216;  // metres; the next float is two metres on
-  Card card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
+  DrawnCard card = small_card({{0, 0, 0, 0}, {255, 0, 0, 0}});
   HeadDraw desc = at_rest();
   desc.clip_from_world[12] = -static_cast<float>(far_away);
   desc.eye = {static_cast<float>(far_away), 0, 3};
@@ -145,5 +144,4 @@ TEST_F(Skinning, HeadFarFromTheOriginLooksTheSame) {
   EXPECT_EQ(pixel(27, 16), kNothing);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::skinning_test

@@ -1,5 +1,5 @@
 #include "gl/gl_test.h"
-#include "render/transparency_modes.h"
+#include "render/picture.h"
 
 #include <GLES3/gl31.h>
 
@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::state_test {
 
 struct Value {
   GLenum name;
@@ -113,10 +112,10 @@ class DrawState : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (!context_) return;
-    Card solid, soft;
+    DrawnCard solid, soft;
     soft.rgba[3] = 128;
     soft.center[2] = 1;
-    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{solid, soft}))), Status::kOk);
+    ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(card_contents(std::array{solid, soft}))), Status::kOk);
   }
   void TearDown() override {
     model_.destroy();
@@ -196,7 +195,7 @@ class ManyBonesState : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     if (!context_) return;
-    ASSERT_EQ(model_.upload(renderer_, *OpenedAsset(card_contents(std::array{Card{}}, kBones))), Status::kOk);
+    ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(card_contents(std::array{DrawnCard{}}, kBones))), Status::kOk);
   }
   void TearDown() override {
     model_.destroy();
@@ -245,7 +244,7 @@ TEST_F(DrawState, UploadIgnoresAndResetsTheHostsUnpackState) {
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 77);
   glPixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
   glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
-  Card red;
+  DrawnCard red;
   red.rgba = {255, 0, 0, 255};
   draw_cards(std::span(&red, 1));
   EXPECT_TRUE(near(middle_pixel(), {255, 0, 0, 255}));
@@ -256,5 +255,4 @@ TEST_F(DrawState, UploadIgnoresAndResetsTheHostsUnpackState) {
   EXPECT_EQ(query(GL_UNPACK_ALIGNMENT)[0], 4);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::state_test

@@ -1,20 +1,21 @@
 // Ways to draw soft texels as a share of pixels that are drawn wholly.
 
-#include "gl/counted_gl_test.h"
-#include "gl/pixels.h"
+#include "gl/gl_test.h"
 
 #include <coif/transparency.h>
 
+#include <GLES3/gl3.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::thinned_modes_test {
 
 /// A card of this alpha that fills the view.
-Card whole_card(int alpha, float z = 0) {
-  Card card;
+DrawnCard whole_card(int alpha, float z = 0) {
+  DrawnCard card;
   card.center[2] = z;
   card.half_size = 1;
   card.rgba = {255, 255, 255, std::uint8_t(alpha)};
@@ -30,12 +31,12 @@ class ThinnedModes : public CountedGlTest, public testing::WithParamInterface<co
     desc.transparency = GetParam();
     return desc;
   }
-  std::vector<std::uint8_t> picture_of(const std::vector<Card>& cards, const HeadDraw& desc) {
+  std::vector<std::uint8_t> picture_of(const std::vector<DrawnCard>& cards, const HeadDraw& desc) {
     clear();
     draw_cards(cards, desc);
     return read_pixels(kSize);
   }
-  double share_of(const std::vector<Card>& cards) {
+  double share_of(const std::vector<DrawnCard>& cards) {
     return count_covered(picture_of(cards, thinned())) / double(kPixels);
   }
 };
@@ -62,7 +63,7 @@ TEST_P(ThinnedModes, ThresholdsOfTheMaterialHold) {
 }
 
 TEST_P(ThinnedModes, LayersDoNotHideEachOther) {
-  std::vector<Card> cards;
+  std::vector<DrawnCard> cards;
   double left = 1;
   for (const int alpha : {120, 70, 90, 60}) {
     cards.push_back(whole_card(alpha, 0.1f * float(cards.size())));
@@ -79,7 +80,7 @@ TEST_P(ThinnedModes, TakesOnePassThatWritesDepth) {
   std::vector<std::uint8_t> after = read_pixels(kSize);
   EXPECT_EQ(worst_difference(after, std::vector<std::uint8_t>(after.size(), 255)), 0) << "gaps are filled";
   clear();
-  Card black = whole_card(255, -1);
+  DrawnCard black = whole_card(255, -1);
   black.rgba = {0, 0, 0, 255};
   draw_cards(std::array{whole_card(128)}, thinned());
   draw_cards(std::array{black}, at_rest());
@@ -88,7 +89,7 @@ TEST_P(ThinnedModes, TakesOnePassThatWritesDepth) {
 }
 
 TEST_P(ThinnedModes, PixelsStayFromDrawToDraw) {
-  const std::vector<Card> cards{whole_card(100), whole_card(140, 0.5f)};
+  const std::vector<DrawnCard> cards{whole_card(100), whole_card(140, 0.5f)};
   const auto first = picture_of(cards, thinned());
   EXPECT_EQ(picture_of(cards, thinned()), first);
   renderer_.destroy();
@@ -125,7 +126,7 @@ class PatternTest : public GlTest {
  protected:
   /// Drawn by bones that have moved the card to the right.
   std::vector<std::uint8_t> picture_moved_by(int pixels, const TransparencyMode& mode) {
-    Card card = whole_card(110);
+    DrawnCard card = whole_card(110);
     card.half_size = 0.5f;
     Mat34 moved;
     moved.m[0][3] = 2.0f * float(pixels) / kSize;
@@ -177,5 +178,133 @@ TEST_F(PatternTest, ScreenDoorFillsEverySquareAlike) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+/// Draws into four samples per pixel.
+class Coverage : public GlTest {
+ protected:
+  static constexpr int kSamples = 4;
+
+  void SetUp() override {
+    GlTest::SetUp();
+    if (!context_) return;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &resolved_);
+    GLuint framebuffer = 0, buffers[2] = {};
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glGenRenderbuffers(2, buffers);
+    const GLenum formats[2] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+    const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    for (int i = 0; i < 2; ++i) {
+      glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, formats[i], kSize, kSize);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffers[i]);
+    }
+    drawn_ = GLint(framebuffer);
+    ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+  }
+
+  std::vector<std::uint8_t> resolve() {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(drawn_));
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(resolved_));
+    glBlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(resolved_));
+    const auto rgba = read_pixels(kSize);
+    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(drawn_));
+    return rgba;
+  }
+
+  static HeadDraw covered() {
+    HeadDraw desc = at_rest();
+    desc.transparency = &kCoverageMode;
+    return desc;
+  }
+
+  /// A white card that fills the view, with alpha rising from 0 at the left to 1 at the right.
+  static AssetContents rising_card(float threshold) {
+    DrawnCard clear_card, solid_card;
+    clear_card.half_size = 1;
+    clear_card.rgba = {255, 255, 255, 0};
+    solid_card.center[2] = 100;  // only its texel is wanted
+    AssetContents contents = card_contents(std::array{clear_card, solid_card});
+    for (std::size_t i = 0; i < 4; ++i)
+      contents.vertices[i].uv[0] = contents.vertices[i].position[0] < 0 ? 0.25f : 0.75f;
+    contents.material[0].opaque_threshold = threshold;
+    return contents;
+  }
+
+  /// Mean of the rows' covered width, in pixels, over black.
+  double width_of(const AssetContents& contents) {
+    clear({0, 0, 0, 255});
+    draw(contents, covered());
+    double sum = 0;
+    const auto rgba = resolve();
+    for (std::size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] / 255.0;
+    return sum / kSize;
+  }
+
+  GLint resolved_ = 0;
+  GLint drawn_ = 0;
+};
+
+TEST_F(Coverage, TheCutFallsBetweenPixels) {
+  for (float threshold = 0.2f; threshold < 0.9f; threshold += 0.02f) {
+    const float cut = std::min(threshold, 0.5f);
+    EXPECT_NEAR(width_of(rising_card(threshold)), (1 - cut) * kSize, 0.3) << threshold;
+  }
+}
+
+TEST_F(Coverage, TheEdgeIsNoWiderThanAPixelOrTwo) {
+  clear({0, 0, 0, 255});
+  draw(rising_card(0.484f), covered());
+  const auto rgba = resolve();
+  int between = 0;
+  for (std::size_t x = 0; x < std::size_t(kSize); ++x) between += rgba[4 * x] > 0 && rgba[4 * x] < 255 ? 1 : 0;
+  EXPECT_GE(between, 1) << "the cut lies in the middle of a pixel";
+  EXPECT_LE(between, 2);
+}
+
+TEST_F(Coverage, AnOpaqueTargetStaysOpaque) {
+  clear({0, 0, 0, 255});
+  draw(rising_card(0.484f), covered());
+  const auto rgba = resolve();
+  for (std::size_t i = 3; i < rgba.size(); i += 4) ASSERT_EQ(rgba[i], 255);
+}
+
+TEST_F(Coverage, LeavesAlphaToCoverageAndBlendingOff) {
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  draw(rising_card(0.5f), covered());
+  EXPECT_EQ(glIsEnabled(GL_SAMPLE_ALPHA_TO_COVERAGE), GL_FALSE);
+  EXPECT_EQ(glIsEnabled(GL_BLEND), GL_FALSE);
+}
+
+TEST_F(Coverage, OneSampleIsCutWithinHalfAPixelOfTheOpaqueMode) {
+  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(resolved_));
+  for (const float threshold : {0.2f, 0.3f, 0.484f}) {
+    const AssetContents card = rising_card(threshold);
+    clear();
+    draw(card, covered());
+    const int covered_pixels = count_covered(read_pixels(kSize));
+    HeadDraw opaque = at_rest();
+    opaque.transparency = &kOpaqueMode;
+    clear();
+    draw(card, opaque);
+    const int cut_pixels = count_covered(read_pixels(kSize));
+    EXPECT_GE(covered_pixels, cut_pixels);
+    EXPECT_LE(covered_pixels, cut_pixels + kSize) << "a column more";
+    EXPECT_GT(cut_pixels, 0);
+  }
+}
+
+TEST_F(Coverage, DepthDecidesInEachSample) {
+  AssetContents behind = rising_card(0.5f);
+  clear({0, 0, 0, 255});
+  DrawnCard red;
+  red.half_size = 1;
+  red.center[2] = 1;
+  red.rgba = {255, 0, 0, 255};
+  draw_cards(std::array{red}, covered());
+  draw(behind, covered());
+  const auto rgba = resolve();
+  for (std::size_t i = 0; i < rgba.size(); i += 4) ASSERT_EQ(rgba[i + 1], 0) << "nothing white shows";
+}
+
+}  // namespace coif::thinned_modes_test

@@ -1,11 +1,15 @@
 #include "golden/golden_cases.h"
 
-#include "render/transparency_modes.h"
+#include "render/picture.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -56,6 +60,69 @@ LoadedAsset::LoadedAsset(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes_.get()), std::streamsize(size));
   if (file) (void)asset_.open({bytes_.get(), std::size_t(size)});
+}
+
+namespace {
+
+constexpr int kReach = 4;  // pixels
+constexpr double kSigma = 1.5;
+
+double linear(std::uint8_t encoded) {
+  const double c = encoded / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+double lightness(double luminance) {
+  constexpr double kBreak = 216.0 / 24389.0, kSlope = 24389.0 / 27.0;
+  return luminance > kBreak ? 116 * std::cbrt(luminance) - 16 : kSlope * luminance;
+}
+
+std::vector<double> lightness_of(std::span<const std::uint8_t> rgba) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    result.push_back(lightness(0.2126 * linear(rgba[i]) + 0.7152 * linear(rgba[i + 1]) + 0.0722 * linear(rgba[i + 2])));
+  }
+  return result;
+}
+
+/// Along rows (`step` 1, lines of `width` pixels) or columns; beyond the border the outermost pixel repeats.
+std::vector<double> blurred(const std::vector<double>& image, int length, int step, int lines, int line_step) {
+  std::array<double, 2 * kReach + 1> kernel{};
+  double sum = 0;
+  for (int k = -kReach; k <= kReach; ++k) {
+    kernel[std::size_t(k + kReach)] = std::exp(-0.5 * k * k / (kSigma * kSigma));
+    sum += kernel[std::size_t(k + kReach)];
+  }
+  std::vector<double> result(image.size());
+  for (int line = 0; line < lines; ++line) {
+    for (int i = 0; i < length; ++i) {
+      double mean = 0;
+      for (int k = -kReach; k <= kReach; ++k) {
+        const int from = std::clamp(i + k, 0, length - 1);
+        mean += kernel[std::size_t(k + kReach)] * image[std::size_t(line * line_step + from * step)];
+      }
+      result[std::size_t(line * line_step + i * step)] = mean / sum;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+PerceptualDifference perceptual_difference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
+                                           std::uint32_t width) {
+  std::vector<double> difference = lightness_of(a);
+  const std::vector<double> other = lightness_of(b);
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= other[i];
+  const int columns = int(width), rows = int(difference.size() / width);
+  difference = blurred(difference, columns, 1, rows, columns);  // blurring is linear: the difference's is enough
+  difference = blurred(difference, rows, columns, columns, 1);
+  PerceptualDifference result;
+  for (const double d : difference) {
+    result.mean += std::abs(d) / double(difference.size());
+    result.largest = std::max(result.largest, std::abs(d));
+  }
+  return result;
 }
 
 }  // namespace coif

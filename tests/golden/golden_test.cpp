@@ -1,7 +1,6 @@
 #include "golden/golden_cases.h"
-#include "golden/perceptual_difference.h"
 #include "render/egl_context.h"
-#include "report/order/drawn_orders.h"
+#include "report/order/drawn_way.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +12,7 @@
 #include <random>
 #include <string>
 
-namespace coif {
-namespace {
+namespace coif::golden_test {
 
 constexpr const char* kRenew = "; where the change is meant: tests/golden/renew.sh BUILD_FOLDER, and look at them";
 
@@ -106,5 +104,4 @@ TEST_F(Golden, HairThatMovedByTwoPixelsFails) {
   EXPECT_FALSE(looks_as_kept(moved, golden));
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::golden_test

@@ -11,11 +11,8 @@ FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
 DRAWING = {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
-TOOL_BASE = SIM | HASH | {"formats/write", "tools"}
-# Reports on pictures draw them; cooks measure motion by the other reports and must not draw.
-PICTURE_REPORT = TOOL_BASE | DRAWING | {"tools/motion", "tools/render", "tools/report", "tools/visibility"}
-
-# Folder (or file) -> folders it may include from; itself always. The longest match owns a file.
+# Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
+# from what tools/CMakeLists.txt links: see tool_layers().
 LAYERS = {
     "formats": FORMATS | HASH,
     "formats/include": set(),
@@ -30,45 +27,32 @@ LAYERS = {
     "runtime/c": SIM | {"runtime/include/coif.h"},
     "runtime/gl": SIM | DRAWING,
     "runtime/examples": SIM | DRAWING | {"runtime/include/coif.h"},
-    "tools": SIM,
-    "tools/files": {"tools"},
-    "tools/process": {"tools"},
-    "tools/import": TOOL_BASE | {"tools/process"},
-    "tools/pipeline": TOOL_BASE | {"tools/cook", "tools/files", "tools/import"},
-    "tools/cook": TOOL_BASE | {"tools/import", "tools/motion", "tools/process", "tools/report", "tools/visibility"},
-    "tools/motion": TOOL_BASE,
-    "tools/visibility": TOOL_BASE | {"tools/motion", "tools/report"},
-    "tools/animation": TOOL_BASE | {"tools/motion"},
-    "tools/report": TOOL_BASE | {"tools/animation", "tools/motion"},
-    "tools/report/order": PICTURE_REPORT,
-    "tools/report/shadow": PICTURE_REPORT,
-    "tools/compare": TOOL_BASE | {"tools/animation", "tools/motion"},
-    "tools/render": TOOL_BASE | {"tools/import", "tools/motion"} | DRAWING,
-    "tools/sample": TOOL_BASE,
-    "tools/validate": TOOL_BASE | {"tools/animation", "tools/cook", "tools/import"},
     "tools/cli": None,  # Everything.
     "tests": None,
 }
+# What every tool may include, and what linking these brings along.
+TOOL_BASE = SIM | HASH | {"formats/write"}
+LINKED = {"coif::gl": DRAWING}
 
 # Third-party header -> the folders that may include it.
 HOMES = {
     "assimp/": ["tools/import"],
     "hwy/": ["runtime/sim"],
     "CLI/": ["tools/cli"],
-    "meshoptimizer.h": ["tools/cook"],
+    "meshoptimizer.h": ["tools/cook/lods", "tools/cook/pack"],
     "nlohmann/": ["tools/", "tests/"],
     "Eigen/": ["tools/", "tests/"],
     "fmt/": ["tools/", "tests/"],
     "tl/": ["tools/", "tests/"],
     "stb/stb_easy_font.h": ["tools/render"],
-    "stb/stb_image.h": ["tools/cook", "tests/"],
-    "stb/stb_image_resize.h": ["tools/cook"],
+    "stb/stb_image.h": ["tools/cook/texture", "tests/"],
+    "stb/stb_image_resize.h": ["tools/cook/texture"],
     "stb/stb_image_write.h": ["tools/render", "tools/sample", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl", "runtime/examples"],
     "GLES2/": ["tools/render", "tests/gl", "tests/render"],
     "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples"],
     "KHR/": ["tools/render"],
-    "linux/": ["tools/import"],
+    "linux/": ["tools/process"],
     "gtest/": ["tests/"],
     "benchmark/": ["tests/"],
     "BulletSoftBody/": ["tests/bench/peers"],
@@ -90,6 +74,23 @@ GENERATED = {"runtime/gl": {"hair_shaders.h"}}
 ROOTS = ["", "formats/include", "runtime/include", "formats", "runtime", "tools", "tests"]
 SUFFIXES = {".h", ".cpp", ".hpp", ".c", ".inl"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+
+
+def tool_layers(cmake):
+    """LAYERS of the tools from the text of tools/CMakeLists.txt, and a sentence for each library that links what comes after
+    it: a folder may include what it links, and what that links publicly."""
+    layers, public, problems = {}, {}, []
+    folder_of = {"coif_" + f.replace("/", "_"): f for f in re.findall(r"^coif_tool_library\(([^\s)]+)", cmake, re.MULTILINE)}
+    for folder, rest in re.findall(r"^coif_tool_library\(([^\s)]+)([^)]*)\)", cmake, re.MULTILINE):
+        layer = f"tools/{folder}"
+        own, private = ([name for name in part.split() if name != "PUBLIC"] for part in (rest + " PRIVATE ").split("PRIVATE")[:2])
+        problems += [f"tools/CMakeLists.txt: {folder} links {name}, which does not stand above it"
+                     for name in own + private if name in folder_of and f"tools/{folder_of[name]}" not in layers]
+        reached = lambda names: set().union(*({f"tools/{folder_of[n]}"} | public.get(folder_of[n], set()) if n in folder_of
+                                              else LINKED.get(n, set()) for n in names))
+        public[folder] = reached(own)
+        layers[layer] = TOOL_BASE | public[folder] | reached(private)
+    return layers, problems
 
 
 def layer_of(path):
@@ -143,6 +144,10 @@ def check(source):
     files = [p for top in ("formats", "runtime", "tools", "tests") for p in sorted((source / top).rglob("*"))
              if p.suffix in SUFFIXES]
     bad = [] if files else [f"no source files under {source}: the rules checked nothing"]
+    table = source / "tools/CMakeLists.txt"
+    layers, problems = tool_layers(table.read_text(encoding="utf-8") if table.is_file() else "")
+    LAYERS.update(layers)
+    bad += problems
     for file in files:
         path = file.relative_to(source).as_posix()
         bad += violations(path, file.read_text(encoding="utf-8"), lambda p: (source / p).is_file())
@@ -150,14 +155,26 @@ def check(source):
 
 
 def self_test():
-    tree = {"tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
+    table = """coif_tool_library(base PUBLIC coif::sim)
+coif_tool_library(import PUBLIC coif_base PRIVATE assimp::assimp)
+coif_tool_library(cook/order PUBLIC coif_import)
+coif_tool_library(cook PUBLIC coif_cook_order
+  PRIVATE coif_base)
+coif_tool_library(render PUBLIC coif_base coif::gl)
+"""
+    layers, problems = tool_layers(table)
+    LAYERS.update(layers)
+    bad = problems + ([] if tool_layers("coif_tool_library(a PUBLIC coif_b)\ncoif_tool_library(b)\n")[1] else ["upward links pass"])
+    tree = {"tools/base/text.h", "tools/cook/order/sort.h", "tools/import/import.h",
+            "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
             "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h", "tests/sim/rig.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
                  ("runtime/gl/a.cpp", "#include <nlohmann/json.hpp>"), ("runtime/gl/a.cpp", "#  include <EGL/egl.h>"),
                  ("formats/a.cpp", "#include <coif/hair.h>"), ("formats/a.cpp", '#include "write/asset_writer.h"'),
                  ("runtime/include/coif/a.h", "#include <string>"), ("tools/cook/a.cpp", "#include <assimp/scene.h>"),
-                 ("tools/cook/a.cpp", '#include "render/picture.h"'), ("tools/import/a.cpp", '#include "cook/cook.h"'),
+                 ("tools/cook/a.cpp", '#include "render/picture.h"'), ("tools/cook/order/a.cpp", '#include "cook/cook.h"'),
+                 ("tools/cook/a.cpp", "#include <coif/renderer.h>"), ("tools/elsewhere/a.cpp", ""), ("tools/import/a.cpp", '#include "cook/cook.h"'),
                  ("tools/cook/a.cpp", "#include <CLI/CLI.hpp>"), ("tools/cook/a.cpp", "#include <newlib/new.h>"),
                  ("runtime/include/coif/hair.h", "#include <hwy/highway.h>"),
                  ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", ""),
@@ -167,8 +184,10 @@ def self_test():
                  ("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
                  ("runtime/sim/lanes/a.cpp", "#include <hwy/highway.h>"),
                  ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
+                 ("tools/cook/order/a.cpp", '#include "import/import.h"\n#include "base/text.h"'),
+                 ("tools/cook/a.cpp", '#include "cook/order/sort.h"'), ("tools/render/a.cpp", "#include <coif/renderer.h>"),
                  ("tools/cook/a.cpp", '#include "write/asset_writer.h"\n#include <vector>\n#include <sys/stat.h>')]
-    bad = [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]
+    bad += [f"rule did not fire: {c}" for c in must_fail if not list(violations(*c, tree.__contains__))]
     bad += [f"rule fired on: {c}" for c in must_pass if list(violations(*c, tree.__contains__))]
     if not check(Path("/nonexistent"))[1]:
         bad.append("an empty tree passed")

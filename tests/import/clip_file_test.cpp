@@ -1,6 +1,5 @@
 #include "import/clip_file.h"
 
-#include "import/clip_files.h"
 #include "import/model_files.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace coif::test {
-namespace {
+namespace coif::test::clip_file_test {
 
 namespace fs = std::filesystem;
 using Eigen::AngleAxisd;
@@ -255,5 +253,4 @@ TEST_F(ClipFileTest, OtherFormatsAndAbsentFilesAreRefusedAsSuch) {
   EXPECT_EQ(text.error().kind, Kind::kBadInput);
 }
 
-}  // namespace
-}  // namespace coif::test
+}  // namespace coif::test::clip_file_test

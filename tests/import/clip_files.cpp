@@ -1,4 +1,4 @@
-#include "import/clip_files.h"
+#include "import/model_files.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFloat = 5126;
+constexpr int kFloatComponent = 5126;
 
 std::string base64(const std::string& bytes) {
   constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -54,7 +54,7 @@ std::size_t ClipDocument::add(const std::vector<float>& values, const char* type
   const std::size_t begin = buffer_.size(), size = values.size() * sizeof(float);
   buffer_.append(reinterpret_cast<const char*>(values.data()), size);
   document["accessors"].push_back({{"bufferView", document["bufferViews"].size()},
-                                   {"componentType", kFloat},
+                                   {"componentType", kFloatComponent},
                                    {"count", values.size() / width},
                                    {"type", type}});
   document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", size}});

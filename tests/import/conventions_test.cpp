@@ -2,15 +2,14 @@
 
 #include "import/import.h"
 #include "import/model_files.h"
-#include "import/source_model_check.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <tuple>
 
-namespace coif {
-namespace {
+namespace coif::conventions_test {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
@@ -261,5 +260,4 @@ TEST_F(Conventions, ImporterIsNamedWithItsVersion) {
   EXPECT_GE(model.importer_version[0], 5);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::conventions_test

@@ -2,7 +2,7 @@
 
 #include "import/import.h"
 #include "import/model_files.h"
-#include "import/source_model_check.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,8 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace coif {
-namespace {
+namespace coif::corpus_test {
 
 namespace fs = std::filesystem;
 using test::measure;
@@ -222,5 +221,4 @@ TEST_F(Corpus, ImportTwiceGivesTheSameModel) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::corpus_test

@@ -2,7 +2,7 @@
 
 #include "import/import.h"
 #include "import/model_files.h"
-#include "import/source_model_check.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,7 @@
 #include <limits>
 #include <random>
 
-namespace coif {
-namespace {
+namespace coif::damage_test {
 
 using test::SmallGltf;
 using test::TemporaryFolder;
@@ -186,5 +185,4 @@ TEST_F(Damage, NamesAreCleanedForMessages) {
   EXPECT_EQ(model.nodes.at(0).name, "str?ip ");
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::damage_test

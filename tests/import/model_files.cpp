@@ -1,12 +1,13 @@
 #include "import/model_files.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
-
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -174,6 +175,105 @@ Shape measure(const SourceModel& model) {
   }
   if (shape.triangles != 0) shape.mean_uv /= 3.0 * double(shape.triangles);
   return shape;
+}
+
+namespace {
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+SmallGltf small_vrm(const std::string& extensions) {
+  SmallGltf file;
+  file.nodes = R"([{"name": "strip", "mesh": 0}, {"name": "body", "children": [2]},
+    {"name": "head", "children": [3], "translation": [0, 1, 0]},
+    {"name": "hair_1", "children": [4], "translation": [0, -0.1, 0]},
+    {"name": "hair_2", "children": [5], "translation": [0, -0.1, 0]},
+    {"name": "hair_end", "translation": [0, -0.1, 0]}])";
+  file.roots = "[0, 1]";
+  file.images = fmt::format(R"("extensions": {{{}}},)", extensions);
+  return file;
+}
+
+std::string spring_bone_1(const std::string& springs, const std::string& colliders, const std::string& groups) {
+  return fmt::format(
+      R"("VRMC_springBone": {{"specVersion": "1.0", "springs": {}, "colliders": {}, "colliderGroups": {}}})", springs,
+      colliders, groups);
+}
+
+std::string spring_bone_0(const std::string& bone_groups, const std::string& collider_groups) {
+  return fmt::format(
+      R"("VRM": {{"humanoid": {{"humanBones": [{{"bone": "hips", "node": 1}}, {{"bone": "head", "node": 2}}]}},
+         "secondaryAnimation": {{"boneGroups": {}, "colliderGroups": {}}}}})",
+      bone_groups, collider_groups);
+}
+
+std::string as_glb(const std::filesystem::path& gltf) {
+  const std::string uri = gltf.filename().string() + ".bin";
+  std::string json = read_file(gltf);
+  std::string buffer = read_file(gltf.parent_path() / uri);
+  const std::string reference = fmt::format(R"(, "uri": "{}")", uri);
+  json.erase(json.find(reference), reference.size());
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  buffer.resize((buffer.size() + 3) / 4 * 4);
+  std::string out = "glTF";
+  const auto append = [&](std::size_t number) {
+    const auto word = static_cast<std::uint32_t>(number);
+    out.append(reinterpret_cast<const char*>(&word), sizeof word);
+  };
+  append(2);
+  append(12 + 8 + json.size() + 8 + buffer.size());
+  append(json.size());
+  out += "JSON" + json;
+  append(buffer.size());
+  return out + std::string("BIN\0", 4) + buffer;
+}
+
+SourceModel small_source_model() {
+  SourceModel model;
+  model.path = "braid.glb";
+  model.importer = "test 1.2.3";
+  model.importer_version[0] = 1;
+  SourceNode root{"root", kNoIndex, Eigen::Affine3d::Identity()};
+  SourceNode tip{"tip", 0, Eigen::Affine3d(Eigen::Translation3d(0, 1, 0))};
+  model.nodes = {root, tip};
+  SourceMesh mesh;
+  mesh.name = "strip";
+  mesh.node = 1;
+  mesh.material = 0;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals.assign(3, {0, 0, 1});
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.influence_begin = {0, 1, 2, 4};
+  mesh.influences = {{0, 1.0f}, {1, 1.0f}, {0, 0.75f}, {1, 0.25f}};
+  mesh.triangles = {0, 1, 2};
+  model.meshes = {mesh};
+  SourceMaterial material;
+  material.name = "hair";
+  material.base_texture = {"hair.png", 0};
+  material.alpha_use = AlphaUse::kMask;
+  material.alpha_cutoff = 0.25f;
+  material.double_sided = true;
+  model.materials = {material};
+  model.images = {{"hair.png", {1, 2, 3}}};
+  SourceCollider collider;
+  collider.radius = 0.5;
+  model.colliders = {collider, collider};
+  SourceSpring spring;
+  spring.name = "tail";
+  spring.joints.resize(2);
+  spring.joints[0].length = 1;
+  spring.joints[1].node = 1;
+  spring.colliders = {0, 1};
+  spring.center = 0;
+  model.springs = {spring};
+  model.head_node = 1;
+  model.warnings = {"one", "two"};
+  model.side_files = {"strip.bin"};
+  return model;
 }
 
 }  // namespace coif::test

@@ -1,12 +1,17 @@
 #pragma once
+
 // Small models that tests write for themselves, and what tests measure on imported ones.
 
 #include "import/import.h"
+#include "import/source_model.h"
 
 #include <Eigen/Core>
+#include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -66,5 +71,53 @@ struct Shape {
   std::size_t triangles = 0;
 };
 [[nodiscard]] Shape measure(const SourceModel& model);
+
+// Small glTF documents with VRM's extensions.
+
+/// body > head > hair_1 > hair_2 > hair_end, straight up by 1 m, then down by 0.1 m each, and a strip beside them; the
+/// nodes 0 to 5 of the document, in this order: strip, body, head, hair_1, hair_2, hair_end. `extensions` is JSON.
+[[nodiscard]] SmallGltf small_vrm(const std::string& extensions);
+
+/// A VRMC_springBone extension; the arguments are JSON lists.
+[[nodiscard]] std::string spring_bone_1(const std::string& springs, const std::string& colliders = "[]",
+                                        const std::string& groups = "[]");
+/// A VRM 0.x extension with a humanoid whose head is node 2.
+[[nodiscard]] std::string spring_bone_0(const std::string& bone_groups, const std::string& collider_groups = "[]");
+
+/// A .gltf that SmallGltf wrote, as one binary file with its buffer inside.
+[[nodiscard]] std::string as_glb(const std::filesystem::path& gltf);
+
+// Animated glTF documents that tests write for themselves.
+
+/// One node, and an animation of it; what tests vary is in `document` until text() is asked for.
+class ClipDocument {
+ public:
+  ClipDocument();
+
+  /// Adds a channel to the first animation that moves `node` ("translation", "rotation" or "scale").
+  ClipDocument& animate(std::size_t node, const std::string& path, const std::vector<float>& seconds,
+                        const std::vector<float>& values, const char* interpolation = "LINEAR");
+
+  /// As .gltf with its buffer inside.
+  [[nodiscard]] std::string text() const;
+  /// As .gltf with its buffer in the file `uri`, whose content is buffer().
+  [[nodiscard]] std::string text_beside(const std::string& uri) const;
+  [[nodiscard]] std::string glb() const;
+  [[nodiscard]] const std::string& buffer() const { return buffer_; }
+
+  nlohmann::json document;  ///< Nodes: 0, "head".
+
+ private:
+  std::size_t add(const std::vector<float>& values, const char* type, std::size_t width);
+
+  std::string buffer_;
+};
+
+/// Quaternions (x, y, z, w) of a nod about X, one for each time.
+[[nodiscard]] std::vector<float> turns_about_x(const std::vector<float>& seconds,
+                                               const std::function<double(double)>& radians);
+
+/// A triangle on two nodes that uses every field of a model and keeps all of its promises.
+[[nodiscard]] SourceModel small_source_model();
 
 }  // namespace coif::test

@@ -1,15 +1,14 @@
 #include "import/model_stream.h"
 
-#include "import/small_source_model.h"
-#include "import/source_model_check.h"
+#include "import/model_files.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <limits>
 
-namespace coif {
-namespace {
+namespace coif::model_stream_test {
 
 using Bytes = std::vector<std::uint8_t>;
 using test::small_source_model;
@@ -157,5 +156,4 @@ INSTANTIATE_TEST_SUITE_P(
                            },
                            [](SourceModel& m) { m.springs.push_back(m.springs[0]); }));
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::model_stream_test

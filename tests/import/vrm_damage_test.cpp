@@ -1,7 +1,7 @@
 // Spring bones that lie: what is wrong is left out and told, the rest comes through; and nodes that are hard to tell.
 
-#include "import/source_model_check.h"
-#include "import/vrm_files.h"
+#include "import/model_files.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace coif {
-namespace {
+namespace coif::vrm_damage_test {
 
 using test::small_vrm;
 using test::SmallGltf;
@@ -221,5 +220,4 @@ TEST_F(VrmDamage, RandomDamageGivesAModelOrAnErrorOfTheFile) {
   EXPECT_GT(came_through, 20u);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::vrm_damage_test

@@ -1,14 +1,13 @@
 // Spring bones, colliders and the head as both versions of VRM write them.
 
-#include "import/source_model_check.h"
-#include "import/vrm_files.h"
+#include "import/model_files.h"
+#include "import/source_model.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace coif {
-namespace {
+namespace coif::vrm_springs_test {
 
 using Eigen::Vector3d;
 using test::small_vrm;
@@ -208,5 +207,4 @@ TEST_F(VrmSprings, BinaryFilesAreReadAlike) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::vrm_springs_test

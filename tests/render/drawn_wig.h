@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gl/card_asset.h"
-#include "gl/made_up_wig.h"
+#include "models/drawn_card.h"
+#include "models/skinned_asset.h"
 #include "render/crowd_stage.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class DrawnWigTest : public testing::Test {
     return tl::unexpected(ToolError{ToolError::Kind::kInternal, "nobody came"});
   }
 
-  OpenedAsset wig_{made_up_wig({.strips = 6, .bones_per_chain = 2, .texture_size = 32})};
+  DrawnAsset wig_{made_up_wig({.strips = 6, .bones_per_chain = 2, .texture_size = 32})};
   std::vector<Mat34> palette_ = std::vector<Mat34>((*wig_).bones().size());
   std::vector<std::uint32_t> made_;
   unsigned steps_ = 0;

@@ -1,4 +1,4 @@
-#include "render/gpu_timer.h"
+#include "render/egl_context.h"
 
 #include "gl/gl_test.h"
 
@@ -12,8 +12,7 @@
 // After the header whose types it uses.
 #include <GLES2/gl2ext.h>
 
-namespace coif {
-namespace {
+namespace coif::gpu_timer_test {
 
 /// A device whose answers a test makes up. One at a time: OpenGL's functions do not know who calls.
 class MadeUpDevice {
@@ -26,7 +25,7 @@ class MadeUpDevice {
   [[nodiscard]] GlLoader loader() { return {find, this}; }
 
   std::vector<std::string> extensions{"GL_OTHER", "GL_EXT_disjoint_timer_query"};
-  std::string renderer = "Card 3000";  ///< GL_RENDERER.
+  std::string renderer = "DrawnCard 3000";  ///< GL_RENDERER.
   std::string missing;                 ///< A function that is not found.
   int counter_bits = 64;
   bool disjoint = false;
@@ -165,7 +164,7 @@ TEST_F(GpuTimerOnDevice, LeavesNoErrorAndCountsNoMoreThanTheClockOnTheWall) {
   GpuTimer timer(loader);
   const auto begin = std::chrono::steady_clock::now();
   timer.begin();
-  draw_cards(std::array{Card{}});
+  draw_cards(std::array{DrawnCard{}});
   timer.end();
   glFinish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -175,5 +174,4 @@ TEST_F(GpuTimerOnDevice, LeavesNoErrorAndCountsNoMoreThanTheClockOnTheWall) {
   EXPECT_LE(seconds.value_or(0), wall.count());
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::gpu_timer_test

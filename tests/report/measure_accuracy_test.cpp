@@ -1,18 +1,16 @@
-#include "report/measure_accuracy.h"
+#include "report/accuracy/measure_accuracy.h"
 
-#include "motion/clip_path.h"
-#include "report/constraint_meter.h"
-#include "report/motion_trial.h"
+#include "lab/hair_segment.h"
+#include "motion/head_path.h"
 #include "report/solver_trial.h"
-#include "report/stress_rig.h"
+#include "report/stability/measure_stability.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
-namespace {
+namespace coif::measure_accuracy_test {
 
 using Eigen::Vector3d;
 
@@ -195,5 +193,4 @@ TEST(ConstraintMeter, NeverForgetsWhatWasNotANumber) {
   EXPECT_TRUE(std::isnan(meter.worst().stretch));
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::measure_accuracy_test

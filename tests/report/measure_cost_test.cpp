@@ -1,7 +1,6 @@
-#include "report/measure_cost.h"
+#include "report/cost/measure_cost.h"
 
-#include "report/hair_crowd.h"
-#include "report/stress_rig.h"
+#include "report/stability/measure_stability.h"
 
 #include <coif/hair.h>
 
@@ -12,8 +11,7 @@
 #include <set>
 #include <tuple>
 
-namespace coif {
-namespace {
+namespace coif::measure_cost_test {
 
 /// The simulated part of `asset`, with bones that touch nothing.
 AssetContents free_hair(const Asset& asset) {
@@ -220,5 +218,4 @@ TEST_F(CostTest, CrowdsTakeTheSubstepsThatTheRuntimeWouldTake) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::measure_cost_test

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace coif {
-namespace {
+namespace coif::segment_length_test {
 
 using Eigen::Vector3d;
 
@@ -111,5 +110,4 @@ TEST(TridiagonalSolver, NeverLeavesAStrandMoreThanATenthOff) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::segment_length_test

@@ -67,8 +67,6 @@ const ListedSolver& solver_named(std::string_view name) {
   return *std::ranges::find(historical_solvers(), name, &ListedSolver::name);
 }
 
-HeadPose still(double /*seconds*/) { return {}; }
-
 HeadPose walking(double seconds) {
   const double begun = 1 - std::exp(-4 * seconds);  // From rest: a jolt would ring in springs for long.
   const double nod = 0.5 * begun * std::sin(5 * seconds), turn = 0.4 * begun * std::sin(3 * seconds);

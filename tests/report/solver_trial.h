@@ -1,6 +1,7 @@
 #pragma once
 
-#include "report/solvers/solver_list.h"
+#include "models/playback.h"
+#include "report/solvers/measured_solvers.h"
 
 #include <functional>
 #include <ostream>
@@ -24,7 +25,6 @@ namespace coif {
 [[nodiscard]] const ListedSolver& solver_named(std::string_view name);
 
 using HeadMotion = std::function<HeadPose(double seconds)>;
-[[nodiscard]] HeadPose still(double seconds);
 /// Nods by 0.5 rad, turns by 0.4 and walks forward, from rest: nothing about it is symmetric.
 [[nodiscard]] HeadPose walking(double seconds);
 [[nodiscard]] HeadPose mirrored(const HeadPose& head);

@@ -1,6 +1,6 @@
 // A program of its own: it counts every allocation of the process.
 
-#include "sim/test_rig.h"
+#include "models/test_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,7 @@ void* operator new(std::size_t bytes) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace coif {
-namespace {
+namespace coif::allocation_test {
 
 TEST(Allocation, TheCounterCounts) {
   const std::size_t before = allocations;
@@ -77,5 +76,4 @@ TEST(Allocation, HairNeverAllocates) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::allocation_test

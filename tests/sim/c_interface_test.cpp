@@ -1,8 +1,8 @@
 // coif.h does what coif/hair.h does, and takes what C callers may do wrong.
 
-#include "formats/aligned_bytes.h"
-#include "sim/playback.h"
-#include "sim/test_rig.h"
+#include "models/playback.h"
+#include "models/small_asset.h"
+#include "models/test_rig.h"
 
 #include <coif.h>
 
@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::c_interface_test {
 
 coif_head_pose in_c(const HeadPose& pose) {
   return {{pose.position[0], pose.position[1], pose.position[2]},
@@ -165,5 +164,4 @@ TEST_F(CInterface, NullIsAnErrorAndNoCrash) {
   EXPECT_STREQ(coif_hair_bone_name(hair_, 1000), "");
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::c_interface_test

@@ -10,8 +10,7 @@
 #include <functional>
 #include <random>
 
-namespace coif {
-namespace {
+namespace coif::collision_test {
 
 constexpr float kRounding = 2e-5f;  // metres
 constexpr double kPi = 3.14159265358979323846;
@@ -276,5 +275,4 @@ TEST(ColliderSet, MoreCollidersThanASetCanNameAreRefused) {
   EXPECT_TRUE(Asset{}.open(most.bytes()));
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::collision_test

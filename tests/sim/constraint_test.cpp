@@ -1,7 +1,7 @@
 // What holds after every step of the default solver, whatever the head does: no bone stretches, and no part of a bone
 // is nearer to a collider than its hit radius.
 
-#include "sim/playback.h"
+#include "models/playback.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace coif {
-namespace {
+namespace coif::constraint_test {
 
 constexpr float kAnywhere = std::numeric_limits<float>::infinity();
 constexpr double kRounding = 1e-5;  // metres
@@ -255,5 +254,4 @@ TEST(Constraints, PressedHairLeavesAtOnceWhenNothingPressesIt) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::constraint_test

@@ -1,6 +1,6 @@
 // How hair moves: what must hold for any rig and any motion, and how far.
 
-#include "sim/test_rig.h"
+#include "models/test_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include <functional>
 #include <random>
 
-namespace coif {
-namespace {
+namespace coif::hair_behaviour_test {
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -29,7 +28,7 @@ void play(Hair& hair, int count, const StepSettings& settings, const std::functi
 }
 
 /// Worst | length / rest length - 1 | over the bones.
-float worst_stretch(const TestRig& rig, const std::vector<Vec3>& ends) {
+float largest_stretch(const TestRig& rig, const std::vector<Vec3>& ends) {
   float worst = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const BoneRecord& bone = rig.bones[i + 1];
@@ -161,7 +160,7 @@ TEST(HairUnderViolence, StaysFiniteAndBoundedAtTheLargestTimeStep) {
     for (const HeadPose& pose : violent_poses(20000)) {
       ASSERT_EQ(test.hair.set_head(0, pose), Status::kOk);
       ASSERT_EQ(test.hair.step({.dt = kMaxTimeStep, .teleport_angle = 4}), Status::kOk);
-      const float now = worst_stretch(rig, test.ends());
+      const float now = largest_stretch(rig, test.ends());
       ASSERT_TRUE(std::isfinite(now));
       stretch = std::max(stretch, now);
     }
@@ -180,7 +179,7 @@ TEST(HairUnderViolence, IterationsReduceStretch) {
     for (const HeadPose& pose : violent_poses(500)) {
       ASSERT_EQ(test.hair.set_head(0, pose), Status::kOk);
       ASSERT_EQ(test.hair.step({.iterations = iterations[k]}), Status::kOk);
-      mean[k] += worst_stretch(rig, test.ends()) / 500;
+      mean[k] += largest_stretch(rig, test.ends()) / 500;
     }
   }
   EXPECT_LT(mean[1], 0.3f * mean[0]);
@@ -193,7 +192,7 @@ TEST(HairUnderViolence, SingleBonesNeverStretch) {
   for (const HeadPose& pose : violent_poses(1000)) {
     ASSERT_EQ(test.hair.set_head(0, pose), Status::kOk);
     ASSERT_EQ(test.hair.step({}), Status::kOk);
-    ASSERT_LT(worst_stretch(rig, test.ends()), 1e-4f);
+    ASSERT_LT(largest_stretch(rig, test.ends()), 1e-4f);
   }
 }
 
@@ -222,10 +221,9 @@ TEST(HairBranches, ForkSettlesWithItsLengths) {
   TestHair test(rig);
   play(test.hair, 600, {}, [](int frame) { return wander(std::min(frame, 120)); });
   const auto settled = test.ends();
-  EXPECT_LT(worst_stretch(rig, settled), 1e-5f);
+  EXPECT_LT(largest_stretch(rig, settled), 1e-5f);
   play(test.hair, 60, {}, [](int) { return wander(120); });
   EXPECT_LT(largest_distance(test.ends(), settled), 1e-4f);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::hair_behaviour_test

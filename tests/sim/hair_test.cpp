@@ -1,6 +1,6 @@
 // What Hair promises about memory, instances and bad input.
 
-#include "sim/test_rig.h"
+#include "models/test_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,7 @@
 #include <set>
 #include <string>
 
-namespace coif {
-namespace {
+namespace coif::hair_test {
 
 const HeadPose kSomewhere{{0.3, 1.7, -0.2}, turned_about({0, 1, 0}, 0.5)};
 
@@ -291,5 +290,4 @@ TEST(Status, EveryStatusHasItsOwnSentence) {
   EXPECT_STREQ(describe(Status(250)), "unknown status");
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::hair_test

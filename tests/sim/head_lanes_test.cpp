@@ -2,7 +2,7 @@
 
 #include "sim/lanes/lane_code.h"
 
-#include "sim/playback.h"
+#include "models/playback.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,7 @@
 #include <cstring>
 #include <limits>
 
-namespace coif {
-namespace {
+namespace coif::head_lanes_test {
 
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vec3 times(const Vec3& a, double s) { return {float(a.x * s), float(a.y * s), float(a.z * s)}; }
@@ -265,5 +264,4 @@ TEST(HeadLanes, EveryInstructionSetFindsTheSamePath) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::head_lanes_test

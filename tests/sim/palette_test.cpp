@@ -1,14 +1,13 @@
 // What a renderer gets: matrices that take the rest pose to where the particles are.
 
-#include "sim/playback.h"
+#include "models/playback.h"
 #include "sim/thesis_step.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace coif {
-namespace {
+namespace coif::palette_test {
 
 constexpr float kNear = 2e-5f;
 constexpr double kQuarterTurn = 1.5707963267948966;
@@ -107,5 +106,4 @@ TEST(Palette, BoneEndsOfTheRestPoseAreItsOwn) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::palette_test

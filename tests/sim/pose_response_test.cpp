@@ -8,8 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::pose_response_test {
 
 struct Motion {
   long double offset = 0, velocity = 0;
@@ -164,5 +163,4 @@ TEST(PoseResponse, AnUndampedPeriodPerStepMultipliesNoVelocity) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::pose_response_test

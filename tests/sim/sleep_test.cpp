@@ -1,6 +1,6 @@
 // Hair at rest costs nothing, and nobody can see that it sleeps.
 
-#include "sim/playback.h"
+#include "models/playback.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace coif {
-namespace {
+namespace coif::sleep_test {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 const Solver* const kSolvers[] = {&kCoifSolver, &kThesisSolver};
@@ -230,5 +229,4 @@ TEST(Sleep, BadIndicesAreAwake) {
   EXPECT_FALSE(Hair{}.is_asleep(0));
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::sleep_test

@@ -1,14 +1,13 @@
 // Heads that are put somewhere else, and what their hair feels of it.
 
-#include "sim/playback.h"
+#include "models/playback.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace coif {
-namespace {
+namespace coif::teleport_test {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const Quat kTurn = turned_about({0.36f, 0.8f, 0.48f}, 3.0);
@@ -177,5 +176,4 @@ TEST(Teleport, RefusesWhatSetHeadRefuses) {
   EXPECT_EQ(Hair{}.teleport(0, {}), Status::kNotCreated);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::teleport_test

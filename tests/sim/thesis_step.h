@@ -1,7 +1,8 @@
 #pragma once
+
 // A single step of Algorithm 1 from a state that the test chooses, which no public interface lets one do.
 
-#include "sim/test_rig.h"
+#include "models/test_rig.h"
 
 #include <coif/instruction_set.h>
 

@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace coif {
-namespace {
+namespace coif::thesis_step_test {
 
 constexpr float kNear = 1e-5f;
 const float kDiagonal = std::sqrt(0.5f);
@@ -277,5 +276,4 @@ TEST(ThesisStep, BonesOfDifferentFrictionEachLoseTheirOwnShare) {
   EXPECT_NEAR(step.particles[1].position.z / step.particles[1].position.y, -0.01f / 1.1f, kNear);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::thesis_step_test

@@ -1,14 +1,13 @@
 // How frames turn about their own bones: what makes cards flip where it is wrong.
 
-#include "sim/playback.h"
+#include "models/playback.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace coif {
-namespace {
+namespace coif::twist_test {
 
 constexpr double kQuarter = 1.57079632679489662;
 
@@ -147,5 +146,4 @@ TEST(Twist, BonesPointAlongTheirFrames) {
   }
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::twist_test

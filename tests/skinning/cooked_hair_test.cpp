@@ -2,8 +2,8 @@
 #include <coif/hair.h>
 #include <coif/skinning.h>
 
-#include "formats/aligned_bytes.h"
-#include "skinning/skinned_asset.h"
+#include "models/skinned_asset.h"
+#include "models/small_asset.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,7 @@
 #include <iterator>
 #include <vector>
 
-namespace coif {
-namespace {
+namespace coif::cooked_hair_test {
 
 std::vector<std::byte> sample_bytes() {
   std::ifstream file(COIF_COOKED_SAMPLE, std::ios::binary);
@@ -56,5 +55,4 @@ TEST(SkinningOfCookedHair, IsWithinAMicrometreOfDoublePrecision) {
   EXPECT_GT(largest_move, 0.005) << "the hair hardly moved: little was tested";
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::cooked_hair_test

@@ -1,7 +1,7 @@
 #include <coif/skinning.h>
 
-#include "formats/aligned_bytes.h"
-#include "skinning/skinned_asset.h"
+#include "models/skinned_asset.h"
+#include "models/small_asset.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,7 @@
 #include <limits>
 #include <thread>
 
-namespace coif {
-namespace {
+namespace coif::skinning_test {
 
 constexpr std::uint32_t kBones = 9;
 
@@ -174,5 +173,4 @@ TEST_F(RigidHair, BothCodesOfMinusOneMeanIt) {
   EXPECT_EQ(out[3].normal.x, -1.0f);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::skinning_test

@@ -1,6 +1,6 @@
 #include "validate/doubtful_asset.h"
 
-#include "formats/small_asset.h"
+#include "models/small_asset.h"
 
 namespace coif {
 
@@ -35,5 +35,185 @@ std::set<std::string> codes_of(const AssetContents& contents) {
   EXPECT_TRUE(bool(status)) << text;
   return status ? codes_of(find_asset_issues(asset)) : std::set<std::string>{};
 }
+
+namespace {
+
+/// Appends a bone to the only chain.
+void grow(AssetContents& asset, float length) {
+  BoneRecord bone = asset.bones.back();
+  bone.parent = std::uint32_t(asset.bones.size() - 1);
+  bone.joint[1] -= asset.bones.back().length;
+  bone.length = length;
+  asset.bones.push_back(bone);
+  asset.bone_names.push_back("tip");
+  asset.dynamics.push_back(asset.dynamics.back());
+  asset.lod_bones.push_back(1);
+  ++asset.chains[0].bone_count;
+}
+
+void make_rigid(AssetContents& asset) {
+  asset.bones.resize(2);
+  asset.bone_names.resize(2);
+  for (SkinRecord& skin : asset.skin) skin.bone[0] = 0;
+  for (PatchRecord& patch : asset.patches) patch.bone = 0;
+  asset.chains.clear();
+  asset.dynamics.clear();
+  asset.tuning.clear();
+  asset.quality.clear();
+  asset.lod_bones = {0, 0};
+}
+
+void add_stub(AssetContents& asset) {
+  BoneRecord bone = asset.bones[2];
+  bone.parent = 0;
+  bone.chain = 1;
+  bone.joint[1] = 0;
+  asset.bones.push_back(bone);
+  asset.bone_names.push_back("stub");
+  asset.dynamics.push_back(asset.dynamics.back());
+  asset.lod_bones.push_back(1);
+  asset.chains.push_back({4, 1, 0, 0});
+}
+
+void reach_no_collider(AssetContents& asset) {
+  for (BoneRecord& bone : asset.bones) bone.colliders = 0;
+}
+
+constexpr Doubt kBodyDoubts[] = {
+    {"A202", make_rigid},
+    {"A203", [](AssetContents& asset) { reach_no_collider(asset), asset.colliders.clear(); }},
+    {"A205", [](AssetContents& asset) { std::copy_n(asset.bones[3].joint, 3, asset.colliders[0].center); }},
+    {"A207",
+     [](AssetContents& asset) {
+       for (SkinRecord& skin : asset.skin) skin.bone[0] = 2;
+     }},
+    {"A211", add_stub},
+    {"A212", [](AssetContents& asset) { asset.bones[3].length = 0.0005f; }},
+    {"A213", [](AssetContents& asset) { grow(asset, 0.1f), grow(asset, 0.1f), grow(asset, 0.6f); }},
+    {"A221", reach_no_collider},
+    {"A222", [](AssetContents& asset) { asset.dynamics[3].resistance = asset.dynamics[3].stiffness = 0; }},
+    {"A223", [](AssetContents& asset) { asset.dynamics[2].resistance = 1; }},
+    {"A281", [](AssetContents& asset) { asset.tuning[0].asked_error = 0.001f; }},
+    {"A281", [](AssetContents& asset) { asset.tuning[0].asked_cost = 1000; }},
+    {"A282", [](AssetContents& asset) { asset.quality[0].rms_error = 0.05f; }},
+    {"A283", [](AssetContents& asset) { asset.tuning.clear(), asset.quality.clear(); }},
+    {"A284", [](AssetContents& asset) { asset.quality[1].penetration = 0.1f; }},
+    {"A285", [](AssetContents& asset) { asset.quality[1].stretch = 0.02f; }},
+};
+
+}  // namespace
+
+std::span<const Doubt> body_doubts() { return kBodyDoubts; }
+
+namespace {
+
+void remove_mesh(AssetContents& asset) {
+  asset.vertices.clear();
+  asset.skin.clear();
+  asset.indices.clear();
+  asset.patches.clear();
+  asset.lods.clear();
+  asset.lod_bones.clear();
+  asset.orders.clear();
+  asset.order_views.clear();
+}
+
+/// Both patches of the finest level become one, whose triangles share no place.
+void join_patches(AssetContents& asset) {
+  asset.patches[0].index_count = 6;
+  asset.patches.erase(asset.patches.begin() + 1);
+  for (std::uint32_t place = 0; place < 2; ++place) asset.patches[place].file_place = place;
+  asset.lods[0].patch_count = 1;
+  asset.lods[1].first_patch = 1;
+}
+
+/// Nine patches of one triangle.
+void shatter(AssetContents& asset) {
+  asset.lods.clear();
+  asset.lod_bones.clear();
+  asset.orders.clear();
+  asset.order_views.clear();
+  asset.patches.clear();
+  asset.indices.clear();
+  for (std::uint32_t place = 0; place < 9; ++place) {
+    asset.patches.push_back({3 * place, 3, 0.1f, 2, place});
+    for (std::uint32_t k = 0; k < 3; ++k) asset.indices.push_back(k);
+  }
+}
+
+void set_texture(AssetContents& asset, std::uint32_t width, std::uint32_t mips, std::uint64_t bytes) {
+  asset.textures[0].width = width;
+  asset.textures[0].mip_count = mips;
+  asset.textures[0].bytes = bytes;
+  asset.texels.resize(bytes);
+}
+
+/// 32 x 32 texels, solid; in smaller mips hardly there.
+void fade_mips(AssetContents& asset) {
+  asset.textures[0].height = 32;
+  set_texture(asset, 32, 6, 4 * (1024 + 256 + 64 + 16 + 4 + 1));
+  std::ranges::fill(asset.texels, std::byte{255});
+  std::fill(asset.texels.begin() + 4 * 1024, asset.texels.end(), std::byte{40});
+}
+
+void blend_nothing(AssetContents& asset) { asset.material[0].discard_threshold = asset.material[0].opaque_threshold; }
+
+constexpr Doubt kSurfaceDoubts[] = {
+    {"A201", remove_mesh},
+    {"A204", [](AssetContents& asset) { asset.textures.clear(), asset.texels.clear(); }},
+    {"A231", [](AssetContents& asset) { std::copy_n(asset.vertices[0].position, 3, asset.vertices[1].position); }},
+    {"A232",
+     [](AssetContents& asset) {
+       asset.vertices.push_back(asset.vertices.back());
+       asset.skin.push_back(asset.skin.back());
+     }},
+    {"A233",
+     [](AssetContents& asset) {
+       for (std::size_t i = 0; i < 3; ++i) asset.vertices[i].normal[2] *= -1;
+     }},
+    {"A234",
+     [](AssetContents& asset) {
+       for (VertexRecord& vertex : asset.vertices) vertex.position[0] *= 100;
+     }},
+    {"A235",
+     [](AssetContents& asset) {
+       asset.lods[0].patch_count = 1;
+       asset.lods[1] = {1, 2, asset.lods[1].screen_size, asset.lods[1].error};
+       asset.orders.clear();
+       asset.order_views.clear();
+     }},
+    {"A241", join_patches},
+    {"A242", [](AssetContents& asset) { asset.vertices[2].position[0] = 1; }},
+    {"A243", shatter},
+    {"A251", blend_nothing},
+    {"A252", blend_nothing},
+    {"A253", [](AssetContents& asset) { std::ranges::fill(asset.order_views, std::uint8_t{1}); }},
+    {"A261",
+     [](AssetContents& asset) {
+       for (SkinRecord& skin : asset.skin) skin.bone[0] = 0;
+     }},
+    {"A262", [](AssetContents& asset) { asset.vertices[8].position[0] = 1; }},
+    {"A271", [](AssetContents& asset) { set_texture(asset, 3, 2, 4 * (3 * 2 + 1)); }},
+    {"A272", [](AssetContents& asset) { set_texture(asset, 4, 1, 4 * 4 * 2); }},
+    {"A273", [](AssetContents& asset) { std::ranges::fill(asset.texels, std::byte{255}); }},
+    {"A274",
+     [](AssetContents& asset) {
+       std::ranges::fill(asset.texels, std::byte{0});
+       asset.material[0].discard_threshold = 0.02f;
+     }},
+    {"A277", fade_mips},
+    {"A275",
+     [](AssetContents& asset) {
+       for (VertexRecord& vertex : asset.vertices) vertex.uv[0] *= 15'000, vertex.uv[1] *= 15'000;
+     }},
+    {"A276",
+     [](AssetContents& asset) {
+       for (std::size_t i = 0; i < 3; ++i) asset.vertices[i].uv[0] = asset.vertices[i].uv[1] = 0.5f;
+     }},
+};
+
+}  // namespace
+
+std::span<const Doubt> surface_doubts() { return kSurfaceDoubts; }
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "formats/aligned_bytes.h"
-#include "validate/asset_issues.h"
+#include "models/small_asset.h"
+#include "validate/find_issues.h"
 #include "write/asset_writer.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,9 @@
-#include "validate/origin_issues.h"
-
-#include "cook/provenance.h"
+#include "cook/built_models.h"
+#include "cook/pack/pack.h"
 #include "validate/doubtful_asset.h"
+#include "validate/find_issues.h"
 
-namespace coif {
-namespace {
+namespace coif::origin_issues_test {
 
 /// What find_origin_issues() says of an asset cooked from `then` where a cook of today would say `now`.
 std::set<std::string> differences(const ProvenanceRecord& then, const ProvenanceRecord& now) {
@@ -74,5 +73,84 @@ TEST(OriginIssues, NewCookIsComparedChunkByChunk) {
   EXPECT_EQ(issues[0].message.find("SKIN"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace coif
+Codes codes_of(const SourceModel& source, const Recipe& recipe = default_recipe()) {
+  return coif::codes_of(find_source_issues(source, recipe));
+}
+
+TEST(SourceIssues, WigHasNone) { EXPECT_EQ(codes_of(make_wig()), Codes{}); }
+
+TEST(SourceIssues, WarningsOfTheImportAreKept) {
+  SourceModel model = make_wig();
+  model.warnings = {"mesh 'a': 3 triangles dropped", "mesh 'b': 1 unusable normals replaced"};
+  const std::vector<Issue> issues = find_source_issues(model, default_recipe());
+  ASSERT_EQ(issues.size(), 2u);
+  EXPECT_EQ(issues[1].code, "S201");
+  EXPECT_EQ(issues[1].message, model.warnings[1]);
+}
+
+TEST(SourceIssues, ModelWithoutHairIsAnError) {
+  Recipe recipe = default_recipe();
+  recipe.hair_meshes = {"no such mesh"};
+  EXPECT_EQ(codes_of(make_wig(), recipe), Codes{"S104"});
+}
+
+TEST(SourceIssues, HairThatIsNotUnwrappedNamesItsMesh) {
+  SourceModel model = make_wig();
+  model.meshes[0].uvs.clear();
+  const std::vector<Issue> issues = find_source_issues(model, default_recipe());
+  ASSERT_EQ(coif::codes_of(issues), Codes{"S203"});
+  EXPECT_EQ(issues[0].where, "mesh '" + model.meshes[0].name + "'");
+}
+
+TEST(SourceIssues, HairWithoutBonesIsToldThatChainsAreFitted) {
+  SourceModel model = make_wig();
+  model.meshes[0].influences.clear();
+  model.meshes[0].influence_begin.clear();
+  EXPECT_EQ(codes_of(model), Codes{"S204"});
+  Recipe recipe = default_recipe();
+  recipe.chain_source = "none";
+  EXPECT_EQ(codes_of(model, recipe), Codes{});
+}
+
+TEST(SourceIssues, HairInCentimetresIsNotOfAHeadsSize) {
+  SourceModel model = make_wig();
+  for (Eigen::Vector3f& at : model.meshes[0].positions) at *= 100;
+  EXPECT_EQ(codes_of(model), Codes{"S205"});
+}
+
+/// Unwrapped triangle by triangle, and told to take islands all the same.
+TEST(SourceIssues, HairInFragmentsIsSeen) {
+  SourceModel model = make_wig();
+  SourceMesh strip = make_strip({.rows = 8});
+  split_vertices(strip);
+  for (std::size_t i = 0; i < strip.uvs.size(); ++i) strip.uvs[i].x() += float(i / 3);
+  strip.influence_begin = {};
+  strip.influences = {};
+  strip.node = 1;
+  model.meshes = {strip};
+  Recipe recipe = default_recipe();
+  recipe.patch_connectivity = "island";
+  EXPECT_TRUE(codes_of(model, recipe).contains("S206"));
+  EXPECT_FALSE(codes_of(model).contains("S206")) << "left to itself, the cooker joins them by place";
+}
+
+/// A head, and one mesh that nothing marks as hair.
+TEST(SourceIssues, DoubtfulChoiceOfHairIsAWarning) {
+  SourceModel model;
+  add_node(model, "Head", add_node(model, "root", kNoIndex, {0, 0, 0}), {0, 1.6f, 0});
+  add_node(model, "body", 0, {0, 0, 0});
+  model.meshes = {make_strip({})};
+  model.meshes[0].name = "body";
+  model.meshes[0].node = 2;
+  EXPECT_TRUE(codes_of(model).contains("S202"));
+  Recipe recipe = default_recipe();
+  recipe.hair_meshes = {"body"};
+  EXPECT_FALSE(codes_of(model, recipe).contains("S202"));
+}
+
+TEST(SourceIssues, ImportErrorsTellDamageFromOtherFormats) {
+  EXPECT_EQ(import_issue({ToolError::Kind::kUnsupported, "a.fbx: binary FBX 6"}).code, "S102");
+  EXPECT_EQ(import_issue({ToolError::Kind::kBadInput, "a.glb: cut off"}).code, "S101");
+}
+
+}  // namespace coif::origin_issues_test

@@ -2,7 +2,7 @@
 
 #include "visibility/order_search.h"
 
-#include "visibility/card_asset.h"
+#include "models/card_asset.h"
 
 #include <coif/view_cells.h>
 
@@ -14,8 +14,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace coif {
-namespace {
+namespace coif::order_search_test {
 
 UnitOrder counted(std::size_t count) {
   UnitOrder order(count);
@@ -197,5 +196,4 @@ TEST(OrderClusters, NeverLoseMoreThanTheirStartAndLessWithMoreOrders) {
   EXPECT_LT(four, one);
 }
 
-}  // namespace
-}  // namespace coif
+}  // namespace coif::order_search_test

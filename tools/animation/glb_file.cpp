@@ -30,7 +30,7 @@ void append_words(std::vector<std::byte>& out, std::initializer_list<std::size_t
 std::size_t GlbFile::add_view(std::span<const std::byte> bytes, GlbTarget target) {
   buffer_.resize(padded(buffer_.size()));  // every component type starts at a multiple of its size
   nlohmann::json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}};
-  if (target != GlbTarget::kNone) view["target"] = target;
+  if (target != GlbTarget::kAny) view["target"] = target;
   append(buffer_, bytes);
   document["bufferViews"].push_back(std::move(view));
   return document["bufferViews"].size() - 1;

@@ -1,8 +1,11 @@
 #pragma once
+
 // The container of a binary glTF 2.0: one JSON document, one buffer.
 // Source: Khronos, "glTF 2.0 Specification", chapters 3.6 (binary data) and 4.4 (GLB).
 
-#include <nlohmann/json.hpp>
+#include "base/json.h"
+
+#include <coif/asset.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +22,13 @@ enum class GlbComponent : std::uint32_t {
   kFloat = 5126
 };
 
-/// What the GPU uses a buffer view for; kNone for animation data and images.
-enum class GlbTarget : std::uint32_t { kNone = 0, kVertices = 34962, kIndices = 34963 };
+/// What the GPU uses a buffer view for; kAny for animation data and images.
+enum class GlbTarget : std::uint32_t { kAny = 0, kVertices = 34962, kIndices = 34963 };
 
 struct GlbArray {
   GlbComponent component = GlbComponent::kFloat;
   const char* type = "SCALAR";  ///< "SCALAR", "VEC2", "VEC3", "VEC4" or "MAT4".
-  GlbTarget target = GlbTarget::kNone;
+  GlbTarget target = GlbTarget::kAny;
   bool normalized = false;
 };
 
@@ -49,7 +52,7 @@ class GlbFile {
   void add_bounds(std::size_t accessor, std::span<const float> values, std::size_t width);
 
   /// Copies raw bytes into the buffer; returns the buffer view's index.
-  std::size_t add_view(std::span<const std::byte> bytes, GlbTarget target = GlbTarget::kNone);
+  std::size_t add_view(std::span<const std::byte> bytes, GlbTarget target = GlbTarget::kAny);
 
   /// The finished file; empty above the container's limit of 4 GiB.
   [[nodiscard]] std::vector<std::byte> bytes() const;
@@ -59,5 +62,9 @@ class GlbFile {
 
   std::vector<std::byte> buffer_;
 };
+
+/// Adds the finest level of the asset's mesh with its skin attributes and one material, as mesh 0. The asset must have vertices.
+/// `base_color_png`: embedded as the base colour texture; empty: none.
+void add_hair_mesh(GlbFile& file, const Asset& asset, std::span<const std::uint8_t> base_color_png);
 
 }  // namespace coif

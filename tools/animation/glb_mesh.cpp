@@ -1,4 +1,4 @@
-#include "animation/glb_mesh.h"
+#include "animation/glb_file.h"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,8 @@
 #include "cli/asset_summary.h"
 
-#include "cli/json_text.h"
-#include "cli/tuning_summary.h"
-#include "cook/mip_coverage.h"
-#include "shading_names.h"
+#include "base/json.h"
+#include "base/shading_names.h"
+#include "cook/texture/alpha.h"
 #include "write/chunk_file.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "base/json.h"
+#include "import/source_model.h"
+
 #include <coif/asset.h>
+
+#include <CLI/CLI.hpp>
 
 #include <string>
 
@@ -11,5 +16,21 @@ namespace coif {
 
 /// The same as a table for people. `name`: the file's.
 [[nodiscard]] std::string asset_text(const std::string& name, const Asset& asset);
+
+/// How the asset wants to be simulated, errors in percent of the chain's length; null where it was not tuned. The keys are stable.
+[[nodiscard]] nlohmann::ordered_json tuning_json(const Asset& asset);
+
+/// One entry for each frame rate and number of sub-steps that was measured. The keys are stable.
+[[nodiscard]] nlohmann::ordered_json quality_json(const Asset& asset);
+
+/// Both as lines for people; empty where the asset has neither.
+[[nodiscard]] std::string tuning_text(const Asset& asset);
+
+/// The names that a recipe can speak of: meshes, materials, and nodes as a tree with the bones marked.
+[[nodiscard]] std::string list_text(const SourceModel& model);
+[[nodiscard]] std::string list_json(const SourceModel& model);
+
+/// The program's manual page, in roff for man(1): its own help, command by command, and what help has no room for.
+[[nodiscard]] std::string manual_page(const CLI::App& program);
 
 }  // namespace coif

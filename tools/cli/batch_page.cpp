@@ -1,8 +1,8 @@
-#include "cli/batch_page.h"
+#include "cli/batch.h"
 
-#include "cli/asset_file.h"
-#include "counted.h"
-#include "process/process_pool.h"
+#include "base/text.h"
+#include "cli/input_files.h"
+#include "process/child_process.h"
 #include "render/picture.h"
 #include "report/page/html_page.h"
 

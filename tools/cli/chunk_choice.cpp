@@ -1,6 +1,6 @@
 #include "cli/chunk_choice.h"
 
-#include "cook/nearest_word.h"
+#include "base/text.h"
 #include "write/chunk_file.h"
 #include "write/strip_asset.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Which parts of an asset a person means.
 
-#include "tool_error.h"
+#include "base/tool_error.h"
 
 #include <coif/asset.h>
 

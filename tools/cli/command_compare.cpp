@@ -1,9 +1,8 @@
-#include "cli/asset_file.h"
+#include "base/json.h"
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/motion_choice.h"
+#include "cli/input_files.h"
+#include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/results.h"
 #include "compare/rig_difference.h"
 
 #include <memory>

@@ -1,11 +1,10 @@
+#include "cli/asset_summary.h"
+#include "cli/batch.h"
 #include "cli/command.h"
-#include "cli/cook_batch.h"
 #include "cli/cook_job.h"
-#include "cli/cook_summary.h"
+#include "cli/input_files.h"
+#include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/recipe_choice.h"
-#include "cli/results.h"
-#include "cli/source_listing.h"
 
 #include <memory>
 

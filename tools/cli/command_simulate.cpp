@@ -1,12 +1,11 @@
 #include "animation/recording.h"
-#include "cli/asset_file.h"
+#include "base/files.h"
+#include "base/json.h"
+#include "base/text.h"
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/motion_choice.h"
+#include "cli/input_files.h"
+#include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/results.h"
-#include "counted.h"
-#include "files/output_file.h"
 #include "render/picture.h"
 
 #include <memory>

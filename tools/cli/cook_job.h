@@ -1,21 +1,36 @@
 #pragma once
 
-#include "cli/cook_summary.h"
+#include "base/parallel_for.h"
+#include "base/tool_error.h"
+#include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
-#include "cli/recipe_choice.h"
+#include "cook/cook.h"
 #include "import/import.h"
-#include "parallel_for.h"
-#include "tool_error.h"
 
 #include <tl/expected.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace coif {
+
+/// A cook as it is told to people and programs.
+struct CookSummary {
+  std::string output;       ///< Path of the asset.
+  std::size_t bytes = 0;    ///< Its size.
+  CookReport report;        ///< Passes include the import; warnings include the importer's.
+  bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
+};
+
+/// The result as JSON; the keys are stable.
+[[nodiscard]] std::string cook_json(const CookSummary& summary);
+
+/// A few lines: what was made, what was left out, what to do next.
+[[nodiscard]] std::string cook_text(const CookSummary& summary);
 
 /// The command line of `coif cook`.
 struct CookOptions {

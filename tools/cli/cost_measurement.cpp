@@ -1,8 +1,7 @@
-#include "cli/cost_measurement.h"
+#include "cli/report_options.h"
 
 #include "render/draw_cost.h"
-#include "render/thesis_crowds.h"
-#include "report/hair_crowd.h"
+#include "report/cost/measure_cost.h"
 
 #include <fmt/format.h>
 

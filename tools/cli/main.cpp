@@ -1,7 +1,7 @@
 // coif: cooks, checks, simulates and draws hair for games.
 
+#include "cli/asset_summary.h"
 #include "cli/command.h"
-#include "cli/manual_page.h"
 
 #include <fmt/format.h>
 

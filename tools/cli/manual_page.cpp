@@ -1,6 +1,6 @@
-#include "cli/manual_page.h"
+#include "cli/asset_summary.h"
 
-#include "cli/exit_code.h"
+#include "cli/command.h"
 
 #include <fmt/format.h>
 

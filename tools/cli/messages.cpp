@@ -1,8 +1,14 @@
 #include "cli/messages.h"
 
+#include "cli/command.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
 
 namespace coif {
 
@@ -14,6 +20,81 @@ void Messages::note(std::string_view text) const { write("note", text); }
 
 void Messages::write(std::string_view severity, std::string_view text) const {
   fmt::print(stderr, "{}: {}: {}\n", program_, severity, text);
+}
+
+namespace {
+
+constexpr const char* kEraseLine = "\r\033[K";
+
+bool is_watched(std::FILE* stream) {
+  const char* const terminal = std::getenv("TERM");
+  return isatty(fileno(stream)) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(std::string what, std::FILE* stream)
+    : what_(std::move(what)), stream_(is_watched(stream) ? stream : nullptr) {}
+
+ProgressLine::~ProgressLine() { erase(); }
+
+void ProgressLine::show(const char* step) {
+  if (stream_ == nullptr) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  fmt::print(stream_, "{}{}: {} ({:.1f} s)", kEraseLine, what_, step, elapsed.count());
+  std::fflush(stream_);
+}
+
+void ProgressLine::erase() {
+  if (stream_ == nullptr) return;
+  std::fputs(kEraseLine, stream_);
+  std::fflush(stream_);
+}
+
+void print_result(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+namespace {
+
+constexpr ExitMeaning kMeanings[] = {
+    {Exit::kOk, "ok", "All is well."},
+    {Exit::kUsage, "usage", "The command line is wrong."},
+    {Exit::kFileAccess, "file access", "A file cannot be opened, read or written."},
+    {Exit::kBadInput, "bad input or asset", "A source, a recipe or an asset is not usable."},
+    {Exit::kOverBudget, "over budget", "The result exceeds a budget that was asked for."},
+    {Exit::kUnsupported, "unsupported",
+     "A file's format or version is none of those known, or this machine lacks something."},
+    {Exit::kInternal, "internal error", "A bug in this program, or no memory left."},
+};
+
+}  // namespace
+
+std::span<const ExitMeaning> exit_meanings() { return kMeanings; }
+
+std::string exit_code_help() {
+  constexpr std::size_t kWidth = 80;
+  std::string lines, line = "Exit codes:";
+  for (const ExitMeaning& exit : kMeanings) {
+    const std::string entry =
+        fmt::format(" {} {}{}", static_cast<int>(exit.code), exit.name, exit.code == Exit::kInternal ? "" : ",");
+    if (line.size() + entry.size() > kWidth) {
+      lines += line + "\n";
+      line = std::string(sizeof "Exit codes:" - 1, ' ');
+    }
+    line += entry;
+  }
+  return lines + line;
+}
+
+Exit exit_code(ToolError::Kind kind) {
+  switch (kind) {
+    case ToolError::Kind::kUsage: return Exit::kUsage;
+    case ToolError::Kind::kFileAccess: return Exit::kFileAccess;
+    case ToolError::Kind::kBadInput: return Exit::kBadInput;
+    case ToolError::Kind::kOverBudget: return Exit::kOverBudget;
+    case ToolError::Kind::kUnsupported: return Exit::kUnsupported;
+    case ToolError::Kind::kInternal: return Exit::kInternal;
+  }
+  return Exit::kInternal;
 }
 
 }  // namespace coif

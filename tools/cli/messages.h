@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -21,5 +23,31 @@ class Messages {
 
   std::string program_;
 };
+
+/// What the program is doing, on one line of a terminal that is written over and erased at the end. Writes nothing where
+/// the stream is not a terminal, so that logs and pipes see messages only.
+class ProgressLine {
+ public:
+  /// `what`: what all of it is about, for example the file. The stream outlives this object.
+  explicit ProgressLine(std::string what, std::FILE* stream = stderr);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Replaces the line by `what`, `step` and the seconds so far.
+  void show(const char* step);
+
+  /// Erases the line, before something else is written.
+  void erase();
+
+ private:
+  std::string what_;
+  std::FILE* stream_;  ///< Null where nobody watches.
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+// What goes to the standard output.
+
+void print_result(std::string_view text);
 
 }  // namespace coif

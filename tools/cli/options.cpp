@@ -1,9 +1,15 @@
 #include "cli/options.h"
 
+#include "base/text.h"
+#include "import/clip_file.h"
+#include "motion/head_path.h"
+
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -64,6 +70,59 @@ CLI::Option* add_view(CLI::App& app, ViewAngles& view) {
       .add_option_function<std::string>(
           "--view", parse, "Degrees: 0,0 from the front, yaw towards the model's left, pitch from above (default 30,5)")
       ->type_name("YAW,PITCH");
+}
+
+std::optional<ClipChoice> find_clip(std::string_view word) {
+  if (word.find_first_of("./") == std::string_view::npos) return std::nullopt;
+  const std::size_t colon = word.find(':');
+  if (colon == std::string_view::npos) return ClipChoice{word, ""};
+  return ClipChoice{word.substr(0, colon), std::string(word.substr(colon + 1))};
+}
+
+tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Messages& messages) {
+  const auto clip = read_clip(choice.file, choice.node);
+  if (!clip) return tl::unexpected(clip.error());
+  for (const std::string& note : clip->notes) messages.note(note);
+  std::vector<ClipKey> keys;
+  keys.reserve(clip->keys.size());
+  for (const NodeKey& key : clip->keys) keys.push_back({key.seconds, key.position, key.rotation});
+  std::shared_ptr<const HeadPath> path = path_of(std::move(keys));
+  if (path) return HeadClip{printable_text(choice.file.filename().string()) + ":" + clip->node, std::move(path)};
+  return tl::unexpected(ToolError{ToolError::Kind::kInternal, choice.file.string() + ": read keys make no path"});
+}
+
+std::span<const Choice<Motion>> motion_choices() {
+  static const std::vector<Choice<Motion>> choices = [] {
+    std::vector<Choice<Motion>> list;
+    for (const MotionInfo& info : all_motions()) list.push_back({info.name, info.motion});
+    return list;
+  }();
+  return choices;
+}
+
+CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help) {
+  std::vector<std::string> names;
+  for (const MotionInfo& info : all_motions()) names.emplace_back(info.name);
+  const std::string list = fmt::format("{}", fmt::join(names, ", "));
+  const auto parse = [&motion, list](const std::string& word) {
+    if (const auto built_in = find_motion(word)) {
+      motion = {*built_in};
+    } else if (const auto clip = find_clip(word)) {
+      motion.clip = clip;
+    } else {
+      throw CLI::ValidationError("--motion", fmt::format("'{}' is not one of {}, and no file", word, list));
+    }
+  };
+  return app
+      .add_option_function<std::string>("--motion", parse,
+                                        fmt::format("{}: {}, or a node's animation in a glTF", help, list))
+      ->type_name("NAME|CLIP[:NODE]");
+}
+
+std::string motion_help() {
+  std::string text = "Motions:\n";
+  for (const MotionInfo& info : all_motions()) text += fmt::format("  {:<10}{}\n", info.name, info.description);
+  return text;
 }
 
 }  // namespace coif

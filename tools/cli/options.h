@@ -1,13 +1,23 @@
 #pragma once
+
 // Options that several commands share, and the types of values that CLI11 does not know.
 
+#include "base/tool_error.h"
+#include "cli/messages.h"
+#include "motion/head_path.h"
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
+#include <tl/expected.hpp>
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coif {
@@ -59,5 +69,38 @@ struct ViewAngles {
 
 /// YAW,PITCH in degrees; pitch within -89 .. 89.
 CLI::Option* add_view(CLI::App& app, ViewAngles& view);
+
+/// An animated node of a model file, as people name it: CLIP or CLIP:NODE.
+struct ClipChoice {
+  std::filesystem::path file;
+  std::string node;  ///< Empty: the file's only animated node.
+};
+
+/// None for a word that is no file's name. The first colon ends the file's name: nodes have colons in theirs too.
+[[nodiscard]] std::optional<ClipChoice> find_clip(std::string_view word);
+
+/// A clip as a movement of the head.
+struct HeadClip {
+  std::string name;                      ///< "walk.glb:head", printable.
+  std::shared_ptr<const HeadPath> path;  ///< Not null.
+};
+
+/// Reads it; `messages` gets what was taken otherwise than the file says. Errors: as read_clip().
+[[nodiscard]] tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Messages& messages);
+
+/// The built-in motions as words of the command line.
+[[nodiscard]] std::span<const Choice<Motion>> motion_choices();
+
+/// A built-in motion or a clip.
+struct HeadMotion {
+  Motion motion = Motion::kStill;
+  std::optional<ClipChoice> clip{};  ///< Instead of `motion`.
+};
+
+/// --motion NAME|CLIP[:NODE]; `motion` must outlive the parsing.
+CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help);
+
+/// A paragraph with each motion and its figures, for --help.
+[[nodiscard]] std::string motion_help();
 
 }  // namespace coif

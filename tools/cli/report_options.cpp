@@ -1,6 +1,6 @@
 #include "cli/report_options.h"
 
-#include "cli/motion_choice.h"
+#include "cli/options.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
-#include "cli/source_listing.h"
+#include "cli/asset_summary.h"
 
-#include "cli/json_text.h"
-#include "cli/results.h"
-#include "counted.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "cli/messages.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,17 @@
 #include "cli/verdict.h"
 
-#include "cli/json_text.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "render/picture.h"
+#include "report/page/html_page.h"
+#include "validate/issue_codes.h"
 
+#include <Eigen/Core>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace coif {
 namespace {
@@ -54,6 +63,120 @@ std::string verdicts_text(const std::vector<Verdict>& verdicts) {
     text += fmt::format("{}: {}\n", verdict.path, verdict_word(verdict));
   }
   return text;
+}
+
+namespace {
+
+CellLook look(Severity severity) {
+  switch (severity) {
+    case Severity::kInfo: return CellLook::kNeutral;
+    case Severity::kWarning: return CellLook::kWarning;
+    case Severity::kError: return CellLook::kBad;
+  }
+  return CellLook::kPlain;
+}
+
+std::string meaning(const std::string& code) {
+  const IssueCode* row = find_issue_code(code);
+  return row == nullptr ? "" : fmt::format("{} {}", row->meaning, row->cure);
+}
+
+Table issue_table(const JudgedIssues& issues) {
+  using Kind = Column::Kind;
+  Table table{{{"Code"}, {"Severity"}, {"Where"}, {"What", Kind::kProse}, {"Meaning and cure", Kind::kProse}}, {}};
+  for (const Issue& issue : issues.shown) {
+    table.rows.push_back({{issue.code},
+                          {name(issue.severity), look(issue.severity)},
+                          {issue.where},
+                          {issue.message},
+                          {meaning(issue.code)}});
+  }
+  for (const FoldedIssues& more : issues.folded) {
+    const std::string what = fmt::format("{} more like this", more.count);
+    table.rows.push_back({{more.code}, {name(more.severity), look(more.severity)}, {}, {what}, {}});
+  }
+  return table;
+}
+
+void add_file(const Verdict& verdict, HtmlPage& page) {
+  const JudgedIssues& issues = verdict.issues;
+  page.heading(verdict.path);
+  page.paragraph(fmt::format("{}: {}, {}, {}.", verdict_word(verdict), counted(issues.errors, "error", "errors"),
+                             counted(issues.warnings, "warning", "warnings"), counted(issues.infos, "note", "notes")));
+  if (!issues.shown.empty()) page.table(issue_table(issues));
+  for (const IssuePicture& picture : verdict.pictures.pictures) {
+    page.picture(picture.png, fmt::format("Patch {}, in red, from its own side.", picture.patch));
+  }
+  if (!verdict.pictures.why_none.empty()) page.paragraph("Patches are not drawn: " + verdict.pictures.why_none);
+}
+
+}  // namespace
+
+std::string verdict_page(std::span<const Verdict> verdicts) {
+  HtmlPage page("coif validate");
+  const auto valid = std::ranges::count_if(verdicts, [](const Verdict& v) { return v.issues.valid(); });
+  page.summary(fmt::format("{} of {} files are valid.", valid, verdicts.size()));
+  for (const Verdict& verdict : verdicts) add_file(verdict, page);
+  return page.text();
+}
+
+namespace {
+
+constexpr std::size_t kMostPictures = 12;
+
+std::vector<std::uint32_t> patches_of(std::span<const Issue> issues) {
+  std::vector<std::uint32_t> patches;
+  for (const Issue& issue : issues) {
+    const bool known = issue.patch && std::ranges::find(patches, *issue.patch) != patches.end();
+    if (issue.patch && !known && patches.size() < kMostPictures) patches.push_back(*issue.patch);
+  }
+  return patches;
+}
+
+Eigen::Vector3d middle_of(const Asset& asset, std::span<const std::uint32_t> corners) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const std::uint32_t corner : corners) {
+    sum += Eigen::Vector3f(asset.vertices()[corner].position).cast<double>();
+  }
+  return sum / double(corners.size());
+}
+
+PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
+  PictureSettings settings;
+  settings.width = settings.height = 360;
+  settings.patches = true;
+  while (settings.lod + 1 < asset.lods().size() && patch >= asset.lods()[settings.lod + 1].first_patch) ++settings.lod;
+  settings.marked_patch = patch - (asset.lods().empty() ? 0 : asset.lods()[settings.lod].first_patch);
+  const PatchRecord& record = asset.patches()[patch];
+  const Eigen::Vector3d from = middle_of(asset, asset.indices().subspan(record.first_index, record.index_count)) -
+                               middle_of(asset, asset.lod_indices(settings.lod));
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  settings.yaw_degrees = std::atan2(from.x(), from.z()) * kDegrees;
+  settings.pitch_degrees = std::clamp(std::atan2(from.y(), std::hypot(from.x(), from.z())) * kDegrees, -30.0, 60.0);
+  settings.warm_up = false;
+  return settings;
+}
+
+}  // namespace
+
+IssuePictures picture_issues(const Asset& asset, std::span<const Issue> issues) {
+  IssuePictures result;
+  const std::vector<std::uint32_t> patches = patches_of(issues);
+  if (patches.empty()) return result;
+  auto maker = PictureMaker::create(asset);
+  if (!maker) {
+    result.why_none = maker.error().message;
+    return result;
+  }
+  for (const std::uint32_t patch : patches) {
+    const auto picture = maker->take(look_at(asset, patch));
+    if (!picture) {
+      result.why_none = picture.error().message;
+      return result;
+    }
+    result.pictures.push_back({patch, encode_png(*picture)});
+  }
+  return result;
 }
 
 }  // namespace coif

@@ -1,12 +1,33 @@
 #pragma once
 
-#include "cli/issue_pictures.h"
-#include "validate/issue_policy.h"
+#include "base/tool_error.h"
+#include "cli/messages.h"
+#include "validate/issue_codes.h"
 
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace coif {
+
+struct IssuePicture {
+  std::uint32_t patch = 0;
+  std::vector<std::uint8_t> png;
+};
+
+struct IssuePictures {
+  std::vector<IssuePicture> pictures;  ///< One of each patch that has an issue; of the first dozen.
+  std::string why_none;                ///< Set where nothing can be drawn here.
+};
+
+/// Every patch that `issues` name, red among grey ones, seen from its own side.
+[[nodiscard]] IssuePictures picture_issues(const Asset& asset, std::span<const Issue> issues);
 
 /// What `coif validate` found out about one file.
 struct Verdict {
@@ -24,5 +45,20 @@ struct Verdict {
 
 /// One line per file.
 [[nodiscard]] std::string verdicts_text(const std::vector<Verdict>& verdicts);
+
+/// All verdicts as one HTML document: a table of each file's issues with their meaning and cure, and its pictures.
+[[nodiscard]] std::string verdict_page(std::span<const Verdict> verdicts);
+
+/// What an asset should have been cooked from.
+struct OriginOptions {
+  std::string source;                 ///< Empty: nothing is compared.
+  std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
+  bool recook = false;                ///< Compare with the bytes of a new cook, too.
+};
+
+/// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
+/// `recook` those of the cook.
+tl::expected<std::vector<Issue>, ToolError> compare_with_origin(const Asset& asset, const OriginOptions& options,
+                                                                const Messages& messages);
 
 }  // namespace coif

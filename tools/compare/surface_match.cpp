@@ -1,4 +1,4 @@
-#include "compare/surface_match.h"
+#include "compare/rig_difference.h"
 
 #include <fmt/format.h>
 #include <Eigen/Core>

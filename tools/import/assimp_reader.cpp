@@ -1,21 +1,16 @@
-#include "import/assimp_reader.h"
+#include "import/assimp_scene.h"
 
-#include "import/asked_files.h"
-#include "import/collada_arrays.h"
-#include "import/printable_text.h"
-#include "import/scene_materials.h"
-#include "import/scene_meshes.h"
-#include "import/scene_nodes.h"
-#include "import/scene_units.h"
+#include "base/text.h"
+#include "import/source_file.h"
 #include "import/vrm_springs.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/version.h>
 #include <fmt/format.h>
-#include <assimp/Importer.hpp>
 
 #include <fstream>
 #include <new>

@@ -1,17 +1,14 @@
 #include "import/clip_file.h"
 
-#include "import/clip_node.h"
-#include "import/gltf_json.h"
-#include "import/gltf_tree.h"
-#include "import/json_values.h"
-#include "import/printable_text.h"
-#include "import/readable_file.h"
-#include "import/source_format.h"
+#include "base/decompositions.h"
+#include "base/text.h"
+#include "import/clip_track.h"
+#include "import/gltf_document.h"
+#include "import/import.h"
+#include "import/source_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <new>
@@ -28,10 +25,10 @@ using nlohmann::json;
 template <class T>
 using Expected = tl::expected<T, std::string>;  ///< The error without the file's name.
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
-constexpr std::size_t kMostNumbers = 16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
+constexpr std::uint64_t kMostClipBytes = std::uint64_t{1} << 30;
+constexpr std::size_t kMostClipNumbers = 16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
 constexpr double kLeastSpan = 1.0e-4;             ///< Seconds; the promise of ClipFile::keys.
-constexpr const char* kReexport = "export the clip again as .glb";
+constexpr const char* kExportAgain = "export the clip again as .glb";
 
 /// A clip being read: one node and its parents, and what moves them.
 class ClipReader {
@@ -92,7 +89,7 @@ class ClipReader {
   [[nodiscard]] Expected<std::uint32_t> find(std::string_view name) const {
     const std::set<std::uint32_t> animated = animated_nodes();
     if (animated.empty())
-      return tl::unexpected(fmt::format("no animation moves a node; {} with its animation", kReexport));
+      return tl::unexpected(fmt::format("no animation moves a node; {} with its animation", kExportAgain));
     if (name.empty()) {
       if (animated.size() == 1) return *animated.begin();
       return tl::unexpected(fmt::format("{} nodes are animated: {}; name the head's, as in CLIP:NODE", animated.size(),
@@ -112,7 +109,7 @@ class ClipReader {
       auto node = ClipNode::from(tree_.node(index));
       if (!node) {
         return tl::unexpected(
-            fmt::format("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kReexport));
+            fmt::format("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain));
       }
       nodes_.push_back(std::move(*node));
     }
@@ -156,19 +153,19 @@ class ClipReader {
     const json& samplers = list_of(member(animations_[animation], "samplers"));
     const auto sampler = index_of(member(channel, "sampler"), samplers.size());
     if (!sampler)
-      return tl::unexpected(fmt::format("{}: no such sampler among {}; {}", where, samplers.size(), kReexport));
+      return tl::unexpected(fmt::format("{}: no such sampler among {}; {}", where, samplers.size(), kExportAgain));
     auto track = read_track(document_, buffers_, samplers[*sampler], target.property);
-    if (!track) return tl::unexpected(fmt::format("{}: {}; {}", where, track.error(), kReexport));
+    if (!track) return tl::unexpected(fmt::format("{}: {}; {}", where, track.error(), kExportAgain));
     numbers_ += track->seconds.size() + track->values.size();
-    if (numbers_ > kMostNumbers)
-      return tl::unexpected(fmt::format("more than {} numbers of animation; export a shorter clip", kMostNumbers));
+    if (numbers_ > kMostClipNumbers)
+      return tl::unexpected(fmt::format("more than {} numbers of animation; export a shorter clip", kMostClipNumbers));
     if (!track->was_linear) {
       clip_.notes.push_back(
           where + ": steps or splines are read as straight lines between their values; bake the clip for other curves");
     }
     const auto place = std::size_t(std::ranges::find(chain_, target.node) - chain_.begin());
     if (nodes_[place].animate(target.property, std::move(*track))) return {};
-    return tl::unexpected(fmt::format("{}: animated twice, or given as a matrix; {}", where, kReexport));
+    return tl::unexpected(fmt::format("{}: animated twice, or given as a matrix; {}", where, kExportAgain));
   }
 
   /// Keys of one track differ from another's by rounding, and so near ones are one.
@@ -198,7 +195,7 @@ class ClipReader {
   /// A mirrored or flattened node has no rotation.
   [[nodiscard]] static std::optional<Eigen::Quaterniond> rotation_of(const Affine3d& place) {
     if (!place.matrix().allFinite() || !(place.linear().determinant() > 1.0e-30)) return std::nullopt;
-    return Eigen::Quaterniond(place.rotation()).normalized();
+    return Eigen::Quaterniond(rotation_part(place)).normalized();
   }
 
   Expected<void> sample() {
@@ -231,32 +228,28 @@ class ClipReader {
   ClipFile clip_;
 };
 
-ToolError failed(ToolError::Kind kind, const fs::path& path, std::string_view text) {
-  return {kind, fmt::format("{}: {}", path.string(), text)};
-}
-
 }  // namespace
 
 tl::expected<ClipFile, ToolError> read_clip(const fs::path& path, std::string_view node) try {
   using Kind = ToolError::Kind;
-  if (auto readable = check_readable(path, kMostBytes); !readable) return tl::unexpected(readable.error());
+  if (auto readable = check_readable(path, kMostClipBytes); !readable) return tl::unexpected(readable.error());
   const auto suffix = find_suffix(path);
   if (!suffix || suffix->format != SourceFormat::kGltf) {
     return tl::unexpected(
-        failed(Kind::kUnsupported, path,
-               "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool"));
+        file_error(Kind::kUnsupported, path,
+                   "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool"));
   }
   constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
   const auto document = read_gltf_json(path, kMembers);
   if (!document)
     return tl::unexpected(
-        failed(Kind::kBadInput, path, fmt::format("cannot be read as glTF 2.0: {}; {}", document.error(), kReexport)));
+        file_error(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain));
   auto clip = ClipReader(path, *document).read(node);
-  if (!clip) return tl::unexpected(failed(Kind::kBadInput, path, clip.error()));
+  if (!clip) return tl::unexpected(file_error(Kind::kBadInput, path, "{}", clip.error()));
   for (std::string& note : clip->notes) note = path.string() + ": " + note;
   return std::move(*clip);
 } catch (const std::bad_alloc&) {
-  return tl::unexpected(failed(ToolError::Kind::kBadInput, path, "not enough memory for this clip"));
+  return tl::unexpected(file_error(ToolError::Kind::kBadInput, path, "not enough memory for this clip"));
 }
 
 }  // namespace coif

@@ -1,7 +1,7 @@
 #pragma once
 // Animations of model files, as what one node does.
 
-#include "tool_error.h"
+#include "base/tool_error.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,11 +1,14 @@
 #pragma once
+
 // How one property of one node changes: a sampler of a glTF animation.
 // Source: Khronos, "glTF 2.0 Specification", chapter 3.11 and appendix C.
 
-#include "import/gltf_numbers.h"
+#include "base/json.h"
+#include "import/gltf_document.h"
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,5 +37,27 @@ struct ClipTrack {
 /// The error is a sentence without the file's name.
 [[nodiscard]] tl::expected<ClipTrack, std::string> read_track(const nlohmann::json& document, GltfBuffers& buffers,
                                                               const nlohmann::json& sampler, NodeProperty property);
+
+/// A node's place in its parent, at rest and while it is animated.
+class ClipNode {
+ public:
+  /// Null unless the node's numbers are finite.
+  static std::optional<ClipNode> from(const nlohmann::json& node);
+
+  /// False where this property moves already, or the node is given as a matrix, which nothing can animate.
+  bool animate(NodeProperty property, ClipTrack track);
+  [[nodiscard]] const std::optional<ClipTrack>& track(NodeProperty property) const;
+
+  [[nodiscard]] Eigen::Affine3d at_rest() const { return rest_; }
+  [[nodiscard]] Eigen::Affine3d at(double seconds) const;
+
+ private:
+  Eigen::Affine3d rest_ = Eigen::Affine3d::Identity();
+  bool has_matrix_ = false;
+  Eigen::Vector3d translation_ = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
+  std::array<std::optional<ClipTrack>, 3> tracks_;
+};
 
 }  // namespace coif

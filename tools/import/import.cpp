@@ -1,18 +1,16 @@
 #include "import/import.h"
 
-#include "import/assimp_reader.h"
-#include "process/child_process.h"
-#include "import/file_error.h"
-#include "import/file_fence.h"
+#include "import/assimp_scene.h"
 #include "import/model_stream.h"
-#include "import/readable_file.h"
-#include "import/source_format.h"
+#include "import/source_file.h"
+#include "process/child_process.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
 
 namespace coif {
 namespace {
@@ -67,6 +65,46 @@ tl::expected<SourceModel, ToolError> import_model(const fs::path& path, const Im
   return tl::unexpected(ToolError{ToolError::Kind::kBadInput, path.string() + ": not enough memory for this model"});
 } catch (const std::exception& failure) {
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, path.string() + ": " + failure.what()});
+}
+
+namespace {
+
+// VRM is binary glTF under another suffix, which assimp refuses by name.
+constexpr SourceSuffix kSuffixes[] = {
+    {".fbx", SourceFormat::kFbx, "fbx"},  {".gltf", SourceFormat::kGltf, "gltf"}, {".glb", SourceFormat::kGltf, "glb"},
+    {".vrm", SourceFormat::kGltf, "glb"}, {".obj", SourceFormat::kObj, "obj"},    {".dae", SourceFormat::kDae, "dae"},
+};
+
+}  // namespace
+
+const char* format_name(SourceFormat format) {
+  switch (format) {
+    case SourceFormat::kFbx: return "FBX";
+    case SourceFormat::kGltf: return "glTF 2.0";
+    case SourceFormat::kObj: return "Wavefront OBJ";
+    case SourceFormat::kDae: return "COLLADA";
+  }
+  return "unknown";
+}
+
+std::optional<SourceSuffix> find_suffix(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  for (char& letter : suffix) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  for (const SourceSuffix& known : kSuffixes) {
+    if (suffix == known.suffix) return known;
+  }
+  return std::nullopt;
+}
+
+std::string supported_suffixes() {
+  std::string list;
+  for (const SourceSuffix& known : kSuffixes) {
+    if (!list.empty()) list += ", ";
+    list += known.suffix;
+  }
+  return list;
 }
 
 }  // namespace coif

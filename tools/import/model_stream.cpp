@@ -1,7 +1,7 @@
 #include "import/model_stream.h"
 
-#include "import/printable_text.h"
-#include "import/source_model_check.h"
+#include "base/text.h"
+#include "import/source_model.h"
 
 #include <concepts>
 #include <cstring>

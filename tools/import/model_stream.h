@@ -3,8 +3,8 @@
 // program, so it has no version; but the sender may have been taken over by the file that it parsed, so the receiver
 // trusts nothing.
 
+#include "base/tool_error.h"
 #include "import/source_model.h"
-#include "tool_error.h"
 
 #include <tl/expected.hpp>
 

@@ -1,6 +1,4 @@
-#include "import/scene_materials.h"
-
-#include "import/assimp_values.h"
+#include "import/assimp_scene.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>

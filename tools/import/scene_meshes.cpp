@@ -1,7 +1,4 @@
-#include "import/scene_meshes.h"
-
-#include "import/assimp_values.h"
-#include "import/skin_binding.h"
+#include "import/assimp_scene.h"
 
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -17,10 +14,10 @@ namespace {
 Eigen::Vector3d vector(const aiVector3D& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
 
 // Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model.
-constexpr float kFarthest = 1e6f;
+constexpr float kFarthestVertex = 1e6f;
 
 bool usable(const Eigen::Vector3f& position) {
-  return position.allFinite() && position.cwiseAbs().maxCoeff() <= kFarthest;
+  return position.allFinite() && position.cwiseAbs().maxCoeff() <= kFarthestVertex;
 }
 
 struct PlacedVertices {

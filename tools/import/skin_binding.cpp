@@ -1,6 +1,4 @@
-#include "import/skin_binding.h"
-
-#include "import/assimp_values.h"
+#include "import/assimp_scene.h"
 
 #include <assimp/mesh.h>
 #include <fmt/format.h>

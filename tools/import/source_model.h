@@ -1,4 +1,5 @@
 #pragma once
+
 // What every supported file becomes: a plain model in metres, Y up, right-handed, in its rest pose.
 
 #include <Eigen/Core>
@@ -109,5 +110,9 @@ struct SourceModel {
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;
 };
+
+/// Every promise of source_model.h: cross-references in range, parents first, arrays of one size, finite numbers,
+/// influences that add up to one. Empty when they hold, else the first that does not.
+[[nodiscard]] std::string find_model_fault(const SourceModel& model);
 
 }  // namespace coif

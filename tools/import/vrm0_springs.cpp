@@ -1,6 +1,6 @@
-#include "import/vrm0_springs.h"
+#include "import/vrm_springs.h"
 
-#include "import/json_values.h"
+#include "import/gltf_document.h"
 
 #include <fmt/format.h>
 

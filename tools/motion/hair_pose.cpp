@@ -1,4 +1,4 @@
-#include "motion/hair_pose.h"
+#include "motion/head_path.h"
 
 #include <cmath>
 #include <cstddef>

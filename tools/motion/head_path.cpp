@@ -53,4 +53,64 @@ HeadPose pose_of(const HeadState& state) {
   return pose;
 }
 
+namespace {
+
+constexpr MotionInfo kMotions[] = {
+    {Motion::kStill, "still", "no movement: the hair sags under gravity and settles"},
+    {Motion::kNod, "nod", "nods 40 deg up and down about X at 0.77 Hz"},
+    {Motion::kTurn, "turn", "shakes the head 57 deg to each side about Y at 1.54 Hz"},
+    {Motion::kCharge, "charge", "from 0 to 8 m/s forward (+Z) in 0.3 s, then steady"},
+    {Motion::kRun, "run", "bobs 6 cm and nods 6 deg at 2.4 Hz while swaying forward and back at up to 3 m/s"},
+    {Motion::kJump, "jump", "crouches 25 cm, jumps 45 cm high, lands and rises; repeats"},
+    {Motion::kTumble, "tumble", "a forward somersault about X in 0.8 s with a hop of 1 m; repeats every 1.5 s"},
+    {Motion::kTeleport, "teleport", "still, but for a jump of 10 m (+X) at 1 s and a turn of 180 deg about Y at 2 s"},
+};
+
+}  // namespace
+
+std::span<const MotionInfo> all_motions() { return kMotions; }
+
+std::optional<Motion> find_motion(std::string_view name) {
+  for (const MotionInfo& info : kMotions) {
+    if (name == info.name) return info.motion;
+  }
+  return std::nullopt;
+}
+
+HeadPose head_pose(Motion motion, double seconds) { return path_of(motion)->pose(seconds); }
+
+namespace {
+
+class HeldTurn final : public HeadPath {
+ public:
+  HeldTurn(const Eigen::Vector3d& axis, double radians, double seconds)
+      : axis_(axis), radians_(radians), seconds_(seconds) {}
+
+  [[nodiscard]] HeadState at(double seconds, double inside) const override {
+    const Jet u = inside < seconds_ ? Jet::time(std::max(seconds, 0.0)) * (1 / seconds_) : Jet(1.0);
+    const Jet turn = radians_ * (u * u * u * (10 - 15 * u + 6 * u * u));
+    HeadState state;
+    state.rotation = Eigen::AngleAxisd(turn.value, axis_);
+    state.angular_velocity = axis_ * turn.rate;
+    state.angular_acceleration = axis_ * turn.acceleration;
+    return state;
+  }
+
+  [[nodiscard]] std::vector<PathBreak> breaks(double until) const override {
+    if (seconds_ > until) return {};
+    return {{seconds_, false}};
+  }
+
+ private:
+  Eigen::Vector3d axis_;
+  double radians_;
+  double seconds_;
+};
+
+}  // namespace
+
+std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians, double seconds) {
+  return std::make_unique<HeldTurn>(axis, radians, seconds);
+}
+
 }  // namespace coif

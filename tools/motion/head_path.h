@@ -1,14 +1,38 @@
 #pragma once
 
-#include "motion/motion.h"
+#include "base/tool_error.h"
+
+#include <coif/asset.h>
+#include <coif/hair.h>
+#include <coif/math.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <tl/expected.hpp>
 
 #include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace coif {
+
+/// A head's built-in movement, defined for every time; starts at rest at the origin (y = 0) at t = 0.
+enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport };
+
+struct MotionInfo {
+  Motion motion;
+  const char* name;         ///< As on the command line.
+  const char* description;  ///< One line with the figures: angles, rates, speeds.
+};
+
+[[nodiscard]] std::span<const MotionInfo> all_motions();
+[[nodiscard]] std::optional<Motion> find_motion(std::string_view name);
+
+/// The pose of the head at `seconds`, world; before 0 as at 0. Position and rotation are continuous, and so is their
+/// velocity, except where kTeleport jumps.
+[[nodiscard]] HeadPose head_pose(Motion motion, double seconds);
 
 /// A head's pose and how it changes. World axes, metres, radians, seconds.
 struct HeadState {
@@ -51,5 +75,39 @@ class HeadPath {
 
 /// Rounded to the precision of the runtime's rotations.
 [[nodiscard]] HeadPose pose_of(const HeadState& state);
+
+/// Turns the head from rest by `radians` about `axis` (unit) within `seconds` (> 0), without a jerk at either end, and
+/// holds it there.
+[[nodiscard]] std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians, double seconds);
+
+/// Where a head is at one time of an animation. World axes.
+struct ClipKey {
+  double seconds = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();            ///< Metres.
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< World from head space; any length but 0, any sign.
+};
+
+/// A head that goes through all keys: position and velocity are continuous, acceleration is between two keys. Between
+/// them the path is the cubic Hermite curve with the slopes of the parabola through three keys; rotations take the
+/// shortest way, along the same curve of rotation vectors (Kim, Kim and Shin 1995, "A general construction scheme for
+/// unit quaternion curves", with a cubic in place of their basis). The head rests before the first key and after the
+/// last, so its slopes there are 0: a clip that is cut in full flight starts and stops within one key.
+/// Null unless there is a key, all numbers are finite, times ascend by at least kLeastKeySpan and none is before 0.
+[[nodiscard]] std::unique_ptr<HeadPath> path_of(std::vector<ClipKey> keys);
+
+/// Seconds. Closer keys would make slopes of rounding errors.
+inline constexpr double kLeastKeySpan = 1.0e-4;
+
+/// One moment of an asset's movement.
+struct HairPose {
+  HeadPose head;
+  std::vector<Mat34> palette;  ///< One per bone, head space.
+};
+
+/// Runs the runtime at 60 Hz: two seconds at the motion's first pose, so that gravity has sagged the hair, then the
+/// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics keeps its
+/// rest shape.
+tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
+                                                StepSettings step);
 
 }  // namespace coif

@@ -47,11 +47,11 @@ HeadMovement run(const Jet& t) {
 
 /// A point of a path in time. Between two points the path is the cubic that meets both heights and speeds, which
 /// for constant acceleration (pushing off, flying, landing) is the exact parabola.
-struct Knot {
+struct JumpKnot {
   double seconds, height, speed;
 };
 
-Jet between(const Knot& a, const Knot& b, const Jet& t) {
+Jet between(const JumpKnot& a, const JumpKnot& b, const Jet& t) {
   const double span = b.seconds - a.seconds;
   const Jet u = (t - a.seconds) * (1 / span);
   const Jet u2 = u * u, u3 = u2 * u;
@@ -66,7 +66,7 @@ struct JumpKnots {
   const double push = 2 * kCrouch / take_off;                 // seconds at constant acceleration
   const double lift = 0.4 + push;                             // seconds, as is the next
   const double landing = lift + 2 * take_off / kGravity;
-  const Knot knots[7] = {{0, 0, 0},
+  const JumpKnot knots[7] = {{0, 0, 0},
                          {0.4, -kCrouch, 0},
                          {lift, 0, take_off},
                          {landing, 0, -take_off},
@@ -79,7 +79,7 @@ struct JumpKnots {
 HeadMovement jump(const Jet& t, double inside) {
   const JumpKnots jumps;
   const double begun = std::floor(inside / jumps.period()) * jumps.period();
-  const Knot* next = jumps.knots + 1;
+  const JumpKnot* next = jumps.knots + 1;
   while (next + 1 < std::end(jumps.knots) && next->seconds < inside - begun) ++next;
   HeadMovement moved;
   moved.y = between(next[-1], *next, t - begun);
@@ -137,7 +137,7 @@ std::vector<PathBreak> breaks_of(Motion motion, double until) {
   if (motion == Motion::kJump) {
     const JumpKnots jumps;
     std::vector<double> offsets;
-    for (const Knot* knot = jumps.knots + 1; knot != std::end(jumps.knots); ++knot) offsets.push_back(knot->seconds);
+    for (const JumpKnot* knot = jumps.knots + 1; knot != std::end(jumps.knots); ++knot) offsets.push_back(knot->seconds);
     repeat(offsets, jumps.period(), until, breaks);
   }
   if (motion == Motion::kTeleport) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace coif {
@@ -33,5 +37,17 @@ struct ChildResult {
 /// space. `work` must not rely on other threads: only the calling one exists in the child.
 [[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
                                        const std::function<std::vector<std::uint8_t>()>& work);
+
+/// Calls work(i) for each i below `count` in a process of its own, up to `jobs` at once, and returns what each call
+/// returned, in their order; nothing for a process that crashed, was killed or could not be started. The processes are forks:
+/// call before starting threads, and while no other child is waited for. What `work` prints goes where this process prints.
+[[nodiscard]] std::vector<std::optional<std::string>> run_in_processes(
+    std::size_t count, unsigned jobs, const std::function<std::string(std::size_t)>& work);
+
+/// From now on this thread and what it starts may read files in this folder and below, and this one file wherever a link
+/// leads for it; it may open, make, change, remove or run nothing else, nor reach the network. Descriptors that are open
+/// already stay as they are. There is no way back. False where the kernel cannot do that (Linux before 5.13, or Landlock
+/// is turned off); then nothing has changed.
+bool fence_files(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace coif

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <coif/asset.h>
+#include <coif/renderer.h>
+
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,5 +35,13 @@ struct CrowdView {
 /// Places copies of what `points` (world, metres, not empty) outline side by side and moves the camera as near as it
 /// can be while it sees all of them.
 [[nodiscard]] CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSettings& settings);
+
+// How hair is looked at: what has to be in the picture, and by what light.
+
+/// What the picture is about: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
+[[nodiscard]] std::vector<Eigen::Vector3d> framed_points(const Asset& asset);
+
+/// A key light from the top, fill and rim, which move with the camera.
+[[nodiscard]] std::array<Light, 3> studio_lights(const Camera& camera);
 
 }  // namespace coif

@@ -1,9 +1,14 @@
 #include "render/crowd_stage.h"
 
-#include "render/studio.h"
+#include "base/timing.h"
+#include "render/camera.h"
 
 #include <GLES3/gl3.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
 #include <utility>
 
 namespace coif {
@@ -12,7 +17,7 @@ namespace {
 constexpr double kYawDegrees = 30, kPitchDegrees = 5;
 constexpr std::uint32_t kManySamples = 4;
 
-tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+tl::unexpected<ToolError> stage_fault(ToolError::Kind kind, std::string message) {
   return tl::unexpected(ToolError{kind, std::move(message)});
 }
 
@@ -30,20 +35,20 @@ tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const As
                                                                         std::uint32_t height) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(width) || !side_ok(height)) {
-    return fail(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way");
+    return stage_fault(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way");
   }
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
+    return stage_fault(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
   }
   auto context = EglContext::create();
   if (!context) return tl::unexpected(context.error());
   std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*context)));
   if (made->renderer_.create(made->context_.loader()) != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported,
+    return stage_fault(ToolError::Kind::kUnsupported,
                 std::string("the renderer does not start: ") + made->renderer_.failure());
   }
   if (const Status status = made->model_.upload(made->renderer_, asset); status != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+    return stage_fault(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
   }
   const auto one = OffscreenTarget::create(width, height, 0),
              many = OffscreenTarget::create(width, height, kManySamples);
@@ -110,6 +115,73 @@ std::optional<std::uint64_t> CrowdStage::count_covered_pixels(const DrawnFrame& 
     covered += (pixels[i] | pixels[i + 1] | pixels[i + 2] | pixels[i + 3]) != 0 ? 1 : 0;
   }
   return covered;
+}
+
+namespace {
+
+/// The first frame, which also pays for what drivers put off until then, does not count.
+std::optional<double> median_of_later(std::vector<double> samples) {
+  if (samples.size() < 2) return {};
+  samples.erase(samples.begin());
+  return SideBySideTiming::summarize(std::move(samples)).seconds;
+}
+
+}  // namespace
+
+std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds) {
+  std::vector<std::vector<double>> gpu_samples(frames.size());
+  std::vector<std::function<void()>> works;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    works.emplace_back([&stage, &frame = frames[i], &samples = gpu_samples[i]] {
+      (void)stage.draw(frame);
+      if (const auto gpu = stage.gpu_seconds()) samples.push_back(*gpu);
+    });
+  }
+  const std::vector<Timing> timings =
+      SideBySideTiming(
+          {.clock = TimingClock::kWall, .seconds = seconds, .least_rounds = kLeastFrames, .batch_seconds = 0})
+          .run(works);
+  std::vector<FrameTime> times;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    times.push_back({timings[i].seconds, timings[i].spread_pct, median_of_later(std::move(gpu_samples[i]))});
+  }
+  return times;
+}
+
+/// The same pixels as the last crowd, but more vertices.
+double AffordableCrowds::least_seconds(std::uint32_t heads) const {
+  constexpr double kVertexShare = 0.2;  // of one head's time, at the least
+  return last_seconds_ * std::max(1.0, kVertexShare * heads / last_heads_);
+}
+
+bool AffordableCrowds::leave_out_slow(double seconds, std::uint32_t heads) {
+  if (heads == 1 || seconds <= longest_frame_) return false;
+  left_out_.push_back({heads, "one frame takes " + std::to_string(std::lround(1e3 * seconds)) +
+                                  " ms or more, too long for the time there is"});
+  return true;
+}
+
+tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(const CrowdView& view) {
+  const auto heads = std::uint32_t(view.places.size());
+  if (!left_out_.empty()) {
+    left_out_.push_back({heads, "fewer are too slow already"});
+    return std::nullopt;
+  }
+  if (leave_out_slow(least_seconds(heads), heads)) return std::nullopt;
+  auto crowd = make_crowd_(heads);
+  if (!crowd) return tl::unexpected(crowd.error());
+  const std::uint32_t number = stage_.add(std::move(*crowd), view);
+  // The first frame also pays for what drivers put off until then.
+  if (const Status status = stage_.draw({.crowd = number}); status != Status::kOk) {
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status)});
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  (void)stage_.draw({.crowd = number});
+  last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  last_heads_ = heads;
+  if (leave_out_slow(last_seconds_, heads)) return std::nullopt;
+  return number;
 }
 
 }  // namespace coif

@@ -1,20 +1,47 @@
 #pragma once
 
-#include "render/affordable_crowds.h"
+#include "base/tool_error.h"
 #include "render/crowd_stage.h"
-#include "render/draw_distances.h"
-#include "render/frame_timing.h"
-#include "tool_error.h"
 
 #include <coif/asset.h>
 
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace coif {
+
+/// A crowd and how far away it is.
+struct CrowdDistance {
+  std::uint32_t heads = 1;  ///< 1..kMostDrawnHeads.
+  double times_as_far = 1;  ///< As where the crowd fills the picture, >= 1.
+};
+
+struct DrawDistance {
+  CrowdDistance crowd;
+  double screen_share = 0;    ///< Of the picture's height, that of a head: what choose_lod() is asked with.
+  std::uint32_t lod = 0;      ///< What it answers.
+  double covered_pixels = 0;  ///< That hair touches, of the whole crowd, at that level; each counted once.
+  FrameTime time;             ///< Of the whole crowd, at that level,
+  FrameTime finest;           ///< and at level 0.
+};
+
+struct DrawDistances {
+  std::vector<DrawDistance> rows;         ///< In the order asked for.
+  std::vector<DrawCostLeftOut> left_out;  ///< All from some crowd on.
+};
+
+/// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
+[[nodiscard]] double head_height(const Asset& asset);
+
+/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are left out;
+/// one head never is. `crowds`: no fewer heads than before. Errors: those of AffordableCrowds::add().
+tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
+                                                         std::span<const CrowdDistance> crowds,
+                                                         const MakeCrowd& make_crowd, double seconds);
 
 struct DrawCostSettings {
   std::vector<std::uint32_t> heads{1, 10, 100};  ///< Sizes of the crowd, 1..kMostDrawnHeads.
@@ -47,5 +74,32 @@ struct DrawCost {
 /// for settings out of range; those of `make_crowd`.
 tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const DrawCostSettings& settings,
                                                   const MakeCrowd& make_crowd);
+
+/// As in the thesis's Table 1 (6. Results).
+struct ThesisCrowdSettings {
+  std::vector<std::uint32_t> heads{20, 50, 100, 200};  ///< 1..kMostDrawnHeads, not empty.
+  std::uint32_t width = 1024, height = 768;            ///< Pixels, 16..8192.
+  double seconds = 14;                                 ///< To spend, > 0, but for at least some frames of each way.
+  double longest_frame = 15;                           ///< Seconds; crowds with longer ones are left out.
+};
+
+struct ThesisCrowdRow {
+  std::uint32_t heads = 0;
+  bool transparency = true;  ///< kBlendMode; else kOpaqueMode.
+  bool simulation = true;    ///< The crowd is stepped before it is drawn.
+  FrameTime time;
+};
+
+struct ThesisCrowds {
+  std::string device;                ///< GL_RENDERER.
+  std::vector<ThesisCrowdRow> rows;  ///< Four for each crowd, by heads.
+  std::vector<DrawCostLeftOut> left_out;
+};
+
+/// Times crowds with and without transparency and simulation, all in turns. Every crowd is seen from where all heads of
+/// the largest fit into the picture, so that a head is as large in one as in the other. Errors: those of
+/// CrowdStage::create() and AffordableCrowds::add(), kUsage for settings out of range.
+tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, const ThesisCrowdSettings& settings,
+                                                            const MakeCrowd& make_crowd);
 
 }  // namespace coif

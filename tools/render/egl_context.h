@@ -1,12 +1,15 @@
 #pragma once
 
-#include "tool_error.h"
+#include "base/tool_error.h"
 
 #include <coif/renderer.h>
 
 #include <tl/expected.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace coif {
 
@@ -35,6 +38,65 @@ class EglContext {
   static bool open(void* display, Handles& handles);
 
   Handles handles_;
+};
+
+/// An sRGB framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the
+/// OpenGL context.
+class OffscreenTarget {
+ public:
+  static tl::expected<OffscreenTarget, ToolError> create(std::uint32_t width, std::uint32_t height,
+                                                         std::uint32_t samples = 4);
+
+  /// Makes it the framebuffer that is drawn to, with its whole area as viewport.
+  void bind() const;
+
+  /// Resolved pixels, RGBA, sRGB-encoded, rows top to bottom.
+  [[nodiscard]] std::vector<std::uint8_t> read() const;
+
+ private:
+  std::uint32_t width_ = 0;
+  std::uint32_t height_ = 0;
+  std::uint32_t drawn_ = 0;     ///< Framebuffer object with samples and depth.
+  std::uint32_t resolved_ = 0;  ///< Framebuffer object to read from.
+};
+
+/// How long the device itself was busy with what it was asked for between begin() and end(), by the extension
+/// GL_EXT_disjoint_timer_query. What the extension's absence or a disturbed clock leaves unknown has no figure. One
+/// measurement at a time, and no other query of elapsed time inside it. Its query object is freed with the context, which
+/// must be current in every call.
+class GpuTimer {
+ public:
+  /// Looks for the extension in the current context and for its functions with `loader`, which only this call uses.
+  /// Absent, too, on devices that have it but count something else: Mesa's llvmpipe, where the processor draws.
+  explicit GpuTimer(const GlLoader& loader);
+
+  /// False: nothing will ever be measured, and the other calls do nothing.
+  [[nodiscard]] bool is_present() const { return query_ != 0; }
+
+  /// A measurement that was not fetched yet is given up.
+  void begin();
+  void end();
+
+  /// Seconds, once. Never waits: nothing while the device is not done, so that a game asks again a frame later; after
+  /// glFinish it is. Nothing, now and later, where the device's clock was disturbed meanwhile (it changed its speed, say)
+  /// or did not count at all.
+  [[nodiscard]] std::optional<double> poll();
+
+ private:
+  /// Types of OpenGL's own header, which whoever includes this one need not have.
+  struct Functions {
+    void (*get_integer)(unsigned name, int* value) = nullptr;
+    void (*begin_query)(unsigned target, unsigned query) = nullptr;
+    void (*end_query)(unsigned target) = nullptr;
+    void (*get_uint)(unsigned query, unsigned name, unsigned* value) = nullptr;
+    void (*get_uint64)(unsigned query, unsigned name, std::uint64_t* value) = nullptr;
+  };
+
+  [[nodiscard]] bool was_disjoint() const;
+
+  Functions gl_;
+  unsigned query_ = 0;
+  bool is_waiting_ = false;
 };
 
 }  // namespace coif

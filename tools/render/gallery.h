@@ -1,19 +1,47 @@
 #pragma once
-// The five galleries of the thesis, taken of any asset.
 
+#include "base/tool_error.h"
 #include "render/picture.h"
-#include "tool_error.h"
 
 #include <coif/asset.h>
 
+#include <Eigen/Core>
 #include <tl/expected.hpp>
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace coif {
+
+/// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its own is.
+[[nodiscard]] MaterialRecord thesis_material(const Asset& asset);
+
+/// Mean of the base texture, linear, each texel counted by its alpha; white without a texture.
+[[nodiscard]] Eigen::Vector3d mean_base_color(const Asset& asset);
+
+/// That material, dyed: hair whose texture is on average of `color` (linear).
+[[nodiscard]] MaterialRecord dyed_material(const Asset& asset, const Eigen::Vector3d& color);
+
+// Many small pictures on one.
+
+struct SheetTile {
+  std::string caption;  ///< Below the picture, broken into lines where it is wider.
+  Picture picture;
+};
+
+/// Begins a new row beneath its title.
+struct SheetSection {
+  std::string title;
+  std::vector<SheetTile> tiles;
+};
+
+/// All tiles have the first one's size; `columns` (> 0) of them make a row. ASCII only.
+[[nodiscard]] Picture contact_sheet(std::span<const SheetSection> sections, std::uint32_t columns);
+
+// The five galleries of the thesis, taken of any asset.
 
 inline constexpr std::uint32_t kGalleries = 5;
 inline constexpr std::uint32_t kGalleryColumns = 6;

@@ -1,4 +1,4 @@
-#include "render/gpu_timer.h"
+#include "render/egl_context.h"
 
 #include <GLES3/gl3.h>
 

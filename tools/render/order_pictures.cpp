@@ -2,9 +2,7 @@
 
 #include "render/camera.h"
 #include "render/egl_context.h"
-#include "render/offscreen_target.h"
-#include "render/solid_mesh.h"
-#include "render/studio.h"
+#include "render/stage_renderer.h"
 
 #include <GLES3/gl3.h>
 
@@ -13,7 +11,7 @@
 namespace coif {
 namespace {
 
-tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+tl::unexpected<ToolError> shot_fault(ToolError::Kind kind, std::string message) {
   return tl::unexpected(ToolError{kind, std::move(message)});
 }
 
@@ -63,7 +61,7 @@ OrderPictures::~OrderPictures() = default;
 tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(const Asset& asset,
                                                                               const RendererDesc& desc) {
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return fail(ToolError::Kind::kBadInput,
+    return shot_fault(ToolError::Kind::kBadInput,
                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
   }
   auto context = EglContext::create();
@@ -73,7 +71,7 @@ tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(co
   made->device_ = std::make_unique<Device>(std::move(*context));
   Device& device = *made->device_;
   if (device.renderer.create(device.context.loader(), desc) != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported,
+    return shot_fault(ToolError::Kind::kUnsupported,
                 std::string("the renderer does not start: ") + device.renderer.failure());
   }
   const auto stage = StageRenderer::create(mannequin_meshes(asset.colliders()));
@@ -92,7 +90,7 @@ tl::expected<std::size_t, ToolError> OrderPictures::add(const Asset& variant) {
 tl::expected<void, ToolError> OrderPictures::replace(std::size_t model, const Asset& variant) {
   const Status status = device_->models[model]->upload(device_->renderer, variant);
   if (status == Status::kOk) return {};
-  return fail(ToolError::Kind::kUnsupported,
+  return shot_fault(ToolError::Kind::kUnsupported,
               std::string("the driver refuses the asset: ") + describe(status) + " " + device_->renderer.failure());
 }
 
@@ -117,7 +115,7 @@ tl::expected<void, ToolError> OrderPictures::draw_scene(const HairShot& shot, bo
   const Status status = device_->renderer.draw(*device_->models[shot.model], std::span(&head, 1), desc);
   if (status == Status::kOk) return {};
   const bool is_driver = status == Status::kDriver;
-  return fail(is_driver ? ToolError::Kind::kUnsupported : ToolError::Kind::kBadInput,
+  return shot_fault(is_driver ? ToolError::Kind::kUnsupported : ToolError::Kind::kBadInput,
               std::string("the hair cannot be drawn in mode '") + name_of(*shot.transparency) +
                   "': " + (is_driver ? device_->renderer.failure() : describe(status)));
 }

@@ -1,9 +1,9 @@
 #pragma once
 // Pictures of one head of hair drawn in several ways, for comparing them pixel by pixel.
 
+#include "base/tool_error.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
-#include "tool_error.h"
 
 #include <coif/asset.h>
 #include <coif/renderer.h>

@@ -1,15 +1,9 @@
 #include "render/picture.h"
 
-#include "motion/hair_pose.h"
+#include "motion/head_path.h"
 #include "render/camera.h"
 #include "render/egl_context.h"
-#include "render/offscreen_target.h"
-#include "render/patch_surfaces.h"
-#include "render/solid_mesh.h"
 #include "render/stage_renderer.h"
-#include "render/studio.h"
-#include "render/studio_shadow.h"
-#include "render/transparency_modes.h"
 
 #include <GLES3/gl3.h>
 
@@ -24,37 +18,37 @@ constexpr std::uint32_t kMaxHeads = 10'000;
 constexpr double kMaxSeconds = 3600;
 constexpr std::uint32_t kShadowTexels = 1024;
 
-tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
+tl::unexpected<ToolError> picture_fault(ToolError::Kind kind, std::string message) {
   return tl::unexpected(ToolError{kind, std::move(message)});
 }
 
 tl::expected<void, ToolError> check_mesh(const Asset& asset) {
   if (asset.is_open() && !asset.vertices().empty() && !asset.indices().empty()) return {};
-  return fail(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
+  return picture_fault(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
 }
 
 /// Of an asset with a mesh.
 tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(settings.width) || !side_ok(settings.height)) {
-    return fail(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way, not " +
+    return picture_fault(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way, not " +
                                              std::to_string(settings.width) + " x " + std::to_string(settings.height));
   }
   if (settings.heads < 1 || settings.heads > kMaxHeads) {
-    return fail(ToolError::Kind::kUsage, "a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
+    return picture_fault(ToolError::Kind::kUsage, "a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
   }
   if (!(settings.time >= 0 && settings.time <= kMaxSeconds)) {
-    return fail(ToolError::Kind::kUsage,
+    return picture_fault(ToolError::Kind::kUsage,
                 "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
   }
   if (!(settings.margin >= 1 && settings.margin <= 10)) {
-    return fail(ToolError::Kind::kUsage, "a picture's margin is 1 to 10, not " + std::to_string(settings.margin));
+    return picture_fault(ToolError::Kind::kUsage, "a picture's margin is 1 to 10, not " + std::to_string(settings.margin));
   }
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
-    return fail(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
+    return picture_fault(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
   }
   if (settings.lod >= asset.lod_count()) {
-    return fail(ToolError::Kind::kUsage, "there is no level of detail " + std::to_string(settings.lod) +
+    return picture_fault(ToolError::Kind::kUsage, "there is no level of detail " + std::to_string(settings.lod) +
                                              "; the asset has " + std::to_string(asset.lod_count()) +
                                              ", counted from 0");
   }
@@ -132,7 +126,7 @@ tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRen
     glFinish();
     const auto start = std::chrono::steady_clock::now();
     if (const Status status = draw_scene(renderer, scene, *target, settings); status != Status::kOk) {
-      return fail(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
+      return picture_fault(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
     }
     glFinish();
     picture.draw_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -170,10 +164,10 @@ tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
   auto loaded = std::make_unique<Loaded>(asset, std::move(*context));
   HairRenderer& renderer = loaded->renderer;
   if (renderer.create(loaded->context.loader()) != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
+    return picture_fault(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
   }
   if (const Status status = loaded->model.upload(renderer, asset); status != Status::kOk) {
-    return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+    return picture_fault(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
   }
   return PictureMaker(std::move(loaded));
 }

@@ -1,25 +1,41 @@
 #pragma once
-// Headless pictures of a cooked asset through EGL and the runtime's own renderer.
 
+#include "base/tool_error.h"
 #include "import/source_model.h"
 #include "motion/head_path.h"
-#include "motion/motion.h"
-#include "tool_error.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
 #include <coif/renderer.h>
 #include <coif/shadow.h>
+#include <coif/transparency.h>
 
 #include <tl/expected.hpp>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace coif {
+
+/// The asset's material with another shading model; where it has none, that of the thesis's first gallery. Numbers that the
+/// model needs and the material lacks get a recipe's defaults; a cut of the lights' sum that was made for another model is
+/// dropped.
+[[nodiscard]] MaterialRecord shaded_material(const Asset& asset, ShadingModel model);
+
+/// Every way to draw shadows, for tools that offer or compare them; name_of() tells what each is called.
+[[nodiscard]] std::span<const ShadowTechnique* const> shadow_techniques();
+
+/// Every way to draw transparent hair, for tools that offer or compare them; name_of() tells what each is called.
+[[nodiscard]] std::span<const TransparencyMode* const> transparency_modes();
+
+/// Samples per pixel of a target that the mode draws to at its best; 0: a target without multisampling.
+[[nodiscard]] std::uint32_t samples_for(const TransparencyMode& mode);
+
+// Headless pictures of a cooked asset through EGL and the runtime's own renderer.
 
 struct PictureSettings {
   std::uint32_t width = 1024;   ///< Pixels, 16..8192.

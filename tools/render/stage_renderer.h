@@ -1,20 +1,54 @@
 #pragma once
-// What surrounds the hair in a picture: backdrop and opaque bodies.
 
+#include "base/tool_error.h"
+#include "import/source_model.h"
 #include "render/camera.h"
-#include "render/solid_mesh.h"
-#include "tool_error.h"
 
+#include <coif/asset.h>
+#include <coif/asset_records.h>
+#include <coif/math.h>
 #include <coif/renderer.h>
 #include <coif/shadow.h>
 
+#include <Eigen/Core>
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace coif {
+
+struct SolidVertex {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;  ///< Unit.
+};
+
+/// What is drawn opaque beneath the hair. Head space, metres.
+struct SolidMesh {
+  std::vector<SolidVertex> vertices;
+  std::vector<std::uint32_t> triangles;
+  Eigen::Vector3f color{0.42f, 0.33f, 0.28f};  ///< Linear; the default is a mannequin's clay.
+};
+
+/// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,
+/// which would hide it.
+[[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
+
+/// A mesh of the source model; `head_joint` as in the asset's skeleton. A mesh without normals gets smooth ones.
+[[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint);
+
+/// Every patch of a level as a surface of its own, without its texture's holes, in colours that differ most between
+/// patches that follow each other in the draw order: wrong joins and cuts are seen at a glance. Skinned with `palette`,
+/// one matrix per bone; head space, metres.
+[[nodiscard]] std::vector<SolidMesh> patch_surfaces(const Asset& asset, std::span<const Mat34> palette,
+                                                    std::uint32_t lod);
+
+/// Paints one of `patches` red and all others grey.
+void mark_patch(std::size_t marked, std::span<SolidMesh> patches);
+
+// What surrounds the hair in a picture: backdrop and opaque bodies.
 
 /// Draws into the bound sRGB framebuffer. Its objects are freed with the OpenGL context.
 class StageRenderer {
@@ -46,6 +80,33 @@ class StageRenderer {
   std::uint32_t body_program_ = 0;
   std::uint32_t empty_vertex_array_ = 0;
   std::vector<Body> bodies_;
+};
+
+/// The ball around heads at these places (world, metres) of which each has these points (from its place); neither may be
+/// empty. With room for hair that swings.
+[[nodiscard]] ShadowBall ball_around(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3d> places);
+
+/// The key light's shadow in a picture: of hair and bodies, on both. The context must be current as long as it lives.
+class StudioShadow {
+ public:
+  StudioShadow(StudioShadow&&) noexcept = default;
+  StudioShadow& operator=(StudioShadow&&) = delete;
+  ~StudioShadow();
+
+  /// Error: kUnsupported where the driver has no memory for it. `renderer` must outlive this object.
+  static tl::expected<StudioShadow, ToolError> create(HairRenderer& renderer, const GlLoader& loader,
+                                                      const ShadowDesc& desc);
+
+  /// Draws the map. `crowd` may be null: hair casts none. Leaves no framebuffer bound.
+  Status draw(const Light& light, const ShadowBall& ball, const StageRenderer& stage, std::span<const HeadPose> heads,
+              const ShadowCrowd* crowd);
+
+  [[nodiscard]] const HairShadow& shadow() const { return *shadow_; }
+
+ private:
+  StudioShadow() = default;
+
+  std::unique_ptr<HairShadow> shadow_;
 };
 
 }  // namespace coif

@@ -1,4 +1,4 @@
-#include "render/studio_shadow.h"
+#include "render/stage_renderer.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,6 @@
-#include "sample/bob_style.h"
+#include "sample/bob.h"
 
-#include "sample/strand_texture.h"
-#include "sample/strip.h"
+#include "sample/strips.h"
 
 #include <algorithm>
 #include <cmath>

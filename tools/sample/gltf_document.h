@@ -1,9 +1,7 @@
 #pragma once
 
-#include "sample/joint.h"
+#include "base/json.h"
 #include "sample/surface_mesh.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>

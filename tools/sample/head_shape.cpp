@@ -1,7 +1,6 @@
 #include "sample/head_shape.h"
 
-#include "sample/smooth_step.h"
-#include "sample/surface_nets.h"
+#include "sample/strips.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,12 @@
 
 #include "sample/gltf_document.h"
 #include "sample/head_shape.h"
-#include "sample/long_skeleton.h"
-#include "sample/long_style.h"
-#include "sample/rounded_influences.h"
-#include "sample/smooth_step.h"
-#include "sample/strand_texture.h"
+#include "sample/strips.h"
+#include "sample/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace coif::sample {
 namespace {
@@ -26,10 +27,10 @@ StrandTexture coarsened(StrandTexture texture) {
 
 /// The head turns, the foot of the neck stays with the neck's joint.
 SurfaceMesh skinned_to_head(SurfaceMesh mesh) {
-  constexpr int kNeck = 1, kHead = 2;
+  constexpr int neck_joint = 1, head_joint = 2;
   for (const Eigen::Vector3d& p : mesh.positions) {
     const double head = smooth_step(1.440, 1.490, p.y());
-    mesh.skin.push_back(rounded_influences({{{kHead, head}, {kNeck, 1.0 - head}, {0, 0.0}, {0, 0.0}}}));
+    mesh.skin.push_back(rounded_influences({{{head_joint, head}, {neck_joint, 1.0 - head}, {0, 0.0}, {0, 0.0}}}));
   }
   return mesh;
 }
@@ -48,6 +49,77 @@ std::vector<std::uint8_t> make_long() {
   document.add_mesh("scalp", skinned_to_head(make_scalp_cap()),
                     {.name = "scalp", .red = 0.10, .green = 0.06, .blue = 0.03, .roughness = 0.9});
   return document.to_glb();
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kLongRoot = 0, kLongNeck = 1, kLongHead = 2, kLongFirstScalp = 3, kFirstLock = 6;
+constexpr int kJointsPerLock = kBonesPerLock + 1;  // and the end
+
+/// Scalp joint of a lock: left, back or right.
+int scalp_of(const Lock& lock) {
+  if (lock.course.azimuth < 125.0) return kLongFirstScalp;
+  return lock.course.azimuth <= 235.0 ? kLongFirstScalp + 1 : kLongFirstScalp + 2;
+}
+
+std::string with_digits(int number, std::size_t digits) {
+  std::string text = std::to_string(number);
+  return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
+}  // namespace
+
+std::vector<Joint> make_long_skeleton(std::span<const Lock> locks) {
+  std::vector<Joint> joints{{"root", -1, {0, 0, 0}},
+                            {"neck", kLongRoot, {0, 1.450, -0.030}},
+                            {"Head", kLongNeck, {0, 1.600, 0}},
+                            {"scalp_left", kLongHead, {0.055, 1.670, -0.010}},
+                            {"scalp_back", kLongHead, {0, 1.670, -0.080}},
+                            {"scalp_right", kLongHead, {-0.055, 1.670, -0.010}}};
+  for (std::size_t l = 0; l < locks.size(); ++l) {
+    const std::string name = "Lock_" + with_digits(static_cast<int>(l) + 1, 3) + "_";
+    const double start = chain_start(locks[l].course);
+    int parent = scalp_of(locks[l]);
+    for (int b = 0; b <= kBonesPerLock; ++b) {
+      const double along = start + (1.0 - start) * b / kBonesPerLock;
+      const Vector3d position = point_on_lock(locks[l].course, along);
+      joints.push_back({name + (b < kBonesPerLock ? with_digits(b + 1, 2) : "end"), parent, position});
+      parent = static_cast<int>(joints.size()) - 1;
+    }
+  }
+  return joints;
+}
+
+SkinInfluences lock_influences(std::span<const Lock> locks, int a, int b, double share_b, double along) {
+  // In the middle of a bone a point is on it alone; at the joint of two it is on both by half.
+  const double place = std::clamp(along * kBonesPerLock - 0.5, -1.0, kBonesPerLock - 1.0);
+  const int upper = static_cast<int>(std::floor(place));
+  const double lower_share = place - upper;
+  const auto joint = [&](int lock, int bone) {
+    return bone < 0 ? scalp_of(locks[static_cast<std::size_t>(lock)]) : kFirstLock + lock * kJointsPerLock + bone;
+  };
+  const int lower = std::min(upper + 1, kBonesPerLock - 1);
+  return rounded_influences({{{joint(a, upper), (1.0 - share_b) * (1.0 - lower_share)},
+                              {joint(a, lower), (1.0 - share_b) * lower_share},
+                              {joint(b, upper), share_b * (1.0 - lower_share)},
+                              {joint(b, lower), share_b * lower_share}}});
+}
+
+using Eigen::Vector3d;
+
+Vector3d direction_on_curve(const Vector3d& from, const Vector3d& control, const Vector3d& to, double t) {
+  return ((1 - t) * (1 - t) * from + 2 * t * (1 - t) * control + t * t * to).normalized();
+}
+
+Vector3d pushed_clear(Vector3d point, double clearance, const Field& distance, const Gradient& normal) {
+  for (int i = 0; i < 6; ++i) {
+    const double found = distance(point);
+    if (found >= clearance) break;
+    point += (clearance - found) * normal(point);
+  }
+  return point;
 }
 
 }  // namespace coif::sample

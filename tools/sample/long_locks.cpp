@@ -1,9 +1,7 @@
-#include "sample/long_locks.h"
+#include "sample/long.h"
 
 #include "sample/head_shape.h"
-#include "sample/seeded_noise.h"
-#include "sample/skull_paths.h"
-#include "sample/smooth_step.h"
+#include "sample/strips.h"
 
 #include <Eigen/Geometry>
 

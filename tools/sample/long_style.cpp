@@ -1,10 +1,6 @@
-#include "sample/long_style.h"
+#include "sample/long.h"
 
-#include "sample/long_skeleton.h"
-#include "sample/seeded_noise.h"
-#include "sample/smooth_step.h"
-#include "sample/strand_texture.h"
-#include "sample/strip.h"
+#include "sample/strips.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,4 @@
-#include "sample/strand_texture.h"
-
-#include "sample/seeded_noise.h"
-#include "sample/smooth_step.h"
+#include "sample/strips.h"
 
 #include <algorithm>
 #include <cmath>

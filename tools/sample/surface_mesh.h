@@ -1,13 +1,23 @@
 #pragma once
-// A triangle mesh on its way into the sample's file.
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace coif::sample {
+
+/// A joint in the rest pose. Joints have no rotation: their axes are the model's.
+struct Joint {
+  std::string name;
+  int parent = -1;           ///< An earlier joint; -1 for the root.
+  Eigen::Vector3d position;  ///< Model space, metres.
+};
+
+// A triangle mesh on its way into the sample's file.
 
 /// Up to four joints of one vertex. Unused places have weight zero; the weights add up to one.
 struct SkinInfluences {
@@ -23,5 +33,9 @@ struct SurfaceMesh {
   std::vector<SkinInfluences> skin;
   std::vector<std::uint32_t> triangles;  ///< Three indices each, counter-clockwise seen from outside.
 };
+
+/// Weights of up to four joints (of which any may have none), rounded to 1/256 such that they add up to exactly one and
+/// the largest come first.
+[[nodiscard]] SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares);
 
 }  // namespace coif::sample

@@ -1,4 +1,4 @@
-#include "sample/surface_nets.h"
+#include "sample/head_shape.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,13 +1,30 @@
 #pragma once
-// What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
 
-#include "validate/issue.h"
+#include "validate/issue_codes.h"
 
 #include <coif/asset.h>
 
+#include <Eigen/Geometry>
+
+#include <cstddef>
 #include <cstdint>
 
 namespace coif {
+
+/// Metres; 0 for a box without a point.
+[[nodiscard]] inline float largest_side(const Eigen::AlignedBox3f& box) {
+  return box.isEmpty() ? 0.0f : box.sizes().maxCoeff();
+}
+
+/// Between a doll's tuft and a wig to the ankles: what is outside of it was written in another unit than was read.
+constexpr bool is_hair_sized(float metres) { return metres >= 0.05f && metres <= 3.0f; }
+
+/// Hair whose patches have next to no triangles: its strips fell apart when they were told from each other.
+constexpr bool is_shattered(std::size_t triangles, std::size_t patches) {
+  return patches > 8 && triangles < 4 * patches;
+}
+
+// What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
 
 using Issues = std::vector<Issue>;
 

@@ -1,4 +1,4 @@
-#include "validate/code_tables.h"
+#include "validate/issue_codes.h"
 
 namespace coif {
 namespace {

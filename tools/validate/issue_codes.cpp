@@ -1,9 +1,12 @@
 #include "validate/issue_codes.h"
 
-#include "validate/code_tables.h"
+#include "base/json.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <tuple>
 
 namespace coif {
@@ -60,6 +63,84 @@ Issue make_issue(std::string_view code, std::string message, std::string where) 
   assert(row != nullptr && "an issue without a row in its table");
   return {
       std::string(code), row != nullptr ? row->severity : Severity::kError, std::move(message), std::move(where), {}};
+}
+
+namespace {
+
+constexpr const char* kHead =
+    "# Issues of `coif validate`\n\n"
+    "Codes are stable. Errors fail a build (exit code 3), warnings do with `--warnings-as-errors`; `--ignore CODE` "
+    "lets\n"
+    "warnings and notes pass. This page is what `coif validate --list-codes` prints.\n";
+
+}  // namespace
+
+std::string code_page() {
+  std::string page = kHead;
+  const IssueCode* before = nullptr;
+  for (const IssueCode& row : issue_codes()) {
+    if (before == nullptr || before->group != row.group) page += fmt::format("\n## {}\n\n", name(row.group));
+    page += fmt::format("- **{}** {}: {}. {} {}\n", row.code, name(row.severity), row.title, row.meaning, row.cure);
+    before = &row;
+  }
+  return page;
+}
+
+std::string code_json() {
+  auto codes = nlohmann::ordered_json::array();
+  for (const IssueCode& row : issue_codes()) {
+    codes.push_back({{"code", row.code},
+                     {"group", name(row.group)},
+                     {"severity", name(row.severity)},
+                     {"title", row.title},
+                     {"meaning", row.meaning},
+                     {"cure", row.cure}});
+  }
+  return nlohmann::ordered_json{{"codes", std::move(codes)}}.dump(2) + '\n';
+}
+
+namespace {
+
+std::size_t& counter(JudgedIssues& judged, Severity severity) {
+  switch (severity) {
+    case Severity::kInfo: return judged.infos;
+    case Severity::kWarning: return judged.warnings;
+    case Severity::kError: break;
+  }
+  return judged.errors;
+}
+
+void fold(const Issue& issue, JudgedIssues& judged) {
+  const auto found = std::ranges::find(judged.folded, issue.code, &FoldedIssues::code);
+  if (found != judged.folded.end()) {
+    ++found->count;
+  } else {
+    judged.folded.push_back({issue.code, issue.severity, 1});
+  }
+}
+
+}  // namespace
+
+bool may_ignore(std::string_view code) {
+  const IssueCode* row = find_issue_code(code);
+  return row != nullptr && row->severity != Severity::kError;
+}
+
+JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy) {
+  JudgedIssues judged;
+  std::map<std::string, std::size_t> shown_of;
+  for (Issue& issue : issues) {
+    if (std::ranges::find(policy.ignored, issue.code) != policy.ignored.end()) continue;
+    if (policy.warnings_as_errors && issue.severity == Severity::kWarning) issue.severity = Severity::kError;
+    ++counter(judged, issue.severity);
+    if (issue.severity < policy.lowest) continue;
+    if (shown_of[issue.code]++ < policy.most_of_a_code) {
+      judged.shown.push_back(std::move(issue));
+    } else {
+      fold(issue, judged);
+    }
+  }
+  return judged;
 }
 
 }  // namespace coif

@@ -1,14 +1,35 @@
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+enum class Severity { kInfo, kWarning, kError };
+
+/// One finding about a source or an asset. Codes are stable: a build may let some pass by number. issue_codes.h holds all.
+struct Issue {
+  std::string code;
+  Severity severity = Severity::kError;
+  std::string message;
+  std::string where;                     ///< Chunk, record, bone or patch; empty: the whole file.
+  std::optional<std::uint32_t> patch{};  ///< Of all of the asset's, where the issue is one of a patch.
+};
+
+[[nodiscard]] const char* name(Severity severity);
+
+/// With the severity that issue_codes() gives `code`, which must be one of them.
+[[nodiscard]] Issue make_issue(std::string_view code, std::string message, std::string where = "");
+
 // Every code that `coif validate` knows. ISSUES.md is written from this table.
 //   F1xx files            R1xx origin of an asset: its source, recipe and tool
 //   A1xx refused assets   A100 + the number of the reader's LoadCode
 //   A2xx doubtful assets  S1xx unusable sources, S2xx doubtful ones
-
-#include "validate/issue.h"
-
-#include <span>
-
-namespace coif {
 
 /// What a code is about.
 enum class IssueGroup {
@@ -42,5 +63,47 @@ struct IssueCode {
 
 /// Null for text that is no code.
 [[nodiscard]] const IssueCode* find_issue_code(std::string_view code);
+
+// The parts of issue_codes(), by what they are said of.
+
+[[nodiscard]] std::span<const IssueCode> refusal_codes();  ///< Files and assets that cannot be opened.
+[[nodiscard]] std::span<const IssueCode> asset_codes();    ///< Assets that open and yet do badly.
+[[nodiscard]] std::span<const IssueCode> origin_codes();   ///< Sources, and whether assets still match theirs.
+
+/// All codes as a page in Markdown, which reads well on a terminal too: ISSUES.md.
+[[nodiscard]] std::string code_page();
+
+/// {"codes": [{code, group, severity, title, meaning, cure}]}
+[[nodiscard]] std::string code_json();
+
+/// Which issues count and which are shown.
+struct IssuePolicy {
+  Severity lowest = Severity::kInfo;   ///< Less severe ones are not shown; they count all the same.
+  std::vector<std::string> ignored{};  ///< Codes that neither count nor are shown. Not for errors: may_ignore().
+  bool warnings_as_errors = false;
+  std::size_t most_of_a_code = 5;  ///< Shown, > 0; the others of a code are only counted.
+};
+
+/// The issues of one code that are not shown because of their number.
+struct FoldedIssues {
+  std::string code;
+  Severity severity = Severity::kInfo;
+  std::size_t count = 0;  ///< > 0
+};
+
+struct JudgedIssues {
+  std::vector<Issue> shown;
+  std::vector<FoldedIssues> folded;
+  std::size_t errors = 0;  ///< Shown, folded or below the lowest severity; never ignored ones.
+  std::size_t warnings = 0;
+  std::size_t infos = 0;
+
+  [[nodiscard]] bool valid() const { return errors == 0; }
+};
+
+/// False for an error, which no build should let pass, and for what is no code.
+[[nodiscard]] bool may_ignore(std::string_view code);
+
+[[nodiscard]] JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy);
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #include "visibility/fragment_view.h"
 
-#include "visibility/solid_depth.h"
+#include "visibility/hair_surface.h"
 
 #include <Eigen/Geometry>
 
@@ -13,18 +13,6 @@ namespace {
 /// Corners are put on a grid this much finer than that of the lines, so that edges are whole numbers: two triangles of a card
 /// never both have a line, nor do both miss it.
 constexpr int kSteps = 256;
-
-struct Corner {
-  std::int64_t x = 0, y = 0;
-};
-
-/// Twice the area of a, b, p; positive when they wind counter-clockwise.
-std::int64_t edge(const Corner& a, const Corner& b, const Corner& p) {
-  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
-/// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
-bool owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
 
 /// First and last multiple of kSteps within low..high, divided by it.
 std::int64_t first_line(std::int64_t low) { return (low + kSteps - 1) / kSteps; }
@@ -67,6 +55,18 @@ class FragmentView::Rasteriser {
   }
 
  private:
+  struct Corner {
+    std::int64_t x = 0, y = 0;
+  };
+
+  /// Twice the area of a, b, p; positive when they wind counter-clockwise.
+  static std::int64_t edge(const Corner& a, const Corner& b, const Corner& p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  }
+
+  /// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
+  static bool owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
+
   /// What only triangles need that a line meets: of fine hair most are met by none.
   void meet() {
     if (is_met_) return;

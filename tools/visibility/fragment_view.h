@@ -3,7 +3,10 @@
 #include "visibility/hair_surface.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace coif {
 
@@ -76,5 +79,63 @@ class FragmentView {
   std::vector<Fragment> fragments_;
   std::vector<float> solid_;
 };
+
+/// A fragment as far as drawing order is concerned.
+struct Layer {
+  float alpha = 0;
+  std::uint32_t triangle : 31 = 0;
+  std::uint32_t is_front : 1 = 0;
+};
+
+/// Lines of one view on which the order of drawing can matter, each with its layers, nearest first: what the head hides is
+/// cut off, and so is what is behind a layer of at least the view's solid_alpha, or less than a thousandth of the light comes
+/// from.
+struct SightLines {
+  SightLines() = default;
+  SightLines(const FragmentView& view, float solid_alpha);
+
+  [[nodiscard]] std::size_t size() const { return begin.size() - 1; }
+  [[nodiscard]] std::span<const Layer> line(std::size_t index) const {
+    return std::span(layers).subspan(begin[index], begin[index + 1] - begin[index]);
+  }
+
+  std::vector<std::uint32_t> begin = {0};  ///< Per line and one more: its first layer.
+  std::vector<Layer> layers;
+  std::size_t covered = 0;  ///< Lines of the view that meet hair, those left out here as well.
+};
+
+/// Hair in one pose.
+using HairPositions = std::vector<Eigen::Vector3f>;
+
+/// The hair from all sides, in several poses: what orders are found from, or judged by.
+struct ViewSamples {
+  struct View {
+    std::uint32_t cell = 0;  ///< That its direction lies in.
+    std::uint32_t pose = 0;
+    SightLines lines;
+  };
+  std::vector<View> views;
+};
+
+struct SampleSettings {
+  std::size_t views_per_cell = 1;
+  std::uint32_t seed = 0;     ///< Other seeds look from other directions.
+  std::size_t lines = 3000;   ///< Wanted per view.
+  float solid_alpha = 0.95f;  ///< Layers behind one of at least this alpha do not matter.
+  float pixel = 0.001f;       ///< Metres; as ViewGrid.
+  unsigned threads = 1;       ///< Of sample_views(); without influence on the result.
+};
+
+/// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
+/// pose, at rest, comes every other time.
+[[nodiscard]] ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
+                                      const SampleSettings& settings, std::uint32_t cell);
+
+/// Those of all cells.
+[[nodiscard]] ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
+                                       const SampleSettings& settings);
+
+/// Direction `index` of a sequence that fills a cell evenly, unit.
+[[nodiscard]] Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index);
 
 }  // namespace coif

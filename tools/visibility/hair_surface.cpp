@@ -2,7 +2,116 @@
 
 #include <coif/skinning.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace coif {
+namespace {
+
+/// The texel below a place and the one after it, around the edge, and how far it is to that one.
+struct Neighbours {
+  int first, second;
+  float share;
+};
+
+Neighbours neighbours(float place, int size) {
+  const float texel = (place - std::floor(place)) * float(size) - 0.5f;
+  const float first = std::floor(texel);
+  const int index = (int(first) + size) % size;
+  return {index, (index + 1) % size, texel - first};
+}
+
+}  // namespace
+
+AlphaTexture::AlphaTexture(const Asset& asset) {
+  if (asset.material() != nullptr) factor_ = asset.material()->base_color[3];
+  const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
+  if (texture == nullptr) return;
+  for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
+    Level level{int(std::max(1u, texture->width >> mip)), int(std::max(1u, texture->height >> mip)), {}};
+    const auto texels = asset.texels(*texture, mip);
+    for (std::size_t i = 3; i < texels.size(); i += 4) level.alpha.push_back(float(texels[i]) / 255.0f);
+    levels_.push_back(std::move(level));
+  }
+}
+
+MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vector2f& dy) const {
+  if (levels_.empty()) return {};
+  const Eigen::Vector2f size(float(levels_[0].width), float(levels_[0].height));
+  const float square = std::max(dx.cwiseProduct(size).squaredNorm(), dy.cwiseProduct(size).squaredNorm());
+  float texels = std::sqrt(square);
+  MipChoice mip;
+  for (; texels >= 2 && mip.level + 1 < levels_.size(); ++mip.level) texels *= 0.5f;
+  if (mip.level + 1 < levels_.size()) mip.next = std::clamp(texels - 1, 0.0f, 1.0f);
+  return mip;
+}
+
+float AlphaTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
+  if (levels_.empty()) return std::min(factor_, 1.0f);
+  float alpha = filtered(levels_[mip.level], uv);
+  if (mip.next > 0) alpha += mip.next * (filtered(levels_[mip.level + 1], uv) - alpha);
+  return std::clamp(alpha * factor_, 0.0f, 1.0f);
+}
+
+float AlphaTexture::filtered(const Level& level, const Eigen::Vector2f& uv) {
+  const Neighbours column = neighbours(uv.x(), level.width), row = neighbours(uv.y(), level.height);
+  const auto in_row = [&](int y) {
+    const float* texels = &level.alpha[std::size_t(y) * std::size_t(level.width)];
+    return texels[column.first] + column.share * (texels[column.second] - texels[column.first]);
+  };
+  const float upper = in_row(row.first);
+  return upper + row.share * (in_row(row.second) - upper);
+}
+
+namespace {
+
+constexpr float kMiss = std::numeric_limits<float>::infinity();
+constexpr int kBalls = 16;
+
+/// The unit ball around the origin; `along` of any length but 0.
+float unit_ball_depth(const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {
+  const float a = along.squaredNorm(), b = origin.dot(along), c = origin.squaredNorm() - 1;
+  const float root = b * b - a * c;
+  return root < 0 ? kMiss : (-b - std::sqrt(root)) / a;
+}
+
+float ellipsoid_depth(const ColliderRecord& solid, const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {
+  const Eigen::Map<const Eigen::Vector3f> center(solid.center), radii(solid.radii);
+  const Eigen::Quaternionf to_head(solid.rotation[3], solid.rotation[0], solid.rotation[1], solid.rotation[2]);
+  const auto in_axes = [&](const Eigen::Vector3f& v) -> Eigen::Vector3f {
+    return (to_head.conjugate() * v).cwiseQuotient(radii);
+  };
+  return unit_ball_depth(in_axes(origin - center), in_axes(along));
+}
+
+float capsule_depth(const ColliderRecord& solid, const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {
+  const Eigen::Map<const Eigen::Vector3f> center(solid.center), axis(solid.axis);
+  const float first = solid.radii[0];
+  const float last = solid.shape == ColliderShape::kTaperedCapsule ? solid.radii[1] : first;
+  float nearest = kMiss;
+  for (int i = 0; i <= kBalls; ++i) {
+    const float share = float(i) / kBalls, radius = first + share * (last - first);
+    const Eigen::Vector3f from = (origin - center - share * axis) / radius;
+    nearest = std::min(nearest, unit_ball_depth(from, along / radius));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {
+  float nearest = kMiss;
+  for (const ColliderRecord& solid : solids) {
+    const bool has_axis = solid.shape == ColliderShape::kCapsule || solid.shape == ColliderShape::kTaperedCapsule;
+    const float depth = has_axis ? capsule_depth(solid, origin, along) : ellipsoid_depth(solid, origin, along);
+    nearest = std::min(nearest, depth);
+  }
+  return nearest;
+}
+
 namespace {
 
 /// Colliders on rigid bones stay where they are in head space. A plane has no outline, and what hair is kept inside of hides

@@ -1,7 +1,11 @@
 #pragma once
 
-#include "visibility/order_votes.h"
+#include "visibility/hair_surface.h"
+#include "visibility/order_error.h"
 
+#include <coif/asset_records.h>
+
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,5 +26,29 @@ using UnitOrder = std::vector<std::uint32_t>;
 
 /// Units by what votes say of each in sum: those that others want before them come late. A start for improve_order().
 [[nodiscard]] UnitOrder order_by_sums(std::span<const Vote> votes, std::span<const std::uint32_t> units);
+
+/// What each cell of directions (coif/view_cells.h) wants of an order.
+using CellVotes = std::array<std::vector<Vote>, kViewCells>;
+
+/// A few orders, and which of them each cell draws with.
+struct OrderClusters {
+  std::vector<UnitOrder> orders;
+  std::array<std::uint8_t, kViewCells> order_of{};
+};
+
+/// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of all cells'
+/// lost votes found the clusters; then cells go to the order that loses least of their votes and orders are improved for their
+/// cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses more votes than `start`
+/// does; the same for every number of threads.
+[[nodiscard]] OrderClusters cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
+                                           unsigned threads);
+
+/// The second half of that alone, from the orders of `found`, which other votes led to.
+[[nodiscard]] OrderClusters refine_clusters(const CellVotes& cells, OrderClusters found, unsigned threads);
+
+/// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles that have
+/// a vote on each other stay in the order they have, all others may move. What no vote was seen for moves too, so judge the
+/// result. Greedy: of the triangles that nothing holds back, the one with most vertices among the last few that were shaded.
+[[nodiscard]] UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order);
 
 }  // namespace coif

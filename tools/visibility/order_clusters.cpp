@@ -1,6 +1,6 @@
-#include "visibility/order_clusters.h"
+#include "visibility/linear_order.h"
 
-#include "parallel_for.h"
+#include "base/parallel_for.h"
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 namespace coif {
@@ -89,6 +90,77 @@ double threshold_error(const SightLines& lines, float opaque_threshold) {
 double psnr_db(double squared_error, std::size_t pixels) {
   const double mean = kColorSpread * kColorSpread * squared_error / double(std::max<std::size_t>(pixels, 1));
   return mean > 0 ? std::min(kBestPsnr, -10 * std::log10(mean)) : kBestPsnr;
+}
+
+namespace {
+
+/// One vote per pair. Votes of a pair are added in the order in which they came, so that sums are always the same.
+void merge(std::vector<Vote>& votes) {
+  const auto pair_of = [](const Vote& vote) { return std::tuple(vote.first, vote.second); };
+  std::ranges::stable_sort(votes, {}, pair_of);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < votes.size();) {
+    Vote sum = votes[i];
+    double weight = 0;
+    for (; i < votes.size() && pair_of(votes[i]) == pair_of(sum); ++i) weight += double(votes[i].weight);
+    sum.weight = float(weight);
+    if (sum.weight != 0) votes[kept++] = sum;
+  }
+  votes.resize(kept);
+}
+
+Vote vote_of(std::uint32_t before, std::uint32_t after, float weight) {
+  return before < after ? Vote{before, after, weight} : Vote{after, before, -weight};
+}
+
+/// Adds the votes of one line's blended layers.
+void vote(std::span<const Layer> blended, std::span<const std::uint32_t> unit_of, bool faces_together,
+          std::vector<Vote>& votes) {
+  for (std::size_t near = 0; near + 1 < blended.size(); ++near) {
+    float passes = blended[near].alpha;  // of the light before `near` comes in below
+    for (std::size_t i = 0; i < near; ++i) passes *= 1 - blended[i].alpha;
+    const std::uint32_t over = unit_of[blended[near].triangle];
+    for (std::size_t far = near + 1; far < blended.size(); ++far) {
+      const float loss = passes * blended[far].alpha;
+      passes *= 1 - blended[far].alpha;
+      const std::uint32_t under = unit_of[blended[far].triangle];
+      const bool in_one_go = faces_together || blended[near].is_front == blended[far].is_front;
+      if (under == over || !in_one_go) continue;
+      votes.push_back(vote_of(under, over, loss * loss));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Vote> votes_of(const SightLines& lines, std::span<const std::uint32_t> unit_of_triangle,
+                           const DrawRule& rule) {
+  std::vector<Vote> votes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines.line(i);
+    std::size_t count = 0;
+    while (count < line.size() && line[count].alpha < rule.opaque_threshold) ++count;
+    vote(line.first(count), unit_of_triangle, rule.faces_together, votes);
+  }
+  merge(votes);
+  return votes;
+}
+
+std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of) {
+  std::vector<Vote> of_groups;
+  for (const Vote& vote : votes) {
+    const std::uint32_t before = group_of[vote.first], after = group_of[vote.second];
+    if (before != after) of_groups.push_back(vote_of(before, after, vote.weight));
+  }
+  merge(of_groups);
+  return of_groups;
+}
+
+std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists) {
+  std::vector<Vote> all;
+  for (const std::vector<Vote>& votes : lists) all.insert(all.end(), votes.begin(), votes.end());
+  merge(all);
+  return all;
 }
 
 }  // namespace coif

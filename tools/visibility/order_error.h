@@ -1,9 +1,10 @@
 #pragma once
 
-#include "visibility/sight_lines.h"
+#include "visibility/fragment_view.h"
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace coif {
 
@@ -34,5 +35,26 @@ inline constexpr double kColorSpread = 0.07;
 
 /// Of a picture with this squared error, summed over so many pixels; at most 99.
 [[nodiscard]] double psnr_db(double squared_error, std::size_t pixels);
+
+/// That unit `first` is drawn before unit `second` rather than after it, with the squared error that this saves; first <
+/// second, and negative weights speak for the other way round.
+struct Vote {
+  std::uint32_t first = 0;
+  std::uint32_t second = 0;
+  float weight = 0;
+};
+
+/// What a view wants of an order of units (patches, or parts of them). For each two blended layers on a line, the further one
+/// should come first, by the square of what the pixel loses where only these two are swapped: both alphas times the light
+/// that reaches the further one past all others. Pairs that no order can change do not vote: of one unit, with a solid
+/// layer between or before them, or where faces are drawn apart one of each face. Sorted by units, one vote per pair.
+[[nodiscard]] std::vector<Vote> votes_of(const SightLines& lines, std::span<const std::uint32_t> unit_of_triangle,
+                                         const DrawRule& rule);
+
+/// What votes on units say of groups of them, such as triangles' patches: as votes_of() with the groups for units.
+[[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
+
+/// The sums of several lists of votes.
+[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists);
 
 }  // namespace coif

@@ -1,4 +1,4 @@
-#include "report/order/drawn_orders.h"
+#include "report/order/drawn_way.h"
 
 #include <algorithm>
 #include <map>

@@ -1,14 +1,24 @@
 #pragma once
+
 // Ways to draw one asset that are compared, and the poses in which they are.
 
+#include "base/tool_error.h"
+#include "render/order_pictures.h"
+#include "report/order/order_report.h"
+#include "write/asset_writer.h"
+
+#include <coif/asset.h>
 #include <coif/asset_records.h>
 #include <coif/math.h>
 #include <coif/transparency.h>
 
 #include <Eigen/Core>
+#include <tl/expected.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,5 +47,66 @@ struct OrderPose {
   std::string name;  ///< rest or a motion.
   std::vector<PosedHair> moments;
 };
+
+// An asset's finest level with its patches or triangles in other orders.
+
+/// All of an asset but its coarser levels of detail.
+[[nodiscard]] AssetContents finest_level(const Asset& asset);
+
+/// Whether front and back faces share one order, or back faces come before front faces.
+void set_faces(AssetContents& contents, bool together);
+
+/// Its patches as the source file has them, back faces before front faces. Without further orders, as the following.
+[[nodiscard]] AssetContents in_file_order(AssetContents finest);
+/// The thesis's way: by distance from the head, back faces before front faces.
+[[nodiscard]] AssetContents in_head_order(AssetContents finest);
+/// As stored: the best single order that the cooker found.
+[[nodiscard]] AssetContents in_stored_order(AssetContents finest);
+
+/// Units that a game sorts in every frame, one per triangle: each triangle for itself.
+[[nodiscard]] std::vector<std::uint32_t> each_triangle(const AssetContents& finest);
+/// All that hangs mostly on one bone (thesis, chapter 8, as future work: bones sorted, within a bone a fixed order). Needs
+/// skinned hair.
+[[nodiscard]] std::vector<std::uint32_t> leading_bones(const AssetContents& finest);
+
+/// What a game draws that sorts units in every frame: the unit whose triangles' mean is furthest from `eye` (head space,
+/// metres) first, each unit's triangles in stored order. `positions` of all vertices, in the pose.
+[[nodiscard]] AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t> unit_of_triangle,
+                                           std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& eye);
+
+/// The indices of triangles in that order: what such a game computes per frame.
+[[nodiscard]] std::vector<std::uint32_t> far_to_near(std::span<const std::uint32_t> indices,
+                                                     std::span<const std::uint32_t> unit_of_triangle,
+                                                     std::span<const Eigen::Vector3f> positions,
+                                                     const Eigen::Vector3f& eye);
+
+/// "rest", the settled hair, and for hair that moves "turn" and "charge", each at three moments: the head at its fastest, the
+/// hair at its furthest, on its way back. Errors: those of simulate_pose().
+tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset);
+
+/// Directions to look from, each for the same share of the sphere, neighbours in the list far apart: a spherical Fibonacci
+/// lattice (Gonzalez 2010, "Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices").
+[[nodiscard]] std::vector<ViewAngle> spread_directions(std::uint32_t count);
+
+/// What is compared of one asset.
+struct OrderWays {
+  AssetContents finest;                                  ///< The asset without coarser levels.
+  DrawnWay exact;                                        ///< What all others are compared with, with `exact_material`.
+  std::unique_ptr<const MaterialRecord> exact_material;  ///< The asset's, every texel's alpha as it is.
+  DrawnWay own;                                          ///< Blended, with all the asset's own orders.
+  std::vector<DrawnWay> orders;                          ///< Blended.
+  std::vector<DrawnWay> modes;                           ///< The asset's own orders.
+  std::vector<OrderLeftOut> left_out;
+};
+
+/// Of the renderer that takes exact pictures: four times what it takes by itself, for pictures of a thousand pixels each way.
+inline constexpr std::uint32_t kListBytes = 256u << 20;
+
+/// The reference: none but texels of full alpha are solid, and none but those that no 8-bit picture shows are left out. Hair
+/// that is cut by a mask stays as it is: there its alpha only says where the edge is.
+[[nodiscard]] MaterialRecord with_true_alphas(MaterialRecord material);
+
+/// Uploads the asset once per order. Errors: those of OrderPictures.
+tl::expected<OrderWays, ToolError> make_order_ways(const Asset& asset, OrderPictures& pictures);
 
 }  // namespace coif

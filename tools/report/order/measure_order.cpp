@@ -1,11 +1,6 @@
 #include "report/order/measure_order.h"
 
-#include "report/order/compare_pictures.h"
-#include "report/order/distance_series.h"
-#include "report/order/exactness.h"
-#include "report/order/order_poses.h"
-#include "report/order/order_times.h"
-#include "report/order/order_ways.h"
+#include "report/order/drawn_way.h"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,112 @@
 #pragma once
 
-#include "report/measure_accuracy.h"
-#include "report/order_report.h"
-#include "tool_error.h"
+#include "base/tool_error.h"
+#include "render/order_pictures.h"
+#include "report/page/report_heading.h"
+#include "report/order/drawn_way.h"
+#include "report/order/order_report.h"
+#include "write/asset_writer.h"
 
 #include <coif/asset.h>
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace coif {
+
+/// Sums of a picture's differences from the exact one, or of several pictures'.
+struct PictureError {
+  double squared = 0;      ///< Of differences of 0..1, mean over the three channels.
+  std::size_t pixels = 0;  ///< That hair covers in the exact picture.
+  std::size_t bad = 0;     ///< Of them those with a channel off by more than kBadDifference.
+
+  PictureError& operator+=(const PictureError& other);
+  [[nodiscard]] double rmse() const;
+  [[nodiscard]] double psnr_db() const;  ///< At most kEqualDb.
+};
+
+/// Pixels are RGBA, sRGB, alpha the share that hair covers; both of one size.
+[[nodiscard]] PictureError picture_error(std::span<const std::uint8_t> exact, std::span<const std::uint8_t> other);
+
+/// Largest difference of any channel of any pixel, 0..1, alpha included.
+[[nodiscard]] double largest_difference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b);
+
+/// The error over many views.
+[[nodiscard]] OrderError sum_up(std::span<const PictureError> views);
+
+/// What changes from one frame to the next in excess of the exact frames' change: per pixel that hair covers in either of
+/// the exact frames, the larger part of |change| - |exact change| or 0, squared, mean over the channels.
+[[nodiscard]] PictureError excess_change(std::span<const std::uint8_t> exact_before,
+                                         std::span<const std::uint8_t> exact_after,
+                                         std::span<const std::uint8_t> before, std::span<const std::uint8_t> after);
+
+/// Sum of alpha over the picture's area, 0..1.
+[[nodiscard]] double mean_coverage(std::span<const std::uint8_t> pixels);
+
+/// Exact, other and four times their difference side by side, opaque: RGBA, three times as wide.
+[[nodiscard]] std::vector<std::uint8_t> side_by_side(std::span<const std::uint8_t> exact,
+                                                     std::span<const std::uint8_t> other, std::uint32_t width);
+
+/// How one way compares with the exact pictures of a pose.
+struct WayComparison {
+  OrderError error;
+  WorstPicture worst;  ///< Named for the way and the pose.
+};
+
+/// Takes pictures of several ways and of the exact one, view by view, so that none has to be kept.
+class PictureComparer {
+ public:
+  /// `finest`: what ways that sort triangles are made from. All must outlive this object.
+  PictureComparer(OrderPictures& pictures, const AssetContents& finest, const DrawnWay& exact, std::uint32_t width,
+                  std::uint32_t height)
+      : pictures_(pictures), finest_(finest), exact_(exact), width_(width), height_(height) {}
+
+  /// One per way. `progress` hears of each view before. Errors: those of OrderPictures.
+  tl::expected<std::vector<WayComparison>, ToolError> over_views(std::span<const DrawnWay> ways, const OrderPose& pose,
+                                                                 std::span<const ViewAngle> views,
+                                                                 const std::function<void(std::size_t view)>& progress);
+
+  /// One per way: RMS of what a pixel changes in excess of the exact one, over `frames` frames by a degree each around the
+  /// pose's first moment, half as wide and high.
+  tl::expected<std::vector<double>, ToolError> on_orbit(std::span<const DrawnWay> ways, const OrderPose& pose,
+                                                        std::uint32_t frames,
+                                                        const std::function<void(std::uint32_t frame)>& progress);
+
+  /// `divisor`: of width and height.
+  tl::expected<Picture, ToolError> take(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view,
+                                        std::uint32_t divisor = 1);
+
+  [[nodiscard]] HairShot shot(const DrawnWay& way, const PosedHair& hair, const ViewAngle& view) const;
+
+ private:
+  OrderPictures& pictures_;
+  const AssetContents& finest_;
+  const DrawnWay& exact_;
+  std::uint32_t width_, height_;
+};
+
+/// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Ways that sort in every frame sort
+/// `indices`, too, but do not hand them to the device.
+[[nodiscard]] std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
+                                                      std::span<const DrawnWay> ways, const PosedHair& hair,
+                                                      std::span<const std::uint32_t> indices, double seconds);
+
+/// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a game
+/// at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.
+tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset& asset, OrderPictures& pictures,
+                                                                    std::size_t model, const DrawnWay& exact,
+                                                                    const PosedHair& hair);
+
+/// How far exact pictures are from each other over a few views: the same taken again, and taken layer by layer instead of by
+/// lists of texels. Makes and frees OpenGL contexts of its own: none may be current. Errors: those of OrderPictures.
+tl::expected<std::vector<SelfDifferenceRow>, ToolError> measure_exactness(const Asset& asset, const PosedHair& hair,
+                                                                          std::uint32_t width, std::uint32_t height);
 
 inline constexpr std::uint32_t kMostOrderViews = 1000;
 

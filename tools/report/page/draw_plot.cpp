@@ -1,8 +1,7 @@
-#include "report/page/draw_plot.h"
+#include "report/page/plot.h"
 
+#include "base/text.h"
 #include "report/page/child_program.h"
-#include "report/page/clean_text.h"
-#include "report/page/plot_script.h"
 
 #include <fmt/format.h>
 
@@ -91,6 +90,21 @@ tl::expected<std::string, ToolError> draw(const Plot& plot, const Plotter& plott
 tl::expected<void, ToolError> check_plotter(const Plotter& plotter) {
   if (auto svg = draw({}, plotter); !svg) return tl::unexpected(svg.error());
   return {};
+}
+
+void PlottedPage::plot(const Figure& figure) {
+  if (!drawn_) return;
+  const auto svg = draw(figure.plot, plotter_);
+  if (svg) {
+    HtmlPage::figure(*svg, figure.caption);
+  } else {
+    drawn_ = tl::unexpected(svg.error());
+  }
+}
+
+tl::expected<std::string, ToolError> PlottedPage::finish() const {
+  if (!drawn_) return tl::unexpected(drawn_.error());
+  return text();
 }
 
 }  // namespace coif

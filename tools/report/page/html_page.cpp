@@ -1,11 +1,13 @@
 #include "report/page/html_page.h"
 
-#include "report/page/base64.h"
-#include "report/page/clean_text.h"
+#include "base/text.h"
 #include "report/page/page_style.h"
-#include "report/page/svg_ids.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 namespace coif {
 namespace {
@@ -85,6 +87,15 @@ std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>
 
 }  // namespace
 
+Cell count_cell(std::uint64_t count) { return {std::to_string(count)}; }
+
+Cell spread_cell(double spread_pct) {
+  // Samples that differ by a quarter are of a machine that had other work.
+  constexpr double kUnsteadyPct = 25;
+  const std::string text = fmt::format("\u00b1{:.1f} %", spread_pct / 2);
+  return {text, spread_pct > kUnsteadyPct ? CellLook::kWarning : CellLook::kPlain};
+}
+
 HtmlPage::HtmlPage(std::string_view title) : title_(escaped(title)) {}
 
 void HtmlPage::element(std::string_view tag, std::string_view text) {
@@ -123,6 +134,41 @@ std::string HtmlPage::text() const {
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
       "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
       title_, kPageStyle, body_);
+}
+
+namespace {
+
+// What an id stands behind, as gnuplot and most others write it.
+constexpr std::string_view kBeforeId[] = {" id='",     " id=\"",   "xlink:href='#", "xlink:href=\"#",
+                                          " href=\"#", " href='#", "url(#"};
+
+std::string scoped_tag(std::string_view tag, std::string_view prefix) {
+  std::string result;
+  while (!tag.empty()) {
+    const auto* const found =
+        std::ranges::find_if(kBeforeId, [tag](std::string_view before) { return tag.starts_with(before); });
+    const bool hit = found != std::end(kBeforeId);
+    const std::size_t length = hit ? found->size() : 1;
+    result += tag.substr(0, length);
+    if (hit) result += prefix;
+    tag.remove_prefix(length);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string scope_svg_ids(std::string_view svg, std::string_view prefix) {
+  std::string result;
+  while (!svg.empty()) {
+    const std::size_t open = std::min(svg.find('<'), svg.size());
+    result += svg.substr(0, open);
+    svg.remove_prefix(open);
+    const std::size_t close = std::min(svg.find('>'), svg.size());
+    result += scoped_tag(svg.substr(0, close), prefix);
+    svg.remove_prefix(close);
+  }
+  return result;
 }
 
 }  // namespace coif

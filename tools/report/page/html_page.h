@@ -32,6 +32,12 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  ///< Short rows are filled up with empty cells.
 };
 
+[[nodiscard]] Cell count_cell(std::uint64_t count);
+
+/// Half the width of the middle half of samples, which `spread_pct` is, in % of their median; stands out where the
+/// machine was not steady.
+[[nodiscard]] Cell spread_cell(double spread_pct);
+
 /// One HTML document that needs nothing but itself: no script, no file beside it, no network; its own policy forbids a
 /// browser to fetch any. Readable on light and dark screens and on paper. Every text that comes in is escaped.
 class HtmlPage {
@@ -58,5 +64,9 @@ class HtmlPage {
   std::string body_;
   unsigned figures_ = 0;
 };
+
+/// Puts `prefix` before every id of an SVG element and before every reference to one, so that several can stand in one
+/// document. Text between tags stays as it is.
+[[nodiscard]] std::string scope_svg_ids(std::string_view svg, std::string_view prefix);
 
 }  // namespace coif

@@ -1,6 +1,13 @@
 #pragma once
 
+#include "base/tool_error.h"
+#include "report/page/html_page.h"
+
+#include <tl/expected.hpp>
+
+#include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coif {
@@ -48,6 +55,40 @@ struct Plot {
 struct Figure {
   Plot plot;
   std::string caption;
+};
+
+/// The plot as a gnuplot 5 script that writes SVG to its standard output. The data are in it; texts are quoted so that
+/// gnuplot expands nothing in them.
+[[nodiscard]] std::string plot_script(const Plot& plot);
+
+/// The program that draws.
+struct Plotter {
+  std::string program = "gnuplot";                                ///< A name in PATH, or a path.
+  std::chrono::milliseconds patience = std::chrono::seconds(20);  ///< Per plot; then it is killed.
+};
+
+/// Draws by gnuplot in a child process that reads its script and writes its picture through pipes and can write no
+/// file. Returns an <svg> element for HtmlPage::figure(); its lines and letters take the page's colour. Errors:
+/// kUnsupported with the cure where gnuplot is not installed, kInternal where it fails or takes too long.
+tl::expected<std::string, ToolError> draw(const Plot& plot, const Plotter& plotter = {});
+
+/// Tells before long work whether draw() will find its program. Errors: those of draw().
+tl::expected<void, ToolError> check_plotter(const Plotter& plotter = {});
+
+/// A page under way whose figures gnuplot draws. After the first that fails the rest is skipped, and there is no page.
+class PlottedPage : public HtmlPage {
+ public:
+  /// `plotter` must outlive this object.
+  PlottedPage(std::string_view title, const Plotter& plotter) : HtmlPage(title), plotter_(plotter) {}
+
+  void plot(const Figure& figure);
+
+  /// The whole document. Errors: those of draw().
+  [[nodiscard]] tl::expected<std::string, ToolError> finish() const;
+
+ private:
+  const Plotter& plotter_;
+  tl::expected<void, ToolError> drawn_;
 };
 
 }  // namespace coif

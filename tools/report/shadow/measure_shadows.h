@@ -1,17 +1,52 @@
 #pragma once
 
-#include "report/measure_accuracy.h"
-#include "report/shadow_report.h"
-#include "tool_error.h"
+#include "base/tool_error.h"
+#include "report/page/report_heading.h"
+#include "report/shadow/shadow_report.h"
+#include "visibility/fragment_view.h"
 
 #include <coif/asset.h>
+#include <coif/shadow.h>
 
+#include <Eigen/Core>
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace coif {
+
+/// A point and how much of a light reaches it, exactly.
+struct ShadowPoint {
+  Eigen::Vector3f place;   ///< Head space, metres.
+  Eigen::Vector3f normal;  ///< Of the surface, any length; 0: as if it faced the light.
+  float transmittance = 1;
+  float weight = 1;  ///< Of hair: its alpha, which is how much of it there is to see.
+  bool is_head = false;
+};
+
+/// Where lines from the light meet hair, up to the head, and where they meet the head. What lies before a point on its line is
+/// known exactly, so no point needs a margin to its own card. `seen`: from the light, `hair` with its vertices at `positions`.
+[[nodiscard]] std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
+                                                     std::span<const Eigen::Vector3f> positions);
+
+/// Asks a shadow how much light reaches points, as a host's own shader would: by HairShadow::code(). The context must be
+/// current in every call; its objects are freed with it.
+class ShadowProbe {
+ public:
+  /// Error (kUnsupported): the driver refuses the shader. `shadow` must be created and outlive this object.
+  static tl::expected<ShadowProbe, ToolError> create(const HairShadow& shadow);
+
+  /// One per point, in steps of 1/65535, of a shadow that is drawn. Points are in the world's axes, from its origin.
+  [[nodiscard]] std::vector<float> light_at(std::span<const ShadowPoint> points) const;
+
+ private:
+  explicit ShadowProbe(const HairShadow& shadow) : shadow_(&shadow) {}
+
+  const HairShadow* shadow_;
+  unsigned program_ = 0;
+};
 
 struct ShadowSettings {
   std::vector<std::uint32_t> sizes{256, 512, 1024};  ///< Of the maps, 16..4096, not empty.

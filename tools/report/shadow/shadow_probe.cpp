@@ -1,4 +1,4 @@
-#include "report/shadow/shadow_probe.h"
+#include "report/shadow/measure_shadows.h"
 
 #include <GLES3/gl3.h>
 

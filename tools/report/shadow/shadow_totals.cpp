@@ -1,6 +1,6 @@
 #include "report/shadow/shadow_totals.h"
 
-#include "timing.h"
+#include "base/timing.h"
 
 #include <algorithm>
 #include <cmath>

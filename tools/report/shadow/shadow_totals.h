@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/shadow/shadow_points.h"
-#include "report/shadow_report.h"
+#include "report/shadow/measure_shadows.h"
+#include "report/shadow/shadow_report.h"
 
 #include <span>
 #include <vector>

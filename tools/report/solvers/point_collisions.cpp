@@ -1,4 +1,4 @@
-#include "report/solvers/point_collisions.h"
+#include "report/solvers/particle_solver.h"
 
 #include <algorithm>
 #include <bit>

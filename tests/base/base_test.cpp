@@ -1,0 +1,62 @@
+#include "base/text.h"
+#include "base/timing.h"
+
+#include <gtest/gtest.h>
+
+namespace coif::base_test {
+
+TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }
+
+TEST(PrintableText, ReplacesControlCharacters) { EXPECT_EQ(printable_text("a\nb\tc\x1b[0m\x7f"), "a b c?[0m?"); }
+
+TEST(PrintableText, ReplacesBytesThatAreNotUtf8) {
+  EXPECT_EQ(printable_text("\x94\xaf"), "??");            // Shift-JIS
+  EXPECT_EQ(printable_text("\xC0\x80x"), "??x");          // overlong
+  EXPECT_EQ(printable_text("\xED\xA0\x80"), "???");       // surrogate
+  EXPECT_EQ(printable_text("\xF4\x90\x80\x80"), "????");  // beyond Unicode
+  EXPECT_EQ(printable_text("x\xE9\xAB"), "x??");          // cut short
+}
+
+TEST(PrintableText, CutsBetweenCharacters) {
+  EXPECT_EQ(printable_text("ab髪", 4), "ab");
+  EXPECT_EQ(printable_text("ab髪", 5), "ab髪");
+}
+
+TEST(Timing, MedianAndSpreadDoNotHearOneWildSample) {
+  const Timing timing = SideBySideTiming::summarize({1000, 5, 4, 3, 6});
+  EXPECT_EQ(timing.seconds, 5);
+  EXPECT_DOUBLE_EQ(timing.spread_pct, 40);  // 4 to 6
+  EXPECT_EQ(timing.rounds, 5u);
+}
+
+TEST(Timing, NothingMeasuredIsZero) {
+  EXPECT_EQ(SideBySideTiming::summarize({}).rounds, 0u);
+  EXPECT_EQ(SideBySideTiming::summarize({0, 0}).spread_pct, 0);
+}
+
+TEST(Timing, EveryWorkHasItsTurnInEveryRound) {
+  // Batches of no length: one run to find that out, then one a round.
+  unsigned runs[2] = {};
+  const std::function<void()> works[] = {[&] { ++runs[0]; }, [&] { ++runs[1]; }};
+  const auto timings = SideBySideTiming({.seconds = 0, .least_rounds = 7, .batch_seconds = 0}).run(works);
+  ASSERT_EQ(timings.size(), 2u);
+  for (const Timing& timing : timings) EXPECT_EQ(timing.rounds, 7u);
+  EXPECT_EQ(runs[0], 8u);
+  EXPECT_EQ(runs[1], 8u);
+}
+
+TEST(Timing, ShortWorkIsRepeatedUntilTheClockCanTell) {
+  unsigned runs = 0;
+  const std::function<void()> work[] = {[&] { ++runs; }};
+  const auto timing = SideBySideTiming({.seconds = 0, .least_rounds = 1, .batch_seconds = 1e-4}).run(work).front();
+  EXPECT_GT(runs, 100u);
+  EXPECT_LT(timing.seconds, 1e-4);
+}
+
+TEST(Timing, EndsAfterTheMostRoundsHoweverMuchTimeThereIs) {
+  const std::function<void()> work[] = {[] {}};
+  const auto timing = SideBySideTiming({.seconds = 1e9, .most_rounds = 9, .batch_seconds = 0}).run(work).front();
+  EXPECT_EQ(timing.rounds, 9u);
+}
+
+}  // namespace coif::base_test

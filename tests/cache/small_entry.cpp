@@ -1,0 +1,20 @@
+#include "cache/small_entry.h"
+
+namespace coif {
+
+CacheEntry small_entry() {
+  CacheEntry entry;
+  entry.dependencies = {{Dependency::Base::kSource, "wig.mtl", 0xFEDCBA9876543210u},
+                        {Dependency::Base::kRecipe, "maps/mask.png", std::nullopt}};
+  entry.questions = {{TextureQuestion::Kind::kColors, {"wig"}, {"hair.png"}}};
+  entry.report.passes = {{"import", 12.5}};
+  entry.report.warnings = {"name \xFF of no encoding"};
+  entry.report.notes = {"a note"};
+  entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
+  entry.report.triangles = 7;
+  entry.report.simulated_bones = 9;
+  entry.asset = {std::byte{1}, std::byte{2}, std::byte{3}};
+  return entry;
+}
+
+}  // namespace coif

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "cache/cook_cache.h"
+
+namespace coif {
+
+/// An entry with something in every part of it.
+[[nodiscard]] CacheEntry small_entry();
+
+}  // namespace coif

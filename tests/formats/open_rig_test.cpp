@@ -1,0 +1,329 @@
+// How many bones of a chain may wait for their children.
+
+#include "models/small_asset.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace coif::open_rig_test {
+
+constexpr std::uint32_t kRoot = 0xFFFF;  ///< As a parent: the rigid bone that carries the chain.
+
+/// small_asset() without mesh and with one chain: bone i of it hangs from bone parents[i] of it.
+AssetContents with_chain(const std::vector<std::uint32_t>& parents) {
+  const AssetContents whole = small_asset();
+  AssetContents contents;
+  contents.skeleton = whole.skeleton;
+  contents.bones = {whole.bones[0], whole.bones[1]};
+  for (const std::uint32_t parent : parents) {
+    BoneRecord bone = whole.bones[2];
+    bone.colliders = 0;
+    if (parent != kRoot) {
+      bone.parent = 2 + parent;
+      const BoneRecord& above = contents.bones[bone.parent];
+      bone.joint[1] = above.joint[1] - above.length;
+    }
+    contents.bones.push_back(bone);
+  }
+  contents.chains = {{2, std::uint32_t(parents.size()), 1, 0}};
+  contents.dynamics.assign(contents.bones.size(), whole.dynamics[2]);
+  return contents;
+}
+
+/// A comb: a stem of `stem` bones, each but the last with a tooth. Teeth come after the whole stem, from its tip upwards
+/// or from its root downwards.
+std::vector<std::uint32_t> comb(std::uint32_t stem, bool tip_first) {
+  std::vector<std::uint32_t> parents = {kRoot};
+  for (std::uint32_t b = 1; b < stem; ++b) parents.push_back(b - 1);
+  for (std::uint32_t b = 0; b + 1 < stem; ++b) parents.push_back(tip_first ? stem - 2 - b : b);
+  return parents;
+}
+
+/// The same comb depth first, teeth before the rest of the stem.
+std::vector<std::uint32_t> comb_with_stem_last(std::uint32_t stem) {
+  std::vector<std::uint32_t> parents = {kRoot};
+  for (std::uint32_t b = 1, above = 0; b < stem; ++b) {
+    parents.push_back(above);
+    parents.push_back(above);
+    above = std::uint32_t(parents.size()) - 1;
+  }
+  return parents;
+}
+
+TEST(OpenChains, SixteenBonesMayWaitForTheirChildrenAndNoMore) {
+  for (const bool tip_first : {true, false}) {
+    EXPECT_EQ(open_written(with_chain(comb(kMaxOpenBones + 1, tip_first))).code, LoadCode::kOk);
+    const LoadStatus status = open_written(with_chain(comb(kMaxOpenBones + 2, tip_first)));
+    EXPECT_EQ(status.code, LoadCode::kOpenBones);
+    EXPECT_EQ(status.chunk, chunk::kChains);
+    EXPECT_EQ(status.expected, kMaxOpenBones);
+  }
+}
+
+TEST(OpenChains, ABoneThatOpensWhereAnotherClosesCountsBesideIt) {
+  // The stem's tip gets a child of its own: at the tip, all of the stem before it and the tip are open.
+  std::vector<std::uint32_t> parents = comb(kMaxOpenBones, true);
+  parents.insert(parents.begin() + kMaxOpenBones, kMaxOpenBones - 1);
+  EXPECT_EQ(open_written(with_chain(parents)).code, LoadCode::kOk);
+  parents = comb(kMaxOpenBones + 1, true);
+  parents.insert(parents.begin() + kMaxOpenBones + 1, kMaxOpenBones);
+  EXPECT_EQ(open_written(with_chain(parents)).code, LoadCode::kOpenBones);
+}
+
+TEST(OpenChains, LongAndWideChainsAreFineDepthFirst) {
+  std::vector<std::uint32_t> path = {kRoot};
+  for (std::uint32_t b = 1; b < 1000; ++b) path.push_back(b - 1);
+  EXPECT_EQ(open_written(with_chain(path)).code, LoadCode::kOk);
+  EXPECT_EQ(open_written(with_chain(comb_with_stem_last(1000))).code, LoadCode::kOk);
+  std::vector<std::uint32_t> broom(1000, 0);
+  broom[0] = kRoot;
+  EXPECT_EQ(open_written(with_chain(broom)).code, LoadCode::kOk) << "one bone with many children is one bone";
+  EXPECT_EQ(open_written(with_chain(std::vector<std::uint32_t>(1000, kRoot))).code, LoadCode::kOk);
+}
+
+// What open() demands of colliders and of the bones' sets of them. small_asset() has an ellipsoid, a capsule that keeps
+// hair inside, a plane and a tapered capsule; bone 2 may touch all, bone 3 the capsule.
+
+constexpr float kNan = NAN;
+
+void make_sphere(ColliderRecord& collider) {
+  collider.shape = ColliderShape::kSphere;
+  for (float& radius : collider.radii) radius = 0.1f;
+}
+
+TEST(OpenColliders, AcceptsEveryShape) {
+  EXPECT_EQ(refusal([](auto&) {}), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { make_sphere(a.colliders[0]); }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) {
+              make_sphere(a.colliders[0]);
+              a.colliders[0].flags = kColliderKeepsInside;
+            }),
+            LoadCode::kOk);
+}
+
+TEST(OpenColliders, RefusesUnknownShapesAndRigidlessOnes) {
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape(5); }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = 3; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].bone = kNone; }), LoadCode::kReference);
+}
+
+TEST(OpenColliders, RefusesRadiiThatDoNotFitTheShape) {
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].radii[1] = 0; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].shape = ColliderShape::kSphere; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].radii[2] = 0.06f; }), LoadCode::kNotFinite) << "a capsule is round";
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].radii[0] = kNan; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[2].radii[0] = 1; }), LoadCode::kNotFinite) << "a plane has none";
+}
+
+TEST(OpenColliders, RefusesAxesThatDoNotFitTheShape) {
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].axis[0] = 0.1f; }), LoadCode::kNotFinite) << "an ellipsoid has none";
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].axis[1] = 0; }), LoadCode::kNotFinite) << "a sphere, not a capsule";
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].axis[0] = INFINITY; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[2].axis[2] = 0.9f; }), LoadCode::kNotFinite) << "normals are unit";
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[2].axis[2] = kNan; }), LoadCode::kNotFinite);
+}
+
+TEST(OpenColliders, RefusesFlagsWhereTheShapeHasNone) {
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[0].flags = kColliderKeepsInside; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[2].flags = kColliderKeepsInside; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].flags = kColliderKeepsInside | 2u; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[3].flags = kColliderKeepsInside; }), LoadCode::kReserved);
+}
+
+TEST(OpenColliders, ATaperedCapsuleHasTwoRadii) {
+  const auto with_radii = [](float from, float to, float third) {
+    return refusal([=](auto& a) {
+      a.colliders[3].radii[0] = from;
+      a.colliders[3].radii[1] = to;
+      a.colliders[3].radii[2] = third;
+    });
+  };
+  EXPECT_EQ(with_radii(0.05f, 0.05f, 0), LoadCode::kOk) << "both ends may be alike";
+  EXPECT_EQ(with_radii(1.0e-6f, 0.05f, 0), LoadCode::kOk);
+  EXPECT_EQ(with_radii(0, 0.05f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 0, 0), LoadCode::kNotFinite) << "a point has no direction to push along";
+  EXPECT_EQ(with_radii(0.05f, -0.03f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(kNan, 0.05f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, kNan, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 2.0e5f, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_radii(0.05f, 0.03f, 0.03f), LoadCode::kNotFinite) << "there is no third end";
+  EXPECT_EQ(with_radii(0.05f, 0.03f, kNan), LoadCode::kNotFinite);
+}
+
+TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
+  const auto with_axis = [](float x, float y) {
+    return refusal([=](auto& a) {
+      a.colliders[3].axis[0] = x;
+      a.colliders[3].axis[1] = y;
+    });
+  };
+  EXPECT_EQ(with_axis(0, -0.021f), LoadCode::kOk) << "the radii differ by 0.02";
+  EXPECT_EQ(with_axis(0, -0.019f), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(0, 0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(kNan, -0.2f), LoadCode::kNotFinite);
+  EXPECT_EQ(with_axis(INFINITY, -0.2f), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) {
+              a.colliders[3].radii[1] = a.colliders[3].radii[0];
+              a.colliders[3].axis[1] = -1.0e-7f;
+            }),
+            LoadCode::kNotFinite)
+      << "too short to have a direction";
+}
+
+TEST(OpenColliders, RefusesReservedFieldsInUse) {
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved = 1; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_center = 1; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_radii = 1; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_axis = kNan; }), LoadCode::kReserved);
+}
+
+TEST(OpenColliders, RefusesSetsThatNameNoCollider) {
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].colliders = 0b10000; }), LoadCode::kColliderSet);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[2].colliders = 1u << 31; }), LoadCode::kColliderSet);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders.pop_back(); }), LoadCode::kColliderSet);
+  EXPECT_EQ(refusal([](auto& a) { a.colliders.clear(); }), LoadCode::kColliderSet);
+}
+
+TEST(OpenColliders, RefusesSetsOfBonesThatDoNotMove) {
+  EXPECT_EQ(refusal([](auto& a) { a.bones[0].colliders = 1; }), LoadCode::kColliderSet);
+  EXPECT_EQ(refusal([](auto& a) { a.bones[1].colliders = 1; }), LoadCode::kColliderSet);
+}
+
+TEST(OpenColliders, AcceptsAsManyAsASetCanNameAndNoMore) {
+  const auto with = [](std::size_t count) {
+    return [count](AssetContents& a) {
+      a.colliders.resize(count, a.colliders[0]);
+      a.bones[2].colliders = ~0u;
+    };
+  };
+  EXPECT_EQ(refusal(with(kMaxColliders)), LoadCode::kOk);
+  EXPECT_EQ(refusal(with(kMaxColliders + 1)), LoadCode::kChunkSize);
+}
+
+// What open() demands of how bones move and of how the asset was tuned.
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A field and the values it may have; both ends belong to them.
+template <typename Record>
+struct Limits {
+  const char* name;
+  float Record::*field;
+  float lowest;
+  float highest;
+};
+
+/// Sets one field of small_asset() after the other, in the record that `record_of` finds.
+template <typename Record, std::size_t kCount, typename RecordOf>
+void expect_limits(const Limits<Record> (&table)[kCount], const RecordOf& record_of) {
+  for (const Limits<Record>& limits : table) {
+    const auto with = [&](float value) {
+      return refusal([&](AssetContents& a) { record_of(a).*limits.field = value; });
+    };
+    EXPECT_EQ(with(limits.lowest), LoadCode::kOk) << limits.name;
+    EXPECT_EQ(with(limits.highest), LoadCode::kOk) << limits.name;
+    EXPECT_EQ(with(std::nextafter(limits.lowest, -kInfinity)), LoadCode::kNotFinite) << limits.name;
+    EXPECT_EQ(with(std::nextafter(limits.highest, kInfinity)), LoadCode::kNotFinite) << limits.name;
+    for (const float value : {std::nanf(""), kInfinity, -kInfinity}) {
+      EXPECT_EQ(with(value), LoadCode::kNotFinite) << limits.name << " = " << value;
+    }
+  }
+}
+
+TEST(OpenDynamics, EveryFieldHasItsLimits) {
+  using D = DynamicsRecord;
+  constexpr Limits<D> kLimits[] = {{"resistance", &D::resistance, 0, 1},
+                                   {"friction", &D::friction, 0, 1.0e6f},
+                                   {"gravity_scale", &D::gravity_scale, -1.0e3f, 1.0e3f},
+                                   {"authoring_rate", &D::authoring_rate, 1, 1.0e5f},
+                                   {"hit_radius", &D::hit_radius, 0, 1.0e5f},
+                                   {"stiffness", &D::stiffness, 0, 1.0e12f},
+                                   {"damping", &D::damping, 0, 1.0e6f},
+                                   {"torsion", &D::torsion, 0, 1.0e6f},
+                                   {"angle_limit", &D::angle_limit, 0, kNoAngleLimit},
+                                   {"parent_share", &D::parent_share, 0, 1}};
+  for (const std::size_t bone : {0u, 2u, 4u}) {
+    expect_limits(kLimits, [bone](AssetContents& a) -> D& { return a.dynamics[bone]; });
+  }
+}
+
+TEST(OpenDynamics, EveryBoneHasARecordWithNothingReservedInUse) {
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics.clear(); }), LoadCode::kChunkMissing);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics.pop_back(); }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[0] = 1.0f; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[1] = std::nanf(""); }), LoadCode::kReserved);
+}
+
+TEST(OpenTuning, GivesBackWhatWasWritten) {
+  const AssetContents contents = small_asset();
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  ASSERT_NE(asset.tuning(), nullptr);
+  EXPECT_EQ(std::memcmp(asset.tuning(), contents.tuning.data(), sizeof(TuningRecord)), 0);
+  ASSERT_EQ(asset.quality().size(), contents.quality.size());
+  EXPECT_EQ(std::memcmp(asset.quality().data(), contents.quality.data(), asset.quality().size_bytes()), 0);
+}
+
+TEST(OpenTuning, IsOptional) {
+  AssetContents contents = small_asset();
+  contents.tuning.clear();
+  contents.quality.clear();
+  AlignedBytes file(write_asset(contents));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.tuning(), nullptr);
+  EXPECT_TRUE(asset.quality().empty());
+  EXPECT_EQ(refusal([](auto& a) { a.tuning.clear(); }), LoadCode::kOk) << "quality alone";
+  EXPECT_EQ(refusal([](auto& a) { a.quality.clear(); }), LoadCode::kOk) << "tuning alone";
+}
+
+TEST(OpenTuning, IsOneRecord) {
+  EXPECT_EQ(refusal([](auto& a) { a.tuning.push_back(a.tuning[0]); }), LoadCode::kChunkSize);
+}
+
+TEST(OpenTuning, EveryFieldHasItsLimits) {
+  using T = TuningRecord;
+  const T good = small_asset().tuning[0];
+  const Limits<T> limits[] = {{"substep_rate", &T::substep_rate, 0, 1.0e5f},
+                              {"asked_error", &T::asked_error, 0, 1.0e3f},
+                              {"reached_error", &T::reached_error, 0, 1.0e3f},
+                              {"asked_cost", &T::asked_cost, 0, 1.0e12f},
+                              {"cost", &T::cost, 0, 1.0e12f},
+                              {"slowest_rate", &T::slowest_rate, 1, good.fastest_rate},
+                              {"fastest_rate", &T::fastest_rate, good.slowest_rate, 1.0e5f}};
+  expect_limits(limits, [](AssetContents& a) -> T& { return a.tuning[0]; });
+  EXPECT_EQ(refusal([](auto& a) { a.tuning[0].met = 0; }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { a.tuning[0].met = 2; }), LoadCode::kNotFinite);
+}
+
+TEST(OpenTuning, EveryFieldOfQualityHasItsLimits) {
+  using Q = QualityRecord;
+  constexpr Limits<Q> kLimits[] = {{"frame_rate", &Q::frame_rate, 1, 1.0e5f},   {"rms_error", &Q::rms_error, 0, 1.0e3f},
+                                   {"max_error", &Q::max_error, 0, 1.0e3f},     {"stretch", &Q::stretch, 0, 1.0e3f},
+                                   {"penetration", &Q::penetration, 0, 1.0e3f}, {"cost", &Q::cost, 0, 1.0e12f}};
+  for (const std::size_t row : {0u, 1u}) {
+    expect_limits(kLimits, [row](AssetContents& a) -> Q& { return a.quality[row]; });
+  }
+  const auto with_substeps = [](std::uint32_t n) { return refusal([n](auto& a) { a.quality[1].substeps = n; }); };
+  EXPECT_EQ(with_substeps(0), LoadCode::kNotFinite);
+  EXPECT_EQ(with_substeps(1024), LoadCode::kOk);
+  EXPECT_EQ(with_substeps(1025), LoadCode::kNotFinite);
+  const auto with_motion = [](std::uint32_t n) { return refusal([n](auto& a) { a.quality[1].worst_motion = n; }); };
+  EXPECT_EQ(with_motion(7), LoadCode::kOk);
+  EXPECT_EQ(with_motion(8), LoadCode::kNotFinite) << "no such motion";
+}
+
+TEST(OpenTuning, RefusalsNameTheRow) {
+  AssetContents contents = small_asset();
+  contents.quality[1].cost = -1;
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.chunk, chunk::kQuality);
+  EXPECT_EQ(status.item, 1u);
+  contents.tuning[0].cost = -1;
+  EXPECT_EQ(open_written(contents).chunk, chunk::kTuning);
+}
+
+}  // namespace coif::open_rig_test

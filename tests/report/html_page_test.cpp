@@ -1,0 +1,224 @@
+#include "animation/glb_reader.h"
+#include "base/json.h"
+#include "report/accuracy/show_accuracy.h"
+#include "report/made_up_report.h"
+#include "report/page/html_page.h"
+#include "report/page/report_heading.h"
+#include "report/stability/show_stability.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <set>
+
+namespace coif::html_page_test {
+
+constexpr const char* kHostile = "</title><script>alert(\"1\" & '2')</script>\x1b\xff";
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(HtmlPage, EscapesEveryTextThatComesIn) {
+  HtmlPage page(kHostile);
+  page.heading(kHostile);
+  page.summary(kHostile);
+  page.paragraph(kHostile);
+  page.table({{{kHostile}}, {{{kHostile}}}});
+  page.figure("<svg></svg>", kHostile);
+  const std::string html = page.text();
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find('\x1b'), std::string::npos);
+  EXPECT_EQ(html.find('\xff'), std::string::npos);
+  // Twice for the title, which is also the first heading.
+  EXPECT_EQ(count_of(html, "&lt;script&gt;alert(&quot;1&quot; &amp; &#39;2&#39;)&lt;/script&gt; \xEF\xBF\xBD"), 8u);
+}
+
+TEST(HtmlPage, NeedsNothingBesideItself) {
+  HtmlPage page("title");
+  page.table({{{"a"}}, {{{"b"}}}});
+  const std::string html = page.text();
+  for (const char* word : {"src=", "href=", "@import", "url(", "<script", "<link"}) {
+    EXPECT_EQ(html.find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(HtmlPage, NumbersAreRightAlignedAndLooksAreClasses) {
+  HtmlPage page("title");
+  page.table({{{"name"}, {"value", Column::Kind::kNumbers}},
+              {{{"a", CellLook::kGood}, {"1.5", CellLook::kBad}}, {{"b"}, {"2"}}}});
+  const std::string html = page.text();
+  EXPECT_NE(html.find("<th scope=\"col\" class=\"number\">value</th>"), std::string::npos);
+  EXPECT_NE(html.find("<td class=\"good\">a</td><td class=\"number bad\">1.5</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td>b</td><td class=\"number\">2</td>"), std::string::npos);
+}
+
+TEST(HtmlPage, LineFeedsInCellsAreLines) {
+  HtmlPage page("title");
+  page.table({{{"a", Column::Kind::kProse}}, {{{"one\n<two>\n"}}}});
+  EXPECT_NE(page.text().find("<td class=\"prose\">one<br>&lt;two&gt;<br></td>"), std::string::npos);
+}
+
+TEST(HtmlPage, CellsShowPicturesThatLieInThePage) {
+  const std::uint8_t bytes[] = {0x89, 'P', 'N', 'G'};
+  HtmlPage page("title");
+  page.table({{{"a"}}, {{{"bob", CellLook::kPlain, bytes}}, {{"none"}}}});
+  EXPECT_NE(page.text().find("<td><img alt=\"\" src=\"data:image/png;base64,iVBORw==\">bob</td>"), std::string::npos);
+  EXPECT_NE(page.text().find("<td>none</td>"), std::string::npos);
+}
+
+TEST(HtmlPage, ShortRowsAreFilledUp) {
+  HtmlPage page("title");
+  page.table({{{"a"}, {"b"}, {"c"}}, {{{"1"}}}});
+  EXPECT_NE(page.text().find("<td>1</td><td></td><td></td></tr>"), std::string::npos);
+}
+
+TEST(HtmlPage, IdsOfFiguresDoNotClash) {
+  const char* svg =
+      "<svg><defs><path id='dot' d=''/><filter id=\"blur\"/></defs><use xlink:href='#dot'/><use href=\"#dot\"/>"
+      "<g filter=\"url(#blur)\"><text>say id='dot' or url(#dot)</text></g></svg>";
+  HtmlPage page("title");
+  page.figure(svg, "first");
+  page.figure(svg, "second");
+  const std::string html = page.text();
+
+  std::set<std::string> ids;
+  std::size_t definitions = 0;
+  const std::regex id("<[^>]* id=['\"]([^'\"]*)['\"]");
+  for (std::sregex_iterator it(html.begin(), html.end(), id), end; it != end; ++it, ++definitions) {
+    ids.insert((*it)[1]);
+  }
+  EXPECT_EQ(definitions, 4u);
+  EXPECT_EQ(ids.size(), 4u);
+  const std::regex reference("(?:href=['\"]|filter=\"url\\()#([^'\")]*)");
+  std::size_t references = 0;
+  for (std::sregex_iterator it(html.begin(), html.end(), reference), end; it != end; ++it, ++references) {
+    EXPECT_TRUE(ids.contains((*it)[1])) << (*it)[1];
+  }
+  EXPECT_EQ(references, 6u);
+  EXPECT_EQ(count_of(html, "say id='dot' or url(#dot)"), 2u) << "text between tags must stay as it is";
+}
+
+TEST(NumberText, IsADashWhereThereIsNoNumber) {
+  for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_EQ(number_text(none), "-");
+    EXPECT_EQ(percent_text(none), "-");
+    EXPECT_TRUE(number_json(none).is_null());
+  }
+  EXPECT_EQ(percent_text(12.34), "12.3 %");
+  EXPECT_EQ(number_json(0.5), 0.5);
+}
+
+TEST(NumberText, IsNearTheNumberAtEverySize) {
+  for (double number = 1.3e-4; number < 1.0e12; number *= 7.7) {
+    for (const double signed_number : {number, -number}) {
+      EXPECT_NEAR(std::stod(number_text(signed_number)), signed_number, 0.04 * number) << number_text(signed_number);
+    }
+    if (number > 1.0e-3 && number < 1.0e6) {
+      EXPECT_EQ(number_text(number).find('e'), std::string::npos) << number_text(number);
+    }
+  }
+  EXPECT_EQ(number_text(0), "0");
+  EXPECT_EQ(number_text(1.0e-14), "<0.0001");
+}
+
+TEST(ReportHeading, MeasuresChainsFromTheRigidBoneToTheirFurthestTip) {
+  const OpenAsset file(small_asset());  // a chain of two bones and one of one bone, 0.1 m each
+  ASSERT_TRUE(file.asset().is_open());
+  const ReportHeading heading = heading_of(file.asset(), "small.coif");
+  EXPECT_EQ(heading.asset, "small.coif");
+  EXPECT_EQ(heading.bones, 5u);
+  EXPECT_EQ(heading.simulated_bones, 3u);
+  EXPECT_EQ(heading.chains, 2u);
+  EXPECT_NEAR(heading.shortest_chain, 0.1, 1.0e-6);
+  EXPECT_NEAR(heading.longest_chain, 0.2, 1.0e-6);
+}
+
+TEST(ReportHeading, IsOneLineEvenWhereTheMachineIsNotKnown) {
+  ReportHeading heading;
+  heading.asset = "a.coif";
+  heading.chains = 1;
+  EXPECT_EQ(heading_text(heading),
+            "a.coif: 0 bones, 0 of them simulated, in 1 chain of 0 to 0 m (median 0); measured in 0.0 s");
+  heading.machine = "processor";
+  EXPECT_TRUE(heading_text(heading).ends_with(" s on processor"));
+}
+
+using nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+Keys keys_of(const ordered_json& object) {
+  Keys keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+const Keys kHeadingKeys = {"asset", "bones", "simulated_bones", "chains", "chain_length_m", "machine", "seconds_taken"};
+
+Keys after_heading(const Keys& keys) {
+  Keys all = kHeadingKeys;
+  all.insert(all.end(), keys.begin(), keys.end());
+  return all;
+}
+
+TEST(AccuracyJson, HasTheDocumentedKeys) {
+  const ordered_json json = accuracy_json(made_up_heading(), made_up_accuracy());
+  EXPECT_EQ(keys_of(json), after_heading({"rows", "spread", "reference", "settle", "budget_rms_pct", "chosen"}));
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (Keys{"motion", "solver", "fps", "substeps", "ns_per_bone_frame", "rms_error_pct", "max_error_pct",
+                  "stretch_max_pct", "penetration_max_pct", "segment_penetration_max_pct", "pareto"}));
+  EXPECT_EQ(keys_of(json["spread"][0]), (Keys{"motion", "solver", "substeps", "frame_rate_spread_pct"}));
+  EXPECT_EQ(keys_of(json["reference"][0]), (Keys{"motion", "self_difference_pct", "steps_per_second"}));
+  EXPECT_EQ(keys_of(json["settle"][0]), (Keys{"solver", "settle_error_pct"}));
+  EXPECT_EQ(keys_of(json["chosen"]), (Keys{"solver", "substeps", "rms_error_pct", "ns_per_bone_frame"}));
+}
+
+TEST(AccuracyJson, HoldsEveryRecord) {
+  const AccuracyReport report = made_up_accuracy();
+  const ordered_json json = accuracy_json(made_up_heading(), report);
+  ASSERT_EQ(json["rows"].size(), report.rows.size());
+  for (std::size_t i = 0; i < report.rows.size(); ++i) {
+    EXPECT_EQ(json["rows"][i]["rms_error_pct"], report.rows[i].rms_error_pct);
+    EXPECT_EQ(json["rows"][i]["fps"], report.rows[i].fps);
+    EXPECT_EQ(json["rows"][i]["solver"], report.rows[i].solver);
+  }
+  EXPECT_EQ(json["spread"].size(), report.spread.size());
+  EXPECT_EQ(json["reference"].size(), report.reference.size());
+  EXPECT_EQ(json["chosen"]["solver"], "coif");
+  EXPECT_EQ(json["chain_length_m"]["longest"], 0.5);
+}
+
+TEST(AccuracyJson, MissingNumbersAreNull) {
+  AccuracyReport report;
+  report.rows.resize(1);
+  report.spread.resize(1);
+  report.reference.resize(1);
+  report.settle.resize(1);
+  const ordered_json json = accuracy_json({}, report);
+  EXPECT_TRUE(json["rows"][0]["rms_error_pct"].is_null());
+  EXPECT_TRUE(json["rows"][0]["ns_per_bone_frame"].is_null());
+  EXPECT_TRUE(json["spread"][0]["frame_rate_spread_pct"].is_null());
+  EXPECT_TRUE(json["reference"][0]["self_difference_pct"].is_null());
+  EXPECT_TRUE(json["settle"][0]["settle_error_pct"].is_null());
+  EXPECT_TRUE(json["budget_rms_pct"].is_null());
+  EXPECT_TRUE(json["chosen"].is_null());
+}
+
+TEST(StabilityJson, HasTheDocumentedKeysAndOutcomes) {
+  const ordered_json json = stability_json(made_up_heading(), made_up_stability());
+  EXPECT_EQ(keys_of(json), after_heading({"cases", "descriptions"}));
+  EXPECT_EQ(keys_of(json["cases"][0]), (Keys{"case", "solver", "outcome", "stretch_max_pct", "penetration_max_pct",
+                                             "max_speed", "settle_error_pct"}));
+  Keys outcomes;
+  for (const auto& row : json["cases"]) outcomes.push_back(row["outcome"]);
+  EXPECT_EQ(outcomes, (Keys{"ok", "ok", "diverged", "ok", "rejected", "nan"}));
+  EXPECT_TRUE(json["cases"][5]["max_speed"].is_null());
+  EXPECT_EQ(json["descriptions"][1]["case"], "nan_pose");
+}
+
+}  // namespace coif::html_page_test

@@ -1,0 +1,181 @@
+#include "models/card_asset.h"
+#include "render/egl_context.h"
+#include "report/shadow/measure_shadows.h"
+#include "report/shadow/shadow_totals.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace coif::measure_shadows_test {
+
+const ShadowSettings kSmall{.sizes = {128}, .spacing = 0.005};
+
+class MeasureShadows : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto context = EglContext::create();
+    if (!context) GTEST_SKIP() << context.error().message;
+  }
+
+  /// Layers of cards around a head, further apart than a texel of the map.
+  static AssetContents layered(int alpha) {
+    std::vector<Card> cards;
+    for (int layer = 0; layer < 3; ++layer) {
+      for (const float side : {-1.0f, 1.0f}) {
+        const float distance = 0.14f + 0.03f * float(layer);
+        cards.push_back({{0, 0, side * distance}, {0.12f * side, 0, 0}, {0, 0.12f, 0}, alpha});
+        cards.push_back({{side * distance, 0, 0}, {0, 0, -0.12f * side}, {0, 0.12f, 0}, alpha});
+      }
+    }
+    AssetContents contents = card_contents(cards);
+    add_ball(contents, Eigen::Vector3f::Zero(), 0.1f);
+    return contents;
+  }
+
+  static ShadowReport measured(const AssetContents& contents) {
+    const OpenedAsset asset(contents);
+    auto report = measure_shadows(asset.asset(), kSmall, {});
+    EXPECT_TRUE(report) << report.error().message;
+    return report ? *report : ShadowReport{};
+  }
+
+  static const ShadowTotal& total(const ShadowReport& report, const std::string& technique, std::uint32_t layers = 0) {
+    const auto found = std::ranges::find_if(
+        report.totals, [&](const ShadowTotal& one) { return one.technique == technique && one.layers == layers; });
+    EXPECT_NE(found, report.totals.end()) << technique << ", " << layers;
+    return *found;
+  }
+};
+
+TEST_F(MeasureShadows, LayersKnowHalfTransparentHairAndAPlainMapDoesNot) {
+  const ShadowReport report = measured(layered(128));
+  const double none = total(report, "none").hair.rmse;
+  const double plain = total(report, "plain").hair.rmse;
+  const double four = total(report, "deep", 4).hair.rmse, eight = total(report, "deep", 8).hair.rmse;
+  EXPECT_GT(none, 0.4);
+  EXPECT_GT(plain, 0.25) << "half-transparent hair is solid to it";
+  EXPECT_LT(four, 0.6 * plain);
+  EXPECT_LE(eight, four);
+  EXPECT_LT(eight, 0.12);
+  EXPECT_LT(total(report, "deep", 4).head.rmse, 0.1);
+  EXPECT_GT(total(report, "none").hair.bias, 0.3) << "without shadows all is too light";
+}
+
+TEST_F(MeasureShadows, EveryTechniqueKnowsSolidHair) {
+  const ShadowReport report = measured(layered(255));
+  for (const ShadowTotal& one : report.totals) {
+    if (one.technique == "none") continue;
+    EXPECT_LT(one.hair.rmse, 0.2) << one.technique << ", " << one.layers;
+    EXPECT_LT(one.head.rmse, 0.15) << one.technique << ", " << one.layers;
+  }
+}
+
+TEST_F(MeasureShadows, HasARowForEachTechniqueLightAndPose) {
+  const ShadowReport report = measured(layered(128));
+  EXPECT_EQ(report.rows.size(), 4 * report.lights.size()) << "rigid hair has one pose";
+  EXPECT_EQ(report.totals.size(), 4u);
+  EXPECT_GT(report.hair_points, 1000u);
+  EXPECT_GT(report.head_points, 1000u);
+  EXPECT_EQ(total(report, "plain").bytes, 128u * 128 * 4);
+  for (const ShadowRow& row : report.rows) EXPECT_EQ(row.ms > 0, row.size > 0);
+}
+
+TEST_F(MeasureShadows, RefusesWhatItCannotMeasure) {
+  const OpenedAsset asset(layered(128));
+  for (const ShadowSettings& bad : {ShadowSettings{.sizes = {}}, {.sizes = {15}}, {.sizes = {256}, .spacing = 0.1}}) {
+    const auto report = measure_shadows(asset.asset(), bad, {});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().kind, ToolError::Kind::kUsage);
+  }
+  const auto report = measure_shadows(Asset{}, kSmall, {});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, ToolError::Kind::kBadInput);
+}
+
+Card card_at(float z, int alpha) {
+  Card card;
+  card.center.z() = z;
+  card.alpha = alpha;
+  return card;
+}
+
+std::vector<ShadowPoint> points_of(const AssetContents& contents) {
+  const OpenedAsset asset(contents);
+  const HairSurface surface(asset.asset());
+  const auto positions = posed_positions(asset.asset(), {});
+  return shadow_points(FragmentView(surface, positions, {.spacing = 0.01f}), surface, positions);
+}
+
+TEST(ShadowPoints, LoseTheAlphaOfWhatLiesBeforeThem) {
+  const auto points = points_of(card_contents(std::array{card_at(0, 102), card_at(0.1f, 51), card_at(0.2f, 153)}));
+  ASSERT_FALSE(points.empty());
+  for (const ShadowPoint& point : points) {
+    EXPECT_FALSE(point.is_head);
+    EXPECT_GT(std::abs(point.normal.normalized().z()), 0.999f) << "cards across the light";
+    const bool is_first = point.place.z() > 0.15f, is_second = !is_first && point.place.z() > 0.05f;
+    EXPECT_NEAR(point.transmittance, is_first ? 1 : is_second ? 0.4 : 0.4 * 0.8, 1e-4) << point.place.z();
+    EXPECT_NEAR(point.weight, is_first ? 0.6 : is_second ? 0.2 : 0.4, 1e-4);
+  }
+}
+
+TEST(ShadowPoints, EndAtTheHeadWhichIsOneItself) {
+  AssetContents contents = card_contents(std::array{card_at(0.2f, 128), card_at(-0.2f, 128)});
+  add_ball(contents, Eigen::Vector3f::Zero(), 0.15f);  // wider than the cards
+  int hair = 0, head = 0;
+  for (const ShadowPoint& point : points_of(contents)) {
+    EXPECT_GT(point.place.z(), point.is_head ? -0.001f : 0.19f) << "nothing behind the head";
+    (point.is_head ? head : hair) += 1;
+    if (!point.is_head) continue;
+    EXPECT_NEAR(point.place.norm(), 0.15, 1e-3);
+    const bool is_covered = std::max(std::abs(point.place.x()), std::abs(point.place.y())) < 0.1f;
+    EXPECT_NEAR(point.transmittance, is_covered ? 1 - 128.0 / 255 : 1, 1e-3);
+  }
+  EXPECT_GT(hair, 100);
+  EXPECT_GT(head, 100);
+}
+
+TEST(ShadowError, CountsPointsByTheirWeight) {
+  const std::array points{ShadowPoint{{}, {}, 0.5f, 3, false}, ShadowPoint{{}, {}, 1.0f, 1, false},
+                          ShadowPoint{{}, {}, 0.0f, 1, true}};
+  const std::array light{0.7f, 0.6f, 0.3f};
+  const ShadowError hair = shadow_error(points, light, false), head = shadow_error(points, light, true);
+  EXPECT_NEAR(hair.bias, (3 * 0.2 - 0.4) / 4, 1e-6);
+  EXPECT_NEAR(hair.rmse, std::sqrt((3 * 0.04 + 0.16) / 4), 1e-6);
+  EXPECT_NEAR(head.bias, 0.3, 1e-6);
+  EXPECT_NEAR(head.rmse, 0.3, 1e-6);
+}
+
+TEST(ShadowError, OfNoPointsIsNoNumber) {
+  EXPECT_TRUE(std::isnan(shadow_error({}, {}, false).rmse));
+  EXPECT_TRUE(std::isnan(shadow_error({}, {}, true).bias));
+}
+
+TEST(ShadowTotals, TakeEachTechniqueOverLightsAndPoses) {
+  std::vector<ShadowRow> rows;
+  const auto add = [&](std::uint32_t layers, const char* light, double rmse, double bias, double ms) {
+    rows.push_back({.technique = "deep", .layers = layers, .size = 256, .light = light, .pose = "rest"});
+    rows.back().hair = {rmse, bias};
+    rows.back().ms = ms;
+  };
+  add(4, "above", 0.3, 0.1, 2);
+  add(8, "above", 0.1, 0.0, 4);
+  add(4, "side", 0.4, -0.3, 3);
+  add(4, "back", 0.0, -0.1, 10);
+  const std::vector<ShadowTotal> totals = shadow_totals(rows);
+  ASSERT_EQ(totals.size(), 2u);
+  EXPECT_EQ(totals[0].layers, 4u);
+  EXPECT_NEAR(totals[0].hair.rmse, std::sqrt((0.09 + 0.16) / 3), 1e-9);
+  EXPECT_NEAR(totals[0].hair.bias, -0.1, 1e-9);
+  EXPECT_EQ(totals[0].worst_light, "side");
+  EXPECT_EQ(totals[0].worst_rmse, 0.4);
+  EXPECT_EQ(totals[0].ms, 3);
+  EXPECT_TRUE(std::isnan(totals[0].head.rmse)) << "no row has a head";
+  EXPECT_EQ(totals[1].layers, 8u);
+}
+
+}  // namespace coif::measure_shadows_test

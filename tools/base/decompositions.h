@@ -1,0 +1,20 @@
+#pragma once
+
+// What needs one of Eigen's decompositions, whose templates take seconds to compile: here they are compiled once.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace coif {
+
+/// Turns `from` towards `to` the shortest way; where they are opposite, about some axis between. Neither need be unit.
+[[nodiscard]] Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to);
+[[nodiscard]] Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// The rotation nearest to a transform's linear part, without scale and shear.
+[[nodiscard]] Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform);
+
+/// The shortest x of those for which `normal` x is nearest to `right`.
+[[nodiscard]] Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right);
+
+}  // namespace coif

@@ -1,0 +1,142 @@
+#include "base/files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <new>
+#include <random>
+#include <system_error>
+#include <unistd.h>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kAlignment = 64;
+
+tl::unexpected<ToolError> cannot_open(const std::filesystem::path& path, const std::error_code& why) {
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot open: {}", path.string(), why.message())});
+}
+
+tl::expected<std::size_t, ToolError> readable_size(const std::filesystem::path& path) {
+  std::error_code why;
+  const auto status = std::filesystem::status(path, why);
+  if (!std::filesystem::exists(status)) {
+    return cannot_open(path, why ? why : std::make_error_code(std::errc::no_such_file_or_directory));
+  }
+  if (std::filesystem::is_directory(status)) return cannot_open(path, std::make_error_code(std::errc::is_a_directory));
+  // A pipe has no size, and opening one would wait for a writer.
+  if (!std::filesystem::is_regular_file(status)) {
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot open: not a regular file", path.string())});
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, why);
+  if (why) return cannot_open(path, why);
+  if (size > FileBytes::kMaxBytes) {
+    return tl::unexpected(ToolError{
+        ToolError::Kind::kBadInput,
+        fmt::format("{}: {} bytes are more than the {} that are accepted", path.string(), size, FileBytes::kMaxBytes)});
+  }
+  return static_cast<std::size_t>(size);
+}
+
+}  // namespace
+
+FileBytes::FileBytes(std::size_t size) : size_(size) {
+  bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, (size / kAlignment + 1) * kAlignment)));
+  if (!bytes_) throw std::bad_alloc();
+}
+
+FileBytes FileBytes::copy(std::span<const std::byte> bytes) {
+  FileBytes result(bytes.size());
+  std::ranges::copy(bytes, result.bytes_.get());
+  return result;
+}
+
+tl::expected<FileBytes, ToolError> FileBytes::read(const std::filesystem::path& path) {
+  const auto size = readable_size(path);
+  if (!size) return tl::unexpected(size.error());
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) return cannot_open(path, std::error_code(errno, std::generic_category()));
+
+  FileBytes result(*size);
+  if (std::fread(result.bytes_.get(), 1, *size, file.get()) != *size) {
+    return tl::unexpected(ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot read", path.string())});
+  }
+  return result;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot write: {}", path.string(), why)});
+}
+
+std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+  if (file < 0) return last_error();
+  std::error_code why = write_all(file, bytes);
+  // close() reports what the disk refused late, for example on a full network share.
+  if (::close(file) != 0 && !why) why = last_error();
+  return why;
+}
+
+}  // namespace
+
+tl::expected<void, ToolError> check_output(const fs::path& output, std::initializer_list<fs::path> inputs) {
+  std::error_code ignored;
+  if (fs::is_directory(output, ignored)) return cannot_write(output, "it is a folder; name a file in it");
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored)) {
+    return cannot_write(output, fmt::format("no folder '{}'; create it first", folder.string()));
+  }
+  for (const fs::path& input : inputs) {
+    if (fs::equivalent(output, input, ignored)) {
+      return tl::unexpected(ToolError{ToolError::Kind::kUsage,
+                                      fmt::format("{}: is also an input; choose another output", output.string())});
+    }
+  }
+  return {};
+}
+
+tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
+                                                   std::initializer_list<std::string_view> allowed) {
+  std::string suffix = output.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (std::find(allowed.begin(), allowed.end(), suffix) != allowed.end()) return suffix;
+  return tl::unexpected(ToolError{
+      ToolError::Kind::kUsage, fmt::format("{}: the suffix must be {}", output.string(), fmt::join(allowed, " or "))});
+}
+
+tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {
+  std::error_code why;
+  // Through a link, so that the link stays and its target is replaced.
+  const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
+  if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
+    // Renaming over /dev/stdout or a pipe would replace the device.
+    if (const std::error_code failed = write_new_file(target, 0, bytes)) return cannot_write(output, failed.message());
+    return {};
+  }
+  fs::path temporary = target;
+  // Machines and containers that share a folder have equal process numbers.
+  temporary += fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+  std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes);
+  if (!failed) fs::rename(temporary, target, failed);
+  if (failed) {
+    fs::remove(temporary, why);
+    return cannot_write(output, failed.message());
+  }
+  return {};
+}
+
+}  // namespace coif

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "base/tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <unistd.h>
+
+namespace coif {
+
+/// A whole file in memory that starts at a multiple of 64, as an asset with textures wants it.
+class FileBytes {
+ public:
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;
+
+  /// Errors: kFileAccess where the file is absent, not a regular file or not readable, kBadInput above kMaxBytes.
+  static tl::expected<FileBytes, ToolError> read(const std::filesystem::path& path);
+
+  /// Bytes that were never in a file, placed as one's are.
+  static FileBytes copy(std::span<const std::byte> bytes);
+
+  [[nodiscard]] std::span<const std::byte> span() const { return {bytes_.get(), size_}; }
+
+ private:
+  struct Free {
+    void operator()(std::byte* bytes) const { std::free(bytes); }
+  };
+
+  explicit FileBytes(std::size_t size);
+
+  std::unique_ptr<std::byte, Free> bytes_;
+  std::size_t size_ = 0;
+};
+
+/// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and
+/// is none of `inputs`. Errors: kFileAccess, kUsage.
+tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
+                                           std::initializer_list<std::filesystem::path> inputs);
+
+/// The output's suffix in lower case, with its dot, when it is one of `allowed`. Error (kUsage): lists them.
+tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& output,
+                                                   std::initializer_list<std::string_view> allowed);
+
+/// Writes the whole file or nothing: into a temporary file in the same folder, which then takes the name. An existing
+/// file is whole at every moment and survives a failure. Devices and pipes are written directly. Errors: kFileAccess.
+tl::expected<void, ToolError> write_output(const std::filesystem::path& output, std::span<const std::byte> bytes);
+
+/// Writes all of the bytes to an open file or pipe, however often that takes; why it could not, else nothing.
+inline std::error_code write_all(int descriptor, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return {written < 0 ? errno : EIO, std::generic_category()};
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+}  // namespace coif

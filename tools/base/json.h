@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/text.h"
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include <string>
+#include <string_view>
+
+// Compiled once, in json.cpp: what other files take of it is not worth compiling in each of them.
+extern template class nlohmann::basic_json<>;
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+
+namespace coif {
+
+/// What is wrong and where, for people: the library's own prefix names its exception's class, which tells them nothing.
+[[nodiscard]] std::string json_fault(const nlohmann::json::exception& error);
+
+// JSON that people write and other people may have damaged.
+
+inline constexpr int kDeepestJson = 32;
+
+/// Parses JSON with // comments of at most kDeepestJson levels: whatever prints or copies a value calls itself for each of
+/// them, and would run out of stack. The error is a sentence without the file's name.
+[[nodiscard]] tl::expected<nlohmann::json, std::string> parse_shallow_json(std::string_view text);
+
+/// Indented JSON with a final newline. Names from artists' files need not be UTF-8; offending bytes are replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
+
+/// Null for what is not finite.
+[[nodiscard]] nlohmann::ordered_json number_json(double number);
+
+}  // namespace coif

@@ -1,0 +1,190 @@
+#include "base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+namespace {
+
+struct Utf8Start {
+  std::size_t bytes = 1;     ///< Of the character; where it is broken, of as much of it as is well-formed, at least 1.
+  bool is_complete = false;  ///< A well-formed character (Unicode 15, table 3-7).
+};
+
+/// What `text`, which is not empty, starts with.
+Utf8Start utf8_start(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+  const std::uint8_t first = byte(0);
+  const std::size_t length = first < 0x80                     ? 1
+                             : first >= 0xC2 && first <= 0xDF ? 2
+                             : first >= 0xE0 && first <= 0xEF ? 3
+                             : first >= 0xF0 && first <= 0xF4 ? 4
+                                                              : 0;
+  std::size_t good = 1;
+  for (; good < std::min(length, text.size()); ++good) {
+    // Only the second byte is bound further: no overlong forms, no surrogates, nothing above U+10FFFF.
+    const std::uint8_t low = good > 1 ? 0x80 : first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    const std::uint8_t high = good > 1 ? 0xBF : first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    if (byte(good) < low || byte(good) > high) break;
+  }
+  return {good, good == length};
+}
+
+bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }
+
+}  // namespace
+
+std::string printable_text(std::string_view text, std::size_t max_bytes) {
+  std::string out;
+  while (!text.empty()) {
+    const Utf8Start start = utf8_start(text);
+    const std::size_t taken = start.is_complete ? start.bytes : 1;
+    if (out.size() + taken > max_bytes) break;
+    const char first = text.front();
+    if (first == '\n' || first == '\r' || first == '\t') {
+      out += ' ';
+    } else if (!start.is_complete || is_control(first)) {
+      out += '?';
+    } else {
+      out.append(text.substr(0, taken));
+    }
+    text.remove_prefix(taken);
+  }
+  return out;
+}
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const Utf8Start start = utf8_start(text);
+    out.append(!start.is_complete ? "\uFFFD" : is_control(text.front()) ? " " : text.substr(0, start.bytes));
+    text.remove_prefix(start.bytes);
+  }
+  return out;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string excerpt(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most) + "...";
+}
+
+std::string number_text(double number) {
+  if (!std::isfinite(number)) return "-";
+  const double size = std::abs(number);
+  if (size == 0) return "0";
+  if (size < 1.0e-4) return "<0.0001";
+  if (size >= 1.0e6 || size < 1.0e-3) return fmt::format("{:.1e}", number);
+  if (size >= 100) return fmt::format("{:.0f}", number);
+  if (size >= 10) return fmt::format("{:.1f}", number);
+  if (size >= 1) return fmt::format("{:.2f}", number);
+  return size >= 0.1 ? fmt::format("{:.3f}", number) : fmt::format("{:.4f}", number);
+}
+
+std::string percent_text(double percent) {
+  return std::isfinite(percent) ? number_text(percent) + " %" : number_text(percent);
+}
+
+namespace {
+
+/// 1000 of a unit are one of the next.
+std::string scaled_text(double number, std::initializer_list<const char*> units) {
+  auto unit = units.begin();
+  for (; number >= 1000 && std::next(unit) != units.end(); ++unit) number /= 1000;
+  return fmt::format("{} {}", number_text(number), *unit);
+}
+
+}  // namespace
+
+std::string time_text(double nanoseconds) { return scaled_text(nanoseconds, {"ns", "us", "ms", "s"}); }
+
+std::string bytes_text(double bytes) { return scaled_text(bytes, {"bytes", "kB", "MB", "GB"}); }
+
+namespace {
+
+bool same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+}  // namespace
+
+bool matches(std::string_view name, std::string_view pattern) {
+  // Greedy with one point of return, so that many stars cost no more than length times length.
+  std::size_t n = 0, p = 0, star = std::string_view::npos, star_name = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      star_name = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || same_letter(pattern[p], name[n]))) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++star_name;
+    } else {
+      return false;
+    }
+  }
+  return std::all_of(pattern.begin() + std::ptrdiff_t(p), pattern.end(), [](char c) { return c == '*'; });
+}
+
+bool matches_any(std::string_view name, std::span<const std::string> patterns) {
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) { return matches(name, pattern); });
+}
+
+namespace {
+
+/// Levenshtein distance, one row at a time.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replace, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_word(const std::string& word, std::span<const std::string> words) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& candidate : words) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const auto group = bytes.subspan(at, std::min<std::size_t>(3, bytes.size() - at));
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 3; ++i) bits = bits << 8 | (i < group.size() ? group[i] : 0u);
+    for (std::size_t i = 0; i < 4; ++i) text += i <= group.size() ? kDigits[bits >> (18 - 6 * i) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace coif

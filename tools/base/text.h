@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace coif {
+
+/// "1 patch", "2 patches".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+/// `text` as valid UTF-8 of at most `max_bytes`, without control characters: line breaks and tabs become spaces, other
+/// control characters and bytes that are not UTF-8 become '?'. Names from files end up in messages and JSON, which
+/// must not break on them.
+[[nodiscard]] std::string printable_text(std::string_view text, std::size_t max_bytes = 1024);
+
+/// Text that any document takes: bytes that are no UTF-8 become U+FFFD, control characters and line ends a blank.
+/// Names from artists' files are neither checked nor short of surprises.
+[[nodiscard]] std::string clean_text(std::string_view text);
+
+/// The text, or as much of its beginning as a message has room for, whole characters of UTF-8.
+[[nodiscard]] std::string excerpt(std::string text, std::size_t most = 100);
+
+/// Two digits or three, more where they stand before the point: "0.0123", "4.57", "13240", "2.1e+09". "<0.0001" for
+/// what is closer to 0 than that, which in a percentage is rounding noise; "-" for what is not finite.
+[[nodiscard]] std::string number_text(double number);
+
+/// number_text() with " %" behind it, or "-".
+[[nodiscard]] std::string percent_text(double percent);
+
+/// Nanoseconds as the unit that needs the fewest digits: "840 ns", "12.3 us", "4.57 ms".
+[[nodiscard]] std::string time_text(double nanoseconds);
+
+/// "840 bytes", "12.3 kB", "4.57 MB"; 1 kB is 1000 bytes.
+[[nodiscard]] std::string bytes_text(double bytes);
+
+/// True where `name` matches `pattern`: * stands for any run of characters, ? for one, letters match in either case.
+[[nodiscard]] bool matches(std::string_view name, std::string_view pattern);
+[[nodiscard]] bool matches_any(std::string_view name, std::span<const std::string> patterns);
+
+/// The word with the smallest edit distance to `word` (insert, delete, replace), or "" where even that one differs in
+/// more than a third of its letters.
+[[nodiscard]] std::string nearest_word(const std::string& word, std::span<const std::string> words);
+
+/// RFC 4648, section 4: letters, digits, + and /, padded with =.
+[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
+
+}  // namespace coif

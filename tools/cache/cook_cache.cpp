@@ -1,0 +1,198 @@
+#include "cache/cook_cache.h"
+
+#include "base/files.h"
+#include "payload_hash.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sys/stat.h>
+#include <time.h>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSuffix = ".entry";
+constexpr std::size_t kMostEntries = 16;  ///< Of one key: one source with so many states of its textures.
+constexpr std::chrono::hours kStale{24};  ///< Older temporary files are those of killed processes.
+constexpr const char* kFolderMark = "\x1f";
+
+struct AgedFile {
+  fs::path path;
+  fs::file_time_type time;
+};
+
+/// Newest first: what was used last is the likeliest to fit.
+std::vector<AgedFile> files_in(const fs::path& folder) {
+  std::vector<AgedFile> files;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code gone;
+    const fs::file_time_type time = it->last_write_time(gone);
+    if (!gone) files.push_back({it->path(), time});
+  }
+  std::ranges::sort(files, [](const AgedFile& a, const AgedFile& b) { return a.time > b.time; });
+  return files;
+}
+
+void remove_surplus(const fs::path& folder) {
+  std::size_t entries = 0;
+  for (const AgedFile& file : files_in(folder)) {
+    const bool is_entry = file.path.extension() == kSuffix;
+    const bool stale = is_entry ? ++entries > kMostEntries : fs::file_time_type::clock::now() - file.time > kStale;
+    std::error_code ignored;
+    if (stale) fs::remove(file.path, ignored);
+  }
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// Messages name files by their paths; those of another checkout would point to the wrong ones.
+void replace_in_messages(CookReport& report, const std::string& from, const std::string& to) {
+  for (std::string& text : report.warnings) replace_all(text, from, to);
+  for (std::string& text : report.notes) replace_all(text, from, to);
+  for (LeftOut& left_out : report.left_out) {
+    replace_all(left_out.what, from, to);
+    replace_all(left_out.why, from, to);
+  }
+}
+
+CookResult result_from(CacheEntry entry, const CookPlace& place) {
+  CookResult result{std::move(entry.asset), std::move(entry.report), {}};
+  replace_in_messages(result.report, kFolderMark, place.source_directory().string() + "/");
+  for (const Dependency& dependency : entry.dependencies) {
+    const bool from_recipe = dependency.base == Dependency::Base::kRecipe;
+    auto& files = from_recipe ? result.inputs.recipe_files : result.inputs.source_files;
+    files.push_back(path_of(dependency, place));
+  }
+  result.inputs.questions = std::move(entry.questions);
+  return result;
+}
+
+}  // namespace
+
+fs::path CookCache::folder_of(const std::string& key) const { return folder_ / key.substr(0, 2) / key.substr(2); }
+
+std::optional<CookResult> CookCache::find(const std::string& key, const CookPlace& place) const {
+  for (const AgedFile& file : files_in(folder_of(key))) {
+    if (file.path.extension() != kSuffix) continue;
+    const auto bytes = FileBytes::read(file.path);
+    auto entry = bytes ? decode_entry(bytes->span()) : std::nullopt;
+    if (!entry || !are_unchanged(entry->dependencies, place) || !are_still_answered(entry->questions, place)) continue;
+    std::error_code ignored;
+    fs::last_write_time(file.path, fs::file_time_type::clock::now(), ignored);
+    return result_from(std::move(*entry), place);
+  }
+  return {};
+}
+
+tl::expected<void, ToolError> CookCache::store(const std::string& key, const CookPlace& place, const CookResult& result,
+                                               std::chrono::nanoseconds begin) const {
+  CacheEntry entry{take_dependencies(result.inputs, place), result.inputs.questions, result.report, result.asset};
+  if (const auto changed = changed_since(begin, entry.dependencies, place)) {
+    return tl::unexpected(ToolError{ToolError::Kind::kFileAccess,
+                                    changed->string() + ": changed while it was cooked; the result is not cached"});
+  }
+  const std::string folder = place.source_directory().string();
+  // A relative folder such as "." occurs in texts that mean something else.
+  if (place.source.is_absolute()) replace_in_messages(entry.report, folder + "/", kFolderMark);
+  std::error_code error;
+  fs::create_directories(folder_of(key), error);
+  if (error) {
+    return tl::unexpected(
+        ToolError{ToolError::Kind::kFileAccess,
+                  fmt::format("{}: cannot create the cache's folder: {}", folder_.string(), error.message())});
+  }
+  const fs::path file = folder_of(key) / (content_digits(circumstances(entry)) + kSuffix);
+  auto written = write_output(file, encode_entry(entry));
+  remove_surplus(folder_of(key));
+  return written;
+}
+
+std::string content_digits(std::span<const std::byte> bytes) {
+  return fmt::format("{:016x}{:016x}", xxh64(bytes, 0), xxh64(bytes, 1));
+}
+
+std::string cook_key(const CookIdentity& identity) {
+  constexpr const char* kLayout = "coif cache 1";  // of the entries, too: another layout never meets this one's
+  std::string text;
+  // Lengths in front, so that no two different lists of parts read the same.
+  for (const std::string& part :
+       {std::string(kLayout), identity.tool, identity.importer, identity.source.filename().string(),
+        content_digits(identity.source_bytes), identity.recipe}) {
+    text += fmt::format("{}:{}", part.size(), part);
+  }
+  return content_digits(std::as_bytes(std::span(text)));
+}
+
+namespace {
+
+std::chrono::nanoseconds duration_of(const timespec& time) {
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+fs::path or_here(const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; }
+
+std::optional<std::uint64_t> hash_of_file(const fs::path& path) {
+  const auto bytes = FileBytes::read(path);
+  return bytes ? std::optional(xxh64(bytes->span())) : std::nullopt;
+}
+
+void take(const std::vector<fs::path>& files, Dependency::Base base, const fs::path& folder,
+          std::vector<Dependency>& dependencies) {
+  for (const fs::path& file : files) {
+    dependencies.push_back({base, file.lexically_proximate(folder).string(), hash_of_file(file)});
+  }
+}
+
+}  // namespace
+
+fs::path CookPlace::source_directory() const { return or_here(source.parent_path()); }
+
+std::vector<Dependency> take_dependencies(const CookInputs& inputs, const CookPlace& place) {
+  std::vector<Dependency> dependencies;
+  take(inputs.source_files, Dependency::Base::kSource, place.source_directory(), dependencies);
+  take(inputs.recipe_files, Dependency::Base::kRecipe, or_here(place.recipe_directory), dependencies);
+  return dependencies;
+}
+
+fs::path path_of(const Dependency& dependency, const CookPlace& place) {
+  const bool from_recipe = dependency.base == Dependency::Base::kRecipe;
+  return (from_recipe ? or_here(place.recipe_directory) : place.source_directory()) / dependency.path;
+}
+
+bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace& place) {
+  return std::ranges::all_of(dependencies,
+                             [&](const Dependency& d) { return hash_of_file(path_of(d, place)) == d.hash; });
+}
+
+bool are_still_answered(const std::vector<TextureQuestion>& questions, const CookPlace& place) {
+  if (questions.empty()) return true;
+  const TextureFolder folder(place.source);
+  return std::ranges::all_of(questions, [&](const TextureQuestion& q) { return answer_to(q, folder) == q.answer; });
+}
+
+std::chrono::nanoseconds file_time_now() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME_COARSE, &now);
+  return duration_of(now);
+}
+
+std::optional<fs::path> changed_since(std::chrono::nanoseconds since, const std::vector<Dependency>& dependencies,
+                                      const CookPlace& place) {
+  std::vector<fs::path> paths{place.source};
+  for (const Dependency& dependency : dependencies) paths.push_back(path_of(dependency, place));
+  const auto found = std::ranges::find_if(paths, [&](const fs::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && duration_of(status.st_ctim) >= since;
+  });
+  return found == paths.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace coif

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "cook/cook.h"
+
+#include <tl/expected.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Where a cook stands on this machine. What depends on it is kept relative to it.
+struct CookPlace {
+  std::filesystem::path source;            ///< The source file.
+  std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
+
+  [[nodiscard]] std::filesystem::path source_directory() const;
+};
+
+/// A file that a result depends on, and what it held.
+struct Dependency {
+  enum class Base { kSource, kRecipe } base = Base::kSource;
+  std::string path;                   ///< From the base's folder; absolute where it lies elsewhere.
+  std::optional<std::uint64_t> hash;  ///< XXH64; none: there was no file that could be read.
+};
+
+/// The files of `inputs` as they are now.
+[[nodiscard]] std::vector<Dependency> take_dependencies(const CookInputs& inputs, const CookPlace& place);
+
+[[nodiscard]] std::filesystem::path path_of(const Dependency& dependency, const CookPlace& place);
+
+/// True where all of them hold what they held.
+[[nodiscard]] bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace& place);
+
+/// True where the folder of the source's textures gives the same answers as then.
+[[nodiscard]] bool are_still_answered(const std::vector<TextureQuestion>& questions, const CookPlace& place);
+
+/// A moment as file systems stamp it, which is coarser than the clock.
+[[nodiscard]] std::chrono::nanoseconds file_time_now();
+
+/// The first of the files (source included) that was written, replaced or renamed at `since` or later.
+[[nodiscard]] std::optional<std::filesystem::path> changed_since(std::chrono::nanoseconds since,
+                                                                 const std::vector<Dependency>& dependencies,
+                                                                 const CookPlace& place);
+
+/// All that is known before the import and changes what a cook makes.
+struct CookIdentity {
+  std::string tool;      ///< The cooker: its version, and whatever tells two builds of one version apart.
+  std::string importer;  ///< importer_name().
+  std::filesystem::path source;
+  std::span<const std::byte> source_bytes;
+  std::string recipe;  ///< print_recipe(): how a recipe is written, and its comments, change nothing.
+};
+
+/// 32 hexadecimal digits, from two XXH64 with different seeds: proof against accidents, not against forgers. Of the
+/// source's path the file's name counts alone (its suffix chooses the reader, its stem helps to find textures), so checkouts
+/// in different folders share a cache.
+[[nodiscard]] std::string cook_key(const CookIdentity& identity);
+
+/// The same digits for any bytes.
+[[nodiscard]] std::string content_digits(std::span<const std::byte> bytes);
+
+/// A cook as a cache keeps it: the result, and what it is the result of.
+struct CacheEntry {
+  std::vector<Dependency> dependencies;
+  std::vector<TextureQuestion> questions;
+  CookReport report;  ///< As the cook that made it told it, times included.
+  std::vector<std::byte> asset;
+};
+
+/// One file: a magic word, the hash of all that follows, the length of a MessagePack document, the document, the asset's bytes.
+[[nodiscard]] std::vector<std::byte> encode_entry(const CacheEntry& entry);
+
+/// Nothing unless the bytes are those of one entry, to the last bit.
+[[nodiscard]] std::optional<CacheEntry> decode_entry(std::span<const std::byte> bytes);
+
+/// What an entry is the result of, as bytes: entries with the same are the same.
+[[nodiscard]] std::vector<std::byte> circumstances(const CacheEntry& entry);
+
+/// Results of cooks in a folder, found by what they are made of. Two steps, as ccache's direct mode: a key from what is known
+/// before the import leads to a folder of entries, and each entry lists the files that its cook read and what it looked for
+/// in vain. Any number of processes, on any machines that share the folder, may use it at once: an entry is one file that
+/// appears whole or not at all and is believed only where its hash fits. The folder may be deleted, whole or in part, at
+/// any time; an entry's modification time is that of its last use.
+class CookCache {
+ public:
+  explicit CookCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The result of the same cook, with the inputs where they lie here. Whatever is absent, damaged or out of date is nothing.
+  [[nodiscard]] std::optional<CookResult> find(const std::string& key, const CookPlace& place) const;
+
+  /// Keeps a result. `begin`: file_time_now() before the first input was read; inputs that changed since may not be those
+  /// that were read, and the result is not kept. Errors say what keeps it from being kept; the cook itself is none the worse.
+  tl::expected<void, ToolError> store(const std::string& key, const CookPlace& place, const CookResult& result,
+                                      std::chrono::nanoseconds begin) const;
+
+ private:
+  [[nodiscard]] std::filesystem::path folder_of(const std::string& key) const;
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace coif

@@ -1,0 +1,219 @@
+#include "cli/batch.h"
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cli/messages.h"
+#include "process/child_process.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <map>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+const char* status_word(Exit code) {
+  switch (code) {
+    case Exit::kOk: return "ok";
+    case Exit::kUsage: return "usage";
+    case Exit::kFileAccess: return "file access";
+    case Exit::kBadInput: return "bad input";
+    case Exit::kOverBudget: return "over budget";
+    case Exit::kUnsupported: return "unsupported";
+    case Exit::kInternal: break;
+  }
+  return "internal error";
+}
+
+tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
+                                              const Messages& messages) {
+  const auto choice = choose_recipe(request.source, request.recipe, messages);
+  if (!choice) return tl::unexpected(choice.error());
+  std::error_code told_by_the_cook;
+  fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
+  const CookJob job{.source = request.source,
+                    .output = request.output,
+                    .cache = options.cache,
+                    .threads = threads,
+                    .shows_progress = false};
+  return run_cook_job(job, options, *choice, messages);
+}
+
+/// What a process sends home: the lines of the result, as JSON.
+ordered_json outcome_of(const CookOptions& options, const CookRequest& request, unsigned threads,
+                        const Messages& messages) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto summary = cook_one(options, request, threads, messages);
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+  ordered_json outcome{{"source", request.source},
+                       {"output", request.output},
+                       {"status", "ok"},
+                       {"exit_code", 0},
+                       {"ms", elapsed.count()}};
+  if (summary) {
+    outcome.update(ordered_json::parse(cook_json(*summary)));
+    return outcome;
+  }
+  messages.error(summary.error().message);
+  const Exit code = exit_code(summary.error().kind);
+  outcome["status"] = status_word(code);
+  outcome["exit_code"] = int(code);
+  outcome["error"] = summary.error().message;
+  return outcome;
+}
+
+/// Of a process that never answered.
+ordered_json crashed(const CookRequest& request, const Messages& messages) {
+  const std::string text = request.source + ": the cook crashed; cook it alone, and report it with the file";
+  messages.error(text);
+  return {{"source", request.source},
+          {"output", request.output},
+          {"status", status_word(Exit::kInternal)},
+          {"exit_code", int(Exit::kInternal)},
+          {"ms", 0.0},
+          {"error", text}};
+}
+
+std::string report_text(const CookOptions& options, const Outcomes& outcomes) {
+  const bool is_page = fs::path(options.report).extension() == ".html";
+  return is_page ? batch_page(outcomes, options.jobs) : batch_json(outcomes);
+}
+
+}  // namespace
+
+tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages) {
+  const auto requests = batch_requests(options);
+  if (!requests) return tl::unexpected(requests.error());
+  const auto cooks = unsigned(std::clamp<std::size_t>(requests->size(), 1, options.jobs));
+  const unsigned threads = options.threads.value_or(std::max(1u, all_threads() / cooks));
+  const auto answers = run_in_processes(requests->size(), options.jobs, [&](std::size_t i) {
+    return json_text(outcome_of(options, (*requests)[i], threads, messages));
+  });
+  auto outcomes = Outcomes::array();
+  int worst = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    outcomes.push_back(answers[i] ? ordered_json::parse(*answers[i]) : crashed((*requests)[i], messages));
+    worst = std::max(worst, outcomes.back()["exit_code"].get<int>());
+  }
+  if (!options.report.empty()) {
+    const std::string text = report_text(options, outcomes);
+    const auto written = write_output(options.report, std::as_bytes(std::span(text)));
+    if (!written) return tl::unexpected(written.error());
+  }
+  print_result(options.format == OutputFormat::kJson ? batch_json(outcomes) : batch_text(outcomes));
+  return Exit(worst);
+}
+
+namespace {
+
+using Requests = std::vector<CookRequest>;
+
+tl::expected<void, ToolError> check_options(const CookOptions& options) {
+  std::error_code ignored;
+  if (options.output.empty()) return usage("needs -o FOLDER for several sources; see 'coif cook --help'");
+  if (!fs::is_directory(options.output, ignored)) {
+    return usage(fmt::format("{}: several sources need a folder that exists; create it first", options.output));
+  }
+  if (!options.depfile.empty()) return usage("--depfile goes with one SOURCE; cook each by a call of its own");
+  if (options.list) return usage("--list goes with one SOURCE");
+  if (!options.manifest.empty()) {
+    if (!options.sources.empty()) return usage("--manifest names the sources; leave SOURCE out");
+    if (options.recipe) return usage("--manifest names recipes for each source; leave --recipe out");
+  }
+  return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {options.manifest});
+}
+
+tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
+  Requests requests;
+  std::map<std::string, std::string> owners;
+  for (const std::string& source : options.sources) {
+    const std::string output = (fs::path(options.output) / fs::path(source).stem()).string() + ".coif";
+    const auto [owner, is_new] = owners.emplace(output, source);
+    if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, output));
+    requests.push_back({source, options.recipe, output});
+  }
+  return requests;
+}
+
+std::size_t number(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? value : 0;
+}
+
+}  // namespace
+
+tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
+  if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
+  const auto share = parse_share(options.share);
+  if (!share) return tl::unexpected(share.error());
+  const auto all = options.manifest.empty() ? named_requests(options) : read_manifest(options.manifest, options.output);
+  if (!all) return all;
+  return share_of(*all, *share);
+}
+
+tl::expected<Share, ToolError> parse_share(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const Share share{number(std::string_view(text).substr(0, slash)),
+                      number(std::string_view(text).substr(slash + 1))};
+    if (share.index >= 1 && share.index <= share.count) return share;
+  }
+  return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
+}
+
+namespace {
+
+std::string line_of(const Outcomes& file, std::size_t width) {
+  const bool done = is_cooked(file);
+  const auto figure = [&](const char* key) { return done ? fmt::format("{}", file[key].get<std::uint64_t>()) : "-"; };
+  const char* from_cache = !done ? "-" : file["from_cache"].get<bool>() ? "yes" : "no";
+  return fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8.0f}  {}\n", file["source"].get<std::string>(), width,
+                     file["status"].get<std::string>(), figure("triangles"), figure("bytes"), file["ms"].get<double>(),
+                     from_cache);
+}
+
+}  // namespace
+
+bool is_cooked(const nlohmann::ordered_json& outcome) { return outcome["exit_code"] == 0; }
+
+BatchCounts count(const Outcomes& outcomes) {
+  BatchCounts counts{.asked = outcomes.size()};
+  for (const auto& file : outcomes) {
+    const bool done = is_cooked(file);
+    ++(done ? counts.cooked : counts.failed);
+    if (done && file["from_cache"].get<bool>()) ++counts.from_cache;
+  }
+  return counts;
+}
+
+std::string sentence(const BatchCounts& counts) {
+  return fmt::format("{} asked, {} cooked ({} from the cache), {} failed", counts.asked, counts.cooked,
+                     counts.from_cache, counts.failed);
+}
+
+std::string batch_json(const Outcomes& outcomes) {
+  const BatchCounts counts = count(outcomes);
+  return json_text({{"asked", counts.asked},
+                    {"cooked", counts.cooked},
+                    {"from_cache", counts.from_cache},
+                    {"failed", counts.failed},
+                    {"files", outcomes}});
+}
+
+std::string batch_text(const Outcomes& outcomes) {
+  std::size_t width = 4;
+  for (const auto& file : outcomes) width = std::max(width, file["source"].get_ref<const std::string&>().size());
+  std::string text = fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8}  {}\n", "file", width, "status", "triangles",
+                                 "bytes", "ms", "from cache");
+  for (const auto& file : outcomes) text += line_of(file, width);
+  return text + sentence(count(outcomes)) + "\n";
+}
+
+}  // namespace coif

@@ -1,0 +1,111 @@
+#include "cli/input_files.h"
+
+#include "base/text.h"
+#include "cook/select/select_hair.h"
+#include "validate/find_issues.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace coif {
+namespace {
+
+ToolError::Kind error_kind(LoadCode code) {
+  const bool newer = code == LoadCode::kMajorVersion || code == LoadCode::kChunkUnknown;
+  return newer ? ToolError::Kind::kUnsupported : ToolError::Kind::kBadInput;
+}
+
+const char* cure(LoadCode code) {
+  return code == LoadCode::kMagic ? "give a file written by 'coif cook'" : "cook its source again";
+}
+
+}  // namespace
+
+LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
+  LoadStatus status = asset.open(bytes);
+  if (status) status = asset.verify_draw_data();
+  if (!status) asset = Asset{};
+  return status;
+}
+
+tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
+  auto bytes = FileBytes::read(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  AssetFile file(std::move(*bytes));
+  const LoadStatus status = open_whole(file.bytes_.span(), file.asset_);
+  if (!status) {
+    return tl::unexpected(ToolError{
+        error_kind(status.code), fmt::format("{}: {}; {}", path.string(), describe_text(status), cure(status.code))});
+  }
+  return file;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file) {
+  auto recipe = read_recipe(file);
+  if (!recipe) return tl::unexpected(recipe.error());
+  return RecipeChoice{std::move(*recipe), file.parent_path(), file};
+}
+
+}  // namespace
+
+tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, const std::optional<std::string>& named,
+                                                    const Messages& messages) {
+  if (named) return read_choice(*named);
+  fs::path beside = source;
+  beside.replace_extension(".recipe.json");
+  std::error_code ignored;
+  if (source.empty() || !fs::exists(beside, ignored)) return RecipeChoice{default_recipe(), source.parent_path(), {}};
+  messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
+  return read_choice(beside);
+}
+
+ImportSettings import_settings(const Recipe& recipe) {
+  ImportSettings settings;
+  if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
+  if (recipe.up_axis == "x") settings.up_axis = UpAxis::kX;
+  if (recipe.up_axis == "y") settings.up_axis = UpAxis::kY;
+  if (recipe.up_axis == "z") settings.up_axis = UpAxis::kZ;
+  return settings;
+}
+
+namespace {
+
+void remove_hair(const HairChoice& hair, SourceModel& model) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    std::vector<std::uint32_t>& triangles = model.meshes[m].triangles;
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (!hair.takes(m, i / 3)) kept.push_back(triangles[i]);
+    }
+    triangles = std::move(kept);
+  }
+}
+
+}  // namespace
+
+tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe) {
+  std::vector<std::string> names;
+  for (const SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
+  if (pattern.empty()) {
+    const auto hair = choose_hair(model, recipe);
+    if (!hair) return tl::unexpected(hair.error());
+    remove_hair(*hair, model);
+  }
+  std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
+    return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));
+  });
+  if (!model.meshes.empty()) return model;
+  return tl::unexpected(ToolError{
+      ToolError::Kind::kBadInput,
+      fmt::format("{}: no mesh is left for the body; give --body-mesh one of {}", model.path, fmt::join(names, ", "))});
+}
+
+}  // namespace coif

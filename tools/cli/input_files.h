@@ -1,0 +1,61 @@
+#pragma once
+
+#include "base/files.h"
+#include "base/tool_error.h"
+#include "cli/messages.h"
+#include "cook/recipe/recipe.h"
+#include "import/import.h"
+#include "import/source_model.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace coif {
+
+/// An open asset together with the memory it looks into. Moving it leaves the asset's spans valid.
+class AssetFile {
+ public:
+  /// Errors: those of FileBytes::read(), and kBadInput or kUnsupported (another format version) for what the reader
+  /// refuses, with its evidence.
+  static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path);
+
+  [[nodiscard]] const Asset& asset() const { return asset_; }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_.span(); }
+
+ private:
+  explicit AssetFile(FileBytes bytes) : bytes_(std::move(bytes)) {}
+
+  FileBytes bytes_;
+  Asset asset_;
+};
+
+/// open() with every hash compared: a tool's files are looked at by people, who want to know.
+LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
+
+struct RecipeChoice {
+  Recipe recipe;
+  std::filesystem::path directory;  ///< Where its texture paths start: the recipe's folder, else the source's.
+  std::filesystem::path file;       ///< Empty: the defaults, no file.
+};
+
+/// The recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
+/// `source` has nothing beside it.
+tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
+                                                    const std::optional<std::string>& named, const Messages& messages);
+
+/// What a recipe says about reading the source.
+[[nodiscard]] ImportSettings import_settings(const Recipe& recipe);
+
+/// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
+/// everything that a cook with this recipe would not take for hair. Errors: kBadInput where nothing is left, with the names
+/// that there are; those of choose_hair().
+tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe);
+
+}  // namespace coif

@@ -1,0 +1,81 @@
+#pragma once
+
+// VRM's spring bones as this project's dynamics.
+//
+// Source: VRMC_springBone-1.0, "SpringBone Algorithm"; VRM 0.x computes the same. With h the time of a frame, x a joint's
+// tail, x' the tail one frame ago, u the unit rest direction (turned with the parent), l the length, every frame is
+//
+//     next = x + (x - x') (1 - drag) + h stiffness u + h gravityPower g,   then |next - joint| = l,
+//
+// from root to tip. Neither h nor (1 - drag) is corrected for the frame rate, so a spring bone has one look per rate; the
+// one that artists tune at, and that this mapping reproduces, is 60 frames per second.
+//
+// Seen from the joint the tail is l times a unit vector, and only the sum's direction matters. Divide it by
+// 1 + k with k = h stiffness / l and r = k / (1 + k):
+//
+//     (1 - r) (x + (x - x') (1 - drag) + h gravityPower g) + r l u.
+//
+// That is lines 1 to 8 of the thesis's Algorithm 1: velocity braked, gravity added, then a pull of weight r towards the
+// default position. Comparing term by term gives, exactly and not only for small angles,
+//
+//     resistance = k / (1 + k) at an authoring rate of 1/h,     friction = -ln(1 - drag) / h,
+//
+// and for the gravity a, as an acceleration, h^2 a = h gravityPower, or a = gravityPower / h. The published algorithm
+// brakes gravity's share within the same step, so there the hair sags 1 - drag times as far; the oscillator that
+// resistance stands for (a spring of r / ((1 - r) h^2) per unit of mass) has no such factor and sags as VRM's does, which
+// is why there is none here.
+//
+// k is a rate of turning and belongs to VRM's length l. Where the cooked bone has another length L (the 7 cm behind a
+// leaf of VRM 0.x become the length of the hair there), the same turning takes the same resistance, and gravity a L / l.
+//
+// What has no counterpart: gravity in other directions than the scene's (its vertical part is kept), and `center`. VRM
+// simulates a spring with a center in that node's space: it does not feel the node's motion, so with the head as its
+// center a hair only feels where down is. Here hair is simulated in the world and feels every motion of the head.
+// Both are reported.
+
+#include "cook/recipe/recipe.h"
+#include "cook/rig/skeleton.h"
+#include "import/source_model.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+inline constexpr double kSpringRate = 60;  ///< Frames per second at which spring bones have their look.
+
+/// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
+[[nodiscard]] DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length);
+
+/// What of the joints' settings is lost on these bones, one sentence for each kind.
+[[nodiscard]] std::vector<std::string> describe_lost_settings(const SourceModel& source,
+                                                              const std::vector<BoneJoint>& joints);
+
+struct BakedDynamics {
+  std::vector<DynamicsRecord> records;  ///< One per bone; none where nothing is simulated. Hit radii are 0.
+  std::vector<std::string> notes;
+  std::vector<std::string> warnings;
+};
+
+/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
+/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
+inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
+
+/// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair, and not
+/// so fast that it shows.
+inline constexpr double kUsualTorsion = 20;
+
+/// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
+[[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
+
+/// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
+/// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+[[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
+
+/// How each bone moves: as the file's spring bones say (spring_dynamics.h) or by the recipe's curves, as
+/// "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of one bone has the mean
+/// and not the tip's value.
+[[nodiscard]] BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe);
+
+}  // namespace coif

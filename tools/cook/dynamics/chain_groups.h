@@ -1,0 +1,35 @@
+#pragma once
+
+#include "write/asset_writer.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Chains with equally many bones, and those of them that tell most about all: the softest and the longest.
+struct ChainGroup {
+  std::vector<std::uint32_t> chains;
+  std::vector<std::uint32_t> telling;  ///< One or two of them.
+};
+
+/// Every chain of the skeleton in one group, by their number of bones.
+[[nodiscard]] std::vector<ChainGroup> group_chains(const AssetContents& contents);
+
+/// By how much a straight chain amplifies what moves its root, at the worst frequency of each bone, in the linear model
+/// (runtime/docs/MODEL.md, "Well-posed or not"). At least 1. A bound of what a computation can be trusted with, not a
+/// prediction: 1e4 turns a rounding error into a visible one within a second.
+[[nodiscard]] double chain_growth(const AssetContents& contents, std::uint32_t chain);
+
+/// A chain as notes and warnings call it: its first bone's name in quotes, or its number where that has none.
+[[nodiscard]] std::string chain_name(const AssetContents& contents, std::uint32_t chain);
+
+// Parts of a skeleton, so that passes can run through the runtime what a game will run.
+
+/// The rigid bones, colliders and these chains of a skeleton (indices into contents.chains, ascending), without names and
+/// surface. Chains do not act on each other, so each moves as it does among all.
+[[nodiscard]] AssetContents chains_alone(const AssetContents& contents, std::span<const std::uint32_t> chains);
+
+}  // namespace coif

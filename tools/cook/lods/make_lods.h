@@ -1,0 +1,105 @@
+#pragma once
+
+#include "cook/lods/collapse_patch.h"
+#include "cook/rig/skeleton.h"
+#include "cook/select/head.h"
+#include "cook/select/triangle_distance.h"
+#include "cook/texture/hair_views.h"
+
+#include <string>
+
+namespace coif {
+
+/// Chooses patches to leave out of a coarser level: hidden ones, tiny ones, and those that lie on others.
+class PatchDropper {
+ public:
+  /// Left-out hair lies within `reach` (metres) of hair that stays. Keeps references.
+  PatchDropper(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, double reach, unsigned threads);
+
+  /// Drops patches of `drawn` until `excess` triangles are gone or nothing more may go: the least seen for their
+  /// `triangles` first, and none that leaves holes. `triangles[p]`: how many patch p has at this level. Returns the
+  /// triangles that are gone.
+  std::size_t drop(std::size_t excess, std::span<const std::size_t> triangles, std::vector<bool>& drawn);
+
+  /// Share of the pixels of all views that had hair and have none any more.
+  [[nodiscard]] double bared() const;
+
+ private:
+  [[nodiscard]] bool may_go(std::uint32_t patch, std::vector<bool>& drawn) const;
+
+  const HairMesh& mesh_;
+  HairViews views_;
+  TriangleGrid grid_;
+  std::vector<std::vector<std::uint32_t>> vertices_;  ///< Of each patch.
+  double reach_;
+  std::size_t bared_ = 0;  ///< Pixels.
+};
+
+/// All patches of the hair, each ready to be made as coarse as wanted.
+class SimplifiedPatches {
+ public:
+  SimplifiedPatches(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
+                    std::span<const Pose> poses, const CollapseLimits& limits, unsigned threads);
+
+  [[nodiscard]] std::size_t count() const { return patches_.size(); }
+  [[nodiscard]] std::size_t finest_triangles(std::size_t patch) const { return patches_[patch].originals.size() / 3; }
+  /// After `steps` steps.
+  [[nodiscard]] std::size_t triangles_left(std::size_t patch, std::size_t steps) const;
+  [[nodiscard]] float error(std::size_t patch, std::size_t steps) const;
+  /// Three vertices of the mesh each; after 0 steps those of the source, as they were.
+  [[nodiscard]] std::vector<std::uint32_t> triangles(std::size_t patch, std::size_t steps) const;
+
+  /// How many steps each patch takes so that those in `drawn` have `target` triangles together, or as few as there can be:
+  /// everywhere up to the same error, since no patch is seen better than another. Never fewer than `at_least`.
+  [[nodiscard]] std::vector<std::size_t> steps_for(std::size_t target, const std::vector<bool>& drawn,
+                                                   std::vector<std::size_t> at_least) const;
+
+ private:
+  struct Patch {
+    PatchSurface surface;
+    CollapseSequence sequence;
+    std::vector<std::uint32_t> originals;
+  };
+  std::vector<Patch> patches_;
+};
+
+/// One level of detail: what it draws of each patch, and the bones that move on their own.
+struct DetailLevel {
+  std::vector<std::vector<std::uint32_t>> triangles_of;  ///< Per patch, three vertices each; empty: it is not drawn.
+  float error = 0;                                       ///< As LodRecord::error.
+  float screen_size = 0;                                 ///< As LodRecord::screen_size.
+  std::vector<bool> simulated;                           ///< Per bone.
+
+  [[nodiscard]] std::size_t triangle_count() const;
+  [[nodiscard]] std::size_t patch_count() const;
+};
+
+struct DetailLevels {
+  std::vector<DetailLevel> levels;  ///< Finest first; at least one.
+  std::vector<std::string> notes;
+};
+
+struct LodSettings {
+  std::uint32_t levels = 3;
+  double ratio = 0.5;        ///< Triangles of a level, against the next finer one.
+  double max_error = 0.01;   ///< Metres.
+  double pixel_error = 1;    ///< Pixels that the error may be on a screen of kScreenLines lines.
+  double still_pixels = 24;  ///< Hair that hangs free for less than this on such a screen is rigid.
+  unsigned threads = 1;      ///< The result does not depend on it.
+};
+
+[[nodiscard]] LodSettings lod_settings(const Recipe& recipe, unsigned threads);
+
+inline constexpr double kScreenLines = 1080;
+
+/// Makes coarser levels of the hair until there are as many as wanted or one would save little. Each has, as far as its
+/// error stays below the limit, `ratio` times the triangles of the one before: first patches are simplified, everywhere up
+/// to the same error; where that is not enough patches that hardly show are dropped.
+///
+/// A level fits from that size on at which the next coarser one's error is `pixel_error` pixels:
+/// screen_size = height of the head * pixel_error / (kScreenLines * error of the next level).
+[[nodiscard]] DetailLevels make_lods(const HairMesh& mesh, std::span<const std::uint32_t> place,
+                                     const PatchSet& patches, const Skeleton& skeleton, const SkinWeights& weights,
+                                     const FittedHead& head, const AlphaTest& alpha, const LodSettings& settings);
+
+}  // namespace coif

@@ -1,0 +1,174 @@
+#include "base/parallel_for.h"
+#include "cook/order/choose_order.h"
+#include "lab/rig.h"
+#include "visibility/fragment_view.h"
+#include "visibility/hair_surface.h"
+
+#include <coif/view_cells.h>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr float kLines = 128;          ///< Of a view, along the hair's longest side.
+constexpr float kMargin = 1.0f / 256;  ///< Of the same side: what lies this flat on a card may be the card itself.
+
+/// Where light is gathered.
+struct Receiver {
+  Vector3f point;    ///< Of the vertex.
+  Vector3f outside;  ///< The same, out of the head if it was inside.
+  Vector3f normal;   ///< Of the triangles around it; 0 for a vertex without any.
+  std::uint32_t patch = kNone;
+};
+
+/// Normals of vertices are often painted for soft shading; these are the surface's own.
+void find_surface(const HairSurface& hair, std::span<const Vector3f> positions, std::vector<Receiver>& receivers) {
+  for (const HairSurface::Triangle& triangle : hair.triangles) {
+    const Vector3f& a = positions[triangle.vertex[0]];
+    const Vector3f normal = (positions[triangle.vertex[1]] - a).cross(positions[triangle.vertex[2]] - a);
+    for (const std::uint32_t v : triangle.vertex) {
+      Receiver& receiver = receivers[v];
+      // Triangles of a card for both sides may be wound either way.
+      const bool turned = hair.double_sided && receiver.normal.dot(normal) < 0;
+      receiver.normal += turned ? Vector3f(-normal) : normal;
+      receiver.patch = triangle.patch;
+    }
+  }
+  for (Receiver& receiver : receivers) receiver.normal.normalize();
+}
+
+Vector3f nearest_of_core(const ColliderRecord& solid, const Vector3f& point) {
+  const Eigen::Map<const Vector3f> center(solid.center), axis(solid.axis);
+  const float length = axis.squaredNorm();
+  return length > 0 ? Vector3f(center + std::clamp((point - center).dot(axis) / length, 0.0f, 1.0f) * axis)
+                    : Vector3f(center);
+}
+
+/// The head as its colliders tell it is wider than the scalp that hair grows from; what is inside would get no light.
+Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
+  constexpr int kTries = 4;  // leaving one may enter another
+  for (int i = 0; i < kTries; ++i) {
+    for (std::size_t c = 0; c < solids.size(); ++c) {
+      const Vector3f away = (point - nearest_of_core(solids[c], point)).normalized();
+      // Coming from outside towards the core the surface lies behind a point that is inside.
+      const float surface = solid_depth(solids.subspan(c, 1), point, -away);
+      if (surface < 0) point -= surface * away;
+    }
+  }
+  return point;
+}
+
+/// What one direction brings to each receiver.
+class LitSide {
+ public:
+  LitSide(const HairSurface& hair, std::span<const Vector3f> positions, const ViewGrid& grid)
+      : view_(hair, positions, grid),
+        hair_(hair),
+        towards_(grid.towards_eye),
+        margin_(kMargin * kLines * grid.spacing) {}
+
+  [[nodiscard]] float reaching(const Receiver& receiver) const {
+    if (solid_depth(hair_.solids, receiver.outside, -towards_) < -margin_) return 0;
+    float light = 0;
+    for (const auto& [line, share] : view_.lines_around(receiver.point)) light += share * along(line, receiver);
+    return light;
+  }
+
+ private:
+  [[nodiscard]] float along(std::size_t line, const Receiver& receiver) const {
+    const float depth = -receiver.point.dot(towards_);
+    float passes = 1;
+    for (const Fragment& fragment : view_.line(line)) {
+      if (fragment.depth >= depth) break;
+      if (!is_own(fragment, view_.place(line, fragment.depth) - receiver.point, receiver)) passes *= 1 - fragment.alpha;
+    }
+    return passes;
+  }
+
+  /// The line passes the vertex at some distance, and nearly along a card it meets the card itself before or behind it.
+  [[nodiscard]] bool is_own(const Fragment& fragment, const Vector3f& offset, const Receiver& receiver) const {
+    if (!(std::abs(offset.dot(receiver.normal)) < margin_)) return false;
+    return fragment.patch == receiver.patch || offset.norm() < 2 * margin_;
+  }
+
+  FragmentView view_;
+  const HairSurface& hair_;
+  Vector3f towards_;
+  float margin_;
+};
+
+struct Direction {
+  Vector3f towards_eye;
+  float width;  ///< Solid angle of the cell, up to a factor that all share.
+};
+
+Direction direction_of(std::uint32_t cell) {
+  float d[3];
+  view_cell_direction(cell, d);
+  const Vector3f towards(d[0], d[1], d[2]);
+  // On a face of the cube around the eye's unit ball, at tangents a and b of equal angles.
+  const float longest = towards.cwiseAbs().maxCoeff(), square = 1 / (longest * longest);
+  float widths = 1;
+  for (const float x : {d[0], d[1], d[2]}) widths *= 1 + (std::abs(x) < longest ? x * x * square : 0);
+  return {towards, widths / (square * std::sqrt(square))};
+}
+
+/// Share of the light for each receiver, 0..1.
+std::vector<double> gather(const HairSurface& hair, std::span<const Vector3f> positions, unsigned threads) {
+  std::vector<Receiver> receivers;
+  Eigen::AlignedBox3f box;
+  for (const Vector3f& point : positions) {
+    receivers.push_back({point, out_of(hair.solids, point), Vector3f::Zero()});
+    box.extend(point);
+  }
+  find_surface(hair, positions, receivers);
+  const float spacing = std::max(box.sizes().maxCoeff() / kLines, 1.0e-6f);
+  std::vector<std::vector<float>> reaching(kViewCells);
+  parallel_for(kViewCells, threads, [&](std::size_t cell) {
+    const Vector3f towards = direction_of(std::uint32_t(cell)).towards_eye;
+    const LitSide side(hair, positions, {towards, spacing, spacing});
+    for (const Receiver& receiver : receivers) {
+      const bool outside_only = !hair.double_sided && receiver.normal.dot(towards) <= 0;
+      reaching[cell].push_back(outside_only ? -1 : side.reaching(receiver));
+    }
+  });
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    double light = 0, all = 0;
+    for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
+      const double width = double(direction_of(cell).width);
+      if (reaching[cell][i] < 0) continue;
+      light += width * double(reaching[cell][i]);
+      all += width;
+    }
+    shares.push_back(all > 0 ? light / all : 1);
+  }
+  return shares;
+}
+
+}  // namespace
+
+std::vector<std::string> bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents) {
+  if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return {};
+  const OpenedAsset opened(contents);
+  if (!opened.asset().is_open()) return {};
+  const std::vector<double> shares = gather(HairSurface(opened.asset()), posed_positions(opened.asset(), {}), threads);
+  double sum = 0, least = 1;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double kept = 1 - recipe.occlusion_strength * (1 - shares[i]);
+    contents.vertices[i].normal[3] = std::int16_t(std::lround(std::clamp(kept, 0.0, 1.0) * 32767));
+    sum += kept;
+    least = std::min(least, kept);
+  }
+  return {fmt::format("occlusion: {:.0f} % of the light from everywhere reaches the hair, {:.0f} % its darkest vertex",
+                      100 * sum / double(shares.size()), 100 * least)};
+}
+
+}  // namespace coif

@@ -1,0 +1,231 @@
+#include "cook/order/choose_order.h"
+
+#include "cook/texture/alpha.h"
+#include "lab/rig.h"
+#include "motion/head_path.h"
+#include "visibility/order_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <ranges>
+
+namespace coif {
+namespace {
+
+/// To choose from, beside the usual one. Dark hair before bright skin shows what a threshold of 0.95 hides.
+constexpr float kThresholds[] = {0.5f, 0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 0.97f, 0.99f};
+constexpr float kSameThreshold = 0.005f;
+
+/// dB. Refining finds more where more is left to be sorted, so a quick search flatters low thresholds.
+constexpr double kThresholdGain = 0.5;
+constexpr std::size_t kTrianglesPerView = 150;
+constexpr std::size_t kFewestViews = 2, kMostViews = 16;
+constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
+/// More are not searched unasked: it would take minutes, for hair that no game draws.
+constexpr std::size_t kMostTriangles = 250'000;
+constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;
+constexpr std::size_t kQuickLines = 3000;
+
+struct Moment {
+  Motion motion;
+  double seconds;
+};
+
+/// Besides rest: hair thrown to both sides and back, and hair blown back.
+constexpr Moment kMoments[] = {
+    {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
+
+bool is_blended(const AssetContents& contents) {
+  return !contents.material.empty() && !contents.patches.empty() && blends(contents.material.front());
+}
+
+tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset) {
+  std::vector<HairPositions> poses;
+  const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
+    const auto pose = simulate_pose(asset, path, seconds, {});
+    if (!pose) return tl::unexpected(pose.error());
+    poses.push_back(posed_positions(asset, pose->palette));
+    return {};
+  };
+  if (auto rest = add(nullptr, 0); !rest) return tl::unexpected(rest.error());
+  if (asset.dynamics().empty()) return poses;
+  for (const Moment& moment : kMoments) {
+    const auto path = path_of(moment.motion);
+    if (auto moving = add(path.get(), moment.seconds); !moving) return tl::unexpected(moving.error());
+  }
+  return poses;
+}
+
+UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
+  UnitOrder order(patches.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t p) { return patches[p].head_distance; });
+  return order;
+}
+
+/// The hair as it is drawn with some opaque threshold.
+struct ThresholdHair {
+  ThresholdHair(const AssetContents& contents, std::span<const Image> used, float threshold)
+      : opened(with_threshold(contents, used, threshold)), surface(opened.asset()) {}
+
+  static AssetContents with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
+    contents.material.front().opaque_threshold = threshold;
+    keep_coverage(used, contents);
+    return contents;
+  }
+
+  OpenedAsset opened;
+  HairSurface surface;
+};
+
+class OrderChoice {
+ public:
+  OrderChoice(const Recipe& recipe, std::span<const Image> used, unsigned threads, const AssetContents& contents,
+              std::span<const HairPositions> poses)
+      : recipe_(recipe),
+        used_(used),
+        contents_(contents),
+        poses_(poses),
+        head_(by_head_distance(OpenedAsset(contents).asset().lod_patches(0))),
+        usual_threshold_(contents.material.front().opaque_threshold) {
+    settings_.max_orders = most_orders();
+    settings_.min_gain = recipe.order_method == "views" ? 0 : recipe.order_min_gain;
+    settings_.threads = threads;
+    // What each pair of triangles wants is seen from so many sides as there are triangles to be told apart.
+    const std::size_t triangles = contents.indices.size() / 3;
+    const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
+    settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
+  }
+
+  FoundOrders run() {
+    const FoundOrders quick = quick_search();
+    settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
+    const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
+    FoundOrders found = refine_orders(hair.surface, poses_, head_, quick, settings_);
+    if (settings_.opaque_threshold == usual_threshold_) return found;  // which was compared with it
+    const FoundOrders head = by_head();
+    found.head = head.head;
+    return found.found.psnr > head.head.psnr ? std::move(found) : head;
+  }
+
+  [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
+
+ private:
+  [[nodiscard]] std::size_t most_orders() const {
+    if (recipe_.order_method == "single") return 1;
+    const std::size_t bytes_of_order = contents_.indices.size() / 3 * sizeof(std::uint32_t);
+    return std::min<std::size_t>(recipe_.order_max, 1 + recipe_.order_max_bytes / bytes_of_order);
+  }
+
+  /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
+  [[nodiscard]] FoundOrders quick_search() const {
+    OrderSearchSettings quick = settings_;
+    quick.opaque_threshold =
+        recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, std::ranges::max(kThresholds)) : usual_threshold_;
+    quick.min_gain = 0;
+    quick.judge_views_per_cell = kQuickJudgeViews;
+    quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
+    quick.lines_per_view = kQuickLines;
+    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
+    return search_orders(hair.surface, poses_, head_, quick);
+  }
+
+  [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
+    OrderSearchSettings settings = settings_;
+    settings.opaque_threshold = threshold;
+    settings.judge_views_per_cell = views_per_cell;
+    const ThresholdHair hair(contents_, used_, threshold);
+    return judge_orders(hair.surface, poses_, orders, settings);
+  }
+
+  /// The thesis's way, with the usual threshold.
+  [[nodiscard]] FoundOrders by_head() const {
+    FoundOrders head;
+    head.rule = {usual_threshold_, false};
+    head.patches = head_;
+    head.head = head.single = head.found = judge(head, usual_threshold_, settings_.judge_views_per_cell);
+    return head;
+  }
+
+  /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
+  /// and leave less to be sorted.
+  [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
+    const Judged usual{usual_threshold_, judge(orders, usual_threshold_, kQuickJudgeViews).psnr};
+    const auto above = [&](float threshold) { return threshold > usual_threshold_ + kSameThreshold; };
+    const auto below = [&](float threshold) { return threshold < usual_threshold_ - kSameThreshold; };
+    const Judged higher = climb(orders, usual, kThresholds | std::views::filter(above));
+    const Judged lower = climb(orders, usual, kThresholds | std::views::reverse | std::views::filter(below));
+    return lower.psnr > higher.psnr + kThresholdGain ? lower.threshold : higher.threshold;
+  }
+
+  struct Judged {
+    float threshold;
+    double psnr;
+  };
+
+  [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, auto&& thresholds) const {
+    for (const float threshold : thresholds) {
+      const double psnr = judge(orders, threshold, kQuickJudgeViews).psnr;
+      if (psnr <= best.psnr) break;
+      best = {threshold, psnr};
+    }
+    return best;
+  }
+
+  const Recipe& recipe_;
+  std::span<const Image> used_;
+  const AssetContents& contents_;
+  std::span<const HairPositions> poses_;
+  UnitOrder head_;
+  float usual_threshold_;
+  OrderSearchSettings settings_;
+};
+
+std::string quality_text(const OrderQuality& quality) {
+  return fmt::format("{:.1f} dB (median {:.1f}, worst {:.1f}, moving {:.1f})", quality.psnr, quality.median,
+                     quality.worst, quality.moving);
+}
+
+std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshold) {
+  const std::size_t count = found.by_view.orders.size();
+  const std::string what = count > 0 ? fmt::format("{} orders of triangles by direction", count)
+                                     : std::string("one order of patches for all directions");
+  std::vector<std::string> notes{
+      fmt::format("draw order: {}, faces {}; expected against exact order {}; by distance from the head {}, the best "
+                  "single order of patches {}",
+                  what, found.rule.faces_together ? "together" : "apart", quality_text(found.found),
+                  quality_text(found.head), quality_text(found.single))};
+  if (found.rule.opaque_threshold != usual_threshold) {
+    notes.push_back(
+        fmt::format("opaque threshold {:.2f}, not {:.2f}: with it hair drawn in its orders looks most like the "
+                    "exact picture, at best {:.1f} dB",
+                    found.rule.opaque_threshold, usual_threshold, found.limit));
+  }
+  return notes;
+}
+
+}  // namespace
+
+tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
+                                                               unsigned threads, AssetContents& contents) {
+  if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return std::vector<std::string>{};
+  const std::size_t triangles = contents.indices.size() / 3;
+  if (recipe.order_method == "auto" && triangles > kMostTriangles) {
+    return std::vector{
+        fmt::format("draw order: by distance from the head; {} triangles are more than the {} that are "
+                    "searched for a better one unless \"order.method\" says so",
+                    triangles, kMostTriangles)};
+  }
+  const OpenedAsset opened(contents);
+  if (!opened.asset().is_open()) return std::vector<std::string>{};  // the cooker says why where it opens what it wrote
+  const auto poses = find_poses(opened.asset());
+  if (!poses) return tl::unexpected(poses.error());
+  OrderChoice choice(recipe, used, threads, contents, *poses);
+  const FoundOrders found = choice.run();
+  apply_orders(found, contents);
+  return notes_of(found, choice.usual_threshold());
+}
+
+}  // namespace coif

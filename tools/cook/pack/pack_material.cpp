@@ -1,0 +1,112 @@
+#include "base/shading_names.h"
+#include "cook/pack/pack.h"
+#include "payload_hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace coif {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180;
+
+template <std::size_t kCount>
+void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
+  for (std::size_t k = 0; k < kCount; ++k) out[k] = float(value[k]);
+}
+
+/// After the colours, from which the cut follows.
+void pack_shading(const Recipe& recipe, MaterialRecord& record) {
+  record.shading = shading_model(recipe.shading).value_or(ShadingModel::kThesis);
+  record.tilt = float(recipe.tilt * kRadians);
+  record.roughness = float(recipe.roughness * kRadians);
+  record.scatter = float(recipe.scatter);
+  if (recipe.energy == "bounded") record.light_cut = bounding_cut(record);
+}
+
+}  // namespace
+
+MaterialRecord pack_material(const BaseColor& color, const BakedTextures& textures, const HairMesh& hair,
+                             const Recipe& recipe) {
+  constexpr double kMostShift = 10;  // that an asset holds
+  MaterialRecord record{};
+  store(recipe.base_color, record.base_color);
+  store(recipe.ambient, record.ambient);
+  store(recipe.primary_color, record.primary_color);
+  store(recipe.secondary_color, record.secondary_color);
+  record.primary_exponent = float(recipe.primary_exponent);
+  record.secondary_exponent = float(recipe.secondary_exponent);
+  // What the shader adds and multiplies where it reads a texture (shaders/shading.glsl).
+  const double shift = textures.constant_shift - 0.5;
+  record.primary_shift = float(std::clamp(recipe.primary_shift + shift, -kMostShift, kMostShift));
+  record.secondary_shift = float(std::clamp(recipe.secondary_shift + shift, -kMostShift, kMostShift));
+  for (float& c : record.secondary_color) c *= float(textures.constant_mask);
+  record.opaque_threshold = float(textures.transparency.opaque_threshold);
+  record.discard_threshold = float(textures.transparency.discard_threshold);
+  const bool both = recipe.sides == "both" || (recipe.sides == "auto" && hair.double_sided);
+  if (both) record.flags |= kMaterialDoubleSided;
+  for (int k = 0; k < 4; ++k) record.base_color[k] *= color.factor[k];
+  pack_shading(recipe, record);
+  return record;
+}
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Integral of sin^n over half a turn.
+double sine_integral(double n) {
+  return std::sqrt(kPi) * std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n + 1));
+}
+
+// Over the half vector, dL = 4 (V.H) dH; a view across the strand has most of the lobe in front of it.
+double thesis_lobe(double exponent) { return 8 / kPi * sine_integral(exponent + 2); }
+
+double mirror_cone_lobe(double exponent) { return 2 * sine_integral(exponent + 1); }
+
+/// What lights add in one channel, of a base colour of 1.
+double thesis_bound(const MaterialRecord& m, int channel) {
+  return 2 + double(m.primary_color[channel]) * thesis_lobe(m.primary_exponent) +
+         double(m.secondary_color[channel]) * thesis_lobe(m.secondary_exponent);
+}
+
+double kajiya_kay_bound(const MaterialRecord& m, int channel) {
+  return kPi + double(m.primary_color[channel]) * mirror_cone_lobe(m.primary_exponent);
+}
+
+}  // namespace
+
+double furnace_bound(const MaterialRecord& material) {
+  // A fibre parts the light that it gets, whatever its colour.
+  if (material.shading == ShadingModel::kMarschner) return 1;
+  const auto bound = material.shading == ShadingModel::kThesis ? thesis_bound : kajiya_kay_bound;
+  double most = 0;
+  for (int k = 0; k < 3; ++k) most = std::max(most, double(material.base_color[k]) * bound(material, k));
+  return most;
+}
+
+float bounding_cut(const MaterialRecord& material) { return float(1 - 1 / std::max(1.0, furnace_bound(material))); }
+
+namespace {
+
+/// Of the complete recipe as print_recipe() writes it.
+std::uint64_t recipe_hash(const Recipe& recipe) {
+  const std::string text = print_recipe(recipe);
+  return xxh64(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace
+
+ProvenanceRecord make_provenance(const SourceModel& source, const Recipe& recipe, std::uint64_t source_hash) {
+  ProvenanceRecord record{};
+  record.source_hash = source_hash;
+  record.recipe_hash = recipe_hash(recipe);
+  record.tool_version[0] = COIF_VERSION_MAJOR;
+  record.tool_version[1] = COIF_VERSION_MINOR;
+  record.tool_version[2] = COIF_VERSION_PATCH;
+  std::copy_n(source.importer_version, 3, record.importer_version);
+  return record;
+}
+
+}  // namespace coif

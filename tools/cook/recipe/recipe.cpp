@@ -1,0 +1,114 @@
+#include "cook/recipe/recipe.h"
+
+#include "base/json.h"
+#include "base/text.h"
+#include "cook/recipe/recipe_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace coif {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uintmax_t kMaxRecipeBytes = 1 << 20;
+constexpr std::size_t kLongestKey = 100;  // nothing longer was meant to be one of ours, and comparing takes time
+
+tl::unexpected<ToolError> bad_recipe(const std::string& name, const std::string& what) {
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, name + ": " + what});
+}
+
+const RecipeKey* find_key(const std::string& path) {
+  for (const RecipeKey& key : recipe_keys()) {
+    if (key.path() == path) return &key;
+  }
+  return nullptr;
+}
+
+std::string unknown_key(const std::string& path) {
+  std::vector<std::string> paths;
+  for (const RecipeKey& key : recipe_keys()) paths.push_back(key.path());
+  const std::string nearest = path.size() < kLongestKey ? nearest_word(path, paths) : "";
+  const std::string cure =
+      nearest.empty() ? "'coif cook --print-recipe' lists all keys" : fmt::format("did you mean \"{}\"?", nearest);
+  return fmt::format("\"{}\" is not a key; {}", excerpt(path), cure);
+}
+
+/// Reads one section's keys into `recipe`; the error is a sentence without the file's name.
+tl::expected<void, std::string> read_section(const std::string& section, const json& values, Recipe& recipe) {
+  for (const auto& [name, value] : values.items()) {
+    const std::string path = section + "." + name;
+    const RecipeKey* key = find_key(path);
+    if (key == nullptr) return tl::unexpected(unknown_key(path));
+    if (auto outcome = read_value(*key, value, recipe); !outcome) {
+      return tl::unexpected(fmt::format("\"{}\" {}", path, outcome.error()));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Recipe default_recipe() {
+  Recipe recipe;
+  for (const RecipeKey& key : recipe_keys()) {
+    // The table is ours: a default that does not fit its own range is caught by the tests.
+    (void)read_value(key, json::parse(key.default_json), recipe);
+  }
+  return recipe;
+}
+
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name) {
+  Recipe recipe = default_recipe();
+  const auto document = parse_shallow_json(text);
+  if (!document) return bad_recipe(name, document.error());
+  if (!document->is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
+  for (const auto& [section, values] : document->items()) {
+    if (!values.is_object()) return bad_recipe(name, unknown_key(section));
+    if (auto outcome = read_section(section, values, recipe); !outcome) return bad_recipe(name, outcome.error());
+  }
+  if (recipe.head_center.has_value() != recipe.head_radii.has_value()) {
+    return bad_recipe(name, "\"head.center\" and \"head.radii\" come together; give both or neither");
+  }
+  return recipe;
+}
+
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
+  const auto unreadable = [&](const std::string& why) {
+    return tl::unexpected(ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: {}", path.string(), why)});
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return unreadable("cannot open: is a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return unreadable(fmt::format("cannot open: {}", std::strerror(errno)));
+  if (std::filesystem::file_size(path, error) > kMaxRecipeBytes)
+    return unreadable("too large for a recipe (over 1 MiB)");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_recipe(text.str(), path.string());
+}
+
+std::string print_recipe(const Recipe& recipe) {
+  std::string text = "{";
+  const char* section = "";
+  for (const RecipeKey& key : recipe_keys()) {
+    const bool first = std::strcmp(section, key.section) != 0;
+    if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
+    section = key.section;
+    std::string facts = fmt::format("default {}", key.default_json);
+    if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
+    if (key.low < key.high)
+      facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
+    text += fmt::format("{}\n    // {} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, facts, key.name,
+                        write_value(key, recipe).dump());
+  }
+  return text + "\n  }\n}\n";
+}
+
+}  // namespace coif

@@ -1,0 +1,141 @@
+#pragma once
+
+// What an artist may say about a cook. tools/cook/recipe_keys.cpp holds the one table of keys, defaults and ranges.
+
+#include "base/tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
+struct CurvePoint {
+  double at = 0;
+  double value = 0;
+};
+
+/// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
+/// default_recipe().
+struct Recipe {
+  // scene: what it needs
+  bool scene_draw = false;
+  bool scene_simulate = false;
+  bool scene_names = false;
+  bool scene_quality = false;
+  bool scene_provenance = false;
+  bool scene_shift_mask = false;
+  double scene_largest_size = 0;  ///< Share of the viewport's height; 0: any.
+  double scene_smallest_size = 0;
+  // source
+  double metres_per_unit = 0;  ///< 0: from the file.
+  std::string up_axis;         ///< "file", "x", "y" or "z".
+  // hair: patterns with * and ?, letters of either case
+  std::vector<std::string> hair_meshes;
+  std::vector<std::string> hair_materials;
+  std::vector<std::string> hair_bones;
+  // skeleton
+  std::string head_bone;  ///< Pattern; "": found by name and hierarchy.
+  std::string scalp;      ///< "thesis", "none" or "pattern".
+  std::vector<std::string> scalp_bones;
+  // chains, where the file has no bones
+  std::string chain_source;  ///< "auto", "file", "fit" or "none".
+  std::uint32_t chain_max_count = 0;
+  std::uint32_t chain_max_bones = 0;
+  double chain_bone_length = 0;
+  double chain_shortest = 0;
+  std::vector<std::string> chain_only;
+  std::vector<std::string> chain_exclude;
+  // patches
+  std::string patch_connectivity;  ///< "auto", "island", "index" or "position".
+  double patch_widest = 0;         ///< Metres; 0: from the head's size.
+  double patch_weld_distance = 0;
+  // strands
+  std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".
+  // dynamics
+  std::string dynamics_source;  ///< "auto", "curves" or "springs".
+  std::vector<CurvePoint> resistance;
+  double friction = 0;
+  double gravity_scale = 0;
+  double authoring_rate = 0;
+  double damping_ratio = 0;
+  std::string conditioning;       ///< "auto" or "off".
+  std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
+  double angle_limit = 0;         ///< Degrees.
+  double parent_share = 0;
+  // budget
+  double budget_error = 0;  ///< Percent of the chain's length.
+  double budget_error_mm = 0;
+  double budget_cost = 0;  ///< Nominal nanoseconds per head and frame.
+  double slowest_rate = 0;
+  double fastest_rate = 0;
+  // head
+  std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
+  std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
+  std::optional<std::array<double, 3>> head_radii;
+  // levels of detail
+  std::uint32_t lod_levels = 0;
+  double lod_ratio = 0;
+  double lod_max_error = 0;
+  double lod_pixel_error = 0;
+  double lod_still_pixels = 0;
+  // draw order
+  std::string order_method;  ///< "auto", "head", "single" or "views".
+  std::uint32_t order_max = 0;
+  std::uint32_t order_max_bytes = 0;
+  double order_min_gain = 0;  ///< dB.
+  // textures
+  std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
+  std::string shift_texture;
+  std::string mask_texture;
+  std::uint32_t texture_max_size = 0;
+  std::uint32_t texture_seed = 0;
+  std::string shift_mask_format;  ///< "eac" or "rg8".
+  // occlusion
+  double occlusion_strength = 0;
+  // material
+  std::array<double, 4> base_color{};
+  std::array<double, 3> ambient{};
+  std::string sides;            ///< "auto", "both" or "front".
+  double opaque_threshold = 0;  ///< 0: chosen from the file and the texture.
+  double discard_threshold = 0;
+  std::array<double, 3> primary_color{};
+  double primary_exponent = 0;
+  double primary_shift = 0;
+  std::array<double, 3> secondary_color{};
+  double secondary_exponent = 0;
+  double secondary_shift = 0;
+  std::string shading;   ///< "thesis", "kajiya-kay" or "marschner".
+  double tilt = 0;       ///< Degrees.
+  double roughness = 0;  ///< Degrees.
+  double scatter = 0;
+  std::string energy;  ///< "published" or "bounded".
+};
+
+/// What the caller of a cook says beside the recipe.
+struct CookSettings {
+  unsigned threads = 1;                              ///< The result's bytes do not depend on it.
+  std::filesystem::path recipe_directory;            ///< Where texture paths of the recipe start.
+  std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
+  std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.
+};
+
+/// Every key at its default.
+[[nodiscard]] Recipe default_recipe();
+
+/// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
+/// the range and, for a misspelt key, the nearest one.
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name);
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path);
+
+/// The complete recipe as JSON with a comment for each key: default, range, unit, meaning. Parses back to `recipe`.
+[[nodiscard]] std::string print_recipe(const Recipe& recipe);
+
+}  // namespace coif

@@ -1,0 +1,138 @@
+#include "base/json.h"
+#include "cook/recipe/recipe_keys.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace coif {
+namespace {
+
+using nlohmann::json;
+using Outcome = tl::expected<void, std::string>;
+
+tl::unexpected<std::string> wants(const std::string& what, const json& found) {
+  return tl::unexpected(fmt::format("wants {}, found {}", what, excerpt(found.dump())));
+}
+
+std::string number_range(const RecipeKey& key) {
+  return fmt::format("from {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
+}
+
+bool allowed(const RecipeKey& key, const json& value) {
+  return value.is_number() && value.get<double>() >= key.low && value.get<double>() <= key.high;
+}
+
+bool is_choice(const char* choices, const std::string& word) {
+  std::istringstream list(choices);
+  for (std::string choice; std::getline(list, choice, '|');) {
+    if (choice == word) return true;
+  }
+  return false;
+}
+
+Outcome read(const RecipeKey&, const json& value, bool& out) {
+  if (!value.is_boolean()) return wants("true or false", value);
+  out = value.get<bool>();
+  return {};
+}
+
+Outcome read(const RecipeKey& key, const json& value, double& out) {
+  if (!allowed(key, value)) return wants("a number " + number_range(key), value);
+  out = value.get<double>();
+  return {};
+}
+
+Outcome read(const RecipeKey& key, const json& value, std::uint32_t& out) {
+  if (!allowed(key, value) || !value.is_number_integer()) return wants("a whole number " + number_range(key), value);
+  out = value.get<std::uint32_t>();
+  return {};
+}
+
+Outcome read(const RecipeKey& key, const json& value, std::string& out) {
+  if (!value.is_string()) return wants("a text", value);
+  if (key.choices != nullptr && !is_choice(key.choices, value.get<std::string>())) {
+    return wants(fmt::format("one of {}", key.choices), value);
+  }
+  out = value.get<std::string>();
+  return {};
+}
+
+Outcome read(const RecipeKey&, const json& value, std::vector<std::string>& out) {
+  std::vector<std::string> texts;
+  if (!value.is_array()) return wants("a list of names", value);
+  for (const json& item : value) {
+    if (!item.is_string()) return wants("a list of names", value);
+    texts.push_back(item.get<std::string>());
+  }
+  out = std::move(texts);
+  return {};
+}
+
+Outcome read(const RecipeKey& key, const json& value, std::vector<CurvePoint>& out) {
+  const std::string what = "points [place 0..1, value " + number_range(key) + "] with ascending places";
+  if (!value.is_array() || value.empty()) return wants(what, value);
+  std::vector<CurvePoint> points;
+  for (const json& item : value) {
+    const bool pair = item.is_array() && item.size() == 2 && item[0].is_number() && allowed(key, item[1]);
+    if (!pair) return wants(what, item);
+    const CurvePoint point{item[0].get<double>(), item[1].get<double>()};
+    const bool ascending = points.empty() || point.at > points.back().at;
+    if (!(point.at >= 0 && point.at <= 1) || !ascending) return wants(what, item);
+    points.push_back(point);
+  }
+  out = std::move(points);
+  return {};
+}
+
+template <std::size_t kCount>
+Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>& out) {
+  const std::string what = fmt::format("{} numbers {}", kCount, number_range(key));
+  if (!value.is_array() || value.size() != kCount) return wants(what, value);
+  for (const json& item : value) {
+    if (!allowed(key, item)) return wants(what, value);
+  }
+  for (std::size_t i = 0; i < kCount; ++i) out[i] = value[i].get<double>();
+  return {};
+}
+
+template <typename Value>
+Outcome read(const RecipeKey& key, const json& value, std::optional<Value>& out) {
+  if (value.is_null()) {
+    out.reset();
+    return {};
+  }
+  Value given{};
+  if (Outcome outcome = read(key, value, given); !outcome) return outcome;
+  out = given;
+  return {};
+}
+
+template <typename Value>
+json write(const Value& value) {
+  return value;
+}
+
+json write(const std::vector<CurvePoint>& points) {
+  json list = json::array();
+  for (const CurvePoint& point : points) list.push_back({point.at, point.value});
+  return list;
+}
+
+template <typename Value>
+json write(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+}  // namespace
+
+Outcome read_value(const RecipeKey& key, const json& json, Recipe& recipe) {
+  return std::visit([&](auto field) { return read(key, json, recipe.*field); }, key.field);
+}
+
+json write_value(const RecipeKey& key, const Recipe& recipe) {
+  return std::visit([&](auto field) { return write(recipe.*field); }, key.field);
+}
+
+}  // namespace coif

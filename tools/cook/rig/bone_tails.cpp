@@ -1,0 +1,124 @@
+#include "cook/rig/skeleton.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace coif {
+namespace {
+
+constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no direction to speak of.
+
+/// Nodes in the tree below `node`, itself included.
+std::size_t tree_size(const SourceModel& source, std::uint32_t node) {
+  std::vector<bool> inside(source.nodes.size(), false);
+  inside[node] = true;
+  std::size_t count = 1;
+  for (std::uint32_t n = node + 1; n < source.nodes.size(); ++n) {
+    if (source.nodes[n].parent == kNoIndex || !inside[source.nodes[n].parent]) continue;
+    inside[n] = true;
+    ++count;
+  }
+  return count;
+}
+
+/// The child that continues the chain: with most nodes below it, of equals the first.
+std::uint32_t main_child(const SourceModel& source, std::span<const std::uint32_t> children) {
+  std::uint32_t best = children.front();
+  std::size_t best_size = 0;
+  for (std::uint32_t child : children) {
+    const std::size_t size = tree_size(source, child);
+    if (size > best_size) {
+      best = child;
+      best_size = size;
+    }
+  }
+  return best;
+}
+
+std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32_t node) {
+  for (const SourceNode& child : source.nodes) {
+    if (child.parent == node) return child.model_from_node.translation();
+  }
+  return std::nullopt;
+}
+
+/// Half, or half of what the bone's heaviest vertex has, where it shares all of them.
+float carrying_weight(const HairMesh& hair, std::uint32_t node) {
+  float heaviest = 0;
+  for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
+    for (const SourceInfluence& influence : hair.influences_of(v)) {
+      if (influence.node == node) heaviest = std::max(heaviest, influence.weight);
+    }
+  }
+  return heaviest >= 0.5f ? 0.5f : 0.5f * heaviest;
+}
+
+/// The end of the vertices that `node` carries, along the line from `start` to their middle.
+std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start) {
+  const float least = carrying_weight(hair, node);
+  if (!(least > 0)) return std::nullopt;
+  std::vector<Eigen::Vector3d> carried;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
+    for (const SourceInfluence& influence : hair.influences_of(v)) {
+      if (influence.node != node || influence.weight < least) continue;
+      carried.push_back(hair.positions[v].cast<double>());
+      sum += carried.back();
+    }
+  }
+  if (carried.empty()) return std::nullopt;
+  const Eigen::Vector3d to_middle = sum / double(carried.size()) - start;
+  if (to_middle.norm() < kShortestBone) return std::nullopt;
+  const Eigen::Vector3d direction = to_middle.normalized();
+  double reach = 0;
+  for (const Eigen::Vector3d& p : carried) reach = std::max(reach, direction.dot(p - start));
+  return start + direction * reach;
+}
+
+}  // namespace
+
+Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
+                               std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
+                               const SkeletonBone& parent) {
+  std::optional<Eigen::Vector3d> tail;
+  if (!hair_children.empty()) {
+    tail = source.nodes[main_child(source, hair_children)].model_from_node.translation();
+  } else if (!(tail = end_marker(source, node))) {
+    tail = end_of_vertices(hair, node, start);
+  }
+  if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
+  // A rigid parent has no length of its own, but a joint that this bone leads away from.
+  const Eigen::Vector3d above = parent.length() >= kShortestBone ? parent.tail - parent.start : start - parent.start;
+  const double length = above.norm() >= kShortestBone ? above.norm() : kShortestBone;
+  const Eigen::Vector3d direction =
+      above.norm() >= kShortestBone ? Eigen::Vector3d(above.normalized()) : -Eigen::Vector3d::UnitY();
+  // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.
+  return start + direction * (tail ? kShortestBone : length);
+}
+
+namespace {
+
+/// The bone that is this node and not only carries its vertices; kNone: there is none.
+std::uint32_t own_bone(const SourceModel& source, const Skeleton& skeleton, std::uint32_t node) {
+  if (node >= skeleton.bone_of_node.size()) return kNone;
+  const std::uint32_t bone = skeleton.bone_of_node[node];
+  const std::uint32_t parent = source.nodes[node].parent;
+  const bool inherited = parent != kNoIndex && skeleton.bone_of_node[parent] == bone;
+  return inherited ? kNone : bone;
+}
+
+}  // namespace
+
+std::vector<BoneJoint> joints_of_bones(const SourceModel& source, const Skeleton& skeleton) {
+  std::vector<BoneJoint> joints(skeleton.bones.size());
+  for (const SourceSpring& spring : source.springs) {
+    for (const SourceSpringJoint& joint : spring.joints) {
+      const std::uint32_t bone = own_bone(source, skeleton, joint.node);
+      if (bone == kNone || skeleton.bones[bone].kind != BoneKind::kSimulated || !(joint.length > 0)) continue;
+      joints[bone] = {&spring, &joint};
+    }
+  }
+  return joints;
+}
+
+}  // namespace coif

@@ -1,0 +1,202 @@
+#include "base/text.h"
+#include "cook/rig/skeleton.h"
+#include "cook/select/hair_evidence.h"
+#include "cook/select/head.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Children = std::vector<std::vector<std::uint32_t>>;
+
+/// Children of each node that carry hair, themselves or below.
+Children hair_children(const SourceModel& source, const NodeWeights& below) {
+  const std::vector<bool> carriers = find_carriers(source);
+  Children children(source.nodes.size());
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex) children[source.nodes[n].parent].push_back(n);
+  }
+  return children;
+}
+
+/// Nodes that the file's spring bones turn, where the recipe heeds those: artists let hair swing from its first joint.
+std::vector<bool> turned_by_springs(const SourceModel& source, const Recipe& recipe) {
+  std::vector<bool> turned(source.nodes.size(), false);
+  if (recipe.dynamics_source == "curves") return turned;
+  for (const SourceSpring& spring : source.springs) {
+    for (const SourceSpringJoint& joint : spring.joints) turned[joint.node] = joint.length > 0;
+  }
+  return turned;
+}
+
+/// The head bone; no other node has a bone yet.
+Skeleton only_head(const SourceModel& source, const HeadBone& head) {
+  Skeleton skeleton;
+  SkeletonBone bone;
+  bone.kind = BoneKind::kHead;
+  bone.name = head.name;
+  bone.start = bone.tail = head.joint;
+  skeleton.bones.push_back(bone);
+  skeleton.head_rotation = head.rotation;
+  skeleton.bone_of_node.assign(source.nodes.size(), kNone);
+  if (head.node != kNoIndex) skeleton.bone_of_node[head.node] = 0;
+  return skeleton;
+}
+
+class SkeletonBuilder {
+ public:
+  SkeletonBuilder(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, const HeadBone& head)
+      : source_(source),
+        hair_(hair),
+        recipe_(recipe),
+        swings_(turned_by_springs(source, recipe)),
+        children_(hair_children(source, weights_below(source, hair_weights(source, hair)))) {
+    skeleton_ = only_head(source, head);
+    if (head.node != kNoIndex) {
+      collect_rigid(head.node, 0);
+      for (const auto& [node, root] : chain_roots_) add_chain(node, root);
+    }
+    map_remaining_nodes();
+  }
+
+  Skeleton finish() && { return std::move(skeleton_); }
+
+ private:
+  [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
+    if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
+    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty() && !swings_[node];
+  }
+
+  /// Scalp bones depth first; remembers where chains start, since all rigid bones come before them.
+  void collect_rigid(std::uint32_t node, std::uint32_t bone) {
+    for (std::uint32_t child : children_[node]) {
+      if (too_many()) return;
+      if (!is_scalp(child, bone)) {
+        chain_roots_.emplace_back(child, bone);
+        continue;
+      }
+      SkeletonBone scalp;
+      scalp.name = source_.nodes[child].name;
+      scalp.parent = bone;
+      scalp.start = scalp.tail = source_.nodes[child].model_from_node.translation();
+      skeleton_.bone_of_node[child] = std::uint32_t(skeleton_.bones.size());
+      skeleton_.bones.push_back(scalp);
+      collect_rigid(child, skeleton_.bone_of_node[child]);
+    }
+  }
+
+  void add_chain(std::uint32_t node, std::uint32_t root) {
+    const auto chain = std::uint32_t(skeleton_.chains.size());
+    const auto first = std::uint32_t(skeleton_.bones.size());
+    add_simulated(node, root, chain);
+    const auto count = std::uint32_t(skeleton_.bones.size()) - first;
+    skeleton_.chains.push_back({first, count, root, 0});
+    set_places(first, count);
+  }
+
+  void add_simulated(std::uint32_t node, std::uint32_t parent, std::uint32_t chain) {
+    const SkeletonBone above = skeleton_.bones[parent];
+    SkeletonBone bone;
+    bone.name = source_.nodes[node].name;
+    bone.parent = parent;
+    bone.kind = BoneKind::kSimulated;
+    bone.chain = chain;
+    bone.start = above.kind == BoneKind::kSimulated ? above.tail : source_.nodes[node].model_from_node.translation();
+    bone.tail = find_bone_tail(source_, hair_, node, children_[node], bone.start, above);
+    const auto index = std::uint32_t(skeleton_.bones.size());
+    skeleton_.bone_of_node[node] = index;
+    skeleton_.bones.push_back(bone);
+    for (std::uint32_t child : children_[node]) {
+      if (!too_many()) add_simulated(child, index, chain);
+    }
+  }
+
+  /// Refused by the caller; until then a hostile hierarchy must not deepen the recursion further.
+  [[nodiscard]] bool too_many() const { return skeleton_.bones.size() > kMaxBones; }
+
+  /// Place of each tail along its chain: its distance from the root by length, over that of the farthest tip.
+  void set_places(std::uint32_t first, std::uint32_t count) {
+    double farthest = 0;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      SkeletonBone& bone = skeleton_.bones[i];
+      bone.place = bone.length() + (bone.parent >= first ? skeleton_.bones[bone.parent].place : 0.0);
+      farthest = std::max(farthest, bone.place);
+    }
+    for (std::uint32_t i = first; i < first + count; ++i) skeleton_.bones[i].place /= farthest;
+  }
+
+  /// Nodes without a bone follow the nearest one above; nodes outside the head's tree follow the head.
+  void map_remaining_nodes() {
+    for (std::uint32_t n = 0; n < source_.nodes.size(); ++n) {
+      if (skeleton_.bone_of_node[n] != kNone) continue;
+      const std::uint32_t parent = source_.nodes[n].parent;
+      skeleton_.bone_of_node[n] = parent == kNoIndex ? 0 : skeleton_.bone_of_node[parent];
+    }
+  }
+
+  const SourceModel& source_;
+  const HairMesh& hair_;
+  const Recipe& recipe_;
+  std::vector<bool> swings_;
+  Children children_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> chain_roots_;  ///< Node, rigid bone that carries it.
+  Skeleton skeleton_;
+};
+
+void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head,
+                            Skeleton& skeleton) {
+  if (head == kNoIndex) {
+    skeleton.warnings.push_back("no bone carries the hair; it follows the head rigidly");
+    return;
+  }
+  double total = 0, foreign = 0;
+  std::string heaviest;
+  double heaviest_weight = 0;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    std::uint32_t above = n;
+    while (above != kNoIndex && above != head) above = source.nodes[above].parent;
+    total += weights[n];
+    if (above == head) continue;
+    foreign += weights[n];
+    if (weights[n] > heaviest_weight) {
+      heaviest = source.nodes[n].name;
+      heaviest_weight = weights[n];
+    }
+  }
+  if (foreign > 0.001 * total) {
+    skeleton.warnings.push_back(fmt::format(
+        "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
+        "the head rigidly",
+        100 * foreign / total, source.nodes[head].name, heaviest));
+  }
+  if (skeleton.chains.empty()) {
+    skeleton.warnings.push_back(
+        fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
+  }
+}
+
+}  // namespace
+
+tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
+                                                 const Recipe& recipe) {
+  Skeleton skeleton = SkeletonBuilder(source, hair, recipe, head).finish();
+  if (skeleton.bones.size() > kMaxBones) {
+    return tl::unexpected(ToolError{
+        ToolError::Kind::kUnsupported,
+        fmt::format("{}: the hair has {} bones, an asset holds {}; cook it in parts by the recipe's \"hair.bones\"",
+                    source.path, skeleton.bones.size(), kMaxBones)});
+  }
+  warn_of_foreign_weight(source, hair_weights(source, hair), head.node, skeleton);
+  return skeleton;
+}
+
+Skeleton head_alone(const SourceModel& source, const HeadBone& head) {
+  Skeleton skeleton = only_head(source, head);
+  skeleton.bone_of_node.assign(source.nodes.size(), 0);
+  return skeleton;
+}
+
+}  // namespace coif

@@ -1,0 +1,193 @@
+#include "cook/rig/fit_chains.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kMostLocks = 4;  ///< That can meet in one cell.
+
+struct LockShare {
+  std::uint32_t lock = 0;
+  double share = 0;  ///< While measuring: metres from the lock.
+};
+
+using LockShares = std::vector<LockShare>;
+
+struct Front {
+  double distance;
+  std::uint32_t cell;
+  std::uint32_t lock;
+  auto operator<=>(const Front&) const = default;
+};
+
+/// The nearest locks of each cell over connected hair, nearest first, those within `blend` of the nearest.
+class NearLocks {
+ public:
+  NearLocks(const HairCells& cells, std::span<const HairLock> locks, double blend)
+      : cells_(cells), blend_(blend), near_(cells.count()) {
+    for (std::uint32_t l = 0; l < locks.size(); ++l) {
+      for (std::uint32_t c : locks[l].cells) settle({0, c, l});
+      for (std::uint32_t c : locks[l].ways) settle({0, c, l});
+    }
+    for (std::uint32_t c = 0; c < cells.count(); ++c) {
+      for (const LockShare& own : near_[c]) spread({0, c, own.lock});
+    }
+    while (!queue_.empty()) {
+      const Front front = queue_.top();
+      queue_.pop();
+      if (settle(front)) spread(front);
+    }
+  }
+
+  std::vector<LockShares> take() && { return std::move(near_); }
+
+ private:
+  /// Whether a lock at this distance still counts in a cell.
+  [[nodiscard]] bool is_wanted(const Front& front) const {
+    const LockShares& here = near_[front.cell];
+    if (front.distance > blend_ + (here.empty() ? 0 : here.front().share) || here.size() >= kMostLocks) return false;
+    return std::ranges::find(here, front.lock, &LockShare::lock) == here.end();
+  }
+
+  bool settle(const Front& front) {
+    if (!is_wanted(front)) return false;
+    near_[front.cell].push_back({front.lock, front.distance});
+    return true;
+  }
+
+  void spread(const Front& front) {
+    for (const CellLink& link : cells_.links_of(front.cell)) {
+      const Front next{front.distance + link.length, link.to, front.lock};
+      if (next.distance <= blend_ && is_wanted(next)) queue_.push(next);
+    }
+  }
+
+  const HairCells& cells_;
+  double blend_;
+  std::vector<LockShares> near_;
+  std::priority_queue<Front, std::vector<Front>, std::greater<>> queue_;
+};
+
+void normalize(LockShares& shares) {
+  double sum = 0;
+  for (const LockShare& s : shares) sum += s.share;
+  for (LockShare& s : shares) s.share /= sum;
+}
+
+std::vector<LockShares> lock_shares(const HairCells& cells, std::span<const HairLock> locks, double blend) {
+  std::vector<LockShares> shares = NearLocks(cells, locks, blend).take();
+  for (LockShares& here : shares) {
+    if (here.empty()) continue;
+    const double nearest = here.front().share;
+    for (LockShare& s : here) s.share = 1 - (s.share - nearest) / blend;
+    normalize(here);
+  }
+  return shares;
+}
+
+/// Two locks of two bones each fill a vertex. What the third has is taken from all: the weights stay continuous where
+/// the second and the third change places.
+void keep_two(LockShares& shares) {
+  std::ranges::stable_sort(shares, std::greater<>{}, &LockShare::share);
+  if (shares.size() <= 2) return;
+  const double third = shares[2].share;
+  shares.resize(2);
+  if (shares[0].share > third) {
+    for (LockShare& s : shares) s.share -= third;
+  }
+}
+
+void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double weight) {
+  if (weight <= 0) return;
+  const auto same = std::ranges::find(weights, bone, &BoneWeight::bone);
+  if (same != weights.end()) {
+    same->weight += weight;
+  } else {
+    weights.push_back({bone, weight});
+  }
+}
+
+/// Each bone has all weight at its middle, and its neighbour takes over towards the next one's middle; the head, at the
+/// scalp.
+void add_lock(const LockBones& bones, double depth, double share, std::vector<BoneWeight>& weights) {
+  const std::size_t count = bones.joint_depth.empty() ? 0 : bones.joint_depth.size() - 1;
+  double middle_before = 0;
+  std::uint32_t before = 0;
+  for (std::size_t b = 0; b < count; ++b) {
+    const double middle = 0.5 * (bones.joint_depth[b] + bones.joint_depth[b + 1]);
+    const auto bone = std::uint32_t(bones.first + b);
+    if (depth < middle) {
+      const double on = std::max(0.0, (depth - middle_before) / (middle - middle_before));
+      add_weight(weights, before, share * (1 - on));
+      add_weight(weights, bone, share * on);
+      return;
+    }
+    middle_before = middle;
+    before = bone;
+  }
+  add_weight(weights, before, share);
+}
+
+class WeightBlender {
+ public:
+  WeightBlender(const HairCells& cells, const HangingHair& hair, std::span<const LockBones> bones,
+                std::vector<LockShares> shares)
+      : cells_(cells), hair_(hair), bones_(bones), shares_(std::move(shares)) {}
+
+  [[nodiscard]] std::vector<BoneWeight> at(std::uint32_t home, const Eigen::Vector3d& point) const {
+    double depth = 0, sum = 0;
+    LockShares locks;
+    const auto add = [&](std::uint32_t cell) {
+      const double share = cells_.share_at(cell, point);
+      depth += share * hair_.depth[cell];
+      sum += share;
+      for (const LockShare& of_cell : shares_[cell]) {
+        const auto same = std::ranges::find(locks, of_cell.lock, &LockShare::lock);
+        if (same != locks.end()) {
+          same->share += share * of_cell.share;
+        } else {
+          locks.push_back({of_cell.lock, share * of_cell.share});
+        }
+      }
+    };
+    add(home);
+    for (const CellLink& link : cells_.links_of(home)) add(link.to);
+    if (locks.empty()) return {{0, 1.0}};
+    keep_two(locks);
+    normalize(locks);
+    std::vector<BoneWeight> weights;
+    for (const LockShare& lock : locks) add_lock(bones_[lock.lock], depth / sum, lock.share, weights);
+    return weights;
+  }
+
+ private:
+  const HairCells& cells_;
+  const HangingHair& hair_;
+  std::span<const LockBones> bones_;
+  std::vector<LockShares> shares_;
+};
+
+}  // namespace
+
+SkinWeights blend_chain_weights(const HairMesh& mesh, const HairCells& cells, const HangingHair& hair,
+                                std::span<const HairLock> locks, std::span<const LockBones> bones,
+                                const std::vector<bool>& rigid, std::span<const std::uint32_t> place_of,
+                                double blend) {
+  const WeightBlender blender(cells, hair, bones, lock_shares(cells, locks, blend));
+  SkinWeights weights(mesh.positions.size());
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const std::uint32_t first = place_of[v];
+    if (first != v) {
+      weights[v] = weights[first];
+    } else if (rigid[v] || cells.of_vertex[v] == kNoIndex) {
+      weights[v] = {{0, 1.0}};
+    } else {
+      weights[v] = blender.at(cells.of_vertex[v], mesh.positions[v].cast<double>());
+    }
+  }
+  return weights;
+}
+
+}  // namespace coif

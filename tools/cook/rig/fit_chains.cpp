@@ -1,0 +1,156 @@
+#include "cook/rig/fit_chains.h"
+
+#include "base/text.h"
+#include "cook/select/mesh_topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCellSize = 0.06;  ///< Of the head's radius: hair nearer than this moves together.
+constexpr double kTop = 0.85;       ///< Height of a direction from the head's centre that is neither side nor end.
+constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directions around the head.
+constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
+
+/// Triangles of meshes and materials that the recipe gives chains.
+std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& hair, const Recipe& recipe) {
+  std::vector<bool> of_mesh(source.meshes.size(), true);
+  for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    const std::string material = mesh.material < source.materials.size() ? source.materials[mesh.material].name : "";
+    const auto named = [&](const std::vector<std::string>& patterns) {
+      return matches_any(mesh.name, patterns) || matches_any(material, patterns);
+    };
+    of_mesh[m] = (recipe.chain_only.empty() || named(recipe.chain_only)) && !named(recipe.chain_exclude);
+  }
+  std::vector<bool> movable(hair.triangle_count(), true);
+  for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) movable[t] = of_mesh[hair.mesh_of_triangle[t]];
+  return movable;
+}
+
+/// Vertices at a place that a rigid triangle touches.
+std::vector<bool> rigid_vertices(const HairMesh& hair, const std::vector<bool>& movable,
+                                 std::span<const std::uint32_t> place) {
+  std::vector<bool> moves(hair.positions.size(), false), held(hair.positions.size(), false);
+  for (std::size_t i = 0; i < hair.triangles.size(); ++i) {
+    const std::uint32_t here = place[hair.triangles[i]];
+    (movable[i / 3] ? moves : held)[here] = true;
+  }
+  std::vector<bool> rigid(hair.positions.size());
+  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[place[v]] || !moves[place[v]];
+  return rigid;
+}
+
+/// Cells at the seam to hair that does not move.
+std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<bool>& rigid) {
+  std::vector<std::uint32_t> held;
+  for (std::size_t v = 0; v < rigid.size(); ++v) {
+    if (rigid[v] && cells.of_vertex[v] != kNoIndex) held.push_back(cells.of_vertex[v]);
+  }
+  return held;
+}
+
+/// Where on the head a chain starts, by the model's axes: most models face +Z with +X to their left (VRM 0.x faces -Z,
+/// and there front is back and left is right).
+std::string side_of(const Vector3d& start, const FittedHead& head) {
+  const Vector3d from = (start - head.center).normalized();
+  if (from.y() > kTop) return "top";
+  const double across = std::abs(from.x()), along = std::abs(from.z());
+  const char* side = from.x() > 0 ? "left" : "right";
+  const char* end = from.z() > 0 ? "front" : "back";
+  if (along < kDiagonal * across) return side;
+  if (across < kDiagonal * along) return end;
+  return fmt::format("{}_{}", end, side);
+}
+
+struct FittedChain {
+  std::size_t lock = 0;
+  LockCurve curve;
+  std::string side;
+  std::string name;  ///< Side and number, the longest of a side first.
+};
+
+std::vector<FittedChain> fit_curves(const HairCells& cells, const HangingHair& hair, const std::vector<HairLock>& locks,
+                                    const FittedHead& head, const Recipe& recipe) {
+  const auto moving = std::size_t(std::ranges::count(locks, true, &HairLock::moves));
+  const std::size_t room = (kMaxBones - 1) / std::max<std::size_t>(moving, 1);
+  const std::size_t most_bones = std::min<std::size_t>(recipe.chain_max_bones, room);
+  std::vector<FittedChain> chains;
+  for (std::size_t l = 0; l < locks.size(); ++l) {
+    if (!locks[l].moves) continue;
+    LockCurve curve = fit_lock_curve(cells, hair, locks[l], head, recipe, most_bones);
+    if (curve.joints.empty()) continue;
+    const std::string side = side_of(curve.joints.front(), head);
+    chains.push_back({l, std::move(curve), side, ""});
+  }
+  std::ranges::stable_sort(chains, std::less<>{}, &FittedChain::side);
+  std::map<std::string, int> numbers;
+  for (FittedChain& chain : chains) chain.name = fmt::format("{}_{}", chain.side, ++numbers[chain.side]);
+  return chains;
+}
+
+void add_bones(const FittedChain& chain, Skeleton& skeleton) {
+  const auto index = std::uint32_t(skeleton.chains.size()), first = std::uint32_t(skeleton.bones.size());
+  const auto count = std::uint32_t(chain.curve.joints.size() - 1);
+  double length = 0;
+  for (std::uint32_t b = 0; b < count; ++b) {
+    SkeletonBone bone;
+    bone.name = fmt::format("{}_{}", chain.name, b + 1);
+    bone.parent = b == 0 ? 0 : first + b - 1;
+    bone.kind = BoneKind::kSimulated;
+    bone.chain = index;
+    bone.start = chain.curve.joints[b];
+    bone.tail = chain.curve.joints[b + 1];
+    length += bone.length();
+    bone.place = length;
+    skeleton.bones.push_back(bone);
+  }
+  for (std::uint32_t b = first; b < first + count; ++b) skeleton.bones[b].place /= length;
+  skeleton.chains.push_back({first, count, 0, 0});
+}
+
+std::string describe(const FittedChain& chain) {
+  double length = 0;
+  for (std::size_t j = 1; j < chain.curve.joints.size(); ++j) {
+    length += (chain.curve.joints[j] - chain.curve.joints[j - 1]).norm();
+  }
+  const std::size_t bones = chain.curve.joints.size() - 1;
+  return fmt::format("chains: '{}' fitted, {:.0f} mm in {} {}", chain.name, 1000 * length, bones,
+                     bones == 1 ? "bone" : "bones");
+}
+
+}  // namespace
+
+FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> place,
+                     const StrandField& strands, const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
+  const double radius = head.radii.mean();
+  const std::vector<bool> movable = movable_triangles(source, hair, recipe);
+  const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place);
+  HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
+  const HangingHair hanging = find_hanging_hair(cells, head, held_cells(cells, is_rigid));
+  const std::vector<HairLock> locks = group_locks(cells, hanging, radius, recipe);
+
+  FittedRig rig;
+  rig.skeleton = rigid;
+  std::vector<LockBones> bones(locks.size());
+  for (const FittedChain& chain : fit_curves(cells, hanging, locks, head, recipe)) {
+    bones[chain.lock] = {std::uint32_t(rig.skeleton.bones.size()), chain.curve.depth};
+    add_bones(chain, rig.skeleton);
+    rig.notes.push_back(describe(chain));
+  }
+  if (rig.skeleton.chains.empty()) {
+    rig.notes.push_back(
+        fmt::format("no chain was fitted: no hair hangs free for {:.0f} mm; it follows the head rigidly",
+                    1000 * recipe.chain_shortest));
+  }
+  rig.weights = blend_chain_weights(hair, cells, hanging, locks, bones, is_rigid, place, kBlend * radius);
+  return rig;
+}
+
+}  // namespace coif

@@ -1,0 +1,264 @@
+#include "cook/rig/hair_cells.h"
+
+#include "cook/select/mesh_topology.h"
+#include "payload_hash.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMostCells = 40000;     ///< More would not move differently, only take longer.
+constexpr double kMostSteps = 1.0e6;     ///< Samples along the longest edges: a mesh of needles has them without area.
+constexpr double kSampleStep = 0.75;     ///< Of a cell: no cube between two samples is left out.
+constexpr double kVertexShare = 0.01;    ///< Of its triangle's area: its cell exists even where no sample is.
+constexpr double kSmallestArea = 1e-14;  ///< So that triangles without area have a middle too.
+
+struct IndexHash {
+  std::size_t operator()(const HairCells::Index& index) const {
+    return std::size_t(xxh64(std::as_bytes(std::span(index))));
+  }
+};
+
+struct Corner {
+  Vector3d position;
+  Vector3d strand;
+  double place;
+};
+
+/// Corners of a triangle, the longest edge first.
+std::array<Corner, 3> corners(const HairMesh& hair, const StrandField& strands, std::size_t t) {
+  std::array<Corner, 3> c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t v = hair.triangles[3 * t + k];
+    c[k] = {hair.positions[v].cast<double>(), strands.tangent[v].cast<double>(), double(strands.place[v])};
+  }
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = (c[(k + 1) % 3].position - c[k].position).squaredNorm();
+    if (length > most) longest = k;
+    most = std::max(most, length);
+  }
+  std::ranges::rotate(c, c.begin() + std::ptrdiff_t(longest));
+  return c;
+}
+
+Corner between(const Corner& a, const Corner& b, double share) {
+  return {a.position + share * (b.position - a.position), a.strand + share * (b.strand - a.strand),
+          a.place + share * (b.place - a.place)};
+}
+
+class CellBuilder {
+ public:
+  CellBuilder(const HairMesh& hair, const StrandField& strands, const std::vector<bool>& movable,
+              const Vector3d& origin, double size)
+      : hair_(hair), strands_(strands), movable_(movable) {
+    cells_.origin = origin;
+    cells_.size = std::max({size, std::sqrt(total_area() / kMostCells), total_length() / kMostSteps});
+    cells_.of_vertex.assign(hair.positions.size(), kNoIndex);
+  }
+
+  HairCells build() && {
+    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
+      if (movable_[t]) add_triangle(t);
+    }
+    for (std::size_t c = 0; c < cells_.count(); ++c) {
+      cells_.middle[c] /= cells_.area[c];
+      cells_.strand[c] /= cells_.area[c];
+      cells_.place[c] /= cells_.area[c];
+    }
+    link();
+    return std::move(cells_);
+  }
+
+ private:
+  [[nodiscard]] double total_area() const {
+    double sum = 0;
+    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
+      const auto c = corners(hair_, strands_, t);
+      sum += 0.5 * (c[1].position - c[0].position).cross(c[2].position - c[0].position).norm();
+    }
+    return sum;
+  }
+
+  [[nodiscard]] double total_length() const {
+    double sum = 0;
+    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
+      const auto c = corners(hair_, strands_, t);
+      sum += (c[1].position - c[0].position).norm();
+    }
+    return sum;
+  }
+
+  std::uint32_t add(const Corner& sample, double area) {
+    // Cubes lie around multiples of the size: a mirrored model then has mirrored cubes, seam included.
+    const Vector3d at = (sample.position - cells_.origin) / cells_.size;
+    const HairCells::Index index{std::llround(at.x()), std::llround(at.y()), std::llround(at.z())};
+    const auto [entry, is_new] = cell_at_.try_emplace(index, std::uint32_t(cells_.count()));
+    if (is_new) {
+      cells_.index.push_back(index);
+      cells_.middle.push_back(Vector3d::Zero());
+      cells_.strand.push_back(Vector3d::Zero());
+      cells_.place.push_back(0);
+      cells_.area.push_back(0);
+    }
+    const std::uint32_t cell = entry->second;
+    cells_.middle[cell] += area * sample.position;
+    cells_.strand[cell] += area * sample.strand;
+    cells_.place[cell] += area * sample.place;
+    cells_.area[cell] += area;
+    return cell;
+  }
+
+  void add_triangle(std::size_t t) {
+    const auto [a, b, c] = corners(hair_, strands_, t);
+    const Vector3d edge = b.position - a.position;
+    const double doubled = edge.cross(c.position - a.position).norm(), base = edge.norm();
+    const double step = kSampleStep * cells_.size;
+    const auto columns = std::max(1, int(std::ceil(base / step)));
+    const auto rows = base > 0 ? std::max(1, int(std::ceil(doubled / base / step))) : 1;
+    for (int row = 0; row < rows; ++row) {
+      const double up = (row + 0.5) / rows;
+      for (int column = 0; column < columns; ++column) {
+        const Corner sample = between(between(a, b, (column + 0.5) / columns), c, up);
+        add(sample, (1 - up) * doubled / (rows * columns) + kSmallestArea);
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = hair_.triangles[3 * t + k];
+      const Corner corner{hair_.positions[v].cast<double>(), strands_.tangent[v].cast<double>(),
+                          double(strands_.place[v])};
+      cells_.of_vertex[v] = add(corner, kVertexShare * doubled + kSmallestArea);
+    }
+  }
+
+  void link() {
+    cells_.link_begin.push_back(0);
+    for (std::uint32_t c = 0; c < cells_.count(); ++c) {
+      for (int n = 0; n < 27; ++n) {
+        const HairCells::Index& home = cells_.index[c];
+        const auto found = cell_at_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
+        if (found == cell_at_.end() || found->second == c) continue;
+        cells_.links.push_back({found->second, (cells_.middle[found->second] - cells_.middle[c]).norm()});
+      }
+      cells_.link_begin.push_back(std::uint32_t(cells_.links.size()));
+    }
+  }
+
+  const HairMesh& hair_;
+  const StrandField& strands_;
+  const std::vector<bool>& movable_;
+  std::unordered_map<HairCells::Index, std::uint32_t, IndexHash> cell_at_;
+  HairCells cells_;
+};
+
+/// The quadratic B-spline: 0.75 in the middle, 0 from 1.5 on.
+double spline(double x) {
+  x = std::abs(x);
+  if (x >= 1.5) return 0;
+  return x <= 0.5 ? 0.75 - x * x : 0.5 * (1.5 - x) * (1.5 - x);
+}
+
+}  // namespace
+
+double HairCells::share_at(std::uint32_t cell, const Vector3d& point) const {
+  const Vector3d at = (point - origin) / size;
+  double share = 1;
+  for (int k = 0; k < 3; ++k) share *= spline(at[k] - double(index[cell][std::size_t(k)]));
+  return share;
+}
+
+HairCells make_hair_cells(const HairMesh& hair, const StrandField& strands, const std::vector<bool>& movable,
+                          const Vector3d& origin, double size) {
+  return CellBuilder(hair, strands, movable, origin, size).build();
+}
+
+namespace {
+
+using Cube = std::array<std::int64_t, 3>;
+
+/// Cells by cubes of the reach: whatever is within it is in the 27 cubes around.
+class ReachGrid {
+ public:
+  ReachGrid(const HairCells& cells, double reach) : cells_(cells), reach_(reach) {
+    for (std::uint32_t c = 0; c < cells.count(); ++c) members_[cube_of(c)].push_back(c);
+  }
+
+  /// The nearest cell of another piece within reach; length 0 and kNoIndex without any.
+  [[nodiscard]] CellLink nearest_of_others(std::uint32_t cell, const std::vector<std::uint32_t>& piece) const {
+    CellLink best{kNoIndex, reach_};
+    const Cube home = cube_of(cell);
+    for (int n = 0; n < 27; ++n) {
+      const auto cube = members_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
+      if (cube == members_.end()) continue;
+      for (std::uint32_t other : cube->second) {
+        if (piece[other] == piece[cell]) continue;
+        const double distance = (cells_.middle[other] - cells_.middle[cell]).norm();
+        if (distance < best.length) best = {other, distance};
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] Cube cube_of(std::uint32_t cell) const {
+    const Eigen::Vector3d at = (cells_.middle[cell] - cells_.origin) / reach_;
+    return {std::llround(at.x()), std::llround(at.y()), std::llround(at.z())};
+  }
+
+  const HairCells& cells_;
+  double reach_;
+  std::map<Cube, std::vector<std::uint32_t>> members_;
+};
+
+void add_links(HairCells& cells, const std::vector<std::pair<std::uint32_t, CellLink>>& added) {
+  std::vector<std::vector<CellLink>> of_cell(cells.count());
+  for (const auto& [from, link] : added) {
+    of_cell[from].push_back(link);
+    of_cell[link.to].push_back({from, link.length});
+  }
+  std::vector<CellLink> links;
+  std::vector<std::uint32_t> begin{0};
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    const auto before = cells.links_of(c);
+    links.insert(links.end(), before.begin(), before.end());
+    links.insert(links.end(), of_cell[c].begin(), of_cell[c].end());
+    begin.push_back(std::uint32_t(links.size()));
+  }
+  cells.links = std::move(links);
+  cells.link_begin = std::move(begin);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> connected_pieces(const HairCells& cells) {
+  DisjointSets sets(cells.count());
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    for (const CellLink& link : cells.links_of(c)) sets.unite(c, link.to);
+  }
+  std::vector<std::uint32_t> piece(cells.count());
+  for (std::uint32_t c = 0; c < cells.count(); ++c) piece[c] = sets.find(c);
+  return piece;
+}
+
+void bridge_pieces(HairCells& cells, const std::vector<bool>& is_root, double reach) {
+  const std::vector<std::uint32_t> piece = connected_pieces(cells);
+  const ReachGrid grid(cells, reach);
+  std::vector<std::pair<std::uint32_t, CellLink>> bridges;
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    if (!is_root[c]) continue;
+    const CellLink link = grid.nearest_of_others(c, piece);
+    if (link.to != kNoIndex) bridges.emplace_back(c, link);
+  }
+  if (!bridges.empty()) add_links(cells, bridges);
+}
+
+}  // namespace coif

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "cook/select/hair_mesh.h"
+#include "cook/select/head.h"
+#include "cook/strands/strand_direction.h"
+
+#include <array>
+#include <vector>
+
+namespace coif {
+
+struct CellLink {
+  std::uint32_t to = 0;
+  double length = 0;  ///< Metres between the middles.
+};
+
+/// The hair's surface on a lattice of cubes: what is near in space is near here, whichever patch it belongs to and
+/// however finely it is triangulated. Numbered by first appearance in the triangles.
+struct HairCells {
+  using Index = std::array<std::int64_t, 3>;
+
+  double size = 0;                        ///< Edge of a cube, metres.
+  Eigen::Vector3d origin;                 ///< Middle of cube (0, 0, 0).
+  std::vector<Index> index;               ///< Of each cell that has hair.
+  std::vector<Eigen::Vector3d> middle;    ///< Of the hair in it, model space.
+  std::vector<Eigen::Vector3d> strand;    ///< Mean root-to-tip direction; shorter where strands disagree.
+  std::vector<double> place;              ///< Mean place along the strands, 0..1.
+  std::vector<double> area;               ///< Square metres of hair, > 0.
+  std::vector<std::uint32_t> link_begin;  ///< count() + 1 entries into `links`.
+  std::vector<CellLink> links;            ///< To all of the 26 cubes around that have hair.
+  std::vector<std::uint32_t> of_vertex;   ///< kNoIndex for a vertex of no movable triangle.
+
+  [[nodiscard]] std::size_t count() const { return middle.size(); }
+  [[nodiscard]] std::span<const CellLink> links_of(std::uint32_t cell) const {
+    return std::span(links).subspan(link_begin[cell], link_begin[cell + 1] - link_begin[cell]);
+  }
+  /// Share of a cell's value at `point`: the product of quadratic B-splines. It vanishes with its slope outside of the
+  /// 27 cubes around the point, so that sums over home cell and links are smooth in space.
+  [[nodiscard]] double share_at(std::uint32_t cell, const Eigen::Vector3d& point) const;
+};
+
+/// Cells of about `size` metres for the triangles with `movable`; larger where there would be too many of them.
+[[nodiscard]] HairCells make_hair_cells(const HairMesh& hair, const StrandField& strands,
+                                        const std::vector<bool>& movable, const Eigen::Vector3d& origin, double size);
+
+/// The connected piece that each cell belongs to: the piece's first cell in the order of a disjoint set.
+[[nodiscard]] std::vector<std::uint32_t> connected_pieces(const HairCells& cells);
+
+/// Links the roots (`is_root`, per cell) of each piece with the nearest hair of another one within `reach` metres: the
+/// end of a tail hangs from the tail above, though a ribbon that is not hair is between them.
+void bridge_pieces(HairCells& cells, const std::vector<bool>& is_root, double reach);
+
+/// How far down the hair each cell is from where the hair leaves the scalp.
+struct HangingHair {
+  std::vector<double> depth;        ///< Per cell, metres, mostly along the strands; 0: lies on the scalp.
+  std::vector<std::uint32_t> from;  ///< Per cell, the next one on the shortest way to the scalp; kNoIndex on it.
+};
+
+/// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. Hair that touches
+/// nothing of that hangs from the hair next to its roots, to which this adds links, or else from the roots themselves.
+/// `held`: cells that stay rigid for other reasons.
+[[nodiscard]] HangingHair find_hanging_hair(HairCells& cells, const FittedHead& head,
+                                            const std::vector<std::uint32_t>& held);
+
+/// Where the hair ends, and which hair belongs to which end.
+struct HairTips {
+  std::vector<std::uint32_t> cell;     ///< Of each tip; the longest hair first.
+  std::vector<std::uint32_t> of_cell;  ///< Per cell, the tip that it runs to; kNoIndex on the scalp.
+};
+
+/// Local maxima of depth. Each cell runs to where depth grows fastest. Of two tips closer than `apart` metres that are
+/// only ripples of one edge the shorter is none, and of more than `most` only those with most hair are.
+[[nodiscard]] HairTips find_hair_tips(const HairCells& cells, const HangingHair& hair, double apart, std::size_t most);
+
+}  // namespace coif

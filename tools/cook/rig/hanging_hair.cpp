@@ -1,0 +1,261 @@
+#include "cook/rig/hair_cells.h"
+#include "cook/select/mesh_topology.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+namespace coif {
+namespace {
+
+constexpr double kOnScalp = 0.25;      ///< Of the head's radius: hair this close to it does not swing.
+constexpr double kThickestHair = 0.5;  ///< Of the radius: what stands off further is no longer a layer on the skull.
+constexpr double kUpperPart = 0.3;     ///< Of the radius above the centre: there hair lies on the skull, if anywhere.
+constexpr double kAcross = 1.0;        ///< Extra length of a way across the strands, as a share of it.
+constexpr double kRootPart = 0.25;     ///< Of a strand: the part that may be the root of loose hair.
+constexpr double kRootEnd = 0.05;      ///< Of a strand: its very end, held with the others of its piece
+constexpr double kRootSpread = 0.5;    ///< that are at most this share of the radius farther from the head.
+constexpr double kBridge = 0.35;       ///< Of the radius: loose hair hangs from other hair at most this far away.
+
+/// Thickness of the layer that lies on the skull: how far off half of the hair is on top of the head.
+double layer_thickness(const HairCells& cells, const FittedHead& head) {
+  const double radius = head.radii.mean();
+  std::vector<std::pair<double, double>> above;  // distance, area
+  double total = 0;
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    if (cells.middle[c].y() < head.center.y() + kUpperPart * head.radii.y()) continue;
+    above.emplace_back(head.distance(cells.middle[c]), cells.area[c]);
+    total += cells.area[c];
+  }
+  std::ranges::sort(above);
+  double sum = 0, median = 0;
+  for (const auto& [distance, area] : above) {
+    if (sum > 0.5 * total) break;
+    sum += area;
+    median = distance;
+  }
+  return std::clamp(median + 0.5 * kOnScalp * radius, kOnScalp * radius, kThickestHair * radius);
+}
+
+/// How unlikely a cell is the root of its piece: its distance from the head, and farther towards the tips of strands.
+double distance_as_root(const HairCells& cells, const FittedHead& head, std::uint32_t cell) {
+  return head.distance(cells.middle[cell]) + (cells.place[cell] > kRootPart ? 1.0e3 * head.radii.mean() : 0.0);
+}
+
+/// Of each piece of hair without any seed the roots of its strands that are about as near to the head as the nearest.
+std::vector<std::uint32_t> roots_of_loose_pieces(const HairCells& cells, const FittedHead& head,
+                                                 const std::vector<std::uint32_t>& seeds) {
+  const std::vector<std::uint32_t> piece = connected_pieces(cells);
+  std::vector<bool> held(cells.count(), false);
+  for (std::uint32_t seed : seeds) held[piece[seed]] = true;
+  std::vector<double> nearest(cells.count(), std::numeric_limits<double>::max());
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    nearest[piece[c]] = std::min(nearest[piece[c]], distance_as_root(cells, head, c));
+  }
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    if (held[piece[c]]) continue;
+    const double distance = distance_as_root(cells, head, c);
+    const bool is_end = cells.place[c] <= kRootEnd && distance <= nearest[piece[c]] + kRootSpread * head.radii.mean();
+    if (is_end || distance <= nearest[piece[c]]) roots.push_back(c);
+  }
+  return roots;
+}
+
+/// Loose pieces hang from the hair next to their roots, if there is any, and else from their roots.
+void tie_loose_pieces(HairCells& cells, const FittedHead& head, std::vector<std::uint32_t>& seeds) {
+  std::vector<bool> is_root(cells.count(), false);
+  for (std::uint32_t c : roots_of_loose_pieces(cells, head, seeds)) is_root[c] = true;
+  bridge_pieces(cells, is_root, kBridge * head.radii.mean());
+  const auto roots = roots_of_loose_pieces(cells, head, seeds);
+  seeds.insert(seeds.end(), roots.begin(), roots.end());
+}
+
+/// Ways across the strands count for more: a strand hangs from its own root, not from its neighbour's.
+double way(const HairCells& cells, std::uint32_t from, const CellLink& link) {
+  const Eigen::Vector3d mean = cells.strand[from] + cells.strand[link.to];
+  const Eigen::Vector3d step = cells.middle[link.to] - cells.middle[from];
+  const double agreement = 0.5 * mean.norm();
+  if (agreement < 1.0e-6 || link.length <= 0) return link.length;
+  const double along = step.dot(mean.normalized()) / link.length;
+  return link.length * (1 + kAcross * agreement * (1 - along * along));
+}
+
+/// Dijkstra from the seeds. Equal lengths are settled in the order of the cells.
+HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t>& seeds) {
+  HangingHair hair;
+  hair.depth.assign(cells.count(), std::numeric_limits<double>::max());
+  hair.from.assign(cells.count(), kNoIndex);
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::uint32_t seed : seeds) {
+    hair.depth[seed] = 0;
+    queue.emplace(0, seed);
+  }
+  while (!queue.empty()) {
+    const auto [depth, cell] = queue.top();
+    queue.pop();
+    if (depth > hair.depth[cell]) continue;
+    for (const CellLink& link : cells.links_of(cell)) {
+      const double next = depth + way(cells, cell, link);
+      if (next >= hair.depth[link.to]) continue;
+      hair.depth[link.to] = next;
+      hair.from[link.to] = cell;
+      queue.emplace(next, link.to);
+    }
+  }
+  return hair;
+}
+
+}  // namespace
+
+HangingHair find_hanging_hair(HairCells& cells, const FittedHead& head, const std::vector<std::uint32_t>& held) {
+  std::vector<std::uint32_t> seeds = held;
+  const double thickness = layer_thickness(cells, head);
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    if (head.distance(cells.middle[c]) < thickness) seeds.push_back(c);
+  }
+  tie_loose_pieces(cells, head, seeds);
+  return measure_from(cells, seeds);
+}
+
+namespace {
+
+constexpr int kWayBack = 3;      ///< Cells: a way's direction at its end.
+constexpr double kGoesOn = 0.4;  ///< Of a cell: hair this far beyond a tip is more than the tip's own width.
+constexpr double kRipple = 3;    ///< Cells: a tip that stands out less from its surroundings may be noise.
+
+/// Hanging cells, deepest first.
+std::vector<std::uint32_t> by_depth(const HangingHair& hair) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t c = 0; c < hair.depth.size(); ++c) {
+    if (hair.depth[c] > 0) order.push_back(c);
+  }
+  std::ranges::stable_sort(order, std::greater<>{}, [&](std::uint32_t c) { return hair.depth[c]; });
+  return order;
+}
+
+/// The neighbour towards which depth grows fastest, or kNoIndex at a tip.
+std::uint32_t next_towards_tip(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+  std::uint32_t best = kNoIndex;
+  double steepest = 0;
+  for (const CellLink& link : cells.links_of(cell)) {
+    const double slope = (hair.depth[link.to] - hair.depth[cell]) / std::max(link.length, 1.0e-9);
+    if (slope <= steepest) continue;
+    steepest = slope;
+    best = link.to;
+  }
+  return best;
+}
+
+/// Whether the hair ends at a local maximum of depth. Where strands part and are tied together again, ways around both
+/// sides meet in a maximum in the middle of a strand: there the hair goes on.
+bool is_end(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+  std::uint32_t back = cell;
+  for (int i = 0; i < kWayBack && hair.from[back] != kNoIndex; ++i) back = hair.from[back];
+  const Eigen::Vector3d way = (cells.middle[cell] - cells.middle[back]).normalized();
+  return std::ranges::none_of(cells.links_of(cell), [&](const CellLink& link) {
+    return (cells.middle[link.to] - cells.middle[cell]).dot(way) > kGoesOn * cells.size;
+  });
+}
+
+/// Sets of cells, one per tip. A set's tip is its deepest cell; cells where hair ends go before others.
+class Basins {
+ public:
+  Basins(const HairCells& cells, const HangingHair& hair, double apart)
+      : cells_(cells),
+        hair_(hair),
+        apart_(apart),
+        sets_(cells.count()),
+        tip_(cells.count(), kNoIndex),
+        ends_(cells.count(), false) {}
+
+  void add(std::uint32_t cell) {
+    tip_[cell] = cell;
+    const std::uint32_t next = next_towards_tip(cells_, hair_, cell);
+    ends_[cell] = next == kNoIndex && is_end(cells_, hair_, cell);
+    if (next != kNoIndex) unite(cell, next);
+    for (const CellLink& link : cells_.links_of(cell)) {
+      if (tip_[link.to] != kNoIndex) merge_ripples(cell, link.to);
+    }
+  }
+
+  std::uint32_t tip_of(std::uint32_t cell) { return tip_[sets_.find(cell)]; }
+
+ private:
+  void unite(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t tip_a = tip_of(a), tip_b = tip_of(b);
+    sets_.unite(a, b);
+    const bool b_is_deeper = hair_.depth[tip_b] >= hair_.depth[tip_a];
+    tip_[sets_.find(a)] = ends_[tip_a] != ends_[tip_b] ? (ends_[tip_b] ? tip_b : tip_a) : b_is_deeper ? tip_b : tip_a;
+  }
+
+  /// `cell` is where both sets meet, so it says how far each tip stands out.
+  void merge_ripples(std::uint32_t cell, std::uint32_t neighbour) {
+    const std::uint32_t a = tip_of(cell), b = tip_of(neighbour);
+    if (a == b) return;
+    if (!ends_[a] || !ends_[b]) return unite(cell, neighbour);
+    if ((cells_.middle[a] - cells_.middle[b]).norm() > apart_) return;
+    const double stands_out = std::min(hair_.depth[a], hair_.depth[b]) - hair_.depth[cell];
+    if (stands_out < kRipple * cells_.size) unite(cell, neighbour);
+  }
+
+  const HairCells& cells_;
+  const HangingHair& hair_;
+  double apart_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> tip_;  ///< Per root of a set.
+  std::vector<bool> ends_;          ///< Per tip: the hair ends there.
+};
+
+/// The tips with most hair below them, longest first.
+std::vector<std::uint32_t> chosen_tips(const HairCells& cells, const HangingHair& hair,
+                                       const std::vector<std::uint32_t>& tip_of_cell, std::size_t most) {
+  std::vector<double> area(cells.count(), 0);
+  std::vector<std::uint32_t> tips;
+  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+    if (tip_of_cell[c] == kNoIndex) continue;
+    if (tip_of_cell[c] == c) tips.push_back(c);
+    area[tip_of_cell[c]] += cells.area[c] * hair.depth[c];
+  }
+  std::ranges::stable_sort(tips, std::greater<>{}, [&](std::uint32_t c) { return area[c]; });
+  if (tips.size() > most) tips.resize(most);
+  std::ranges::stable_sort(tips, std::greater<>{}, [&](std::uint32_t c) { return hair.depth[c]; });
+  return tips;
+}
+
+std::uint32_t nearest_tip(const HairCells& cells, const std::vector<std::uint32_t>& tips, std::uint32_t cell) {
+  std::uint32_t nearest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::uint32_t t = 0; t < tips.size(); ++t) {
+    const double distance = (cells.middle[tips[t]] - cells.middle[cell]).squaredNorm();
+    if (distance < least) nearest = t;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+HairTips find_hair_tips(const HairCells& cells, const HangingHair& hair, double apart, std::size_t most) {
+  Basins basins(cells, hair, apart);
+  const std::vector<std::uint32_t> order = by_depth(hair);
+  for (std::uint32_t c : order) basins.add(c);
+  std::vector<std::uint32_t> tip_of_cell(cells.count(), kNoIndex);
+  for (std::uint32_t c : order) tip_of_cell[c] = basins.tip_of(c);
+
+  HairTips tips;
+  tips.cell = chosen_tips(cells, hair, tip_of_cell, most);
+  std::vector<std::uint32_t> number(cells.count(), kNoIndex);
+  for (std::uint32_t t = 0; t < tips.cell.size(); ++t) number[tips.cell[t]] = t;
+  tips.of_cell.assign(cells.count(), kNoIndex);
+  for (std::uint32_t c : order) {
+    std::uint32_t& of_tip = number[tip_of_cell[c]];
+    if (of_tip == kNoIndex) of_tip = nearest_tip(cells, tips.cell, tip_of_cell[c]);
+    tips.of_cell[c] = of_tip;
+  }
+  return tips;
+}
+
+}  // namespace coif

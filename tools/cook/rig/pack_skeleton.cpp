@@ -1,0 +1,53 @@
+#include "cook/rig/colliders.h"
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+void store(const Eigen::Vector3d& value, float (&out)[3]) {
+  for (int k = 0; k < 3; ++k) out[k] = float(value[k]);
+}
+
+BoneRecord pack_bone(const SkeletonBone& bone, const Eigen::Vector3d& origin) {
+  BoneRecord record{};
+  record.parent = bone.parent;
+  record.kind = bone.kind;
+  record.chain = bone.chain;
+  store(bone.start - origin, record.joint);
+  if (bone.kind == BoneKind::kSimulated) {
+    record.length = float(bone.length());
+    store((bone.tail - bone.start).normalized(), record.rest_direction);
+  }
+  return record;
+}
+
+ColliderRecord pack_collider(const HeadCollider& collider, const Eigen::Vector3d& origin) {
+  ColliderRecord record{};
+  record.shape = collider.shape;
+  record.bone = collider.bone;
+  record.flags = collider.keeps_inside ? kColliderKeepsInside : 0;
+  store(collider.center - origin, record.center);
+  store(collider.radii, record.radii);
+  store(collider.axis, record.axis);
+  record.rotation[3] = 1.0f;
+  return record;
+}
+
+}  // namespace
+
+void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetContents& contents) {
+  const Eigen::Vector3d origin = skeleton.bones[0].start;
+  store(origin, contents.skeleton.head_joint);
+  const Eigen::Quaternionf rotation = skeleton.head_rotation.cast<float>();
+  std::copy_n(rotation.coeffs().data(), 4, contents.skeleton.head_rotation);  // Eigen keeps x, y, z, w
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    contents.bones.push_back(pack_bone(skeleton.bones[b], origin));
+    contents.bones.back().colliders = colliders.of_bone[b];
+    contents.bone_names.push_back(skeleton.bones[b].name);
+  }
+  contents.chains = skeleton.chains;
+  for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
+}
+
+}  // namespace coif

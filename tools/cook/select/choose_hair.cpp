@@ -1,0 +1,227 @@
+#include "base/text.h"
+#include "cook/select/hair_evidence.h"
+#include "cook/select/select_hair.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace coif {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe follows the head for the most part.
+constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have a touch of its bones only.
+constexpr double kMovedByEyes = 0.15;       ///< Of a piece's weight: then it is a lash or a brow.
+constexpr double kOnHead = 0.3;             ///< Of a transparent piece's weight: long hair reaches the shoulders.
+
+const SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
+  return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
+}
+
+std::string material_name(const SourceModel& source, const SourceMesh& mesh) {
+  const SourceMaterial* material = material_of(source, mesh);
+  return material ? material->name : "";
+}
+
+/// The file's own name of a texture, without the folders of the artist's machine.
+std::string texture_name(const SourceModel& source, const SourceMesh& mesh) {
+  const SourceMaterial* material = material_of(source, mesh);
+  if (!material) return "";
+  const SourceTexture& texture = material->base_texture;
+  const std::string& name = texture.image < source.images.size() ? source.images[texture.image].name : texture.path;
+  const std::size_t slash = name.find_last_of("/\\");
+  return slash == std::string::npos ? name : name.substr(slash + 1);
+}
+
+tl::unexpected<ToolError> bad_input(const SourceModel& source, const std::string& what) {
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, what)});
+}
+
+/// An error that names the first pattern without a match and what there is to match.
+tl::expected<void, ToolError> check_patterns(const SourceModel& source, const char* key, const Names& patterns,
+                                             const std::set<std::string>& names) {
+  for (const std::string& pattern : patterns) {
+    if (std::ranges::any_of(names, [&](const std::string& name) { return matches(name, pattern); })) continue;
+    return bad_input(source, fmt::format("recipe key \"hair.{}\": nothing is called '{}'; there are: {}", key, pattern,
+                                         fmt::join(names, ", ")));
+  }
+  return {};
+}
+
+tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, const Recipe& recipe) {
+  std::set<std::string> meshes, materials, nodes;
+  for (const SourceMesh& mesh : source.meshes) {
+    meshes.insert(mesh.name);
+    materials.insert(material_name(source, mesh));
+  }
+  for (const SourceNode& node : source.nodes) nodes.insert(node.name);
+  if (auto ok = check_patterns(source, "meshes", recipe.hair_meshes, meshes); !ok) return ok;
+  if (auto ok = check_patterns(source, "materials", recipe.hair_materials, materials); !ok) return ok;
+  return check_patterns(source, "bones", recipe.hair_bones, nodes);
+}
+
+/// Collects a choice mesh by mesh.
+class Chooser {
+ public:
+  Chooser(const SourceModel& source, const Recipe& recipe) : source_(source), recipe_(recipe) {
+    choice_.taken.resize(source.meshes.size());
+  }
+
+  [[nodiscard]] bool found() const { return found_ > 0; }
+
+  void take_mesh(std::uint32_t m, const std::string& why) {
+    const std::size_t count = source_.meshes[m].triangles.size() / 3;
+    choice_.taken[m].assign(count, true);
+    note(m, count, why);
+  }
+
+  /// Takes the pieces of mesh `m` for which `fits`.
+  void take_pieces(std::uint32_t m, const std::vector<bool>& bones, std::uint32_t head, const std::string& why,
+                   const std::function<bool(const PieceEvidence&)>& fits) {
+    const SourceMesh& mesh = source_.meshes[m];
+    const MeshPieces pieces = find_pieces(mesh, recipe_.patch_weld_distance);
+    const std::vector<PieceEvidence> evidence = weigh_pieces(source_, mesh, pieces, bones, head);
+    std::vector<bool> taken;
+    for (std::uint32_t piece : pieces.piece_of) taken.push_back(fits(evidence[piece]));
+    const auto count = std::size_t(std::ranges::count(taken, true));
+    if (count == 0) return;
+    choice_.taken[m] = std::move(taken);
+    note(m, count, why);
+  }
+
+  HairChoice finish() && {
+    for (std::uint32_t m = 0; m < source_.meshes.size(); ++m) {
+      const std::size_t count = source_.meshes[m].triangles.size() / 3;
+      const auto taken = std::size_t(std::ranges::count(choice_.taken[m], true));
+      if (taken == 0) {
+        choice_.left_out.push_back(
+            {fmt::format("mesh '{}' ({} triangles)", source_.meshes[m].name, count), "not hair"});
+      } else if (taken < count) {
+        choice_.left_out.push_back({fmt::format("mesh '{}', {} triangles", source_.meshes[m].name, count - taken),
+                                    "of pieces that are not hair"});
+      }
+    }
+    return std::move(choice_);
+  }
+
+  HairChoice& choice() { return choice_; }
+
+ private:
+  void note(std::uint32_t m, std::size_t triangles, const std::string& why) {
+    found_ += triangles;
+    choice_.reasons.push_back(
+        fmt::format("hair: mesh '{}' ({} triangles): {}", source_.meshes[m].name, triangles, why));
+  }
+
+  const SourceModel& source_;
+  const Recipe& recipe_;
+  HairChoice choice_;
+  std::size_t found_ = 0;
+};
+
+void choose_by_recipe(const SourceModel& source, const Recipe& recipe, Chooser& chooser) {
+  std::vector<bool> bones;
+  for (const SourceNode& node : source.nodes) bones.push_back(matches_any(node.name, recipe.hair_bones));
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    if (!recipe.hair_meshes.empty() && !matches_any(mesh.name, recipe.hair_meshes)) continue;
+    if (!recipe.hair_materials.empty() && !matches_any(material_name(source, mesh), recipe.hair_materials)) continue;
+    if (recipe.hair_bones.empty()) {
+      chooser.take_mesh(m, "the recipe names it");
+    } else {
+      chooser.take_pieces(m, bones, kNoIndex, "pieces that bones named in the recipe move",
+                          [](const PieceEvidence& piece) { return piece.largest_triangle_share > 0.5; });
+    }
+  }
+}
+
+/// Another part of the same mesh has a material called hair: then this part is what is worn in it.
+bool has_hair_beside(const SourceModel& source, const SourceMesh& mesh) {
+  return std::ranges::any_of(source.meshes, [&](const SourceMesh& other) {
+    return other.node == mesh.node && is_called_hair(material_name(source, other));
+  });
+}
+
+/// Why a mesh is hair by what it is called; empty where nothing says so.
+std::string named_hair(const SourceModel& source, const SourceMesh& mesh) {
+  const std::string material = material_name(source, mesh), texture = texture_name(source, mesh);
+  if (is_called_hair(material)) return fmt::format("its material is called '{}'", material);
+  if (is_called_adornment(material) || has_hair_beside(source, mesh)) return "";
+  if (is_called_hair(mesh.name)) return "its name says so";
+  if (!is_called_adornment(mesh.name) && is_called_hair(texture)) {
+    return fmt::format("its texture is called '{}'", texture);
+  }
+  return "";
+}
+
+void choose_by_name(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    const std::string why = named_hair(source, source.meshes[m]);
+    if (why.empty()) continue;
+    chooser.take_pieces(m, bones, head, why, [](const PieceEvidence& piece) { return piece.eye_bone_share < 0.5; });
+  }
+}
+
+void choose_by_bones(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head, Chooser& chooser) {
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    chooser.take_pieces(m, bones, head, "pieces that hair bones move", [](const PieceEvidence& piece) {
+      return piece.hair_bone_share >= kMovedByHairBones && piece.largest_hair_bone >= kSurelyMoved;
+    });
+  }
+}
+
+bool is_transparent(const SourceModel& source, const SourceMesh& mesh) {
+  const SourceMaterial* material = material_of(source, mesh);
+  if (!material) return false;
+  return material->alpha_use == AlphaUse::kBlend || material->alpha_use == AlphaUse::kMask ||
+         is_called_transparent(material->name) || is_called_transparent(texture_name(source, mesh));
+}
+
+void choose_by_transparency(const SourceModel& source, const std::vector<bool>& bones, std::uint32_t head,
+                            Chooser& chooser) {
+  if (head == kNoIndex) return;
+  const double neck = source.nodes[head].model_from_node.translation().y();
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    if (!is_transparent(source, source.meshes[m])) continue;
+    const bool rigid = source.meshes[m].influence_begin.empty();
+    chooser.take_pieces(m, bones, head, "transparent pieces on the head", [&](const PieceEvidence& piece) {
+      const bool on_head = rigid ? piece.height > neck : piece.head_share >= kOnHead;
+      return on_head && piece.eye_bone_share < kMovedByEyes;
+    });
+  }
+}
+
+void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
+  }
+  if (head == kNoIndex) return;  // A file without a body is a hairstyle.
+  chooser.choice().warnings.push_back(
+      "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
+      "name the hair by the recipe's \"hair\"");
+}
+
+}  // namespace
+
+tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const Recipe& recipe) {
+  if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
+  Chooser chooser(source, recipe);
+  if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty()) {
+    choose_by_recipe(source, recipe, chooser);
+    return std::move(chooser).finish();
+  }
+  const std::uint32_t head = guess_head_node(source);
+  const std::vector<bool> bones = find_hair_bones(source);
+  choose_by_name(source, bones, head, chooser);
+  if (!chooser.found()) choose_by_bones(source, bones, head, chooser);
+  if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
+  if (!chooser.found()) take_everything(source, head, chooser);
+  return std::move(chooser).finish();
+}
+
+}  // namespace coif

@@ -1,0 +1,159 @@
+#include "cook/select/hair_evidence.h"
+
+#include "base/text.h"
+#include "cook/select/head.h"
+
+#include <algorithm>
+#include <span>
+
+namespace coif {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const Names& hair_words() {
+  static const Names words{"*hair*",      "*fringe*",    "*bangs*", "*pony*tail*", "*pig*tail*",
+                           "*twin*tail*", "*side*tail*", "*braid*", "*tress*",     "*wig",
+                           "*wig_*",      "*ahoge*",     "*_kami*", "*kami_*",     "*haare*",
+                           "*cheveux*",   "*cabello*",   "*pelo_*", "*髪*",        "*волос*"};
+  return words;
+}
+
+/// Worn in hair, or spelt like it.
+const Names& other_words() {
+  static const Names words{"*hair*band*", "*hair*pin*", "*hair*clip*", "*hair*tie*",   "*hair*ribbon*",
+                           "*hair*acc*",  "*hair*cap*", "*chair*",     "*hair*bow*",   "*hair*net*",
+                           "*hair*orna*", "*hairless*", "*mohair*",    "*hair*brush*", "*hair*light*"};
+  return words;
+}
+
+bool is_called_eye(std::string_view name) {
+  static const Names words{"*eye*", "*lash*", "*brow*", "*blink*", "*lid*"};
+  return matches_any(name, words);
+}
+
+std::vector<bool> nodes_below(const SourceModel& source, std::uint32_t top) {
+  std::vector<bool> below(source.nodes.size(), top == kNoIndex);
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    const std::uint32_t parent = source.nodes[n].parent;
+    if (n == top || (parent != kNoIndex && below[parent])) below[n] = true;
+  }
+  return below;
+}
+
+std::vector<bool> nodes_of_meshes(const SourceModel& source) {
+  std::vector<bool> carries_mesh(source.nodes.size(), false);
+  for (const SourceMesh& mesh : source.meshes) carries_mesh[mesh.node] = true;
+  return carries_mesh;
+}
+
+/// Adds one vertex of the piece to its evidence; shares are sums until they are divided.
+/// Returns the vertex's share of hair bones.
+double add_vertex(const SourceModel& source, const SourceMesh& mesh, std::uint32_t v,
+                  const std::vector<bool>& hair_bones, const std::vector<bool>& of_head, PieceEvidence& piece) {
+  double hair = 0;
+  const auto add = [&](std::uint32_t node, double weight) {
+    if (hair_bones[node]) hair += weight;
+    if (is_called_eye(source.nodes[node].name)) piece.eye_bone_share += weight;
+    if (of_head[node]) piece.head_share += weight;
+  };
+  if (mesh.influence_begin.empty()) {
+    add(mesh.node, 1);
+  } else {
+    for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
+      add(mesh.influences[k].node, double(mesh.influences[k].weight));
+    }
+  }
+  piece.hair_bone_share += hair;
+  piece.largest_hair_bone = std::max(piece.largest_hair_bone, hair);
+  piece.height = std::max(piece.height, double(mesh.positions[v].y()));
+  return hair;
+}
+
+}  // namespace
+
+bool is_called_hair(std::string_view name) { return matches_any(name, hair_words()) && !is_called_adornment(name); }
+
+bool is_called_adornment(std::string_view name) { return matches_any(name, other_words()); }
+
+bool is_called_transparent(std::string_view name) {
+  static const Names words{"*opacity*", "*alpha*", "*transp*", "*blend_*", "*cutout*"};
+  return matches_any(name, words);
+}
+
+std::uint32_t guess_head_node(const SourceModel& source) {
+  if (source.head_node != kNoIndex) return source.head_node;
+  std::vector<std::size_t> below(source.nodes.size(), 1);
+  for (std::size_t n = source.nodes.size(); n-- > 0;) {
+    if (source.nodes[n].parent != kNoIndex) below[source.nodes[n].parent] += below[n];
+  }
+  const std::vector<bool> carries_mesh = nodes_of_meshes(source);
+  std::uint32_t head = kNoIndex;
+  // A mesh called head is none of the bones, unless the skeleton goes on below it.
+  for (const bool meshes_too : {false, true}) {
+    for (std::uint32_t n = 0; n < source.nodes.size() && (head == kNoIndex || !meshes_too); ++n) {
+      const bool is_bone = !carries_mesh[n] || (meshes_too && below[n] > 1);
+      if (!is_bone || !is_called_head(source.nodes[n].name)) continue;
+      if (head == kNoIndex || below[n] > below[head]) head = n;
+    }
+  }
+  return head;
+}
+
+std::vector<bool> find_hair_bones(const SourceModel& source) {
+  const std::vector<bool> below_head = nodes_below(source, guess_head_node(source));
+  const std::vector<bool> carries_mesh = nodes_of_meshes(source);
+  std::vector<bool> hair(source.nodes.size(), false);
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    hair[n] = below_head[n] && !carries_mesh[n] && is_called_hair(source.nodes[n].name);
+  }
+  for (const SourceSpring& spring : source.springs) {
+    for (const SourceSpringJoint& joint : spring.joints) {
+      if (below_head[joint.node]) hair[joint.node] = true;
+    }
+  }
+  return hair;
+}
+
+std::vector<bool> find_carriers(const SourceModel& source) {
+  static const Names face{"*eye*",   "*lid*",    "*brow*",  "*blink*",   "*lash*",  "*jaw*",      "*lip*",
+                          "*mouth*", "*tongue*", "*nose*",  "*cheek*",   "*chin*",  "*masseter*", "*ear",
+                          "*ear.?",  "*ear_?",   "*teeth*", "*caninus*", "*facial*"};
+  const std::vector<bool> hair = find_hair_bones(source);
+  const bool has_hair_bones = std::ranges::count(hair, true) > 0;
+  std::vector<bool> carries = hair;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    const std::uint32_t parent = source.nodes[n].parent;
+    if (parent != kNoIndex && hair[n] == false && carries[parent] && has_hair_bones) carries[n] = true;
+    if (!has_hair_bones) carries[n] = !matches_any(source.nodes[n].name, face);
+  }
+  for (std::size_t n = source.nodes.size(); n-- > 0;) {
+    if (carries[n] && has_hair_bones && source.nodes[n].parent != kNoIndex) carries[source.nodes[n].parent] = true;
+  }
+  return carries;
+}
+
+std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceMesh& mesh, const MeshPieces& pieces,
+                                        const std::vector<bool>& hair_bones, std::uint32_t head_node) {
+  std::vector<PieceEvidence> evidence(pieces.count);
+  for (PieceEvidence& piece : evidence) piece.height = -1.0e30;
+  const std::vector<bool> of_head = nodes_below(source, head_node);
+  for (std::size_t t = 0; t < pieces.piece_of.size(); ++t) {
+    PieceEvidence& piece = evidence[pieces.piece_of[t]];
+    ++piece.triangles;
+    double hair = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      hair += add_vertex(source, mesh, mesh.triangles[3 * t + k], hair_bones, of_head, piece);
+    }
+    piece.largest_triangle_share = std::max(piece.largest_triangle_share, hair / 3);
+  }
+  for (PieceEvidence& piece : evidence) {
+    const double corners = 3 * double(piece.triangles);
+    piece.hair_bone_share /= corners;
+    piece.eye_bone_share /= corners;
+    piece.head_share /= corners;
+  }
+  return evidence;
+}
+
+}  // namespace coif

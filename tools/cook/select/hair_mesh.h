@@ -1,0 +1,51 @@
+#pragma once
+
+// The hair alone, cut out of its source: what the passes of the cooker hand on.
+
+#include "import/source_model.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// One triangle mesh, model space, metres. Per-vertex arrays have the size of `positions`, or are empty.
+struct HairMesh {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector2f> uvs;
+  std::vector<std::uint32_t> influence_begin;   ///< positions.size() + 1 entries.
+  std::vector<SourceInfluence> influences;      ///< Nodes of the source; each vertex's weights add up to one.
+  std::vector<std::uint32_t> triangles;         ///< Three vertices each.
+  std::vector<std::uint32_t> mesh_of_triangle;  ///< Source mesh that each triangle comes from.
+  bool double_sided = false;                    ///< Both sides of every triangle are hair.
+  std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
+
+  [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
+  /// Appends a vertex equal to `vertex`.
+  void append_copy(std::uint32_t vertex) {
+    positions.push_back(Eigen::Vector3f(positions[vertex]));
+    if (!normals.empty()) normals.push_back(Eigen::Vector3f(normals[vertex]));
+    if (!uvs.empty()) uvs.push_back(Eigen::Vector2f(uvs[vertex]));
+    for (std::uint32_t k = influence_begin[vertex]; k < influence_begin[vertex + 1]; ++k) {
+      influences.push_back(SourceInfluence(influences[k]));
+    }
+    influence_begin.push_back(std::uint32_t(influences.size()));
+  }
+
+  [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {
+    return std::span(influences)
+        .subspan(influence_begin[vertex], influence_begin[vertex + 1] - influence_begin[vertex]);
+  }
+};
+
+/// Which triangles belong together. `patch_of[t]` for each triangle, numbered by first appearance.
+struct PatchSet {
+  std::vector<std::uint32_t> patch_of;
+  std::uint32_t count = 0;
+};
+
+}  // namespace coif

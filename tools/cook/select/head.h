@@ -1,0 +1,64 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "cook/recipe/recipe.h"
+#include "cook/select/hair_mesh.h"
+
+#include <Eigen/Core>
+#include <tl/expected.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Where the head bone is in the rest pose, model space.
+struct HeadBone {
+  std::uint32_t node = kNoIndex;  ///< Of the source; kNoIndex where the hair follows no node.
+  std::string name = "head";
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();               ///< Metres.
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
+};
+
+/// "Head", "mixamorig:Head", "J_Bip_C_Head", "Bip01 Head"; not its end marker or what is worn on it.
+[[nodiscard]] bool is_called_head(const std::string& name);
+
+/// Total skin weight of the hair on each node of the source.
+using NodeWeights = std::vector<double>;
+
+[[nodiscard]] NodeWeights hair_weights(const SourceModel& source, const HairMesh& hair);
+
+/// The head bone: the node called `pattern`; without one the head that the file itself declares; without that the node
+/// called head that carries, with all nodes below it, most of the hair's weight; failing that the lowest node above all
+/// of the hair, unless it only is the node of a mesh far from it. Without any its joint is the middle of the hair. Error
+/// (kBadInput): nothing is called `pattern`.
+tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, const HairMesh& hair,
+                                                 const std::string& pattern);
+
+/// Weight on a node and everything below it.
+[[nodiscard]] NodeWeights weights_below(const SourceModel& source, const NodeWeights& weights);
+
+/// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
+/// and unless there are better colliders hair stays out of it.
+struct FittedHead {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Model space, metres.
+  Eigen::Vector3d radii = Eigen::Vector3d::Zero();   ///< Semi-axes along the model's axes, > 0.
+  std::string origin;                                ///< Where it comes from, for the report.
+  bool declared = false;                             ///< By the recipe: not to be shrunk.
+
+  /// Distance of a point from the surface, metres, negative inside; exact on spheres, else along the ray to the centre.
+  [[nodiscard]] double distance(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d from = point - center;
+    const double scaled = from.cwiseQuotient(radii).norm();
+    return scaled > 0 ? from.norm() * (1 - 1 / scaled) : -radii.minCoeff();
+  }
+};
+
+/// As the recipe declares it, else the box of the vertices outside `hair_meshes` that follow the head bone, else the
+/// inside of the hair.
+[[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair,
+                                  std::span<const std::uint32_t> hair_meshes, const HeadBone& head_bone,
+                                  const Recipe& recipe);
+
+}  // namespace coif

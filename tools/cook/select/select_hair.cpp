@@ -1,0 +1,147 @@
+#include "cook/select/select_hair.h"
+
+#include "cook/select/mesh_topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);  ///< Of an asset's indices.
+
+bool is_degenerate(const SourceMesh& mesh, std::size_t t) {
+  const Eigen::Vector3f a = mesh.positions[mesh.triangles[t]];
+  const Eigen::Vector3f edge1 = mesh.positions[mesh.triangles[t + 1]] - a;
+  const Eigen::Vector3f edge2 = mesh.positions[mesh.triangles[t + 2]] - a;
+  return edge1.cross(edge2).squaredNorm() <= 1.0e-20f;
+}
+
+/// Appends all vertices of `mesh`; attributes that only some meshes have are filled with zeros and mended later.
+void append_vertices(const SourceMesh& mesh, bool with_normals, bool with_uvs, HairMesh& out) {
+  const std::size_t count = mesh.positions.size();
+  out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  if (with_normals) {
+    if (mesh.normals.empty()) out.normals.resize(out.normals.size() + count, Eigen::Vector3f::Zero());
+    out.normals.insert(out.normals.end(), mesh.normals.begin(), mesh.normals.end());
+  }
+  if (with_uvs) {
+    if (mesh.uvs.empty()) out.uvs.resize(out.uvs.size() + count, Eigen::Vector2f::Zero());
+    out.uvs.insert(out.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+  }
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (mesh.influence_begin.empty()) {
+      out.influences.push_back({mesh.node, 1.0f});
+    } else {
+      out.influences.insert(out.influences.end(), mesh.influences.begin() + mesh.influence_begin[v],
+                            mesh.influences.begin() + mesh.influence_begin[v + 1]);
+    }
+    out.influence_begin.push_back(std::uint32_t(out.influences.size()));
+  }
+}
+
+struct TakenTriangles {
+  std::size_t taken = 0;
+  std::size_t degenerate = 0;
+};
+
+TakenTriangles append_triangles(const SourceModel& source, std::uint32_t m, const HairChoice& choice,
+                                std::uint32_t base, HairMesh& out) {
+  const SourceMesh& mesh = source.meshes[m];
+  TakenTriangles result;
+  for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
+    if (!choice.takes(m, t)) continue;
+    if (is_degenerate(mesh, 3 * t)) {
+      ++result.degenerate;
+      continue;
+    }
+    ++result.taken;
+    out.mesh_of_triangle.push_back(m);
+    for (std::size_t k = 0; k < 3; ++k) out.triangles.push_back(base + mesh.triangles[3 * t + k]);
+  }
+  return result;
+}
+
+/// The material with most of the triangles taken.
+std::uint32_t main_material(const SourceModel& source, std::span<const std::size_t> taken) {
+  std::vector<std::size_t> triangles(source.materials.size(), 0);
+  for (std::size_t m = 0; m < taken.size(); ++m) {
+    if (source.meshes[m].material < triangles.size()) triangles[source.meshes[m].material] += taken[m];
+  }
+  const auto most = std::ranges::max_element(triangles);
+  return most == triangles.end() || *most == 0 ? kNoIndex : std::uint32_t(most - triangles.begin());
+}
+
+struct Gathered {
+  std::vector<std::size_t> taken;  ///< Triangles per source mesh.
+  std::size_t degenerate = 0;
+};
+
+/// Joins the chosen triangles into result.mesh.
+Gathered gather(const SourceModel& source, const HairChoice& choice, SelectedHair& result) {
+  const auto any = [&](auto has) {
+    for (std::size_t m = 0; m < source.meshes.size(); ++m) {
+      if (!choice.taken[m].empty() && has(source.meshes[m])) return true;
+    }
+    return false;
+  };
+  const bool with_normals = any([](const SourceMesh& m) { return !m.normals.empty(); });
+  const bool with_uvs = any([](const SourceMesh& m) { return !m.uvs.empty(); });
+  Gathered gathered;
+  gathered.taken.assign(source.meshes.size(), 0);
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    if (choice.taken[m].empty()) continue;
+    const auto base = std::uint32_t(result.mesh.positions.size());
+    append_vertices(source.meshes[m], with_normals, with_uvs, result.mesh);
+    const TakenTriangles counts = append_triangles(source, m, choice, base, result.mesh);
+    gathered.taken[m] = counts.taken;
+    gathered.degenerate += counts.degenerate;
+    if (counts.taken > 0) result.meshes.push_back(m);
+    if (counts.degenerate == 0) continue;
+    result.left_out.push_back(
+        {fmt::format("mesh '{}', {} triangles", source.meshes[m].name, counts.degenerate), "without area"});
+  }
+  return gathered;
+}
+
+void merge_faces(const Recipe& recipe, SelectedHair& result) {
+  const std::vector<std::uint32_t> place = weld_places(result.mesh.positions, recipe.patch_weld_distance);
+  const MergedFaces merged = merge_back_faces(result.mesh, place);
+  if (merged.back_faces > 0) {
+    result.left_out.push_back({fmt::format("{} triangles that only were the back of others", merged.back_faces),
+                               "the hair is drawn double-sided", merged.back_faces * kTriangleBytes});
+  }
+  if (merged.copies > 0) {
+    result.left_out.push_back(
+        {fmt::format("{} triangles", merged.copies), "there twice", merged.copies * kTriangleBytes});
+  }
+  if (!is_closed(result.mesh, place)) result.mesh.double_sided = true;
+}
+
+}  // namespace
+
+tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, const Recipe& recipe) {
+  auto choice = choose_hair(source, recipe);
+  if (!choice) return tl::unexpected(choice.error());
+  SelectedHair result;
+  result.notes = std::move(choice->reasons);
+  result.left_out = std::move(choice->left_out);
+  result.warnings = std::move(choice->warnings);
+  result.mesh.influence_begin.push_back(0);
+  const Gathered gathered = gather(source, *choice, result);
+  if (result.mesh.triangles.empty()) {
+    const std::string why =
+        gathered.degenerate > 0
+            ? fmt::format("all {} triangles are without area; scale the model up or export it again",
+                          gathered.degenerate)
+            : "no hair triangles; choose them by the recipe's \"hair\"";
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, why)});
+  }
+  result.mesh.material = main_material(source, gathered.taken);
+  merge_faces(recipe, result);
+  weld_vertices(result.mesh);
+  return result;
+}
+
+}  // namespace coif

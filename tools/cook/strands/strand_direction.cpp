@@ -1,0 +1,224 @@
+#include "cook/strands/strand_direction.h"
+
+#include "base/parallel_for.h"
+#include "cook/strands/strand_evidence.h"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
+constexpr float kLongerWeight = 0.7f;     ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
+constexpr float kClearEnds = 3.0f;        ///< More evidence at the ends counts no more for the axis.
+constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
+constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
+constexpr int kRounds = 16;
+constexpr double kBeside = 0.15;  ///< Patches nearer than this share of the head's radius are beside each other.
+constexpr float kUnsure = 0.2f;   ///< Of a belief: told in the report.
+constexpr float kConsensusWeight = 1.0f;  ///< What it counts where the others have their roots.
+
+struct PatchStrands {
+  float preference = 0;  ///< texture_preference().
+  float area = 0;
+  StrandAxis axis;
+  RootEvidence evidence;
+};
+
+/// What a recipe says about all patches that have texture coordinates.
+struct DeclaredRoot {
+  int texture_axis = -1;  ///< -1: nothing.
+  bool at_high_end = false;
+};
+
+DeclaredRoot declared_root(const std::string& root) {
+  if (root == "auto") return {};
+  return {root.ends_with("_v") ? 1 : 0, root.starts_with("high")};
+}
+
+float total_area(const HairMesh& mesh, const PatchView& view) {
+  float sum = 0;
+  for (std::size_t t : view.triangles) sum += doubled_area(mesh, t);
+  return sum;
+}
+
+/// The texture axis of most of the area, by the patches that are clearly longer along one.
+int common_texture_axis(std::span<const PatchStrands> patches) {
+  float sum = 0;
+  for (const PatchStrands& patch : patches) {
+    if (std::abs(patch.preference) > kLonger) sum += patch.area * (patch.preference > 0 ? 1.0f : -1.0f);
+  }
+  return sum >= 0 ? 1 : 0;
+}
+
+/// Along which texture axis the strands run: the one the patch is longer along, whose ends differ more as roots and tips
+/// do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
+void choose_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view,
+                 const FittedHead& head, std::span<const float> depth_of_node, int common, PatchStrands& patch) {
+  const bool textured = patch.preference != 0;
+  float best = -10;
+  for (int candidate = textured ? 0 : -1; candidate < (textured ? 2 : 0); ++candidate) {
+    StrandAxis axis = strand_axis(mesh, place, view, candidate);
+    const RootEvidence evidence = weigh_ends(mesh, view, axis, head, depth_of_node);
+    const float longer = candidate == 1 ? patch.preference : -patch.preference;
+    const float ends = std::min(std::abs(evidence.sum()), kClearEnds);
+    const float score = kLongerWeight * longer + ends + (candidate == common ? kCommonAxis : 0.0f);
+    if (score <= best) continue;
+    best = score;
+    patch.axis = std::move(axis);
+    patch.evidence = evidence;
+  }
+}
+
+/// Where the sure patches have their roots in the texture, per axis: -1 at the high end .. 1 at the low end.
+std::array<float, 2> root_consensus(std::span<const PatchStrands> patches) {
+  std::array<float, 2> sum{0, 0}, area{0, 0};
+  for (const PatchStrands& patch : patches) {
+    if (patch.axis.texture_axis < 0 || std::abs(patch.evidence.sum()) < kSure) continue;
+    const auto axis = std::size_t(patch.axis.texture_axis);
+    sum[axis] += patch.area * (patch.evidence.sum() > 0 ? 1.0f : -1.0f);
+    area[axis] += patch.area;
+  }
+  for (std::size_t k = 0; k < 2; ++k) sum[k] = area[k] > 0 ? sum[k] / area[k] : 0;
+  return sum;
+}
+
+/// What a patch says itself and the texture of the others says about it.
+std::vector<float> own_scores(std::span<const PatchStrands> patches) {
+  const std::array<float, 2> consensus = root_consensus(patches);
+  std::vector<float> scores;
+  for (const PatchStrands& patch : patches) {
+    const int axis = patch.axis.texture_axis;
+    scores.push_back(patch.evidence.sum() + (axis < 0 ? 0 : kConsensusWeight * consensus[std::size_t(axis)]));
+  }
+  return scores;
+}
+
+/// Belief of each patch that its low end is the root, -1..1: its own evidence and that of the patches beside it, since
+/// hair combed one way runs one way. Mean-field iteration; few rounds carry a belief across a head.
+std::vector<float> settle_beliefs(std::span<const float> scores,
+                                  const std::vector<std::vector<Neighbour>>& neighbours) {
+  std::vector<float> belief(scores.size()), next(scores.size());
+  for (std::size_t p = 0; p < scores.size(); ++p) belief[p] = std::tanh(scores[p]);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t p = 0; p < scores.size(); ++p) {
+      float sum = scores[p];
+      for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
+      next[p] = std::tanh(sum);
+    }
+    belief.swap(next);
+  }
+  return belief;
+}
+
+/// Where the strands run on the whole: from the middle of its first half to that of its second.
+Vector3f overall_direction(const HairMesh& mesh, const PatchView& view, std::span<const float> place) {
+  Vector3f sum = Vector3f::Zero(), mean = Vector3f::Zero();
+  for (std::uint32_t v : view.vertices) mean += mesh.positions[v] / float(view.vertices.size());
+  for (std::uint32_t v : view.vertices) sum += (mesh.positions[v] - mean) * (place[v] - 0.5f);
+  return sum.norm() > 0 ? Vector3f(sum.normalized()) : Vector3f(0, -1, 0);
+}
+
+/// Tangents of one patch from StrandField::place.
+void write_tangents(const HairMesh& mesh, const PatchView& view, int texture_axis, StrandField& field) {
+  for (std::size_t t : view.triangles) {
+    // Along the texture's own axis where there is one: painted strands are parallel to it even where it is sheared.
+    const Vector3f along =
+        texture_axis >= 0 ? texture_axes(mesh, t)[std::size_t(texture_axis)] : gradient(mesh, t, field.place);
+    if (!(along.norm() > 0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      field.tangent[mesh.triangles[t + k]] += along.normalized() * doubled_area(mesh, t);
+    }
+  }
+  const Vector3f fallback = overall_direction(mesh, view, field.place);
+  for (std::uint32_t v : view.vertices) {
+    const Vector3f& normal = mesh.normals[v];
+    Vector3f tangent = field.tangent[v].isZero() ? fallback : Vector3f(field.tangent[v].normalized());
+    tangent -= normal * normal.dot(tangent);
+    field.tangent[v] = tangent.norm() > 1.0e-4f ? Vector3f(tangent.normalized()) : Vector3f(normal.unitOrthogonal());
+  }
+}
+
+/// As if every low end were the root.
+void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& axis, StrandField& field) {
+  for (std::size_t i = 0; i < view.vertices.size(); ++i) field.place[view.vertices[i]] = axis.coordinate[i];
+  write_tangents(mesh, view, axis.texture_axis, field);
+}
+
+Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tangents) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto weight = double(doubled_area(mesh, i / 3 * 3));
+    sum += weight * tangents[mesh.triangles[i]].cast<double>();
+    area += weight;
+  }
+  return area > 0 ? Eigen::Vector3d(sum / area) : sum;
+}
+
+void turn_round(const PatchView& view, StrandField& field) {
+  for (std::uint32_t v : view.vertices) {
+    field.place[v] = 1 - field.place[v];
+    field.tangent[v] = -field.tangent[v];
+  }
+}
+
+}  // namespace
+
+StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
+                                  const FittedHead& head, const StrandSettings& settings) {
+  const DeclaredRoot declared = declared_root(settings.root);
+  StrandField field;
+  field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
+  field.place.assign(mesh.positions.size(), 0.0f);
+  const std::vector<PatchView> views = view_patches(mesh, patches);
+  std::vector<PatchStrands> strands(views.size());
+  parallel_for(views.size(), settings.threads, [&](std::size_t p) {
+    strands[p].area = total_area(mesh, views[p]);
+    strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
+  });
+  const int common = common_texture_axis(strands);
+  parallel_for(views.size(), settings.threads, [&](std::size_t p) {
+    if (declared.texture_axis >= 0 && strands[p].preference != 0) {
+      strands[p].axis = strand_axis(mesh, place, views[p], declared.texture_axis);
+    } else {
+      choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
+    }
+  });
+  parallel_for(views.size(), settings.threads,
+               [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
+  const std::vector<float> belief =
+      settle_beliefs(own_scores(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
+  std::size_t sure = 0, unsure = 0;
+  for (std::size_t p = 0; p < views.size(); ++p) {
+    const bool by_recipe = declared.texture_axis >= 0 && strands[p].axis.texture_axis >= 0;
+    if (by_recipe ? declared.at_high_end : belief[p] < 0) turn_round(views[p], field);
+    sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
+    unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
+  }
+  field.mean = mean_tangent(mesh, field.tangent);
+  field.along_u = (declared.texture_axis < 0 ? common : declared.texture_axis) == 0 && !mesh.uvs.empty();
+  field.reason =
+      fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,
+                  views.size(), unsure);
+  return field;
+}
+
+std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node) {
+  std::vector<float> depth(source.nodes.size(), -1.0f);
+  if (head_node != kNoIndex) depth[head_node] = 0;
+  for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
+    const std::uint32_t parent = source.nodes[n].parent;
+    if (n != head_node && parent != kNoIndex && depth[parent] >= 0) depth[n] = depth[parent] + 1;
+  }
+  for (float& d : depth) d = std::max(d, 0.0f);
+  return depth;
+}
+
+}  // namespace coif

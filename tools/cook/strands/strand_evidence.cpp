@@ -1,0 +1,161 @@
+#include "cook/strands/strand_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kSamples = 64;  ///< Vertices looked at per patch.
+constexpr std::size_t kPerCell = 16;  ///< Samples kept per cell: beyond, hair is so dense that more say the same.
+constexpr float kParallel = 0.6f;     ///< Cosine from which two tangents can be compared.
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct Sample {
+  std::uint32_t vertex = 0;
+  std::uint32_t patch = 0;
+};
+
+Cell cell_of(const Eigen::Vector3f& p, double size) {
+  Cell cell;
+  // Far outside of anything sensible all is one cell, rather than overflow.
+  constexpr double kFarthest = 1.0e15;
+  for (int k = 0; k < 3; ++k) {
+    cell[std::size_t(k)] = std::int64_t(std::clamp(std::floor(double(p[k]) / size), -kFarthest, kFarthest));
+  }
+  return cell;
+}
+
+std::vector<Sample> take_samples(const std::vector<PatchView>& views) {
+  std::vector<Sample> samples;
+  for (std::uint32_t p = 0; p < views.size(); ++p) {
+    const std::size_t count = views[p].vertices.size(), step = std::max<std::size_t>(1, count / kSamples);
+    for (std::size_t i = 0; i < count; i += step) samples.push_back({views[p].vertices[i], p});
+  }
+  return samples;
+}
+
+using Grid = std::map<Cell, std::vector<Sample>>;
+
+Grid fill_grid(const HairMesh& mesh, const std::vector<Sample>& samples, double size) {
+  Grid grid;
+  for (const Sample& sample : samples) {
+    auto& cell = grid[cell_of(mesh.positions[sample.vertex], size)];
+    if (cell.size() < kPerCell) cell.push_back(sample);
+  }
+  return grid;
+}
+
+template <typename Visit>
+void for_each_near(const Grid& grid, const Cell& home, const Visit& visit) {
+  for (int n = 0; n < 27; ++n) {
+    const auto found = grid.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
+    if (found == grid.end()) continue;
+    for (const Sample& sample : found->second) visit(sample);
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                                    std::span<const Eigen::Vector3f> tangents, double reach) {
+  const std::vector<Sample> samples = take_samples(views);
+  const Grid grid = fill_grid(mesh, samples, reach);
+  std::vector<std::vector<Neighbour>> neighbours(views.size());
+  std::vector<float> sum(views.size(), 0.0f);
+  std::vector<std::uint32_t> met;
+  float total = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& sample = samples[i];
+    const Eigen::Vector3f& at = mesh.positions[sample.vertex];
+    for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
+      if (other.patch == sample.patch || (mesh.positions[other.vertex] - at).norm() > float(reach)) return;
+      const float cosine = tangents[sample.vertex].dot(tangents[other.vertex]);
+      if (std::abs(cosine) < kParallel) return;
+      met.push_back(other.patch);
+      sum[other.patch] += cosine;
+      total += std::abs(cosine);
+    });
+    if (i + 1 < samples.size() && samples[i + 1].patch == sample.patch) continue;
+    std::ranges::sort(met);
+    met.erase(std::ranges::unique(met).begin(), met.end());
+    for (std::uint32_t patch : met) {
+      neighbours[sample.patch].push_back({patch, sum[patch] / total});
+      sum[patch] = 0;
+    }
+    met.clear();
+    total = 0;
+  }
+  return neighbours;
+}
+
+namespace {
+
+constexpr float kEnd = 0.25f;  ///< Share of the patch at each end that is looked at.
+
+struct End {
+  double distance = 0, depth = 0, height = 0;
+  double count = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
+
+  void add(const Eigen::Vector3d& p, const FittedHead& head, double depth_here) {
+    distance += head.distance(p);
+    depth += depth_here;
+    height += p.y();
+    sum += p;
+    squares += p.cwiseAbs2();
+    count += 1;
+  }
+
+  void finish() {
+    const double n = std::max(count, 1.0);
+    distance /= n;
+    depth /= n;
+    height /= n;
+    sum /= n;
+    squares /= n;
+  }
+
+  /// Root mean square distance from the end's middle.
+  [[nodiscard]] double spread() const { return std::sqrt(std::max(0.0, (squares - sum.cwiseAbs2()).sum())); }
+};
+
+float depth_of(const HairMesh& mesh, std::uint32_t v, std::span<const float> depth_of_node) {
+  float depth = 0;
+  for (const SourceInfluence& influence : mesh.influences_of(v)) {
+    depth += influence.weight * depth_of_node[influence.node];
+  }
+  return depth;
+}
+
+float limited(double value) { return float(std::clamp(value, -1.0, 1.0)); }
+
+}  // namespace
+
+RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, const FittedHead& head,
+                        std::span<const float> depth_of_node) {
+  End low, high;
+  for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
+    const float at = axis.coordinate[i];
+    if (at > kEnd && at < 1 - kEnd) continue;
+    const std::uint32_t v = patch.vertices[i];
+    (at <= kEnd ? low : high).add(mesh.positions[v].cast<double>(), head, double(depth_of(mesh, v, depth_of_node)));
+  }
+  low.finish();
+  high.finish();
+  const double size = head.radii.mean();
+  RootEvidence evidence;
+  // Half a radius apart there is no doubt. Where both ends lie on the skull the difference says more about the skull's
+  // shape, which is only roughly known, than about the hair.
+  const double away = std::clamp(std::max(high.distance, low.distance) / (0.5 * size), 0.0, 1.0);
+  evidence.distance = limited(away * (high.distance - low.distance) / (0.5 * size));
+  evidence.bones = limited(high.depth - low.depth);
+  evidence.height = limited((low.height - high.height) / size);
+  evidence.taper = limited((low.spread() - high.spread()) / std::max(low.spread() + high.spread(), 1.0e-9));
+  return evidence;
+}
+
+}  // namespace coif

@@ -1,0 +1,216 @@
+#include "cook/texture/alpha.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace coif {
+namespace {
+
+constexpr double kLargestFactor = 4;     ///< Of that at which the faintest solid texel just passes.
+constexpr double kCloseEnough = 1.0e-3;  ///< Of the figure that is wanted.
+constexpr int kSearchSteps = 10;         ///< Of a factor: to a 1000th of its range, less than a step of alpha.
+constexpr int kSearchRounds = 2;         ///< Both factors act on both figures, one mostly on each.
+
+/// Twelve bits that no pattern of a texture follows.
+std::uint32_t chance(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t h = x * 0x9E3779B1u ^ (y + 0x7F4A7C15u) * 0x85EBCA77u;
+  h = (h ^ h >> 15) * 0x2C1B3C6Du;
+  return (h ^ h >> 13) >> 20;
+}
+
+/// Which texel is more opaque than which: by alpha, then by the alpha around it, then by chance.
+std::vector<std::uint32_t> ranks(const Image& mip) {
+  const std::uint32_t width = mip.width, height = mip.height;
+  std::vector<std::uint32_t> result;
+  result.reserve(mip.texel_count());
+  const auto alpha = [&](std::uint32_t x, std::uint32_t y) {
+    return std::uint32_t(mip.texels[4 * (std::size_t(y) * width + x) + 3]);
+  };
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::uint32_t up = (y + height - 1) % height, down = (y + 1) % height;
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const std::uint32_t left = (x + width - 1) % width, right = (x + 1) % width;
+      const std::uint32_t around = alpha(left, y) + alpha(right, y) + alpha(x, up) + alpha(x, down);
+      result.push_back(alpha(x, y) << 24 | around << 12 | chance(x, y));
+    }
+  }
+  return result;
+}
+
+/// The rank from which on texels are to be solid, so that they hold as near to `share` of the used surface as can be.
+std::uint32_t solid_from(const std::vector<std::uint32_t>& rank, const Image& used, double share) {
+  struct Texel {
+    std::uint32_t rank;
+    std::uint8_t weight;
+  };
+  std::vector<Texel> texels;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < rank.size(); ++i) {
+    all += used.texels[i];
+    // Nothing can be seen where there is no alpha at all.
+    if (used.texels[i] != 0 && rank[i] >> 24 != 0) texels.push_back({rank[i], used.texels[i]});
+  }
+  std::ranges::sort(texels, [](const Texel& a, const Texel& b) { return a.rank > b.rank; });
+  const double wanted = share * double(all);
+  double held = 0;
+  std::uint32_t from = ~std::uint32_t{0};  // no texel has as much: four neighbours fill ten bits of twelve
+  for (const Texel& texel : texels) {
+    if (held + 0.5 * texel.weight > wanted) break;
+    held += texel.weight;
+    from = texel.rank;
+  }
+  return from;
+}
+
+/// One mip on the way to its coverage.
+class MipAlpha {
+ public:
+  MipAlpha(Image& mip, const Image& used, const AlphaThresholds& thresholds, double solid_share)
+      : mip_(mip),
+        used_(used),
+        thresholds_(thresholds),
+        rank_(ranks(mip)),
+        from_(solid_from(rank_, used, solid_share)) {
+    const std::uint32_t largest = *std::ranges::max_element(rank_) >> 24;
+    const double at_edge = double(std::max(std::min(from_ >> 24, largest), 1u));
+    solid_factor_ = blend_factor_ = least() / at_edge;
+    largest_factor_ = std::max(kLargestFactor * least(), 255.0) / at_edge;
+  }
+
+  /// Contrast of the solid texels decides how many samples between texels are solid, that of the others what is
+  /// hidden in all.
+  void approach(const AlphaCoverage& wanted) {
+    const bool blends = least_passing(thresholds_.discard) < least_passing(thresholds_.opaque);
+    for (int round = 0; round < kSearchRounds; ++round) {
+      search(solid_factor_, wanted.seen_opaque, &AlphaCoverage::seen_opaque);
+      if (blends) search(blend_factor_, wanted.opacity, &AlphaCoverage::opacity);
+    }
+    apply();
+  }
+
+ private:
+  [[nodiscard]] int least() const { return std::min(least_passing(thresholds_.opaque), 255); }
+
+  void search(double& factor, double wanted, double AlphaCoverage::*figure) {
+    double low = 0, high = largest_factor_;
+    for (int step = 0; step <= kSearchSteps; ++step) {
+      apply();
+      const double found = alpha_coverage(mip_, used_, thresholds_).*figure;
+      if (std::abs(found - wanted) < kCloseEnough * wanted) return;
+      (found < wanted ? low : high) = factor;
+      factor = 0.5 * (low + high);
+    }
+  }
+
+  void apply() {
+    for (std::size_t i = 0; i < rank_.size(); ++i) {
+      const double alpha = double(rank_[i] >> 24);
+      const bool solid = rank_[i] >= from_;
+      const double scaled = std::floor(alpha * (solid ? solid_factor_ : blend_factor_) + 0.5);
+      mip_.texels[4 * i + 3] =
+          std::uint8_t(solid ? std::clamp<double>(scaled, least(), 255) : std::min<double>(scaled, least() - 1));
+    }
+  }
+
+  Image& mip_;
+  const Image& used_;
+  AlphaThresholds thresholds_;
+  std::vector<std::uint32_t> rank_;
+  std::uint32_t from_;
+  double solid_factor_ = 1, blend_factor_ = 1, largest_factor_ = 1;
+};
+
+}  // namespace
+
+void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, const AlphaThresholds& thresholds) {
+  if (least_passing(thresholds.opaque) == 0) return;
+  const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);
+  if (wanted.opacity <= 0) return;
+  for (std::size_t level = 1; level < mips.size(); ++level) {
+    MipAlpha(mips[level], used[level], thresholds, wanted.opaque).approach(wanted);
+  }
+}
+
+namespace {
+
+const TextureRecord* find_base_color(const AssetContents& contents) {
+  const auto found = std::ranges::find(contents.textures, TextureRole::kBaseColor, &TextureRecord::role);
+  return found == contents.textures.end() ? nullptr : &*found;
+}
+
+/// With fewer texels one more or less is too much of a step to ask for.
+constexpr double kJudgedTexels = 64;
+constexpr double kMostOff = 0.05;  ///< Of what the largest mip covers.
+
+double used_count(const Image& used) {
+  return double(std::accumulate(used.texels.begin(), used.texels.end(), std::uint64_t{0})) / 255;
+}
+
+/// How far a mip is off: of the wanted figure, but nothing for what half a texel changes.
+double share_off(double found, double wanted, double texels) {
+  const double off = std::abs(found - wanted);
+  return off <= 0.5 / texels ? 0 : off / std::max(wanted, 1 / texels);
+}
+
+KeptCoverage judged(std::span<const Image> mips, std::span<const Image> used, const AlphaThresholds& thresholds) {
+  const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);
+  KeptCoverage kept;
+  double solid_off = 0, opacity_off = 0;
+  std::size_t level = 1;
+  for (; level < mips.size() && used_count(used[level]) >= kJudgedTexels; ++level) {
+    const double texels = used_count(used[level]);
+    const AlphaCoverage found = alpha_coverage(mips[level], used[level], thresholds);
+    solid_off = std::max(solid_off, share_off(found.opaque, wanted.opaque, texels));
+    opacity_off = std::max(opacity_off, share_off(found.opacity, wanted.opacity, texels));
+    if (std::max(solid_off, opacity_off) > kMostOff && kept.warnings.empty()) {
+      kept.warnings.push_back(
+          fmt::format("mip {} of the base texture ({} x {}) covers {:.1f} % instead of {:.1f} %: hair looks {} from "
+                      "afar; paint its "
+                      "alpha with fewer faint texels",
+                      level, mips[level].width, mips[level].height, 100 * found.opacity, 100 * wanted.opacity,
+                      found.opacity < wanted.opacity ? "thinner" : "fuller"));
+    }
+  }
+  kept.notes.push_back(fmt::format(
+      "mips: {:.1f} % of the hair's texels opaque, {:.1f} % covered in all; smaller mips are within {:.1f} % and "
+      "{:.1f} % of that, down to mip {}",
+      100 * wanted.opaque, 100 * wanted.opacity, 100 * solid_off, 100 * opacity_off, level - 1));
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Image> base_color_mips(const AssetContents& contents) {
+  const TextureRecord* record = find_base_color(contents);
+  if (record == nullptr) return {};
+  std::vector<Image> mips;
+  const std::byte* from = contents.texels.data() + record->offset;
+  for (std::uint32_t level = 0; level < record->mip_count; ++level) {
+    Image mip{std::max(1u, record->width >> level), std::max(1u, record->height >> level), 4, {}};
+    mip.texels.resize(mip.texel_count() * 4);
+    std::memcpy(mip.texels.data(), from, mip.texels.size());
+    from += mip.texels.size();
+    mips.push_back(std::move(mip));
+  }
+  return mips;
+}
+
+KeptCoverage keep_coverage(std::span<const Image> used, AssetContents& contents) {
+  std::vector<Image> mips = base_color_mips(contents);
+  if (mips.empty() || contents.material.empty()) return {};
+  const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
+  if (least_passing(thresholds.opaque) == 0) return {};
+  keep_alpha_coverage(mips, used, thresholds);
+  std::byte* to = contents.texels.data() + find_base_color(contents)->offset;
+  for (const Image& mip : mips) {
+    std::memcpy(to, mip.texels.data(), mip.texels.size());
+    to += mip.texels.size();
+  }
+  return judged(mips, used, thresholds);
+}
+
+}  // namespace coif

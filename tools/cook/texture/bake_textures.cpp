@@ -1,0 +1,209 @@
+#include "cook/texture/bake_textures.h"
+
+#include "base/parallel_for.h"
+#include "cook/texture/texture_atlas.h"
+#include "cook/texture/transparency.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+void append(TextureRole role, TexelFormat format, std::span<const Image> mips, unsigned threads, BakedTextures& out) {
+  out.texels.resize((out.texels.size() + 63) / 64 * 64);
+  TextureRecord record{};
+  record.role = role;
+  record.format = format;
+  record.width = mips[0].width;
+  record.height = mips[0].height;
+  record.mip_count = std::uint32_t(mips.size());
+  record.offset = out.texels.size();
+  for (const Image& mip : mips) {
+    const auto encoded = format == TexelFormat::kRg11Eac ? encode_eac_rg11(mip, threads) : mip.texels;
+    const auto bytes = std::as_bytes(std::span(encoded));
+    out.texels.insert(out.texels.end(), bytes.begin(), bytes.end());
+  }
+  record.bytes = out.texels.size() - record.offset;
+  out.records.push_back(record);
+}
+
+struct BaseMips {
+  std::vector<Image> color;
+  std::vector<Image> used;
+};
+
+BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency) {
+  Image image = *color.image;
+  Image used = used_texels(hair, image.width, image.height);
+  transparency = choose_transparency(color, &image, used, recipe);
+  if (transparency.ignores_alpha) {
+    // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
+    for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
+  }
+  image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+  BaseMips mips;
+  mips.used = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
+  fill_gaps(image, mips.used[0]);
+  mips.color = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+  return mips;
+}
+
+struct ShiftMask {
+  std::vector<Image> mips;
+  bool is_constant = false;
+};
+
+bool is_constant(const Image& image) {
+  for (std::size_t i = image.channels; i < image.texels.size(); ++i) {
+    if (image.texels[i] != image.texels[i - image.channels]) return false;
+  }
+  return true;
+}
+
+ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
+                          bool strands_along_u, const Recipe& recipe) {
+  const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
+  Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
+  const bool constant = is_constant(whole);
+  if (color.atlas && !constant) {
+    whole = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &whole));
+  }
+  return {make_mips(std::move(whole), recipe.texture_max_size, TexelMeaning::kNumbers), constant};
+}
+
+/// One number for all of the hair is the material's: the texture would be read for every pixel to say it again.
+void keep_constants(const Image& image, TexelFormat format, std::span<const Image> mips, BakedTextures& out) {
+  out.constant_shift = image.texels[0] / 255.0;
+  out.constant_mask = image.texels[1] / 255.0;
+  std::uint64_t bytes = sizeof(TextureRecord);
+  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) bytes += mip_bytes(format, image.width, image.height, mip);
+  out.left_out.push_back({"texture of shift and mask", "both are the same everywhere; the material says them", bytes});
+}
+
+}  // namespace
+
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
+                                                     const Recipe& recipe, const CookSettings& settings) {
+  BakedTextures baked;
+  const auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);
+  const auto mask = read_recipe_image(recipe.mask_texture, "mask", settings);
+  for (const auto* image : {&shift, &mask}) {
+    if (!*image) return tl::unexpected(image->error());
+    if ((*image)->image) baked.files.push_back((*image)->path);
+  }
+  const bool textured = color.image.has_value() && !hair.uvs.empty();
+  if (!textured) baked.transparency = choose_transparency(color, nullptr, {}, recipe);
+  if (hair.uvs.empty()) {
+    baked.left_out.push_back({"textures", "the hair has no texture coordinates"});
+    return baked;
+  }
+  BaseMips base;
+  ShiftMask shift_mask;
+  parallel_for(2, settings.threads, [&](std::size_t i) {
+    if (i == 0 && textured) base = bake_base(color, hair, recipe, baked.transparency);
+    if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
+  });
+  const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads, baked);
+  if (shift_mask.is_constant) {
+    keep_constants(shift_mask.mips[0], format, shift_mask.mips, baked);
+  } else {
+    append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads, baked);
+  }
+  baked.used = std::move(base.used);
+  return baked;
+}
+
+tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
+                                                       const CookSettings& settings) {
+  if (name.empty()) return RecipeImage{};
+  const std::filesystem::path path = settings.recipe_directory / name;
+  auto image = read_image(path);
+  if (image) return RecipeImage{std::move(*image), path};
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.{}\": {}",
+                                                                          path.string(), key, image.error())});
+}
+
+namespace {
+
+// Fine across the strands, where each hair differs from the next; coarse along them.
+constexpr std::uint32_t kAcross = 512;
+constexpr std::uint32_t kAlong = 128;
+
+/// A well-mixed 32-bit value for each lattice point; integer arithmetic, so equal on every machine. Shifts and odd
+/// multipliers are those published for the lowbias32 mixer (Wellons, "hash-prospector").
+std::uint32_t mix(std::uint32_t x) {
+  x = (x ^ x >> 16) * 0x7FEB352Du;
+  x = (x ^ x >> 15) * 0x846CA68Bu;
+  return x ^ x >> 16;
+}
+
+double lattice(std::uint32_t seed, std::uint32_t x, std::uint32_t y) {
+  return double(mix(seed ^ mix(x + 0x9E3779B9u * mix(y)))) / 4294967295.0;
+}
+
+/// Value noise on a lattice of `nx` by `ny` cells that repeats; x and y in 0..1.
+double noise(std::uint32_t seed, double x, double y, std::uint32_t nx, std::uint32_t ny) {
+  const auto ease = [](double t) { return t * t * (3 - 2 * t); };
+  const double gx = x * nx, gy = y * ny;
+  const auto ix = std::uint32_t(gx), iy = std::uint32_t(gy);
+  const double fx = ease(gx - ix), fy = ease(gy - iy);
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return lattice(seed, (ix + i) % nx, (iy + j) % ny); };
+  const double low = at(0, 0) + fx * (at(1, 0) - at(0, 0));
+  const double high = at(0, 1) + fx * (at(1, 1) - at(0, 1));
+  return low + fy * (high - low);
+}
+
+std::uint8_t to_byte(double value) { return std::uint8_t(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
+
+}  // namespace
+
+Image generate_shift_mask(std::uint32_t seed, bool along_u) {
+  Image image{along_u ? kAlong : kAcross, along_u ? kAcross : kAlong, 2, {}};
+  image.texels.resize(image.texel_count() * 2);
+  for (std::uint32_t row = 0; row < image.height; ++row) {
+    for (std::uint32_t column = 0; column < image.width; ++column) {
+      const double u = (column + 0.5) / image.width, v = (row + 0.5) / image.height;
+      const double across = along_u ? v : u, along = along_u ? u : v;
+      // Single strands over thin locks over wide ones.
+      const double shift = 0.5 * noise(seed, across, along, 320, 4) + 0.35 * noise(seed + 1, across, along, 96, 3) +
+                           0.15 * noise(seed + 4, across, along, 24, 2);
+      const double sparkle = noise(seed + 2, across, along, 320, 24) * noise(seed + 3, across, along, 64, 8);
+      std::uint8_t* texel = &image.texels[2 * (std::size_t(row) * image.width + column)];
+      texel[0] = to_byte(0.5 + 0.7 * (shift - 0.5));
+      texel[1] = to_byte(0.15 + 1.4 * sparkle);
+    }
+  }
+  return image;
+}
+
+Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t seed, bool along_u) {
+  Image combined = generate_shift_mask(seed, along_u);
+  for (const Image* source : {shift, mask}) {
+    if (source == nullptr) continue;
+    combined.width = std::max(combined.width, source->width);
+    combined.height = std::max(combined.height, source->height);
+  }
+  const Image generated = generate_shift_mask(seed, along_u);
+  combined.texels.resize(combined.texel_count() * 2);
+  for (std::uint32_t y = 0; y < combined.height; ++y) {
+    for (std::uint32_t x = 0; x < combined.width; ++x) {
+      // Nearest texel: both images and the generated one repeat over the same unit square.
+      const auto pick = [&](const Image* image, std::uint32_t channel) {
+        const Image& from = image != nullptr ? *image : generated;
+        const std::size_t sx = std::size_t(x) * from.width / combined.width;
+        const std::size_t sy = std::size_t(y) * from.height / combined.height;
+        return from.texels[(sy * from.width + sx) * from.channels + (image != nullptr ? 0 : channel)];
+      };
+      std::uint8_t* texel = &combined.texels[2 * (std::size_t(y) * combined.width + x)];
+      texel[0] = pick(shift, 0);
+      texel[1] = pick(mask, 1);
+    }
+  }
+  return combined;
+}
+
+}  // namespace coif

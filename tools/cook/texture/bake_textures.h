@@ -1,0 +1,56 @@
+#pragma once
+
+#include "cook/recipe/findings.h"
+#include "cook/recipe/recipe.h"
+#include "cook/texture/base_color.h"
+#include "cook/texture/image.h"
+#include "cook/texture/transparency.h"
+
+#include <coif/asset_records.h>
+
+namespace coif {
+
+struct RecipeImage {
+  std::optional<Image> image;  ///< None where the recipe names none.
+  std::filesystem::path path;
+};
+
+/// Reads the image that the recipe's "textures.KEY" names, a path from the recipe's folder. Error (kBadInput): it cannot
+/// be read; the artist asked for it.
+tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, const char* key,
+                                                       const CookSettings& settings);
+
+/// The two-channel texture of Algorithm 3, made from a seed: red moves both highlights from strand to strand around 0.5,
+/// green breaks the secondary highlight into sparkles. It repeats in both directions. `along_u`: strands run along U.
+[[nodiscard]] Image generate_shift_mask(std::uint32_t seed, bool along_u);
+
+/// Red of `shift` and red of `mask` in one image of the larger size. Either may be null: its channel is generated.
+[[nodiscard]] Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t seed, bool along_u);
+
+/// Encodes an image of two channels as unsigned EAC RG11: 16 bytes for each 4x4 texels, blocks row by row, red's half
+/// first. Edges that are no multiple of four are padded with texels that the search ignores. The same bytes for any
+/// number of threads. Source of the layout: Khronos Data Format Specification 1.3, "ETC2 Compressed Texture Image
+/// Formats", "Format Unsigned R11 EAC" and "RG11 EAC".
+[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, unsigned threads);
+
+struct BakedTextures {
+  std::vector<TextureRecord> records;
+  std::vector<std::byte> texels;
+  std::vector<Image> used;  ///< For each mip of the base colour which texels the hair shows, one channel.
+  Transparency transparency;
+  std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
+  double constant_shift = 0.5;               ///< Of all strands, where no texture says it for each: 0.5 shifts nothing.
+  double constant_mask = 1;
+  std::vector<LeftOut> left_out;
+};
+
+/// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats
+/// that the recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by
+/// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
+/// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
+/// numbers instead. Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
+/// left.
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
+                                                     const Recipe& recipe, const CookSettings& settings);
+
+}  // namespace coif

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "cook/recipe/recipe.h"
+#include "cook/select/hair_mesh.h"
+#include "cook/texture/image.h"
+#include "cook/texture/source_images.h"
+#include "cook/texture/texture_atlas.h"
+
+namespace coif {
+
+/// What a part of the hair looks like: materials that agree in it are one look.
+struct SurfaceLook {
+  std::string name;              ///< Of the first material; for messages.
+  const Image* image = nullptr;  ///< Null: the factor alone.
+  Eigen::Vector4f factor = Eigen::Vector4f::Ones();
+  AlphaUse alpha_use = AlphaUse::kUnknown;
+  float alpha_cutoff = 0.5f;
+};
+
+struct SurfaceLooks {
+  std::vector<SurfaceLook> looks;  ///< At least one, in the order of the hair's triangles.
+  std::vector<std::uint32_t> of_triangle;
+  std::uint32_t main = 0;  ///< The one with most triangles.
+};
+
+/// Linear, 0..1.
+[[nodiscard]] Eigen::Vector4f color_factor(const SourceMaterial& material);
+
+/// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for any
+/// part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
+[[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair);
+
+/// True for glTF: a file without a texture or a colour means white, where other formats' exporters leave things out.
+[[nodiscard]] bool says_what_it_lacks(const SourceModel& source);
+
+/// How one image says what several looks do with alpha.
+struct JointAlpha {
+  AlphaUse use = AlphaUse::kUnknown;
+  float cutoff = 0.5f;
+  bool cut_masks = false;  ///< Alpha of masked looks becomes 0 or 1 by their own cutoff.
+};
+
+[[nodiscard]] JointAlpha join_alpha(std::span<const SurfaceLook> looks);
+
+/// The look's image times its factor, with alpha as `joint` wants it; one texel where the look has no image.
+[[nodiscard]] Image paint(const SurfaceLook& look, const JointAlpha& joint);
+
+/// What colour and alpha the whole hair has before lighting.
+struct BaseColor {
+  std::optional<Image> image;                        ///< RGBA at full size; none: the factor alone.
+  Eigen::Vector4f factor = Eigen::Vector4f::Ones();  ///< Multiplies the image, linear, 0..1.
+  AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
+  float alpha_cutoff = 0.5f;                         ///< For kMask.
+  std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
+  std::vector<std::filesystem::path> files;          ///< Image files that were read.
+  std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+};
+
+/// Finds the hair's base colour: the recipe's image, else what its materials say. Surfaces with different images or
+/// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices; so
+/// this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all. Error:
+/// an image that the recipe names cannot be read.
+tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
+                                                   const CookSettings& settings);
+
+}  // namespace coif

@@ -1,0 +1,166 @@
+#include "cook/texture/hair_views.h"
+
+#include "base/decompositions.h"
+#include "base/parallel_for.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr int kPixels = 192;  ///< Of the longer side: about two millimetres of a head of hair each.
+
+/// The axes and the diagonals of a cube; the opposite side of each sees the same pixels from behind.
+const Vector3f kDirection[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+
+/// Turns the view's direction to Z and fits the hair into the picture. Z stays in metres.
+struct Projection {
+  Eigen::Matrix3f turn;
+  Vector2f low{0, 0};
+  float pixels_per_metre = 1;
+
+  Projection(const HairMesh& mesh, const Vector3f& direction) {
+    turn = turn_between(direction, Vector3f::UnitZ()).toRotationMatrix();
+    Eigen::AlignedBox2f box;
+    for (std::uint32_t v : mesh.triangles) box.extend(Vector3f(turn * mesh.positions[v]).head<2>());
+    low = box.min();
+    pixels_per_metre = (float(kPixels) - 1) / std::max(box.sizes().maxCoeff(), 1.0e-6f);
+  }
+
+  [[nodiscard]] Vector3f operator()(const Vector3f& point) const {
+    const Vector3f turned = turn * point;
+    const Vector2f pixel = (turned.head<2>() - low) * pixels_per_metre;
+    return {pixel.x(), pixel.y(), turned.z()};
+  }
+};
+
+float cross(const Vector2f& a, const Vector2f& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Calls visit(pixel, weights) for the middle of the triangle and each pixel whose middle it covers; the weights of its
+/// corners add up to one. The triangle's own middle, so that none is too small to be found.
+template <typename Visit>
+void for_each_pixel(const std::array<Vector3f, 3>& corners, const Visit& visit) {
+  const Vector2f a = corners[0].head<2>(), b = corners[1].head<2>(), c = corners[2].head<2>();
+  const auto index = [](int x, int y) { return std::uint32_t(y * kPixels + x); };
+  const Vector2f middle = (a + b + c) / 3;
+  visit(index(int(middle.x()), int(middle.y())), Vector3f(1.0f / 3, 1.0f / 3, 1.0f / 3));
+  const float area = cross(b - a, c - a);
+  if (area == 0) return;
+  const Vector2f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  for (int y = int(low.y()); y <= int(high.y()); ++y) {
+    for (int x = int(low.x()); x <= int(high.x()); ++x) {
+      const Vector2f p(float(x) + 0.5f, float(y) + 0.5f);
+      const Vector3f weights(cross(b - p, c - p) / area, cross(c - p, a - p) / area, cross(a - p, b - p) / area);
+      if (weights.minCoeff() >= 0) visit(index(x, y), weights);
+    }
+  }
+}
+
+struct Layer {
+  float depth = 0;
+  std::uint32_t patch = kNoIndex;
+};
+
+std::vector<std::vector<std::uint32_t>> triangles_by_patch(const HairMesh& mesh, const PatchSet& patches) {
+  std::vector<std::vector<std::uint32_t>> triangles(patches.count);
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) triangles[patches.patch_of[t]].push_back(t);
+  return triangles;
+}
+
+}  // namespace
+
+AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const Recipe& recipe) {
+  AlphaTest test;
+  if (color.image && !transparency.ignores_alpha) test.image = &*color.image;
+  test.factor = recipe.base_color[3] * double(color.factor[3]);
+  test.threshold = std::min(test.threshold, transparency.opaque_threshold);
+  return test;
+}
+
+bool AlphaTest::passes(const Vector2f& uv) const {
+  if (image == nullptr) return true;
+  const auto texel = [](float coordinate, std::uint32_t size) {
+    const float repeat = coordinate - std::floor(coordinate);
+    return std::min(std::uint32_t(repeat * float(size)), size - 1);
+  };
+  const std::size_t at = std::size_t(texel(uv.y(), image->height)) * image->width + texel(uv.x(), image->width);
+  return image->texels[4 * at + 3] * factor >= threshold * 255;
+}
+
+HairViews::View HairViews::draw(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha,
+                                std::size_t direction) {
+  const Projection project(mesh, kDirection[direction].normalized());
+  View view;
+  view.layers.assign(kPixels * kPixels, 0);
+  view.cover.resize(patches.count);
+  view.seen.assign(patches.count, 0);
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  std::vector<Layer> front(kPixels * kPixels, {-kFar, kNoIndex}), back(kPixels * kPixels, {kFar, kNoIndex});
+  const auto triangles = triangles_by_patch(mesh, patches);
+  for (std::uint32_t patch = 0; patch < patches.count; ++patch) {
+    std::vector<std::uint32_t>& cover = view.cover[patch];
+    for (std::uint32_t t : triangles[patch]) {
+      const std::uint32_t* v = &mesh.triangles[3 * std::size_t(t)];
+      const std::array corners = {project(mesh.positions[v[0]]), project(mesh.positions[v[1]]),
+                                  project(mesh.positions[v[2]])};
+      for_each_pixel(corners, [&](std::uint32_t pixel, const Vector3f& w) {
+        const auto uv = [&]() -> Vector2f {
+          return w.x() * mesh.uvs[v[0]] + w.y() * mesh.uvs[v[1]] + w.z() * mesh.uvs[v[2]];
+        };
+        if (!mesh.uvs.empty() && !alpha.passes(uv())) return;
+        const float depth = w.x() * corners[0].z() + w.y() * corners[1].z() + w.z() * corners[2].z();
+        if (depth > front[pixel].depth) front[pixel] = {depth, patch};
+        if (depth < back[pixel].depth) back[pixel] = {depth, patch};
+        cover.push_back(pixel);
+      });
+    }
+    std::ranges::sort(cover);
+    cover.erase(std::ranges::unique(cover).begin(), cover.end());
+    for (std::uint32_t pixel : cover) ++view.layers[pixel];
+  }
+  for (const std::vector<Layer>& side : {front, back}) {
+    for (const Layer& layer : side) {
+      if (layer.patch != kNoIndex) ++view.seen[layer.patch];
+    }
+  }
+  return view;
+}
+
+HairViews::HairViews(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, unsigned threads)
+    : seen_(patches.count, 0) {
+  parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(mesh, patches, alpha, d); });
+  for (const View& view : views_) {
+    for (std::uint32_t p = 0; p < patches.count; ++p) seen_[p] += view.seen[p];
+    covered_ += std::size_t(std::ranges::count_if(view.layers, [](std::uint32_t layers) { return layers > 0; }));
+  }
+}
+
+std::size_t HairViews::pixels(std::uint32_t patch) const {
+  std::size_t count = 0;
+  for (const View& view : views_) count += view.cover[patch].size();
+  return count;
+}
+
+std::size_t HairViews::alone(std::uint32_t patch) const {
+  std::size_t count = 0;
+  for (const View& view : views_) {
+    for (std::uint32_t pixel : view.cover[patch]) count += view.layers[pixel] == 1 ? 1 : 0;
+  }
+  return count;
+}
+
+void HairViews::drop(std::uint32_t patch) {
+  for (View& view : views_) {
+    for (std::uint32_t pixel : view.cover[patch]) --view.layers[pixel];
+    view.cover[patch].clear();
+  }
+}
+
+}  // namespace coif

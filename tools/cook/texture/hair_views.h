@@ -1,0 +1,71 @@
+#pragma once
+
+#include "cook/strands/strand_direction.h"
+#include "cook/texture/transparency.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Which texels of the base colour count as something: alpha times `factor` from `threshold` on.
+struct AlphaTest {
+  const Image* image = nullptr;  ///< RGBA; null: everything counts.
+  double factor = 1;
+  double threshold = 0.5;
+
+  /// `uv` may lie outside 0..1: the texture repeats.
+  [[nodiscard]] bool passes(const Eigen::Vector2f& uv) const;
+};
+
+/// What counts in the hair: texels at least half opaque, or those that the opaque pass draws where it takes more. Keeps a
+/// pointer to the image of `color`.
+[[nodiscard]] AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const Recipe& recipe);
+
+/// Low pictures of the hair at rest from all around, to tell which patches matter in them: which are seen, and which have
+/// others behind or before them wherever they are.
+class HairViews {
+ public:
+  HairViews(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, unsigned threads);
+
+  /// Pixels of all views in which nothing lies before the patch.
+  [[nodiscard]] std::size_t seen(std::uint32_t patch) const { return seen_[patch]; }
+  /// Pixels of all views that any patch covers.
+  [[nodiscard]] std::size_t covered() const { return covered_; }
+  /// Pixels that the patch covers in all views, and those of them that no other patch covers, of those not dropped.
+  [[nodiscard]] std::size_t pixels(std::uint32_t patch) const;
+  [[nodiscard]] std::size_t alone(std::uint32_t patch) const;
+  void drop(std::uint32_t patch);
+
+ private:
+  static constexpr std::size_t kDirections = 7;
+
+  struct View {
+    std::vector<std::uint32_t> layers;              ///< Per pixel, patches that cover it.
+    std::vector<std::vector<std::uint32_t>> cover;  ///< Per patch, its pixels.
+    std::vector<std::uint32_t> seen;                ///< Per patch, from this side and from the opposite one.
+  };
+  static View draw(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, std::size_t direction);
+
+  std::array<View, kDirections> views_;
+  std::vector<std::size_t> seen_;
+  std::size_t covered_ = 0;
+};
+
+/// Which strips end as if cut with scissors: real hair thins out, and what stays opaque over its whole width up to the
+/// last edge shows that it is a polygon.
+struct HardTips {
+  std::vector<std::uint32_t> patches;  ///< Those that end hard, ascending.
+  std::vector<std::string> warnings;
+};
+
+/// A patch ends hard where it has a free edge at its tips, where it is opaque there over at least half of the width that
+/// it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is modelled to a
+/// point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has the threshold from
+/// which on texels are drawn as opaque. `place` of each vertex from weld_places(). Warns where it is more than a few.
+[[nodiscard]] HardTips find_hard_tips(const HairMesh& mesh, std::span<const std::uint32_t> place,
+                                      const PatchSet& patches, const StrandField& strands, const FittedHead& head,
+                                      const AlphaTest& opaque, unsigned threads);
+
+}  // namespace coif

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// Eight bits a channel, rows top to bottom, channels interleaved.
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t channels = 4;
+  std::vector<std::uint8_t> texels;
+
+  [[nodiscard]] std::size_t texel_count() const { return std::size_t(width) * height; }
+};
+
+inline constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{256} << 20;  ///< Encoded, of one file.
+inline constexpr std::uint32_t kMaxImageSide = 16384;
+inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;  ///< 8192 x 8192.
+
+/// Decodes PNG, JPEG, TGA or BMP to RGBA. Bytes may be hostile: they are decoded in a process of their own under limits
+/// (decode_texels.h says which hold inside). The error is a sentence without the file's name.
+tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
+tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
+
+/// How an image's numbers are to be averaged.
+enum class TexelMeaning {
+  kSrgbColorAlpha,  ///< Four channels: colour is averaged as light, weighted by alpha.
+  kNumbers,         ///< Any channels, averaged as they are.
+};
+
+/// A smaller copy, box-filtered. The image repeats at its borders, as hair textures do.
+[[nodiscard]] Image shrink(const Image& image, std::uint32_t width, std::uint32_t height, TexelMeaning meaning);
+
+/// The image, halved until no side is longer than `max_size`.
+[[nodiscard]] Image reduce(Image image, std::uint32_t max_size, TexelMeaning meaning);
+
+/// The image and all its halvings down to one texel. An image larger than `max_size` is reduced first.
+[[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
+
+/// decode_image() in this process: what a hostile image breaks, it breaks here. Dimensions are read and checked first, and no
+/// single block of memory that decoding asks for is larger than an image within the limits of image.h needs.
+tl::expected<Image, std::string> decode_texels(std::span<const std::uint8_t> bytes);
+
+}  // namespace coif

@@ -1,0 +1,229 @@
+#include "cook/texture/source_images.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostNamed = 8;
+
+/// "a.png, b.png and 3 more".
+std::string listed(const TextureFolder& folder, std::span<const fs::path> images) {
+  std::vector<std::string> names;
+  for (const fs::path& image : images.first(std::min(images.size(), kMostNamed))) {
+    names.push_back(folder.short_name(image));
+  }
+  const std::string text = fmt::format("{}", fmt::join(names, ", "));
+  return images.size() <= kMostNamed ? text : fmt::format("{} and {} more", text, images.size() - kMostNamed);
+}
+
+}  // namespace
+
+const Image* SourceImages::of(const SourceMaterial& material) {
+  if (material.base_texture.image < source_.images.size()) return embedded(material);
+  return material.base_texture.path.empty() ? nullptr : beside(material);
+}
+
+const Image* SourceImages::embedded(const SourceMaterial& material) {
+  const std::uint32_t index = material.base_texture.image;
+  const SourceImage& image = source_.images[index];
+  const std::string key = fmt::format("{}", index);
+  if (const auto known = decoded_.find(key); known != decoded_.end()) {
+    return known->second ? &*known->second : nullptr;
+  }
+  return keep(key, decode_image(image.bytes),
+              fmt::format("material '{}': embedded image '{}'", material.name, image.name));
+}
+
+const Image* SourceImages::beside(const SourceMaterial& material) {
+  const std::string& written = material.base_texture.path;
+  const std::optional<fs::path> path = folder_.find(written);
+  note_question(TextureQuestion::Kind::kFind, {written});
+  if (!path) {
+    warn_of_absent(material);
+    return nullptr;
+  }
+  if (folder_.short_name(*path) != written) {
+    warnings_.push_back(
+        fmt::format("material '{}': texture '{}' taken from {}", material.name, written, folder_.short_name(*path)));
+  }
+  return read(*path, fmt::format("material '{}': {}", material.name, path->string()));
+}
+
+const Image* SourceImages::guess(std::span<const std::string> names) {
+  const std::vector<fs::path> candidates = folder_.colors_of(names);
+  note_question(TextureQuestion::Kind::kColors, {names.begin(), names.end()});
+  if (candidates.empty()) {
+    notes_.push_back("no material of the hair names a texture");
+    return nullptr;
+  }
+  if (candidates.size() > 1) {
+    warnings_.push_back(
+        fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
+                    "choose one in the recipe: \"textures\": {{\"base_color\": \"{}\"}}",
+                    listed(folder_, candidates), folder_.short_name(candidates[0])));
+    return nullptr;
+  }
+  const Image* image = read(candidates[0], candidates[0].string());
+  if (image != nullptr) {
+    warnings_.push_back(
+        fmt::format("no material of the hair names a texture; {} is taken, since its name fits; say "
+                    "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
+                    folder_.short_name(candidates[0])));
+  }
+  return image;
+}
+
+const Image* SourceImages::read(const fs::path& path, const std::string& for_what) {
+  const std::string key = path.string();
+  if (const auto known = decoded_.find(key); known != decoded_.end()) {
+    return known->second ? &*known->second : nullptr;
+  }
+  files_.push_back(path);
+  return keep(key, read_image(path), for_what);
+}
+
+const Image* SourceImages::keep(const std::string& key, tl::expected<Image, std::string> image,
+                                const std::string& for_what) {
+  if (!image) {
+    warnings_.push_back(fmt::format("{}: {}; it is cooked without a base texture", for_what, image.error()));
+    decoded_.emplace(key, std::nullopt);
+    return nullptr;
+  }
+  return &*decoded_.emplace(key, std::move(*image)).first->second;
+}
+
+void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::string> words) {
+  TextureQuestion question{kind, std::move(words), {}};
+  question.answer = answer_to(question, folder_);
+  questions_.push_back(std::move(question));
+}
+
+void SourceImages::warn_of_absent(const SourceMaterial& material) {
+  note_question(TextureQuestion::Kind::kImages, {});
+  const std::string there =
+      folder_.images().empty()
+          ? "put it there"
+          : fmt::format("put it there, or choose one of {} by \"textures.base_color\" in the recipe",
+                        listed(folder_, folder_.images()));
+  warnings_.push_back(
+      fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
+                  "folders; {}; it is cooked without a base texture",
+                  material.name, material.base_texture.path, there));
+}
+
+namespace {
+
+constexpr std::string_view kRead[] = {".png", ".tga", ".jpg", ".jpeg", ".bmp"};
+constexpr std::string_view kNotRead[] = {".psd", ".dds",  ".tif", ".tiff", ".exr",
+                                         ".hdr", ".webp", ".ktx", ".ktx2", ".gif"};
+
+// Whole words, as artists end names with them ("hair_n"), and beginnings of words.
+constexpr std::string_view kOtherWords[] = {"n", "nm", "nrm", "r", "m", "s", "ao", "orm", "rma", "id", "flow", "depth"};
+constexpr std::string_view kOtherBeginnings[] = {"norm",   "rough", "metal", "spec",   "gloss", "bump",
+                                                 "height", "disp",  "occl",  "emis",   "mask",  "shift",
+                                                 "thumb",  "alpha", "opac",  "tangent"};
+
+constexpr std::string_view kProgramsNames[] = {"",     "material", "defaultmaterial", "default", "defaultobject",
+                                               "mesh", "object",   "plane",           "cube",    "group",
+                                               "none", "root",     "scene",           "model",   "lambert",
+                                               "mat",  "phong",    "blinn",           "texture", "standard"};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || std::uint8_t(c) >= 0x80; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+bool ends_in(const std::string& file, std::span<const std::string_view> suffixes) {
+  const std::string lower = lower_case(file);
+  return std::ranges::any_of(suffixes,
+                             [&](std::string_view s) { return lower.size() > s.size() && lower.ends_with(s); });
+}
+
+/// Letters and digits alone, small.
+std::string compact(const std::string& name) {
+  std::string out;
+  for (const char c : lower_case(name)) {
+    if (is_letter(c) || is_digit(c)) out += c;
+  }
+  return out;
+}
+
+/// Runs of letters, small; a capital after a small letter begins a new one.
+std::vector<std::string> words_of(const std::string& stem) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < stem.size(); ++i) {
+    const bool capital = stem[i] >= 'A' && stem[i] <= 'Z';
+    const char small = capital ? char(stem[i] - 'A' + 'a') : stem[i];
+    if (!is_letter(small) || (capital && i > 0 && is_letter(stem[i - 1]))) words.emplace_back();
+    if (is_letter(small)) words.back() += small;
+  }
+  return words;
+}
+
+int hex_digit(char c) {
+  if (is_digit(c)) return c - '0';
+  const char small = char(c | 0x20);
+  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
+}  // namespace
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return text;
+}
+
+std::string with_slashes(std::string path) {
+  std::ranges::replace(path, '\\', '/');
+  return path;
+}
+
+std::string percent_decoded(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool code =
+        text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0;
+    out += code ? char(hex_digit(text[i + 1]) * 16 + hex_digit(text[i + 2])) : text[i];
+    if (code) i += 2;
+  }
+  return out;
+}
+
+std::string last_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+bool is_image_name(const std::string& file) { return ends_in(file, kRead); }
+
+std::string stem_of_image(const std::string& file) {
+  if (!ends_in(file, kRead) && !ends_in(file, kNotRead)) return file;
+  return file.substr(0, file.find_last_of('.'));
+}
+
+bool names_color(const std::string& stem) {
+  return std::ranges::none_of(words_of(stem), [](const std::string& word) {
+    return is_one_of(word, kOtherWords) ||
+           std::ranges::any_of(kOtherBeginnings, [&](std::string_view begin) { return word.starts_with(begin); });
+  });
+}
+
+bool names_any(const std::string& stem, std::span<const std::string> names) {
+  const std::string text = compact(stem);
+  if (text.find("hair") != std::string::npos) return true;
+  return std::ranges::any_of(names, [&](const std::string& name) {
+    const std::string wanted = compact(name);
+    const std::string word = wanted.substr(0, wanted.find_last_not_of("0123456789") + 1);
+    return wanted.size() > 2 && !is_one_of(word, kProgramsNames) && text.find(wanted) != std::string::npos;
+  });
+}
+
+}  // namespace coif

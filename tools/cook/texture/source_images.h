@@ -1,0 +1,129 @@
+#pragma once
+
+// What the names of image files say, and how paths are spelt in models.
+
+#include "cook/texture/image.h"
+#include "import/source_model.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// ASCII letters only; other bytes stay.
+[[nodiscard]] std::string lower_case(std::string text);
+
+/// Backslashes become slashes.
+[[nodiscard]] std::string with_slashes(std::string path);
+
+/// "%20" becomes a space; what is no two hexadecimal digits stays.
+[[nodiscard]] std::string percent_decoded(const std::string& text);
+
+/// What follows the last slash.
+[[nodiscard]] std::string last_name(const std::string& path);
+
+/// Ends in the suffix of a format that the cooker reads, in letters of either case.
+[[nodiscard]] bool is_image_name(const std::string& file);
+
+/// The name without the suffix of an image or picture editor's format (psd, dds ...). Other dots belong to the name.
+[[nodiscard]] std::string stem_of_image(const std::string& file);
+
+/// False where a word in the name says that the image is something else than colour: a normal map, a mask, a thumbnail.
+[[nodiscard]] bool names_color(const std::string& stem);
+
+/// True where the name holds "hair" or one of `names`. Letters and digits count alone; names that every program gives
+/// ("Material.001", "defaultobject") and those of one or two letters do not count.
+[[nodiscard]] bool names_any(const std::string& stem, std::span<const std::string> names);
+
+/// The image files that belong to a source: in its own folder and in the folders below it that artists customarily use
+/// (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing outside
+/// the source's folder is ever found, not even through a link. Unreadable folders count as empty.
+class TextureFolder {
+ public:
+  explicit TextureFolder(const std::filesystem::path& source);
+
+  /// The file for a path as it stands in a source: with slashes or backslashes, absolute or relative, percent-encoded or
+  /// not, in letters of either case. Looked for where the path says, if that is below the source's folder, then by its
+  /// last name, then by the last name with the suffix of another image format.
+  [[nodiscard]] std::optional<std::filesystem::path> find(const std::string& written) const;
+
+  /// Images whose name says that they colour something called one of `names`, or hair. Normal maps and the like do not.
+  [[nodiscard]] std::vector<std::filesystem::path> colors_of(std::span<const std::string> names) const;
+
+  /// All images, those beside the source first, each folder in the order of names.
+  [[nodiscard]] std::span<const std::filesystem::path> images() const { return images_; }
+
+  /// `path` relative to the source's folder, with slashes: for messages and recipes.
+  [[nodiscard]] std::string short_name(const std::filesystem::path& path) const;
+
+ private:
+  void list(const std::filesystem::path& folder);
+  [[nodiscard]] bool is_inside(const std::filesystem::path& path) const;
+  [[nodiscard]] std::optional<std::filesystem::path> follow(const std::string& written) const;
+  [[nodiscard]] std::optional<std::filesystem::path> find_by_name(const std::string& name) const;
+
+  std::filesystem::path root_;       ///< As the source's path has it.
+  std::filesystem::path real_root_;  ///< Without links.
+  std::vector<std::filesystem::path> images_;
+};
+
+/// What a cook asked of the folder beside its source, and what it learned. As long as a folder gives the same answers to the
+/// same questions, what else comes and goes there does not matter.
+struct TextureQuestion {
+  enum class Kind {
+    kFind,    ///< `words`: one path as written in the source. Answered by the file's short name, or by nothing.
+    kColors,  ///< `words`: what the hair is called. Answered by the short names of the images that may colour it.
+    kImages,  ///< No words. Answered by all images' short names.
+  };
+  Kind kind = Kind::kFind;
+  std::vector<std::string> words;
+  std::vector<std::string> answer;
+};
+
+/// What the folder answers today.
+[[nodiscard]] std::vector<std::string> answer_to(const TextureQuestion& question, const TextureFolder& folder);
+
+/// Finds and decodes the images that a source's materials name: embedded ones, and files beside the source. What cannot
+/// be had is a warning, never an error: hair without a texture is still hair.
+class SourceImages {
+ public:
+  explicit SourceImages(const SourceModel& source) : source_(source), folder_(source.path) {}
+
+  /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
+  [[nodiscard]] const Image* of(const SourceMaterial& material);
+
+  /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair or
+  /// something called one of `names`. Where several do, a warning lists them.
+  [[nodiscard]] const Image* guess(std::span<const std::string> names);
+
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// Every file that was read, in the order of reading.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+  /// All that was asked of the folder, in the order of asking.
+  [[nodiscard]] const std::vector<TextureQuestion>& questions() const { return questions_; }
+
+ private:
+  using Decoded = std::map<std::string, std::optional<Image>>;
+
+  const Image* embedded(const SourceMaterial& material);
+  const Image* beside(const SourceMaterial& material);
+  const Image* read(const std::filesystem::path& path, const std::string& for_what);
+  const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
+  void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
+  void warn_of_absent(const SourceMaterial& material);
+
+  const SourceModel& source_;
+  TextureFolder folder_;
+  Decoded decoded_;  ///< By file or number, so that two materials share what they show.
+  std::vector<std::string> warnings_;
+  std::vector<std::string> notes_;
+  std::vector<std::filesystem::path> files_;
+  std::vector<TextureQuestion> questions_;
+};
+
+}  // namespace coif

@@ -1,0 +1,141 @@
+#include "base/text.h"
+#include "cook/texture/base_color.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace coif {
+namespace {
+
+SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32_t index) {
+  SurfaceLook look;
+  if (index >= source.materials.size()) return look;
+  const SourceMaterial& material = source.materials[index];
+  look.name = material.name;
+  look.image = images.of(material);
+  look.factor = color_factor(material);
+  look.alpha_use = material.alpha_use;
+  if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
+  return look;
+}
+
+bool same(const SurfaceLook& a, const SurfaceLook& b) {
+  return a.image == b.image && a.factor == b.factor && a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
+}
+
+/// Material of each triangle; without the triangles' meshes the hair's main one.
+std::vector<std::uint32_t> material_of_triangle(const SourceModel& source, const HairMesh& hair) {
+  std::vector<std::uint32_t> materials(hair.triangle_count(), hair.material);
+  for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) {
+    materials[t] = source.meshes[hair.mesh_of_triangle[t]].material;
+  }
+  return materials;
+}
+
+/// Names that an image of this hair may bear.
+std::vector<std::string> names_of_hair(const SourceModel& source, const HairMesh& hair,
+                                       std::span<const std::uint32_t> materials) {
+  std::set<std::string> names{std::filesystem::path(source.path).stem().string()};
+  for (const std::uint32_t mesh : hair.mesh_of_triangle) names.insert(source.meshes[mesh].name);
+  for (const std::uint32_t material : materials) {
+    if (material < source.materials.size()) names.insert(source.materials[material].name);
+  }
+  return {names.begin(), names.end()};
+}
+
+bool names_texture(const SourceModel& source, std::uint32_t material) {
+  if (material >= source.materials.size()) return false;
+  const SourceTexture& texture = source.materials[material].base_texture;
+  return texture.image != kNoIndex || !texture.path.empty();
+}
+
+std::array<float, 256> srgb_to_linear() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double encoded = double(i) / 255;
+    table[i] = float(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+std::uint8_t linear_to_srgb(float linear) {
+  const double encoded = linear <= 0.0031308f ? 12.92 * linear : 1.055 * std::pow(double(linear), 1 / 2.4) - 0.055;
+  return std::uint8_t(std::lround(std::clamp(encoded, 0.0, 1.0) * 255));
+}
+
+std::uint8_t painted_alpha(const SurfaceLook& look, const JointAlpha& joint, std::uint8_t stored) {
+  if (look.alpha_use == AlphaUse::kOpaque) return 255;
+  const float alpha = float(stored) * look.factor.w();
+  const bool cut = joint.cut_masks && look.alpha_use == AlphaUse::kMask;
+  return cut ? (alpha >= look.alpha_cutoff * 255 ? 255 : 0) : std::uint8_t(std::lround(alpha));
+}
+
+}  // namespace
+
+bool says_what_it_lacks(const SourceModel& source) {
+  const std::string suffix = std::filesystem::path(source.path).extension().string();
+  return matches_any(suffix, std::vector<std::string>{".gltf", ".glb", ".vrm"});
+}
+
+Eigen::Vector4f color_factor(const SourceMaterial& material) {
+  return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);
+}
+
+SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair) {
+  const std::vector<std::uint32_t> materials = material_of_triangle(source, hair);
+  SurfaceLooks result;
+  std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, kNoIndex);
+  std::vector<std::size_t> triangles;
+  for (const std::uint32_t material : materials) {
+    std::uint32_t& look = look_of_material[std::min<std::size_t>(material, source.materials.size())];
+    if (look == kNoIndex) {
+      const SurfaceLook found = look_of(source, images, material);
+      const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
+      look = std::uint32_t(known - result.looks.begin());
+      if (known == result.looks.end()) result.looks.push_back(found);
+      triangles.resize(result.looks.size());
+    }
+    result.of_triangle.push_back(look);
+    ++triangles[look];
+  }
+  result.main = std::uint32_t(std::ranges::max_element(triangles) - triangles.begin());
+  const bool untold = result.looks.size() == 1 && !says_what_it_lacks(source) &&
+                      std::ranges::none_of(materials, [&](std::uint32_t m) { return names_texture(source, m); });
+  if (!untold || hair.uvs.empty()) return result;
+  SurfaceLook& only = result.looks[0];
+  only.image = images.guess(names_of_hair(source, hair, materials));
+  // The grey that exporters fill in where a texture was is no colour that anybody chose.
+  if (only.image != nullptr) only.factor = Eigen::Vector4f::Ones();
+  return result;
+}
+
+JointAlpha join_alpha(std::span<const SurfaceLook> looks) {
+  const auto all = [&](auto holds) { return std::ranges::all_of(looks, holds); };
+  if (all([](const SurfaceLook& l) { return l.alpha_use == AlphaUse::kOpaque; }))
+    return {AlphaUse::kOpaque, 0.5f, false};
+  const auto mask = std::ranges::find(looks, AlphaUse::kMask, &SurfaceLook::alpha_use);
+  const bool solid =
+      all([](const SurfaceLook& l) { return l.alpha_use == AlphaUse::kOpaque || l.alpha_use == AlphaUse::kMask; });
+  const bool one_cutoff =
+      all([&](const SurfaceLook& l) { return l.alpha_use != AlphaUse::kMask || l.alpha_cutoff == mask->alpha_cutoff; });
+  if (solid && one_cutoff) return {AlphaUse::kMask, mask->alpha_cutoff, false};
+  return {solid ? AlphaUse::kMask : AlphaUse::kUnknown, 0.5f, true};
+}
+
+Image paint(const SurfaceLook& look, const JointAlpha& joint) {
+  Image image = look.image != nullptr ? *look.image : Image{1, 1, 4, {255, 255, 255, 255}};
+  const std::array<float, 256> linear = srgb_to_linear();
+  std::array<std::uint8_t, 256> painted[3];
+  for (int channel = 0; channel < 3; ++channel) {
+    for (std::size_t i = 0; i < 256; ++i) painted[channel][i] = linear_to_srgb(linear[i] * look.factor[channel]);
+  }
+  for (std::size_t i = 0; i < image.texels.size(); i += 4) {
+    for (std::size_t k = 0; k < 3; ++k) image.texels[i + k] = painted[k][image.texels[i + k]];
+    image.texels[i + 3] = painted_alpha(look, joint, image.texels[i + 3]);
+  }
+  return image;
+}
+
+}  // namespace coif

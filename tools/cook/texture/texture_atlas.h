@@ -1,0 +1,56 @@
+#pragma once
+
+#include "cook/select/hair_mesh.h"
+#include "cook/texture/image.h"
+
+namespace coif {
+
+/// Where one surface's part of its own image lies in an atlas.
+struct AtlasTile {
+  std::uint32_t x = 0;  ///< Texels of the atlas, without the gutter around it.
+  std::uint32_t y = 0;
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  Eigen::Vector2f uv_low = Eigen::Vector2f::Zero();  ///< The surface's own coordinates at the tile's first corner.
+  Eigen::Vector2f uv_size = Eigen::Vector2f::Ones();
+};
+
+struct AtlasLayout {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<AtlasTile> tiles;  ///< One per surface.
+};
+
+/// Texels of one surface's image at scale; {0, 0} for a plain colour, which gets a small tile.
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+/// Lays out the parts of the images that the triangles of each surface show, in shelves, with gutters that keep mips of
+/// the first levels apart. `surface_of_triangle` names one of `images` for each triangle. The error is a sentence: a
+/// surface repeats its image more than twice, or the atlas would be too large.
+tl::expected<AtlasLayout, std::string> lay_out_atlas(const HairMesh& hair,
+                                                     std::span<const std::uint32_t> surface_of_triangle,
+                                                     std::span<const ImageSize> images);
+
+/// The atlas's texels out of one RGBA or other image per tile, all of the same number of channels. Images repeat at their
+/// borders, in gutters too. An image whose size differs from that of the layout is sampled at the nearest texel.
+[[nodiscard]] Image draw_atlas(const AtlasLayout& layout, std::span<const Image* const> images);
+
+/// Moves the hair's texture coordinates into the atlas. A vertex that two surfaces share becomes two.
+void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t> surface_of_triangle, HairMesh& hair);
+
+/// Gives texels that nothing shows what is around those that hair shows, so that no filter mixes in a foreign colour:
+///
+/// - Texels that the hair does not use (0 in `used`, one channel, the image's size), from the second one away on,
+///   take alpha and colour of the used ones near them. Else smaller mips would mix in the background, or a face on
+///   the same image.
+/// - Used texels that are as good as clear keep their alpha and take the colour of the opaque ones near them:
+///   exporters and paint programs leave black or white under alpha 0, which filtering would bring back as a seam.
+///
+/// From near to far by pyramids of averages in linear light, weighted by alpha (Gortler et al. 1996, "The lumigraph",
+/// push-pull). An image without a used texel stays.
+void fill_gaps(Image& image, const Image& used);
+
+}  // namespace coif

@@ -1,0 +1,142 @@
+#include "cook/texture/source_images.h"
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with more entries is somebody's download folder; what lies further back is not looked at.
+constexpr std::size_t kMaxEntries = 4096;
+
+constexpr const char* kCustomaryFolders[] = {"textures", "texture", "tex",          "maps",     "images",
+                                             "image",    "img",     "sourceimages", "materials"};
+
+/// Entries sorted by name: the order of a directory differs between machines.
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (entries.size() == kMaxEntries) break;
+    entries.push_back(it->path());
+  }
+  std::ranges::sort(entries);
+  return entries;
+}
+
+std::optional<fs::path> entry_called(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  if (fs::exists(folder / name, error)) return folder / name;
+  const auto entries = entries_of(folder);
+  const auto same = std::ranges::find_if(
+      entries, [&](const fs::path& entry) { return lower_case(entry.filename().string()) == lower_case(name); });
+  return same == entries.end() ? std::nullopt : std::optional(*same);
+}
+
+}  // namespace
+
+TextureFolder::TextureFolder(const fs::path& source) : root_(source.parent_path()) {
+  if (root_.empty()) root_ = ".";
+  std::error_code error;
+  real_root_ = fs::canonical(root_, error);
+  if (error) return;
+  list(root_);
+  for (const fs::path& entry : entries_of(root_)) {
+    const std::string name = lower_case(entry.filename().string());
+    const bool customary = std::ranges::find(kCustomaryFolders, name) != std::end(kCustomaryFolders);
+    if (customary && fs::is_directory(entry, error) && is_inside(entry)) list(entry);
+  }
+}
+
+void TextureFolder::list(const fs::path& folder) {
+  for (const fs::path& entry : entries_of(folder)) {
+    std::error_code error;
+    if (!is_image_name(entry.filename().string()) || !fs::is_regular_file(entry, error) || !is_inside(entry)) continue;
+    images_.push_back(entry);
+  }
+}
+
+bool TextureFolder::is_inside(const fs::path& path) const {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (error || real_root_.empty()) return false;
+  return std::ranges::mismatch(real_root_, real).in1 == real_root_.end();
+}
+
+std::optional<fs::path> TextureFolder::find(const std::string& written) const {
+  const std::string slashes = with_slashes(written);
+  for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
+    if (auto path = follow(spelling)) return path;
+  }
+  for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
+    if (auto path = find_by_name(last_name(spelling))) return path;
+  }
+  return {};
+}
+
+std::optional<fs::path> TextureFolder::follow(const std::string& written) const {
+  fs::path at = root_;
+  for (const fs::path& part : fs::path(written)) {
+    const std::string name = part.string();
+    if (name == ".") continue;
+    const bool leaves =
+        name.empty() || name == ".." || name.find_first_of(std::string_view("/:\0", 3)) != std::string::npos;
+    const auto next = leaves ? std::nullopt : entry_called(at, name);
+    if (!next) return {};
+    at = *next;
+  }
+  std::error_code error;
+  const bool usable = fs::is_regular_file(at, error) && is_inside(at);
+  return usable ? std::optional(at) : std::nullopt;
+}
+
+std::optional<fs::path> TextureFolder::find_by_name(const std::string& name) const {
+  const auto first = [&](const auto& fits) -> std::optional<fs::path> {
+    const auto found = std::ranges::find_if(images_, [&](const fs::path& p) { return fits(p.filename().string()); });
+    return found == images_.end() ? std::nullopt : std::optional(*found);
+  };
+  if (name.empty()) return {};
+  if (auto same = first([&](const std::string& file) { return file == name; })) return same;
+  const std::string lower = lower_case(name);
+  if (auto same = first([&](const std::string& file) { return lower_case(file) == lower; })) return same;
+  const std::string stem = lower_case(stem_of_image(name));
+  return first([&](const std::string& file) { return lower_case(stem_of_image(file)) == stem; });
+}
+
+std::vector<fs::path> TextureFolder::colors_of(std::span<const std::string> names) const {
+  std::vector<fs::path> found;
+  for (const fs::path& image : images_) {
+    const std::string stem = stem_of_image(image.filename().string());
+    if (names_color(stem) && names_any(stem, names)) found.push_back(image);
+  }
+  return found;
+}
+
+std::string TextureFolder::short_name(const fs::path& path) const {
+  return path.lexically_relative(root_).generic_string();
+}
+
+namespace {
+
+std::vector<std::string> short_names(const TextureFolder& folder, std::span<const std::filesystem::path> images) {
+  std::vector<std::string> names;
+  for (const auto& image : images) names.push_back(folder.short_name(image));
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> answer_to(const TextureQuestion& question, const TextureFolder& folder) {
+  switch (question.kind) {
+    case TextureQuestion::Kind::kFind: {
+      const auto found = question.words.empty() ? std::nullopt : folder.find(question.words[0]);
+      return found ? std::vector{folder.short_name(*found)} : std::vector<std::string>{};
+    }
+    case TextureQuestion::Kind::kColors: return short_names(folder, folder.colors_of(question.words));
+    case TextureQuestion::Kind::kImages: return short_names(folder, folder.images());
+  }
+  return {};
+}
+
+}  // namespace coif

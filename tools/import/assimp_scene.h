@@ -1,0 +1,144 @@
+#pragma once
+
+// assimp's plain values as this project's.
+
+#include "base/text.h"
+#include "import/import.h"
+#include "import/source_model.h"
+
+#include <Eigen/Geometry>
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/matrix4x4.h>
+#include <assimp/types.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+struct aiNode;
+struct aiScene;
+struct aiMesh;
+
+namespace coif {
+
+/// As printable text. The length field is not trusted beyond the string's own buffer.
+[[nodiscard]] inline std::string text_of(const aiString& text) {
+  return printable_text({text.data, std::min<std::size_t>(text.length, sizeof text.data - 1)});
+}
+
+/// Both multiply column vectors; the last row is dropped, since node and bind transforms are affine.
+[[nodiscard]] inline Eigen::Affine3d affine_of(const aiMatrix4x4& m) {
+  Eigen::Affine3d out = Eigen::Affine3d::Identity();
+  out.matrix().topRows<3>() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4;
+  return out;
+}
+
+/// Files as assimp sees them, with a record of every name that it looked for or opened, whether there was such a file or
+/// not: a model changes with each of them.
+class AskedFiles : public Assimp::DefaultIOSystem {
+ public:
+  /// `names` outlives this object.
+  explicit AskedFiles(std::set<std::string>& names) : names_(names) {}
+
+  bool Exists(const char* name) const override {
+    names_.insert(name);
+    return DefaultIOSystem::Exists(name);
+  }
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    names_.insert(name);
+    return DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  std::set<std::string>& names_;
+};
+
+/// Parses the file in this process and converts it. Meant for a child process: assimp may crash, hang or eat memory.
+/// Throws std::bad_alloc where memory runs out; other exceptions become errors.
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path,
+                                                                    const SourceSuffix& suffix,
+                                                                    const ImportSettings& settings);
+
+/// Name and version of the linked assimp.
+void describe_importer(SourceModel& model);
+
+/// The node tree as a list, parents first, in the order of the file.
+struct SceneNodes {
+  std::vector<SourceNode> nodes;
+  std::vector<const aiNode*> origin;                           ///< Beside each node; owned by the scene.
+  std::unordered_map<std::string, std::uint32_t> joint_named;  ///< By the importer's raw name.
+};
+
+/// `model_from_scene` is applied above the root. A node whose transform is not finite takes its parent's place, with a
+/// warning. Where several nodes carry a bone's name (a mesh 'head' beside a joint 'head'), the one without meshes and
+/// within a skeleton is the joint; a warning says so where that does not decide.
+[[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
+                                       std::vector<std::string>& warnings);
+
+/// What takes the importer's coordinates to metres, Y up, right-handed.
+///
+/// What assimp 5.2 leaves to do, found by measuring real files: FBX is left in the file's unit (UnitScaleFactor
+/// centimetres) and axes (metadata); COLLADA has both applied in the root node; glTF is metres, Y up by definition; OBJ
+/// says nothing and is taken as Y up; guess_unit() finds its size. Settings override the file.
+[[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
+                                               const ImportSettings& settings, std::vector<std::string>& warnings);
+
+/// OBJ has no unit. Takes the power of ten from a metre down to a millimetre at which the model is as deep as hair or a
+/// body is, scales it, and says so; leaves models without depth alone.
+void guess_unit(SourceModel& model);
+
+/// Adds a warning when the model's height cannot be that of hair or of somebody who wears it.
+void warn_of_implausible_height(SourceModel& model);
+
+/// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
+class SkinBinding {
+ public:
+  /// Drops, with counted warnings, what the file gets wrong: bones without a node, weights of absent vertices, weights
+  /// that are not finite or not above zero. Weights are normalised; a skinned mesh's vertices without any weight
+  /// follow `mesh_node`. `label` names the mesh in warnings.
+  SkinBinding(const aiMesh& mesh, std::uint32_t mesh_node, const SceneNodes& nodes, const std::string& label,
+              std::vector<std::string>& warnings);
+
+  /// False when no vertex has a usable weight: the mesh is rigid to its node.
+  [[nodiscard]] bool skinned() const { return !begin_.empty(); }
+  /// Heaviest first. Empty when rigid.
+  [[nodiscard]] std::span<const SourceInfluence> influences(std::size_t vertex) const;
+  /// sum of weight * model_from_joint * joint_from_mesh.
+  [[nodiscard]] Eigen::Affine3d model_from_mesh(std::size_t vertex) const;
+
+ private:
+  struct Weight {
+    std::uint32_t vertex;
+    SourceInfluence influence;
+  };
+  [[nodiscard]] std::vector<Weight> collect_weights(const aiMesh& mesh, const SceneNodes& nodes,
+                                                    const std::string& label, std::vector<std::string>& warnings);
+  void build_table(std::vector<Weight>& weights, std::size_t vertex_count, std::uint32_t mesh_node,
+                   const std::string& label, std::vector<std::string>& warnings);
+  void append_vertex(std::span<const Weight> weights);
+
+  Eigen::Affine3d model_from_node_;
+  std::vector<Eigen::Affine3d> palette_;  // per node of the scene; identity where no bone of this mesh
+  std::vector<bool> unweighted_;          // per vertex of a skinned mesh: follows the mesh's node
+  std::vector<std::uint32_t> begin_;
+  std::vector<SourceInfluence> influences_;
+};
+
+/// One SourceMesh per mesh and node that shows it, in the order of nodes: instances are copied, since each stands
+/// elsewhere. Points and lines, triangles with absent or non-finite vertices and vertices without a triangle are
+/// dropped; meshes with no triangle left are too. Mesh names fall back to the node's.
+[[nodiscard]] std::vector<SourceMesh> convert_meshes(const aiScene& scene, const SceneNodes& nodes,
+                                                     std::vector<std::string>& warnings);
+
+/// Fills `materials`, one per material of the scene, and `images` with the embedded base-colour textures that they
+/// use. Colours: glTF's base colour factor; else the diffuse colour, which FBX and COLLADA replace by a texture where
+/// there is one. Alpha is kept for glTF only: the other exporters disagree about what their opacity means. Its use is
+/// glTF's alphaMode; in other formats kBlend where a texture is connected to the opacity, else kUnknown.
+void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model);
+
+}  // namespace coif

@@ -1,0 +1,120 @@
+#include "lab/reference_model.h"
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// Sine of the angle by which a bone is twisted against the shortest arc from its parent's frame; `direction` is the
+/// bone's in that frame.
+double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Vector3d& direction) {
+  const Quaterniond twist = in_parent * shortest_arc(bone.rest_direction, direction).conjugate();
+  const double sine = twist.vec().dot(direction), cosine = twist.w();
+  return 2 * sine * cosine / (sine * sine + cosine * cosine);
+}
+
+/// About the bone's own direction, 1/s, where its frame is the shortest arc from its parent's: the derivative of
+/// shortest_arc() with both ends moving. Without bound where the bone folds over, as the arc flips there.
+double spin_of_arc(const RigBone& bone, const BoneMotion& parent, const Vector3d& direction, const Vector3d& turning) {
+  constexpr double kLeastUnfolded = 1.0e-7;  // As the runtime's.
+  const Vector3d arm = parent.frame * bone.rest_direction;
+  const Vector3d swing = direction.cross(turning);
+  const double along = (arm + direction).dot(parent.angular_velocity) - arm.dot(swing);
+  return along / std::max(1 + arm.dot(direction), kLeastUnfolded);
+}
+
+/// About the bone's own direction, 1/s: as the parent turns, less what of a twist goes back.
+double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quaterniond& frame,
+                     const Vector3d& direction) {
+  const double carried = parent.angular_velocity.dot(direction);
+  if (bone.torsion == 0) return carried;
+  const Quaterniond to_parent = parent.frame.conjugate();
+  const Vector3d in_parent = to_parent * direction;
+  // Weakened where the bone folds over: there the shortest arc turns with every small movement.
+  const double unfolded = 0.5 * (1 + bone.rest_direction.dot(in_parent));
+  return carried - bone.torsion * unfolded * sine_of_twist(bone, to_parent * frame, in_parent);
+}
+
+/// m/s^2 on the mass at the bone's tail, but for what keeps its length.
+Vector3d load_on(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneTarget& target,
+                 const Vector3d& direction, const Vector3d& turning, const Vector3d& parent_velocity) {
+  const Vector3d air = scene.wind + head.velocity * scene.air_follow;
+  return scene.gravity * bone.gravity_scale - bone.friction * (parent_velocity + bone.length * turning - air) -
+         bone.length * (bone.stiffness * (direction - target.direction) + bone.damping * (turning - target.turning));
+}
+
+BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneState& state,
+                   const BoneMotion& parent, BoneMotion& motion) {
+  motion.frame = state.frame.normalized();
+  const Vector3d direction = motion.frame * bone.rest_direction;
+  const Vector3d turning = across(state.turning, direction);
+  const BoneTarget target = target_of(bone, parent, head);
+  const Vector3d load = load_on(bone, scene, head, target, direction, turning, parent.velocity);
+  const Vector3d turning_rate =
+      across((load - parent.acceleration) / bone.length, direction) - direction * turning.squaredNorm();
+  motion.end = parent.end + bone.length * direction;
+  motion.velocity = parent.velocity + bone.length * turning;
+  motion.acceleration = parent.acceleration + bone.length * turning_rate;
+  motion.angular_velocity = angular_velocity_of(bone, parent, {motion.frame, turning});
+  const Vector3d half = 0.5 * motion.angular_velocity;
+  return {(Quaterniond(0, half.x(), half.y(), half.z()) * state.frame).coeffs(), turning_rate};
+}
+
+}  // namespace
+
+Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to) {
+  const double cosine = from.dot(to);
+  if (cosine < -1 + 1.0e-14) {
+    const Vector3d axis = from.unitOrthogonal();
+    return {0, axis.x(), axis.y(), axis.z()};
+  }
+  const Vector3d axis = from.cross(to);
+  return Quaterniond(1 + cosine, axis.x(), axis.y(), axis.z()).normalized();
+}
+
+BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
+  const Vector3d arm = head.rotation * joint;
+  const Vector3d swing = head.angular_velocity.cross(arm);
+  return {arm, head.velocity + swing,
+          head.acceleration + head.angular_acceleration.cross(arm) + head.angular_velocity.cross(swing),
+          head.angular_velocity, head.rotation};
+}
+
+BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head) {
+  const Vector3d with_parent = parent.frame * bone.rest_direction;
+  BoneTarget target{with_parent, parent.angular_velocity.cross(with_parent)};
+  if (const double share = bone.parent_share; share != 1) {
+    const Vector3d with_head = head.rotation * bone.rest_direction;
+    target.direction = share * target.direction + (1 - share) * with_head;
+    target.turning = share * target.turning + (1 - share) * head.angular_velocity.cross(with_head);
+  }
+  return target;
+}
+
+Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
+  const Vector3d direction = state.frame * bone.rest_direction;
+  const double spin = never_twists(bone) ? spin_of_arc(bone, parent, direction, state.turning)
+                                         : spin_of_twist(bone, parent, state.frame, direction);
+  return direction.cross(state.turning) + direction * spin;
+}
+
+Quaterniond frame_of_arc(const RigBone& bone, const Quaterniond& parent_frame, const Vector3d& direction) {
+  return shortest_arc(parent_frame * bone.rest_direction, direction) * parent_frame;
+}
+
+void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,
+                std::span<const BoneState> states, std::span<BoneMotion> motions, std::span<BoneRates> rates) {
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    const RigBone& bone = bones[i];
+    if (bone.parent >= 0) {
+      rates[i] = rates_of(bone, scene, head, states[i], motions[std::size_t(bone.parent)], motions[i]);
+    } else {
+      rates[i] = rates_of(bone, scene, head, states[i], motion_of_joint(bone.joint, head), motions[i]);
+    }
+  }
+}
+
+}  // namespace coif

@@ -1,0 +1,134 @@
+#pragma once
+
+// The continuous model that `coif` solves and reports measure against (runtime/docs/MODEL.md), as equations of motion.
+
+#include "lab/hair_segment.h"
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+#include "motion/head_path.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// What the model remembers of a bone. World axes.
+struct BoneState {
+  Eigen::Quaterniond frame;  ///< Rotation from rest; the bone points along frame * rest_direction.
+  Eigen::Vector3d turning;   ///< Rate of that direction, 1/s; perpendicular to it.
+};
+
+/// What of a vector is at right angles to a unit one.
+[[nodiscard]] inline Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& direction) {
+  return vector - direction * direction.dot(vector);
+}
+
+/// How BoneState changes.
+struct BoneRates {
+  Eigen::Vector4d frame;  ///< Of the quaternion's coefficients (x, y, z, w), 1/s.
+  Eigen::Vector3d turning;
+};
+
+/// What a bone, or the head where one begins, is to the bones that hang from it. Metres from the head, world axes.
+struct BoneMotion {
+  Eigen::Vector3d end;
+  Eigen::Vector3d velocity;      ///< World, m/s.
+  Eigen::Vector3d acceleration;  ///< World, m/s^2.
+  Eigen::Vector3d angular_velocity;
+  Eigen::Quaterniond frame;
+};
+
+/// Where a bone is pulled to. World axes.
+struct BoneTarget {
+  Eigen::Vector3d
+      direction;  ///< From the bone's start in lengths; unit where it turns with the parent or the head alone.
+  Eigen::Vector3d turning;  ///< Its rate, 1/s.
+};
+
+/// Of a joint that moves rigidly with the head.
+[[nodiscard]] BoneMotion motion_of_joint(const Eigen::Vector3d& joint, const HeadState& head);
+
+[[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head);
+
+/// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate at
+/// which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame turns.
+[[nodiscard]] Eigen::Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent,
+                                                  const BoneState& state);
+
+/// Does a bone with this rate of torsion keep the shortest arc from its parent's frame at all times?
+[[nodiscard]] inline bool never_twists(const RigBone& bone) { return bone.torsion >= double(kShortestArc); }
+
+/// The frame of a bone that never twists and points along the unit vector `direction` (world).
+[[nodiscard]] Eigen::Quaterniond frame_of_arc(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
+                                              const Eigen::Vector3d& direction);
+
+/// Equations of motion of bones whose parents come first, without contacts. `motions` is scratch; all spans are as long
+/// as `bones`.
+void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,
+                std::span<const BoneState> states, std::span<BoneMotion> motions, std::span<BoneRates> rates);
+
+/// Turns the unit vector `from` to the unit vector `to`; about some axis where they are opposite.
+[[nodiscard]] Eigen::Quaterniond shortest_arc(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// What the head does during one step of the reference, which lies within one smooth piece of its path.
+struct HeadStep {
+  double dt = 0;
+  HeadState start, middle, end;
+};
+
+/// The bones that hang from one joint of the head, moved by the classical Runge-Kutta method in double precision: fourth
+/// order where nothing touches, first order through contacts. Trees do not act on each other. Steps allocate nothing.
+class ReferenceTree {
+ public:
+  /// `members`: bones of the rig, a root and all that hangs from it, parents first.
+  ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members, const SolverScene& scene);
+
+  /// The rest pose, moving rigidly with the head.
+  void reset(const HeadState& head);
+
+  /// Free movement; then, from root to tip, whatever left its angle limit or entered a collider is turned back the
+  /// shortest way and loses the velocity that led there. A bone whose parent was held keeps its own tail's velocity.
+  void step(const HeadStep& step);
+
+  /// The head is somewhere else: the hair is carried along rigidly, and its velocities turn with it.
+  void jump(const Eigen::Quaterniond& turn);
+
+  /// Tails of members(), head space, metres. `ends` has one entry each.
+  void bone_ends(const Eigen::Quaterniond& head_rotation, std::span<Eigen::Vector3d> ends) const;
+
+  [[nodiscard]] std::span<const std::uint32_t> members() const { return members_; }
+
+  /// Of any bone's direction, 1/s.
+  [[nodiscard]] double fastest_turning() const;
+
+  /// Steps per second below which the integrator cannot follow the stiffest bone.
+  [[nodiscard]] double least_steps_per_second() const;
+
+ private:
+  void integrate(const HeadStep& step);
+  void untwist_all(const Eigen::Quaterniond& head_rotation);
+  void hold(const HeadState& head);
+  bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
+  bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
+
+  std::vector<std::uint32_t> members_;
+  std::vector<RigBone> bones_;  ///< Parents are indices into bones_.
+  std::vector<SolidShape> solids_;
+  SolverScene scene_;
+  bool is_free_ = true;  ///< No bone can touch anything or has an angle limit.
+  std::vector<BoneState> states_;
+
+  // Scratch of one step.
+  std::vector<BoneState> trial_;
+  std::vector<BoneMotion> motions_;
+  std::vector<BoneMotion> free_motions_;
+  std::vector<BoneRates> rates_[4];
+  std::vector<Eigen::Vector3d> before_;  ///< Directions at the start of the step.
+  std::vector<char> moved_;
+};
+
+/// Each root of the rig with all that hangs from it; bones in the rig's order.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig);
+
+}  // namespace coif

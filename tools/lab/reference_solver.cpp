@@ -1,0 +1,208 @@
+#include "lab/reference_solver.h"
+
+#include "lab/reference_model.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+/// Hair that whips round turns further in a usual step than the integrator can follow: its steps are cut.
+constexpr double kLargestStepTurn = 0.25;  // Radians, in a step of the coarsest run.
+constexpr double kMostParts = 16;
+
+/// A time at which a step has to end.
+struct Stop {
+  double seconds = 0;
+  bool is_sample = false;
+  bool jumps = false;  ///< Before the sample is taken, as a game sees a teleport in the frame in which it happens.
+};
+
+/// Samples and the path's breaks, merged.
+std::vector<Stop> stops_of(const HeadPath& path, std::span<const double> samples) {
+  std::vector<Stop> stops;
+  for (const double seconds : samples) stops.push_back({seconds, true, false});
+  const double until = samples.empty() ? 0.0 : samples.back();
+  for (const PathBreak& end : path.breaks(until)) {
+    const double same = end.jumps ? 0.0 : 1.0e-9;  // Seconds: a step of rounding errors is none.
+    const auto at = std::ranges::lower_bound(stops, end.seconds - same, {}, &Stop::seconds);
+    if (at != stops.end() && at->seconds <= end.seconds + same) {
+      at->jumps = end.jumps;
+    } else {
+      stops.insert(at, {end.seconds, false, end.jumps});
+    }
+  }
+  return stops;
+}
+
+/// The tips of one tree.
+struct TreeTips {
+  std::vector<std::size_t> entries;  ///< Of Rig::tips.
+  std::vector<std::size_t> members;  ///< Of the tree's bones.
+  std::vector<double> lengths;       ///< Of their chains, metres.
+};
+
+/// One path after the other, each with all samples.
+using TipPaths = std::vector<Vector3d>;
+
+/// Follows one tree through all stops.
+class TreeRun {
+ public:
+  TreeRun(ReferenceTree& tree, const HeadPath& path, std::span<const Stop> stops)
+      : tree_(tree), path_(path), stops_(stops), ends_(tree.members().size()) {}
+
+  /// `fineness`: how many times shorter the steps are than those of the first run, cut ones included; else two runs
+  /// could agree because they took the same steps.
+  TipPaths run(const TreeTips& tips, std::size_t samples, double coarse_rate, double fineness) {
+    fineness_ = fineness;
+    TipPaths paths(tips.members.size() * samples);
+    tree_.reset(path_.at(0));
+    double now = 0;
+    std::size_t sample = 0;
+    for (const Stop& stop : stops_) {
+      go(now, stop, coarse_rate);
+      now = stop.seconds;
+      if (!stop.is_sample) continue;
+      tree_.bone_ends(path_.at(now).rotation, ends_);
+      for (std::size_t i = 0; i < tips.members.size(); ++i) paths[i * samples + sample] = ends_[tips.members[i]];
+      ++sample;
+    }
+    return paths;
+  }
+
+ private:
+  void go(double from, const Stop& stop, double coarse_rate) {
+    const double span = stop.seconds - from, inside = from + span / 2;
+    const double coarse_count = span > 0 ? std::max(1.0, std::ceil(span * coarse_rate - 1.0e-6)) : 0.0;
+    const long count = std::lround(coarse_count * fineness_);
+    for (long i = 0; i < count; ++i) {
+      const double begin = from + span * double(i) / double(count), end = from + span * double(i + 1) / double(count);
+      const double turn = tree_.fastest_turning() * (end - begin) * fineness_;
+      const long parts = turn > kLargestStepTurn ? std::lround(std::ceil(std::min(turn / kLargestStepTurn, kMostParts))) : 1L;
+      for (long part = 0; part < parts; ++part) {
+        const double dt = (end - begin) / double(parts);
+        const double start = begin + double(part) * dt;
+        tree_.step({dt, path_.at(start, inside), path_.at(start + dt / 2, inside), path_.at(start + dt, inside)});
+      }
+    }
+    if (stop.jumps) {
+      const auto before = path_.at(stop.seconds, inside).rotation;
+      tree_.jump(path_.at(stop.seconds).rotation * before.conjugate());
+    }
+  }
+
+  ReferenceTree& tree_;
+  const HeadPath& path_;
+  double fineness_ = 1;
+  std::span<const Stop> stops_;
+  std::vector<Vector3d> ends_;
+};
+
+TipAgreement agreement_of(std::span<const Vector3d> fine, std::span<const Vector3d> coarse, double length) {
+  double sum = 0, most = 0;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const double apart = (fine[i] - coarse[i]).squaredNorm();
+    sum += apart;
+    if (!(apart <= most)) most = apart;  // a NaN wins
+  }
+  const double percent = 100 / length;
+  return {percent * std::sqrt(sum / double(fine.size())), percent * std::sqrt(most), 0};
+}
+
+double root_mean_square(std::span<const TipAgreement> tips) {
+  double sum = 0;
+  for (const TipAgreement& tip : tips) sum += tip.rms_pct * tip.rms_pct;
+  return tips.empty() ? 0.0 : std::sqrt(sum / double(tips.size()));
+}
+
+/// Solves one tree with shorter and shorter steps until two runs agree, and writes its part of `result`.
+void solve_tree(ReferenceTree tree, const TreeTips& tips, const HeadPath& path, std::span<const Stop> stops,
+                const ReferenceSettings& settings, ReferenceRun& result) {
+  const std::size_t samples = result.times.size();
+  TreeRun runner(tree, path, stops);
+  double coarse_rate = settings.steps_per_second, fineness = 1;
+  while (coarse_rate < tree.least_steps_per_second()) coarse_rate *= 2;
+  TipPaths coarse, fine = runner.run(tips, samples, coarse_rate, fineness);
+  std::vector<TipAgreement> agreement(tips.entries.size());
+  do {
+    fineness *= 2;
+    coarse = std::move(fine);
+    fine = runner.run(tips, samples, coarse_rate, fineness);
+    for (std::size_t i = 0; i < agreement.size(); ++i) {
+      const auto part = [&](const TipPaths& paths) { return std::span(paths).subspan(i * samples, samples); };
+      agreement[i] = agreement_of(part(fine), part(coarse), tips.lengths[i]);
+      agreement[i].steps_per_second = coarse_rate * fineness;
+    }
+  } while (!(root_mean_square(agreement) <= settings.wanted_self_difference_pct) &&
+           2 * coarse_rate * fineness <= settings.most_steps_per_second);
+  for (std::size_t i = 0; i < agreement.size(); ++i) {
+    result.agreement[tips.entries[i]] = agreement[i];
+    std::copy_n(fine.begin() + std::ptrdiff_t(i * samples), samples,
+                result.places.begin() + std::ptrdiff_t(tips.entries[i] * samples));
+  }
+}
+
+TreeTips tips_of(const Rig& rig, std::span<const std::uint32_t> members) {
+  TreeTips tips;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const auto at = std::ranges::lower_bound(rig.tips, members[m]);
+    if (at == rig.tips.end() || *at != members[m]) continue;
+    const auto tip = std::size_t(at - rig.tips.begin());
+    tips.entries.push_back(tip);
+    tips.members.push_back(m);
+    tips.lengths.push_back(rig.tip_length[tip]);
+  }
+  return tips;
+}
+
+}  // namespace
+
+double ReferenceRun::self_difference_pct() const { return root_mean_square(agreement); }
+
+double ReferenceRun::worst_difference_pct() const {
+  double worst = 0;
+  for (const TipAgreement& tip : agreement) {
+    if (!(tip.max_pct <= worst)) worst = tip.max_pct;
+  }
+  return worst;
+}
+
+double ReferenceRun::steps_per_second() const {
+  double least = agreement.empty() ? kNever : agreement.front().steps_per_second;
+  for (const TipAgreement& tip : agreement) least = std::min(least, tip.steps_per_second);
+  return least;
+}
+
+ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+                             const ReferenceSettings& settings) {
+  const std::vector<std::vector<std::uint32_t>> trees = trees_of(rig);
+  const std::vector<Stop> stops = stops_of(path, settings.sample_times);
+  ReferenceRun result;
+  result.times = settings.sample_times;
+  std::vector<TreeTips> tips;
+  for (const auto& members : trees) tips.push_back(tips_of(rig, members));
+  result.agreement.resize(rig.tips.size());
+  result.places.resize(rig.tips.size() * result.times.size());
+
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < trees.size(); i = next++) {
+      solve_tree(ReferenceTree(rig, trees[i], scene), tips[i], path, stops, settings, result);
+    }
+  };
+  std::vector<std::jthread> others;
+  for (unsigned i = 1; i < settings.threads && i < trees.size(); ++i) others.emplace_back(work);
+  work();
+  others.clear();
+  return result;
+}
+
+}  // namespace coif

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+#include "motion/head_path.h"
+
+#include <coif/asset.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+struct ReferenceSettings {
+  std::vector<double> sample_times;          ///< Seconds, ascending, >= 0. Steps end there: nothing is interpolated.
+  double steps_per_second = 720;             ///< At least; bones that are too stiff for it get more.
+  double most_steps_per_second = 11520;      ///< Of the finer of the two runs that are compared, if not more is needed.
+  double wanted_self_difference_pct = 0.05;  ///< RMS over a tree of bones; finer steps are taken until it is met.
+  unsigned threads = 1;
+};
+
+/// How well a tip's path is known: the finest run against the one with steps of twice the length.
+struct TipAgreement {
+  double rms_pct = 0;  ///< Distance in % of the chain's length, over the samples. NaN where a run exploded.
+  double max_pct = 0;
+  double steps_per_second = 0;  ///< Of the finest run.
+};
+
+/// Tips of the converged solution along one path.
+struct ReferenceRun {
+  std::vector<double> times;
+  std::vector<TipAgreement> agreement;  ///< One per entry of Rig::tips.
+  std::vector<Eigen::Vector3d> places;  ///< Head space, metres; times.size() for each tip.
+
+  [[nodiscard]] std::span<const Eigen::Vector3d> path_of_tip(std::size_t tip) const {
+    return std::span(places).subspan(tip * times.size(), times.size());
+  }
+  /// Over all tips.
+  [[nodiscard]] double self_difference_pct() const;
+  [[nodiscard]] double worst_difference_pct() const;
+  [[nodiscard]] double steps_per_second() const;  ///< Of the coarsest tree's finest run.
+};
+
+/// Solves the continuous model along `path` from the rest pose at time 0. Never fails: where the model is chaotic or
+/// stiff beyond the steps allowed, the agreement says so.
+[[nodiscard]] ReferenceRun solve_reference(const Rig& rig, const SolverScene& scene, const HeadPath& path,
+                                           const ReferenceSettings& settings);
+
+/// Where hair hangs under a head that stands still: the equilibrium of the model's forces.
+struct StaticPose {
+  std::vector<Eigen::Vector3d> ends;  ///< Bone tails, head space, metres; the order of Rig::bones.
+  /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit: the pose then
+  /// says only where it would hang without.
+  std::vector<bool> is_free;
+};
+
+/// In closed form, root to tip: a bone points along stiffness times length times its default direction, plus gravity
+/// and wind, and its frame is turned there by the shortest arc.
+[[nodiscard]] StaticPose static_pose(const Rig& rig, const SolverScene& scene,
+                                     const Eigen::Quaterniond& head_rotation = Eigen::Quaterniond::Identity());
+
+/// The converged solution of one motion, to compare the runtime with at several frame rates.
+struct KnownMotion {
+  Motion motion = Motion::kStill;
+  ReferenceRun reference;
+};
+
+/// What the runtime's default solver does at one frame rate. Shares, not percent; NaN where it did not stay finite.
+struct RuntimeError {
+  double rms = 0;  ///< Distance of the tips to the reference over the chain's length.
+  double max = 0;
+  double stretch = 0;      ///< Worst |length / rest - 1|.
+  double penetration = 0;  ///< Worst depth over the collider's smallest radius.
+};
+
+/// Times that frames of all these rates (whole numbers) have in common, up to `seconds`.
+[[nodiscard]] std::vector<double> common_times(std::span<const std::uint32_t> rates, double seconds);
+
+/// Runs `motion` from rest at `rate` frames per second with so many sub-steps. The reference's times must be multiples of
+/// 1/rate. `rig` is the asset's.
+[[nodiscard]] RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion,
+                                           std::uint32_t rate, std::uint32_t substeps);
+
+}  // namespace coif

@@ -1,0 +1,248 @@
+#include "lab/reference_model.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// A twist that goes back faster hardly shows, and would need shorter steps than everything else. Bones that never twist
+/// have no such rate.
+constexpr double kFastestTorsion = 5000;  // 1/s
+
+/// Directions nearer than this to each other have no plane between them.
+constexpr double kSameDirection = 1.0e-9;
+
+void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
+  state.frame = shortest_arc(state.frame * bone.rest_direction, direction) * state.frame;
+  state.turning = across(state.turning, direction);
+}
+
+/// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is gone.
+void untwist(const RigBone& bone, const Quaterniond& parent_frame, BoneState& state) {
+  if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, state.frame * bone.rest_direction);
+}
+
+BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
+  BoneMotion motion;
+  motion.frame = state.frame;
+  motion.end = parent.end + bone.length * (state.frame * bone.rest_direction);
+  motion.velocity = parent.velocity + bone.length * state.turning;
+  motion.angular_velocity = angular_velocity_of(bone, parent, state);
+  return motion;
+}
+
+/// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
+/// bone's own tail goes where it freely went, but for its length and for the damping, which works against the way that
+/// the default position went indeed.
+void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
+                   const Vector3d& direction_before, BoneState& state) {
+  const Vector3d shift = (parent.end - free_parent.end) / bone.length;
+  const Vector3d way = state.frame * bone.rest_direction - shift;
+  if (!(way.norm() > kSameDirection)) return;
+  const Vector3d target_shift =
+      shift + target_of(bone, parent, head).direction - target_of(bone, free_parent, head).direction;
+  const Vector3d push = bone.damping * target_shift - (parent.velocity - free_parent.velocity) / bone.length;
+  const Vector3d direction = way.normalized();
+  const Vector3d mean = direction_before + direction;
+  state.turning += mean.norm() > kSameDirection ? across(push, mean.normalized()) : push;
+  turn_to(direction, bone, state);
+}
+
+/// Takes from the bone what brings the touching point, `along` metres from its start, towards a collider that moves with
+/// the head. It stops a bone and never throws it: where the start itself sinks towards the collider the bone is turned
+/// out of the way, but does not gain the speed of that. Over a short lever it would be any speed, since bones do not hold
+/// back their parents.
+void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const HeadState& head,
+                  const RigBone& bone, BoneState& state) {
+  const Vector3d direction = state.frame * bone.rest_direction;
+  const Vector3d side = across(normal, direction);
+  const double slope = side.norm();
+  if (slope < kSameDirection) return;
+  const Vector3d point = parent.end + along * direction;
+  const Vector3d surface = head.velocity + head.angular_velocity.cross(point);
+  const double inwards = -(parent.velocity + along * state.turning - surface).dot(normal);
+  const double own = -(state.turning - head.angular_velocity.cross(direction)).dot(side / slope);
+  const double lost = std::min(own, inwards / (along * slope));
+  if (lost > 0) state.turning += side * (lost / slope);
+}
+
+}  // namespace
+
+ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members, const SolverScene& scene)
+    : members_(std::move(members)), solids_(solid_shapes(rig.colliders)), scene_(scene) {
+  std::vector<int> place(rig.bones.size(), -1);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    RigBone bone = rig.bones[members_[i]];
+    if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
+    if (!never_twists(bone)) bone.torsion = std::min(bone.torsion, kFastestTorsion);
+    if (solids_.size() < 32) bone.colliders &= (1u << solids_.size()) - 1;
+    is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit);
+    place[members_[i]] = int(i);
+    bones_.push_back(bone);
+  }
+  states_.resize(bones_.size());
+  trial_.resize(bones_.size());
+  motions_.resize(bones_.size());
+  free_motions_.resize(bones_.size());
+  for (auto& rates : rates_) rates.resize(bones_.size());
+  moved_.resize(bones_.size());
+  before_.resize(bones_.size());
+}
+
+void ReferenceTree::reset(const HeadState& head) {
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const Vector3d direction = head.rotation * bones_[i].rest_direction;
+    states_[i] = {head.rotation, head.angular_velocity.cross(direction)};
+  }
+}
+
+void ReferenceTree::jump(const Quaterniond& turn) {
+  for (BoneState& state : states_) state = {turn * state.frame, turn * state.turning};
+}
+
+void ReferenceTree::step(const HeadStep& step) {
+  integrate(step);
+  if (!is_free_) hold(step.end);
+}
+
+void ReferenceTree::integrate(const HeadStep& step) {
+  for (std::size_t i = 0; i < states_.size(); ++i) before_[i] = states_[i].frame * bones_[i].rest_direction;
+  const auto try_after = [&](const std::vector<BoneRates>& rates, double dt) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      trial_[i].frame.coeffs() = states_[i].frame.coeffs() + dt * rates[i].frame;
+      trial_[i].turning = states_[i].turning + dt * rates[i].turning;
+    }
+  };
+  free_rates(bones_, scene_, step.start, states_, motions_, rates_[0]);
+  try_after(rates_[0], step.dt / 2);
+  free_rates(bones_, scene_, step.middle, trial_, motions_, rates_[1]);
+  try_after(rates_[1], step.dt / 2);
+  free_rates(bones_, scene_, step.middle, trial_, motions_, rates_[2]);
+  try_after(rates_[2], step.dt);
+  free_rates(bones_, scene_, step.end, trial_, motions_, rates_[3]);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto mean = [&](auto rate) {
+      return (rate(rates_[0][i]) + 2 * rate(rates_[1][i]) + 2 * rate(rates_[2][i]) + rate(rates_[3][i])).eval();
+    };
+    BoneState& state = states_[i];
+    state.frame.coeffs() += step.dt / 6 * mean([](const BoneRates& r) { return r.frame; });
+    state.frame.normalize();
+    state.turning += step.dt / 6 * mean([](const BoneRates& r) { return r.turning; });
+    state.turning = across(state.turning, state.frame * bones_[i].rest_direction);
+  }
+  untwist_all(step.end.rotation);
+}
+
+void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const int parent = bones_[i].parent;
+    untwist(bones_[i], parent < 0 ? head_rotation : states_[std::size_t(parent)].frame, states_[i]);
+  }
+}
+
+void ReferenceTree::hold(const HeadState& head) {
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const RigBone& bone = bones_[i];
+    const bool is_root = bone.parent < 0;
+    const BoneMotion joint = is_root ? motion_of_joint(bone.joint, head) : BoneMotion{};
+    const auto up = std::size_t(is_root ? 0 : bone.parent);
+    const BoneMotion& parent = is_root ? joint : motions_[up];
+    free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
+    moved_[i] = !is_root && moved_[up];
+    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], states_[i]);
+    if (hold_limit(bone, parent, head, states_[i])) moved_[i] = true;
+    if (hold_colliders(bone, parent, head, states_[i])) moved_[i] = true;
+    untwist(bone, parent.frame, states_[i]);
+    motions_[i] = motion_of(bone, parent, states_[i]);
+  }
+}
+
+bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
+                               BoneState& state) const {
+  if (bone.angle_limit >= double(kNoAngleLimit)) return false;
+  const BoneTarget target = target_of(bone, parent, head);
+  const double size = target.direction.norm();
+  if (!(size > kSameDirection)) return false;
+  const Vector3d axis = target.direction / size;
+  const Vector3d axis_turning = across(target.turning / size, axis);
+  const Vector3d direction = state.frame * bone.rest_direction;
+  if (std::acos(std::clamp(direction.dot(axis), -1.0, 1.0)) <= bone.angle_limit) return false;
+
+  Vector3d aside = across(direction, axis);
+  aside = aside.norm() > kSameDirection ? aside.normalized() : axis.unitOrthogonal();
+  const double cosine = std::cos(bone.angle_limit), sine = std::sin(bone.angle_limit);
+  const Vector3d held = cosine * axis + sine * aside;
+  turn_to(held, bone, state);
+  if (sine < kSameDirection) {
+    state.turning = across(axis_turning, held);
+    return true;
+  }
+  const double opening = -(state.turning.dot(axis) + held.dot(axis_turning)) / sine;
+  if (opening > 0) state.turning -= opening * (cosine * aside - sine * axis);
+  return true;
+}
+
+bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
+                                   BoneState& state) const {
+  constexpr int kRounds = 8;  // Where colliders overlap, leaving one may enter another.
+  if (bone.colliders == 0) return false;
+  const Quaterniond to_head = head.rotation.conjugate();
+  HairSegment segment{to_head * parent.end, to_head * (state.frame * bone.rest_direction), bone.length,
+                      bone.hit_radius};
+  bool touched = false, touches = true;
+  for (int round = 0; round < kRounds && touches; ++round) {
+    touches = false;
+    for (std::uint32_t left = bone.colliders; left != 0; left &= left - 1) {
+      SolidContact contact;
+      if (!turn_clear(solids_[std::size_t(std::countr_zero(left))], segment, contact)) continue;
+      touched = touches = true;
+      turn_to(head.rotation * segment.direction, bone, state);
+      stop_inwards(head.rotation * contact.normal, contact.along, parent, head, bone, state);
+    }
+  }
+  return touched;
+}
+
+void ReferenceTree::bone_ends(const Quaterniond& head_rotation, std::span<Vector3d> ends) const {
+  const Quaterniond to_head = head_rotation.conjugate();
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const RigBone& bone = bones_[i];
+    const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
+    ends[i] = start + bone.length * (to_head * (states_[i].frame * bone.rest_direction));
+  }
+}
+
+double ReferenceTree::fastest_turning() const {
+  double fastest2 = 0;
+  for (const BoneState& state : states_) fastest2 = std::max(fastest2, state.turning.squaredNorm());
+  return std::sqrt(fastest2);
+}
+
+double ReferenceTree::least_steps_per_second() const {
+  double fastest = 0;
+  for (const RigBone& bone : bones_) {
+    const double torsion = never_twists(bone) ? 0 : bone.torsion;
+    fastest = std::max({fastest, std::sqrt(bone.stiffness), bone.damping + bone.friction, torsion});
+  }
+  return fastest;
+}
+
+std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
+  std::vector<std::vector<std::uint32_t>> trees;
+  std::vector<std::size_t> tree_of(rig.bones.size());
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    const int parent = rig.bones[i].parent;
+    tree_of[i] = parent >= 0 ? tree_of[std::size_t(parent)] : trees.size();
+    if (parent < 0) trees.emplace_back();
+    trees[tree_of[i]].push_back(std::uint32_t(i));
+  }
+  return trees;
+}
+
+}  // namespace coif

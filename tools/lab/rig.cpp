@@ -1,0 +1,117 @@
+#include "lab/rig.h"
+
+#include "lab/reference_model.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace coif {
+namespace {
+
+RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uint32_t rigid_count) {
+  RigBone out;
+  out.parent = bone.parent < rigid_count ? -1 : int(bone.parent - rigid_count);
+  out.joint = Eigen::Map<const Eigen::Vector3f>(bone.joint).cast<double>();
+  out.rest_direction = Eigen::Map<const Eigen::Vector3f>(bone.rest_direction).cast<double>().normalized();
+  out.length = bone.length;
+  out.resistance = dynamics.resistance;
+  out.stiffness = dynamics.stiffness;
+  out.damping = dynamics.damping;
+  out.friction = dynamics.friction;
+  out.gravity_scale = dynamics.gravity_scale;
+  out.authoring_rate = dynamics.authoring_rate;
+  out.hit_radius = dynamics.hit_radius;
+  out.torsion = dynamics.torsion;
+  out.angle_limit = dynamics.angle_limit;
+  out.parent_share = dynamics.parent_share;
+  out.colliders = bone.colliders;
+  return out;
+}
+
+void find_tips(const Asset& asset, Rig& rig) {
+  std::vector<bool> has_child(rig.bones.size());
+  std::vector<double> length(rig.bones.size());
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    const int parent = rig.bones[i].parent;
+    if (parent >= 0) has_child[std::size_t(parent)] = true;
+    length[i] = rig.bones[i].length + (parent >= 0 ? length[std::size_t(parent)] : 0.0);
+  }
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    if (has_child[i]) continue;
+    rig.tips.push_back(std::uint32_t(i));
+    rig.tip_length.push_back(length[i]);
+    rig.tip_chain.push_back(asset.bones()[rig.rigid_count + i].chain);
+  }
+}
+
+}  // namespace
+
+Rig rig_of(const Asset& asset) {
+  Rig rig;
+  rig.rigid_count = asset.skeleton().bone_count - asset.skeleton().simulated_count;
+  for (std::size_t i = rig.rigid_count; i < asset.bones().size(); ++i) {
+    rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
+  }
+  rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
+  find_tips(asset, rig);
+  return rig;
+}
+
+namespace {
+
+/// Every n-th tree, for the smallest n that keeps within `most_bones`.
+std::vector<std::uint32_t> chosen_bones(const Rig& rig, std::size_t most_bones) {
+  const std::vector<std::vector<std::uint32_t>> trees = trees_of(rig);
+  std::vector<std::uint32_t> bones;
+  for (std::size_t stride = 1; stride <= trees.size(); ++stride) {
+    bones.clear();
+    for (std::size_t i = 0; i < trees.size(); i += stride) {
+      bones.insert(bones.end(), trees[i].begin(), trees[i].end());
+    }
+    if (bones.size() <= most_bones) break;
+  }
+  std::ranges::sort(bones);
+  return bones;
+}
+
+}  // namespace
+
+RigSample sample_of(const Rig& rig, std::size_t most_bones) {
+  RigSample sample;
+  sample.bones = chosen_bones(rig, most_bones);
+  sample.rig.colliders = rig.colliders;
+  sample.rig.rigid_count = rig.rigid_count;
+  std::vector<int> place(rig.bones.size(), -1);
+  for (std::size_t i = 0; i < sample.bones.size(); ++i) {
+    RigBone bone = rig.bones[sample.bones[i]];
+    if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
+    place[sample.bones[i]] = int(i);
+    sample.rig.bones.push_back(bone);
+  }
+  for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
+    if (place[rig.tips[tip]] < 0) continue;
+    sample.rig.tips.push_back(std::uint32_t(place[rig.tips[tip]]));
+    sample.rig.tip_length.push_back(rig.tip_length[tip]);
+    sample.rig.tip_chain.push_back(rig.tip_chain[tip]);
+  }
+  return sample;
+}
+
+namespace {
+
+constexpr std::size_t kAlignment = 64;  ///< What Asset::open() may ask for.
+
+}  // namespace
+
+OpenedAsset::OpenedAsset(const AssetContents& contents) {
+  const std::vector<std::byte> bytes = write_asset(contents);
+  const std::size_t size = (bytes.size() + kAlignment - 1) / kAlignment * kAlignment;
+  bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
+  std::memcpy(bytes_.get(), bytes.data(), bytes.size());
+  (void)asset_.open({bytes_.get(), bytes.size()}, {.verify_hash = false});
+}
+
+void OpenedAsset::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }
+
+}  // namespace coif

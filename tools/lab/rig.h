@@ -1,0 +1,76 @@
+#pragma once
+
+#include "write/asset_writer.h"
+
+#include <coif/asset.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace coif {
+
+/// One simulated bone in double precision. Head space, metres, seconds.
+struct RigBone {
+  int parent = -1;                                  ///< Index into Rig::bones; -1: hangs from the head.
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();  ///< Start at rest; moves rigidly with the head where parent is -1.
+  Eigen::Vector3d rest_direction = -Eigen::Vector3d::UnitY();  ///< Unit, in the parent's frame.
+  double length = 1;
+  double resistance = 0;  ///< Per step, for the solvers that are made of steps.
+  double stiffness = 0;   ///< 1/s^2
+  double damping = 0;     ///< 1/s, against the default pose's velocity.
+  double friction = 0;    ///< 1/s, against the air's.
+  double gravity_scale = 1;
+  double authoring_rate = 60;
+  double hit_radius = 0;
+  double torsion = 0;                          ///< 1/s; kShortestArc: never a twist.
+  double angle_limit = double(kNoAngleLimit);  ///< Radians.
+  double parent_share = 1;
+  std::uint32_t colliders = 0;
+};
+
+/// What of an asset moves, for solvers that are not the runtime's. Parents come first.
+struct Rig {
+  std::vector<RigBone> bones;
+  std::vector<ColliderRecord> colliders;
+  /// Bones without children: where errors are measured.
+  std::vector<std::uint32_t> tips;
+  std::vector<double> tip_length;        ///< Of the chain that ends there, joint to tip, metres.
+  std::vector<std::uint32_t> tip_chain;  ///< Index of that chain in the asset.
+  std::uint32_t rigid_count = 0;         ///< Bones of the asset before the first simulated one.
+};
+
+[[nodiscard]] Rig rig_of(const Asset& asset);
+
+/// A part of a rig, for measurements that would take too long on all of it.
+struct RigSample {
+  Rig rig;
+  std::vector<std::uint32_t> bones;  ///< Of the whole rig: one for each bone of `rig`.
+};
+
+/// Whole trees of bones, evenly chosen over the head, with at most `most_bones` bones, but at least one tree: trees do not
+/// act on each other, so each moves as it does among all.
+[[nodiscard]] RigSample sample_of(const Rig& rig, std::size_t most_bones);
+
+/// An asset made in memory, and the bytes it lives in: what is to be measured is run as a game would run it.
+class OpenedAsset {
+ public:
+  /// Contents that the format does not allow leave asset() closed.
+  explicit OpenedAsset(const AssetContents& contents);
+
+  [[nodiscard]] const Asset& asset() const { return asset_; }
+
+ private:
+  struct FreeMemory {
+    void operator()(std::byte* bytes) const;
+  };
+
+  std::unique_ptr<std::byte[], FreeMemory> bytes_;
+  Asset asset_;
+};
+
+}  // namespace coif

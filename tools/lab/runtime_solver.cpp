@@ -1,0 +1,46 @@
+#include "lab/runtime_solver.h"
+
+#include <new>
+
+namespace coif {
+namespace {
+
+Vec3 vec3_of(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
+
+}  // namespace
+
+RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort)
+    : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
+  HairDesc desc;
+  desc.solver = &solver;
+  const MemoryNeed need = Hair::memory_need(asset, desc);
+  memory_ = allocate(need);
+  if (!memory_) throw std::bad_alloc();
+  // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
+  (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
+  if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);
+  if (&solver == &kCoifSolver) settings_.substeps = std::uint32_t(effort);
+  settings_.environment.gravity = vec3_of(scene.gravity);
+  settings_.environment.wind = vec3_of(scene.wind);
+  settings_.environment.air_follow = float(scene.air_follow);
+  ends_.resize(asset.skeleton().simulated_count);
+  all_ends_.resize(asset.skeleton().bone_count);
+}
+
+void RuntimeSolver::reset(const HeadPose& head) { (void)hair_.reset(0, head); }
+
+bool RuntimeSolver::step(const HeadPose& head, double dt) {
+  settings_.dt = float(dt);
+  return hair_.set_head(0, head) == Status::kOk && hair_.step(settings_) == Status::kOk;
+}
+
+std::span<const Eigen::Vector3d> RuntimeSolver::bone_ends() const {
+  (void)hair_.bone_ends(0, all_ends_);
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const Vec3& end = all_ends_[rigid_count_ + i];
+    ends_[i] = {double(end.x), double(end.y), double(end.z)};
+  }
+  return ends_;
+}
+
+}  // namespace coif

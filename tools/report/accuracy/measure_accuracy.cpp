@@ -1,0 +1,201 @@
+#include "report/accuracy/measure_accuracy.h"
+
+#include "base/parallel_for.h"
+#include "lab/reference_solver.h"
+#include "report/accuracy/show_accuracy.h"
+
+#include <coif/hair.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostBones = 128;  ///< Beside each other; more trees of an asset tell nothing new.
+constexpr double kSettleSeconds = 6;
+constexpr double kSettleRate = 60;
+constexpr double kPercent = 100;
+
+class AccuracyMeasurement {
+ public:
+  AccuracyMeasurement(const Asset& asset, const AccuracySettings& settings, const ReportProgress& progress)
+      : asset_(asset), settings_(settings), progress_(progress), sample_(sample_of(rig_of(asset), kMostBones)) {}
+
+  AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
+    for (const NamedPath& motion : motions) measure_motion(motion, solvers);
+    measure_settling(solvers);
+    choose();
+    return std::move(report_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<int> efforts_of(const MeasuredSolver& solver) const {
+    if (solver.is_runtime) return {settings_.substeps.begin(), settings_.substeps.end()};
+    return {solver.efforts.begin(), solver.efforts.end()};
+  }
+
+  void measure_motion(const NamedPath& motion, std::span<const MeasuredSolver* const> solvers) {
+    tell(fmt::format("reference, {}", motion.name));
+    const ReferenceRun reference =
+        solve_reference(sample_.rig, scene_, *motion.path,
+                        {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = all_threads()});
+    report_.reference.push_back({motion.name, reference.self_difference_pct(), reference.steps_per_second()});
+    std::vector<FramePoses> frames;
+    for (const double fps : settings_.fps) frames.emplace_back(*motion.path, fps, settings_.seconds);
+    const std::size_t first_row = report_.rows.size();
+    for (const MeasuredSolver* solver : solvers) {
+      tell(fmt::format("{}, {}", solver->name, motion.name));
+      for (const int effort : efforts_of(*solver)) measure_setting(motion.name, *solver, effort, frames, reference);
+    }
+    mark_fronts(first_row);
+  }
+
+  void measure_setting(const std::string& motion, const MeasuredSolver& solver, int effort,
+                       std::span<const FramePoses> frames, const ReferenceRun& reference) {
+    std::vector<MotionTrial> trials;
+    for (const FramePoses& at_rate : frames) {
+      SolverAtWork at_work = make_solver(solver, asset_, sample_, scene_, effort);
+      trials.push_back(try_motion(*at_work.solver, sample_.rig, at_rate));
+      const MotionTrial& trial = trials.back();
+      AccuracyRow row{.motion = motion, .solver = std::string(solver.name), .fps = at_rate.fps};
+      row.substeps = std::uint32_t(effort);
+      const TipError error = tip_error(trial, at_rate, sample_.rig, reference);
+      row.rms_error_pct = kPercent * error.rms;
+      row.max_error_pct = kPercent * error.max;
+      row.stretch_max_pct = trial.is_finite ? kPercent * trial.worst.stretch : kNoNumber;
+      if (trial.is_finite && meter_.sees_colliders()) {
+        row.penetration_max_pct = kPercent * trial.worst.point_depth;
+        row.segment_penetration_max_pct = kPercent * trial.worst.segment_depth;
+      }
+      row.ns_per_bone_frame = time_steps(at_work, at_rate);
+      report_.rows.push_back(std::move(row));
+    }
+    report_.spread.push_back({motion, std::string(solver.name), std::uint32_t(effort), spread_of(trials, frames)});
+  }
+
+  [[nodiscard]] double spread_of(std::span<const MotionTrial> trials, std::span<const FramePoses> frames) const {
+    double widest = kNoNumber;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      for (std::size_t j = i + 1; j < trials.size(); ++j) {
+        if (!trials[i].is_finite || !trials[j].is_finite) return kNoNumber;
+        const double apart = kPercent * rms_between(trials[i], frames[i], trials[j], frames[j], sample_.rig);
+        if (!(apart <= widest) && !std::isnan(apart)) widest = apart;
+      }
+    }
+    return widest;
+  }
+
+  /// Rows from `first` are one motion's.
+  void mark_fronts(std::size_t first) {
+    const std::span<AccuracyRow> rows = std::span(report_.rows).subspan(first);
+    const auto beats = [](const AccuracyRow& a, const AccuracyRow& b) {
+      const bool as_good = a.rms_error_pct <= b.rms_error_pct && a.ns_per_bone_frame <= b.ns_per_bone_frame;
+      return as_good && (a.rms_error_pct < b.rms_error_pct || a.ns_per_bone_frame < b.ns_per_bone_frame);
+    };
+    for (AccuracyRow& row : rows) {
+      row.pareto = std::isfinite(row.rms_error_pct) && std::isfinite(row.ns_per_bone_frame) &&
+                   std::ranges::none_of(
+                       rows, [&](const AccuracyRow& other) { return other.fps == row.fps && beats(other, row); });
+    }
+  }
+
+  /// Tips at rest: in closed form, and by the reference where they lie on something.
+  [[nodiscard]] std::vector<Vector3d> resting_tips() const {
+    const StaticPose pose = static_pose(sample_.rig, scene_);
+    const ReferenceRun settled = solve_reference(sample_.rig, scene_, *path_of(Motion::kStill),
+                                                 {.sample_times = {kSettleSeconds}, .threads = all_threads()});
+    std::vector<Vector3d> tips;
+    for (std::size_t i = 0; i < sample_.rig.tips.size(); ++i) {
+      const std::uint32_t tip = sample_.rig.tips[i];
+      tips.push_back(pose.is_free[tip] ? pose.ends[tip] : settled.path_of_tip(i)[0]);
+    }
+    return tips;
+  }
+
+  void measure_settling(std::span<const MeasuredSolver* const> solvers) {
+    tell("settling");
+    const std::vector<Vector3d> tips = resting_tips();
+    const FramePoses frames(*path_of(Motion::kStill), kSettleRate, kSettleSeconds);
+    for (const MeasuredSolver* solver : solvers) {
+      const SolverAtWork at_work = make_solver(*solver, asset_, sample_, scene_, efforts_of(*solver).front());
+      const MotionTrial trial = try_motion(*at_work.solver, sample_.rig, frames);
+      double sum = 0;
+      for (std::size_t i = 0; i < tips.size() && trial.is_finite; ++i) {
+        sum += (trial.tips[trial.tips.size() - tips.size() + i] - tips[i]).squaredNorm() /
+               (sample_.rig.tip_length[i] * sample_.rig.tip_length[i]);
+      }
+      const double error = trial.is_finite ? kPercent * std::sqrt(sum / double(tips.size())) : kNoNumber;
+      report_.settle.push_back({std::string(solver->name), error});
+    }
+  }
+
+  /// Among what games can run.
+  void choose() {
+    report_.budget_rms_pct = settings_.budget_rms_pct;
+    for (const SettingMean& mean : means_over_motions(report_, main_frame_rate(report_))) {
+      const bool fits = mean.rms_error_pct <= settings_.budget_rms_pct;
+      if (!fits || !find_measured_solver(mean.solver)->is_runtime) continue;
+      if (report_.chosen && report_.chosen->ns_per_bone_frame <= mean.ns_per_bone_frame) continue;
+      report_.chosen = {mean.solver, mean.substeps, mean.rms_error_pct, mean.ns_per_bone_frame};
+    }
+  }
+
+  void tell(const std::string& step) const {
+    if (progress_) progress_(step);
+  }
+
+  const Asset& asset_;
+  const AccuracySettings& settings_;
+  const ReportProgress& progress_;
+  SolverScene scene_;
+  RigSample sample_;
+  ConstraintMeter meter_{sample_.rig};
+  AccuracyReport report_;
+};
+
+tl::expected<void, ToolError> check(const AccuracySettings& settings) {
+  if (!(settings.seconds > 0) || settings.seconds > 60)
+    return usage("seconds of a motion have to be above 0, up to 60");
+  if (settings.fps.empty() || settings.substeps.empty()) return usage("there is nothing to measure: give a frame rate");
+  for (const double fps : settings.fps) {
+    if (!(fps >= 1 && fps <= 10000)) return usage(fmt::format("frame rate {}: has to be 1 to 10000 per second", fps));
+  }
+  for (const std::uint32_t substeps : settings.substeps) {
+    if (substeps < 1 || substeps > kMaxSubsteps) {
+      return usage(fmt::format("{} sub-steps: have to be 1 to {}", substeps, kMaxSubsteps));
+    }
+  }
+  return {};
+}
+
+std::vector<NamedPath> motions_of(const AccuracySettings& settings) {
+  std::vector<NamedPath> motions;
+  const bool suite = settings.motions.empty() && !settings.clip;
+  for (const MotionInfo& info : all_motions()) {
+    const bool wanted = suite || std::ranges::find(settings.motions, info.motion) != settings.motions.end();
+    if (wanted) motions.push_back({info.name, path_of(info.motion)});
+  }
+  if (settings.clip) motions.push_back(*settings.clip);
+  return motions;
+}
+
+}  // namespace
+
+tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, const AccuracySettings& settings,
+                                                         const ReportProgress& progress) {
+  if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+  const auto solvers = chosen_solvers(settings.solvers);
+  if (!solvers) return tl::unexpected(solvers.error());
+  if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
+  }
+  return AccuracyMeasurement(asset, settings, progress).run(motions_of(settings), *solvers);
+}
+
+}  // namespace coif

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "lab/hair_segment.h"
+#include "lab/reference_solver.h"
+#include "motion/head_path.h"
+#include "report/accuracy/accuracy_report.h"
+#include "report/solvers/measured_solvers.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// A movement of the head that is not built in.
+struct NamedPath {
+  std::string name;                      ///< As in the report, printable.
+  std::shared_ptr<const HeadPath> path;  ///< Not null.
+};
+
+struct AccuracySettings {
+  std::vector<Motion> motions;    ///< Empty: the whole suite, unless `clip` is set.
+  std::optional<NamedPath> clip;  ///< One more motion.
+  std::vector<double> fps{24, 30, 60, 90, 120, 144, 240};
+  std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Of each frame, for the solvers that have them.
+  double seconds = 4;                            ///< Of each motion, at most 60.
+  std::vector<std::string> solvers;              ///< Names; empty: all. See report_solvers().
+  double budget_rms_pct = 2;                     ///< What AccuracyReport::chosen has to meet.
+};
+
+/// Runs every solver through every motion at every frame rate beside a converged reference. Takes seconds to minutes.
+/// Errors: kUsage for settings out of range or an unknown solver, kBadInput for an asset without simulated bones.
+tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, const AccuracySettings& settings,
+                                                         const ReportProgress& progress);
+
+/// A head's poses, frame by frame from time 0, as a game has them.
+struct FramePoses {
+  FramePoses(const HeadPath& path, double fps, double seconds);
+
+  double fps;
+  std::vector<double> times;  ///< Seconds; the first is 0.
+  std::vector<HeadPose> poses;
+};
+
+/// Times of all frames at all rates, ascending, each once.
+[[nodiscard]] std::vector<double> frame_times(std::span<const double> rates, double seconds);
+
+/// What a solver made of a motion.
+struct MotionTrial {
+  bool is_finite = true;              ///< False where it refused a step or left finite numbers; then `tips` ends there.
+  std::vector<Eigen::Vector3d> tips;  ///< Head space, metres; Rig::tips for each frame but the first.
+  ConstraintErrors worst;
+};
+
+/// From the rest pose through all frames.
+[[nodiscard]] MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& frames);
+
+/// Distance of tips to the reference, as shares of their chain's length.
+struct TipError {
+  double rms = 0;
+  double max = 0;
+};
+/// Over all frames and tips; NaN for a trial that is not finite. Every frame's time is one of the reference's.
+[[nodiscard]] TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig,
+                                 const ReferenceRun& reference);
+
+/// RMS distance of two trials' tips at the times that both have frames, as a share of the chain's length; NaN where one
+/// is not finite or there is no such time.
+[[nodiscard]] double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b,
+                                 const FramePoses& b_frames, const Rig& rig);
+
+/// Nanoseconds of one step per bone, by the steady clock: the best of some rounds through the motion's first frames, on
+/// the calling thread. NaN where a step is refused.
+[[nodiscard]] double time_steps(SolverAtWork& at_work, const FramePoses& frames);
+
+}  // namespace coif

@@ -1,0 +1,132 @@
+#include "report/accuracy/measure_accuracy.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+bool keep_tips(const Rig& rig, std::span<const Vector3d> ends, std::vector<Vector3d>& tips) {
+  for (const std::uint32_t tip : rig.tips) {
+    if (!ends[tip].allFinite()) return false;
+    tips.push_back(ends[tip]);
+  }
+  return true;
+}
+
+/// Sums squares of shares.
+struct SquareMean {
+  double sum = 0, worst = 0;
+  std::size_t count = 0;
+
+  void add(double square) {
+    sum += square;
+    worst = std::max(worst, square);
+    ++count;
+  }
+  [[nodiscard]] double root() const { return count == 0 ? kNan : std::sqrt(sum / double(count)); }
+};
+
+}  // namespace
+
+FramePoses::FramePoses(const HeadPath& path, double frames_per_second, double seconds) : fps(frames_per_second) {
+  const auto count = long(std::floor(seconds * fps + 1.0e-6));
+  for (long i = 0; i <= count; ++i) {
+    times.push_back(double(i) / fps);
+    poses.push_back(path.pose(times.back()));
+  }
+}
+
+std::vector<double> frame_times(std::span<const double> rates, double seconds) {
+  std::vector<double> times;
+  for (const double fps : rates) {
+    // Divided and not added up, so that rates with common times have them to the last bit.
+    const auto count = long(std::floor(seconds * fps + 1.0e-6));
+    for (long i = 0; i <= count; ++i) times.push_back(double(i) / fps);
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& frames) {
+  MotionTrial trial;
+  ConstraintMeter meter(rig);
+  solver.reset(frames.poses.front());
+  for (std::size_t i = 1; i < frames.poses.size(); ++i) {
+    trial.is_finite = solver.step(frames.poses[i], frames.times[i] - frames.times[i - 1]) &&
+                      keep_tips(rig, solver.bone_ends(), trial.tips);
+    if (!trial.is_finite) break;
+    meter.look(solver.bone_ends());
+  }
+  trial.worst = meter.worst();
+  return trial;
+}
+
+TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig, const ReferenceRun& reference) {
+  if (!trial.is_finite) return {kNan, kNan};
+  SquareMean mean;
+  for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
+    const auto sample =
+        std::size_t(std::ranges::lower_bound(reference.times, frames.times[frame]) - reference.times.begin());
+    for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
+      const Vector3d& place = trial.tips[(frame - 1) * rig.tips.size() + tip];
+      const double apart = (place - reference.path_of_tip(tip)[sample]).norm() / rig.tip_length[tip];
+      mean.add(apart * apart);
+    }
+  }
+  return {mean.root(), std::sqrt(mean.worst)};
+}
+
+double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b, const FramePoses& b_frames,
+                   const Rig& rig) {
+  if (!a.is_finite || !b.is_finite) return kNan;
+  SquareMean mean;
+  std::size_t i = 1, j = 1;
+  while (i < a_frames.times.size() && j < b_frames.times.size()) {
+    if (a_frames.times[i] == b_frames.times[j]) {
+      for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
+        const Vector3d apart = a.tips[(i - 1) * rig.tips.size() + tip] - b.tips[(j - 1) * rig.tips.size() + tip];
+        mean.add(apart.squaredNorm() / (rig.tip_length[tip] * rig.tip_length[tip]));
+      }
+    }
+    const bool a_is_behind = a_frames.times[i] <= b_frames.times[j];
+    const bool b_is_behind = b_frames.times[j] <= a_frames.times[i];
+    if (a_is_behind) ++i;
+    if (b_is_behind) ++j;
+  }
+  return mean.root();
+}
+
+double time_steps(SolverAtWork& at_work, const FramePoses& frames) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kRounds = 3;
+  constexpr std::chrono::duration<double> kEnough{0.003};  // of one round
+  constexpr std::size_t kBatch = 8;                        // Steps between two looks at the clock.
+  double best = kNan;
+  for (int round = 0; round < kRounds; ++round) {
+    at_work.solver->reset(frames.poses.front());
+    std::size_t frame = 1;
+    const auto begin = Clock::now();
+    std::chrono::duration<double> taken{0};
+    while (frame < frames.poses.size() && taken < kEnough) {
+      const std::size_t until = std::min(frame + kBatch, frames.poses.size());
+      for (; frame < until; ++frame) {
+        if (!at_work.solver->step(frames.poses[frame], frames.times[frame] - frames.times[frame - 1])) return kNan;
+      }
+      taken = Clock::now() - begin;
+    }
+    const double steps = double(frame - 1) * double(at_work.bones);
+    const double each = 1.0e9 * taken.count() / steps;
+    if (!(best <= each)) best = each;
+  }
+  return best;
+}
+
+}  // namespace coif

@@ -1,0 +1,245 @@
+#include "motion/head_path.h"
+#include "report/cost/measure_cost.h"
+
+#include <coif/instruction_set.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::string_view kPublished = "thesis";
+constexpr std::string_view kSolvers[] = {"coif", kPublished};
+
+constexpr Motion kMotion = Motion::kRun;
+constexpr std::size_t kFramesThere = 240;  // of the motion; then they play backwards, so that nothing ever jumps
+constexpr unsigned kMostFramesToSleep = 3600;
+constexpr std::size_t kFramesApart = 7;  // between neighbours, so that no two heads do the same
+
+std::vector<HeadPose> running_poses() {
+  const auto path = path_of(kMotion);
+  std::vector<HeadPose> poses;
+  for (std::size_t i = 0; i < kFramesThere; ++i) poses.push_back(path->pose(double(i) / kCrowdRate));
+  for (std::size_t i = kFramesThere - 1; i-- > 1;) poses.push_back(poses[i]);
+  return poses;
+}
+
+HairDesc desc_of(const CrowdSettings& settings) {
+  return {.instances = settings.heads,
+          .solver = settings.solver == kPublished ? &kThesisSolver : &kCoifSolver,
+          .instruction_set = settings.instruction_set,
+          .longest_interval = settings.detail.interval};
+}
+
+tl::unexpected<ToolError> refused(ToolError::Kind kind, const std::string& why) {
+  return tl::unexpected(ToolError{kind, "the hair cannot be simulated: " + why});
+}
+
+}  // namespace
+
+std::span<const std::string_view> crowd_solvers() { return kSolvers; }
+
+HairCrowd::HairCrowd(const CrowdSettings& settings)
+    : settings_(settings), poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)) {
+  const bool published = settings.solver == kPublished;
+  step_.dt = float(1 / kCrowdRate);
+  step_.substeps = settings.substeps;
+  if (published) step_.iterations = std::max(settings.substeps, 1u);
+  if (!settings.sleeps) step_.sleep_after = std::numeric_limits<float>::infinity();
+}
+
+std::uint64_t HairCrowd::memory_bytes(const Asset& asset, const CrowdSettings& settings) {
+  return Hair::memory_need(asset, desc_of(settings)).bytes;
+}
+
+tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const CrowdSettings& settings) {
+  const HairDesc desc = desc_of(settings);
+  const MemoryNeed need = Hair::memory_need(asset, desc);
+  if (need.bytes == 0) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
+  HairCrowd crowd(settings);
+  crowd.memory_ = allocate(need);
+  if (!crowd.memory_) {
+    return refused(ToolError::Kind::kUnsupported, "no memory for " + std::to_string(settings.heads) + " heads");
+  }
+  const Status created = crowd.hair_.create(asset, desc, {crowd.memory_.get(), need.bytes});
+  if (created != Status::kOk) return refused(ToolError::Kind::kBadInput, describe(created));
+  const Status placed = crowd.place_heads();
+  if (placed != Status::kOk) return refused(ToolError::Kind::kUsage, describe(placed));
+  if (!crowd.step()) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
+  for (unsigned frame = 0; frame < kMostFramesToSleep && !crowd.is_at_rest(); ++frame) (void)crowd.step();
+  return crowd;
+}
+
+Status HairCrowd::place_heads() {
+  for (std::uint32_t i = 0; i < settings_.heads; ++i) {
+    if (const Status set = hair_.set_detail(i, settings_.detail); set != Status::kOk) return set;
+    const Status reset = hair_.reset(i, poses_[i * kFramesApart % poses_.size()]);
+    if (reset != Status::kOk) return reset;
+  }
+  return Status::kOk;
+}
+
+bool HairCrowd::is_at_rest() const {
+  if (settings_.heads_move || !settings_.sleeps) return true;
+  for (std::uint32_t i = 0; i < settings_.heads; ++i) {
+    if (!hair_.is_asleep(i)) return false;
+  }
+  return true;
+}
+
+bool HairCrowd::hand_over_poses() {
+  ++frame_;
+  for (std::uint32_t i = 0; i < settings_.heads; ++i) {
+    const HeadPose& pose = poses_[(frame_ + i * kFramesApart) % poses_.size()];
+    if (hair_.set_head(i, pose) != Status::kOk) return false;
+  }
+  return true;
+}
+
+bool HairCrowd::step() {
+  if (settings_.frame_time_varies) {
+    // Steps of an odd length through a cycle of odd length: no two frames that follow each other are alike.
+    const double share = double(frame_ * 37 % 101) / 100;
+    step_.dt = float((0.9 + 0.2 * share) / kCrowdRate);
+  }
+  return hand_over_poses() && hair_.step(step_) == Status::kOk;
+}
+
+namespace {
+
+bool touches_colliders(const Asset& asset) {
+  return std::ranges::any_of(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
+}
+
+void add_levels(const Asset& asset, const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
+  for (std::uint32_t level = 1; level < asset.lods().size() && !asset.lod_bones().empty(); ++level) {
+    CrowdSettings settings = usual;
+    settings.detail.level = level;
+    const auto bones = std::ranges::count_if(asset.lod_bones(), [level](auto levels) { return levels > level; });
+    features.push_back({fmt::format("level-{}", level),
+                        fmt::format("level of detail {}: {} of {} bones are simulated", level, bones,
+                                    asset.skeleton().simulated_count),
+                        settings});
+  }
+}
+
+void add_intervals(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
+  for (const std::uint32_t interval : {2u, 4u}) {
+    CrowdSettings settings = usual;
+    settings.detail.interval = interval;
+    settings.substeps = 0;  // a number of them would be meant for each frame, and nothing be saved
+    features.push_back(
+        {fmt::format("every-{}{}-frame", interval, interval == 2 ? "nd" : "th"),
+         "each head is stepped that often, in turns, with the sub-steps that the asset asks for such a step",
+         settings});
+  }
+}
+
+/// What costs next to nothing, and what would be paid for it otherwise.
+void add_rest(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
+  CrowdSettings unseen = usual, asleep = usual, awake = usual;
+  unseen.detail.simulated = false;
+  asleep.heads_move = awake.heads_move = false;
+  awake.sleeps = false;
+  features.push_back({"unseen", "no head is seen, and none simulated", unseen});
+  features.push_back({"asleep", "no head moves, and all hair has fallen asleep", asleep});
+  features.push_back({"still-awake", "no head moves, and hair may not fall asleep", awake});
+}
+
+void add_instruction_sets(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
+  constexpr InstructionSet kAll[] = {InstructionSet::kScalar, InstructionSet::kPortable, InstructionSet::kSse4,
+                                     InstructionSet::kAvx2,   InstructionSet::kAvx512,   InstructionSet::kNeon,
+                                     InstructionSet::kWasm};
+  for (const InstructionSet set : kAll) {
+    if (!can_run(set) || set == best_instruction_set()) continue;
+    CrowdSettings settings = usual;
+    settings.instruction_set = set;
+    std::string name;
+    std::ranges::transform(std::string_view(coif::name_of(set)), std::back_inserter(name),
+                           [](unsigned char letter) { return char(std::tolower(letter)); });
+    features.push_back(
+        {name, fmt::format("run with {} instead of {}", coif::name_of(set), coif::name_of(best_instruction_set())),
+         settings});
+  }
+}
+
+}  // namespace
+
+std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings& usual) {
+  std::vector<CrowdFeature> features{{"as-cooked", "all heads run", usual}};
+  if (touches_colliders(asset)) {
+    features.push_back({"no-colliders", "the hair touches nothing", usual});
+    features.back().touches_colliders = false;
+  }
+  CrowdSettings varying = usual;
+  varying.frame_time_varies = true;
+  features.push_back(
+      {"varying-frame-time", "no frame is as long as the last, so that nothing computed for it can be kept", varying});
+  add_levels(asset, usual, features);
+  add_intervals(usual, features);
+  add_rest(usual, features);
+  features.push_back(
+      {"poses-only", "telling where the heads are, which is part of all the others, and no step", usual});
+  features.back().steps = false;
+  add_instruction_sets(usual, features);
+  return features;
+}
+
+namespace {
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;  // of all crowds together
+constexpr double kLargestShare = 0.25;                        // of the time, for one crowd
+constexpr double kLeastRuns = 8;  // of a crowd that is slow: warming up, and the fewest rounds
+
+}  // namespace
+
+tl::expected<HairCrowd*, ToolError> CrowdLineUp::take(const Asset& asset, const CrowdSettings& settings) {
+  auto crowd = HairCrowd::create(asset, settings);
+  if (!crowd) return tl::unexpected(crowd.error());
+  bytes_ += HairCrowd::memory_bytes(asset, settings);
+  crowds_.push_back(std::make_unique<HairCrowd>(std::move(*crowd)));
+  return crowds_.back().get();
+}
+
+tl::expected<void, ToolError> CrowdLineUp::add(const Asset& asset, const CrowdSettings& settings) {
+  const auto crowd = take(asset, settings);
+  if (!crowd) return tl::unexpected(crowd.error());
+  // Hair that is not stepped in every frame would be timed in one that leaves out all of it, or none.
+  const unsigned frames = settings.detail.interval;
+  works_.emplace_back([moved = *crowd, frames] {
+    for (unsigned i = 0; i < frames; ++i) (void)moved->step();
+  });
+  frames_.push_back(frames);
+  return {};
+}
+
+tl::expected<void, ToolError> CrowdLineUp::add_poses(const Asset& asset, const CrowdSettings& settings) {
+  const auto crowd = take(asset, settings);
+  if (!crowd) return tl::unexpected(crowd.error());
+  works_.emplace_back([posed = *crowd] { (void)posed->hand_over_poses(); });
+  frames_.push_back(1);
+  return {};
+}
+
+std::string CrowdLineUp::objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const {
+  const std::uint64_t bytes = HairCrowd::memory_bytes(asset, settings);
+  if (bytes > kMostBytes - bytes_)
+    return fmt::format("its {:.0f} MB are more memory than is set aside", 1e-6 * double(bytes));
+  const double seconds = seconds_per_head * settings.heads;
+  if (seconds * kLeastRuns <= kLargestShare * seconds_) return "";
+  return fmt::format("one frame takes about {:.0f} ms, too long for the time there is", 1e3 * seconds);
+}
+
+std::vector<Timing> CrowdLineUp::time() const {
+  auto timings = SideBySideTiming({.clock = TimingClock::kThread, .seconds = seconds_}).run(works_);
+  for (std::size_t i = 0; i < timings.size(); ++i) timings[i].seconds /= frames_[i];
+  return timings;
+}
+
+}  // namespace coif

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "base/hair_memory.h"
+#include "base/timing.h"
+#include "base/tool_error.h"
+#include "report/page/report_heading.h"
+#include "report/cost/cost_report.h"
+
+#include <coif/asset.h>
+#include <coif/hair.h>
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
+
+/// Names of the solvers that a game can choose.
+[[nodiscard]] std::span<const std::string_view> crowd_solvers();
+
+struct CrowdSettings {
+  std::uint32_t heads = 1;           ///< 1..kMaxInstances.
+  std::string_view solver = "coif";  ///< One of crowd_solvers().
+  std::uint32_t substeps = 1;        ///< 0: as many as the asset asks for. Iterations of "thesis".
+  bool heads_move = true;            ///< They run, each at another time of the same motion; else they stand still.
+  bool frame_time_varies = false;    ///< Frames last up to a tenth more or less, each another time.
+  Detail detail{};                   ///< Of every head.
+  bool sleeps = true;                ///< Heads that stand still have all fallen asleep when the crowd is made.
+  InstructionSet instruction_set = InstructionSet::kBest;
+};
+
+/// Heads with the runtime's hair, as a game has them. The asset must outlive it.
+class HairCrowd {
+ public:
+  /// What the runtime asks the game for; 0 for a number of heads that it refuses.
+  [[nodiscard]] static std::uint64_t memory_bytes(const Asset& asset, const CrowdSettings& settings);
+
+  /// Errors: kBadInput where the runtime refuses the asset, kUsage for
+  /// settings out of range, kUnsupported where the memory cannot be had.
+  static tl::expected<HairCrowd, ToolError> create(const Asset& asset, const CrowdSettings& settings);
+
+  /// Tells the runtime where each head is in the next frame. False where it refuses a pose.
+  bool hand_over_poses();
+  /// One frame: hand_over_poses(), then the step with its matrices. False where the runtime refuses.
+  bool step();
+
+  [[nodiscard]] std::span<const Mat34> palette(std::uint32_t head) const { return hair_.palette(head); }
+
+ private:
+  explicit HairCrowd(const CrowdSettings& settings);
+  [[nodiscard]] Status place_heads();
+  [[nodiscard]] bool is_at_rest() const;
+
+  HairMemory memory_{nullptr, &std::free};
+  Hair hair_;
+  StepSettings step_;
+  CrowdSettings settings_;
+  std::vector<HeadPose> poses_;  ///< Frame by frame; the last is next to the first.
+  std::size_t frame_ = 0;
+};
+
+/// One way in which a crowd can be run otherwise than as it was cooked.
+struct CrowdFeature {
+  std::string name;         ///< Short, unique: "no-colliders".
+  std::string description;  ///< What is different, one line for people.
+  CrowdSettings settings;
+  bool touches_colliders = true;  ///< False: an asset is meant whose bones touch nothing.
+  bool steps = true;              ///< False: only the poses are handed over.
+};
+
+/// All that `asset` and this processor have; the first, "as-cooked", is `usual` itself.
+[[nodiscard]] std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings& usual);
+
+/// Crowds that are timed beside each other. All live at once, so that a slow moment of the machine hits all.
+class CrowdLineUp {
+ public:
+  /// `seconds`: to spend on all of them.
+  explicit CrowdLineUp(double seconds) : seconds_(seconds) {}
+
+  /// Takes the crowd's frames. Error: that of HairCrowd::create(). `asset` must outlive this object.
+  tl::expected<void, ToolError> add(const Asset& asset, const CrowdSettings& settings);
+  /// Takes only the handing over of the poses.
+  tl::expected<void, ToolError> add_poses(const Asset& asset, const CrowdSettings& settings);
+
+  /// Why a crowd of this size is not worth adding: it would take more than its share of the time, judged by `second_per_head`
+  /// of a smaller one, or of the memory. Empty where it is.
+  [[nodiscard]] std::string objection(const Asset& asset, const CrowdSettings& settings, double seconds_per_head) const;
+
+  /// Of one frame of all that were added, in their order.
+  [[nodiscard]] std::vector<Timing> time() const;
+
+ private:
+  tl::expected<HairCrowd*, ToolError> take(const Asset& asset, const CrowdSettings& settings);
+
+  double seconds_;
+  std::uint64_t bytes_ = 0;  ///< Of all crowds.
+  std::vector<std::unique_ptr<HairCrowd>> crowds_;
+  std::vector<std::function<void()>> works_;
+  std::vector<unsigned> frames_;  ///< That each of works_ runs.
+};
+
+/// What each chunk of an open asset costs, in the order of the file.
+[[nodiscard]] AssetBytes asset_bytes(const Asset& asset);
+
+struct CostSettings {
+  std::vector<std::uint32_t> heads{1, 10, 100, 1000, 10000};  ///< Sizes of the crowd, 1..kMaxInstances.
+  std::vector<std::string> solvers;                           ///< Of crowd_solvers(); empty: all.
+  double seconds = 8;  ///< To spend, > 0. Crowds that would take longer are left out; one head never is.
+};
+
+/// Times the runtime, on the calling thread, as a game would call it, beside what the asset takes in memory and in the
+/// file. Everything but CostReport::rendering; hair that is rigid has only its bytes. Errors: kUsage for settings out of
+/// range or an unknown solver, kUnsupported where the memory cannot be had.
+tl::expected<CostReport, ToolError> measure_cost(const Asset& asset, const CostSettings& settings,
+                                                 const ReportProgress& progress);
+
+}  // namespace coif

@@ -1,0 +1,181 @@
+#include "report/solvers/measured_solvers.h"
+
+#include "lab/runtime_solver.h"
+#include "report/solvers/historical_solvers.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace coif {
+namespace {
+
+template <typename Solver>
+std::unique_ptr<ChainSolver> iterated(const Rig& rig, const SolverScene& scene, int iterations) {
+  return std::make_unique<Solver>(rig, scene, iterations);
+}
+
+template <typename Solver>
+std::unique_ptr<ChainSolver> sub_stepped(const Rig& rig, const SolverScene& scene, int count) {
+  return in_sub_steps(std::make_unique<Solver>(rig, scene), count);
+}
+
+constexpr std::string_view kIterations = "iterations";
+constexpr std::string_view kSubSteps = "sub-steps";
+
+constexpr int kFew[] = {1, 2, 4, 8};
+constexpr int kNewton[] = {1, 2, 3, 4};
+constexpr int kSmallSteps[] = {1, 2, 4, 8, 16, 32};
+constexpr int kExplicit[] = {4, 16, 64, 256};  // At 60 fps, below 4 even three bones explode.
+
+const ListedSolver kSolvers[] = {
+    {"mass-spring", "point masses on stiff springs, integrated explicitly",
+     "thesis 3.1 and 5.2, initial attempt; Rosenblum et al. 1991", kSubSteps, kExplicit, sub_stepped<MassSpringSolver>},
+    {"impulse", "errors of length and collision become impulses, the pose a constant pull",
+     "thesis 5.2, replacing the springs", kIterations, kFew, iterated<ImpulseSolver>},
+    {"separate", "positions are put right directly and velocities adjusted to match",
+     "thesis 5.2, adjusting positions and velocities separately", kIterations, kFew, iterated<SeparateSolver>},
+    {"implicit", "the mass-spring system by backward Euler, one linear solve per step",
+     "thesis 3.1; Baraff and Witkin 1998", kSubSteps, kFew, sub_stepped<ImplicitSolver>},
+    {"projective", "rigid sticks, one equation of motion for each of two angles",
+     "thesis 3.2; Anjyo, Usami and Kurihara 1992", kSubSteps, kFew, sub_stepped<ProjectiveSolver>},
+    {"follow-leader", "dynamic follow-the-leader, one pass from root to tip", "Mueller, Kim and Chentanez 2012",
+     kSubSteps, kFew, sub_stepped<FollowLeaderSolver>},
+    {"tridiagonal", "all lengths of a strand by one direct solve per Newton step", "Han and Harada 2013", kIterations,
+     kNewton, iterated<TridiagonalSolver>},
+    {"xpbd", "extended position-based dynamics with small steps of one iteration", "Macklin et al. 2016 and 2019",
+     kSubSteps, kSmallSteps, sub_stepped<XpbdSolver>},
+};
+
+}  // namespace
+
+std::span<const ListedSolver> historical_solvers() { return kSolvers; }
+
+namespace {
+
+using Eigen::Quaterniond;
+
+Quaterniond head_rotation(const HeadPose& head) {
+  return Quaterniond(head.rotation.w, head.rotation.x, head.rotation.y, head.rotation.z);
+}
+
+HeadPose between(const HeadPose& from, const HeadPose& to, double share) {
+  HeadPose pose;
+  for (int axis = 0; axis < 3; ++axis) {
+    pose.position[axis] = from.position[axis] + (to.position[axis] - from.position[axis]) * share;
+  }
+  const Quaterniond turned = head_rotation(from).slerp(share, head_rotation(to));
+  pose.rotation = {float(turned.x()), float(turned.y()), float(turned.z()), float(turned.w())};
+  return pose;
+}
+
+class SubSteps final : public ChainSolver {
+ public:
+  SubSteps(std::unique_ptr<ChainSolver> solver, int count) : solver_(std::move(solver)), count_(count) {}
+
+  void reset(const HeadPose& head) override {
+    head_ = head;
+    solver_->reset(head);
+  }
+
+  bool step(const HeadPose& head, double dt) override {
+    for (int i = 1; i <= count_; ++i) {
+      // What is refused is refused at the first of them, with nothing moved: NaN has no finite share.
+      if (!solver_->step(i < count_ ? between(head_, head, double(i) / count_) : head, dt / count_)) return false;
+    }
+    head_ = head;
+    return true;
+  }
+
+  std::span<const Eigen::Vector3d> bone_ends() const override { return solver_->bone_ends(); }
+
+ private:
+  std::unique_ptr<ChainSolver> solver_;
+  int count_;
+  HeadPose head_;
+};
+
+}  // namespace
+
+std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count) {
+  if (count <= 1) return solver;
+  return std::make_unique<SubSteps>(std::move(solver), count);
+}
+
+namespace {
+
+constexpr std::string_view kCoif = "coif";
+constexpr std::string_view kThesis = "thesis";
+constexpr int kRuntimeEfforts[] = {1, 2, 4, 8};
+
+/// The sample's bones of a solver that moves all.
+class SampledSolver final : public ChainSolver {
+ public:
+  SampledSolver(std::unique_ptr<ChainSolver> whole, std::vector<std::uint32_t> bones)
+      : whole_(std::move(whole)), bones_(std::move(bones)), ends_(bones_.size()) {}
+
+  void reset(const HeadPose& head) override { whole_->reset(head); }
+  [[nodiscard]] bool step(const HeadPose& head, double dt) override { return whole_->step(head, dt); }
+  [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override {
+    const auto all = whole_->bone_ends();
+    for (std::size_t i = 0; i < bones_.size(); ++i) ends_[i] = all[bones_[i]];
+    return ends_;
+  }
+
+ private:
+  std::unique_ptr<ChainSolver> whole_;
+  std::vector<std::uint32_t> bones_;
+  mutable std::vector<Eigen::Vector3d> ends_;
+};
+
+std::vector<MeasuredSolver> list_solvers() {
+  std::vector<MeasuredSolver> all{{kCoif, kRuntimeEfforts, true}, {kThesis, kRuntimeEfforts, true}};
+  for (const ListedSolver& listed : historical_solvers()) all.push_back({listed.name, listed.efforts, false});
+  return all;
+}
+
+}  // namespace
+
+std::span<const MeasuredSolver> measured_solvers() {
+  static const std::vector<MeasuredSolver> kAll = list_solvers();
+  return kAll;
+}
+
+std::vector<std::string> report_solvers() {
+  std::vector<std::string> names;
+  for (const MeasuredSolver& solver : measured_solvers()) names.emplace_back(solver.name);
+  return names;
+}
+
+const MeasuredSolver* find_measured_solver(std::string_view name) {
+  const auto found = std::ranges::find(measured_solvers(), name, &MeasuredSolver::name);
+  return found == measured_solvers().end() ? nullptr : &*found;
+}
+
+tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const std::vector<std::string>& names) {
+  std::vector<const MeasuredSolver*> solvers;
+  for (const std::string& name : names.empty() ? report_solvers() : names) {
+    solvers.push_back(find_measured_solver(name));
+    if (solvers.back() == nullptr) {
+      return tl::unexpected(ToolError{ToolError::Kind::kUsage, fmt::format("'{}' is not a solver; there are {}", name,
+                                                                           fmt::join(report_solvers(), ", "))});
+    }
+  }
+  return solvers;
+}
+
+SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
+                         const SolverScene& scene, int effort) {
+  if (measured.is_runtime) {
+    const Solver& solver = measured.name == kCoif ? kCoifSolver : kThesisSolver;
+    auto whole = std::make_unique<RuntimeSolver>(asset, scene, solver, effort);
+    return {std::make_unique<SampledSolver>(std::move(whole), sample.bones), asset.skeleton().simulated_count};
+  }
+  const auto listed = std::ranges::find(historical_solvers(), measured.name, &ListedSolver::name);
+  return {listed->create(sample.rig, scene, effort), sample.rig.bones.size()};
+}
+
+}  // namespace coif

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+/// A way to move hair that a report can measure.
+struct ListedSolver {
+  std::string_view name;         ///< As the command line and reports have it.
+  std::string_view description;  ///< One line.
+  std::string_view source;       ///< Paper, and section of the thesis.
+  std::string_view effort_unit;  ///< What the number `effort` counts.
+  std::span<const int> efforts;  ///< Worth measuring, ascending.
+  /// `effort` > 0. The solver has to be reset() before its first step.
+  std::unique_ptr<ChainSolver> (*create)(const Rig& rig, const SolverScene& scene, int effort);
+};
+
+/// What came before and what others do, in the order of the thesis and then of the years. None of them knows torsion or
+/// angle limits, and their colliders push particles, not segments. `tridiagonal` takes RigBone::resistance as a weight
+/// per step and the thesis's own attempts as a constant pull; all others the model's stiffness and damping.
+[[nodiscard]] std::span<const ListedSolver> historical_solvers();
+
+/// `solver` run `count` times per step, each time for an equal share of it, the head moving evenly in between. With a
+/// count of 1 (or less) it is `solver` itself.
+[[nodiscard]] std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count);
+
+/// A solver that reports measure: one of the runtime's, or one of historical_solvers().
+struct MeasuredSolver {
+  std::string_view name;
+  std::span<const int> efforts;  ///< Worth measuring: sub-steps or iterations of a frame, ascending.
+  bool is_runtime = false;       ///< Ships in games: single precision, bone matrices included in its time.
+};
+
+/// The runtime's first.
+[[nodiscard]] std::span<const MeasuredSolver> measured_solvers();
+
+/// Names that AccuracySettings::solvers and StabilitySettings::solvers take, in the order of the report.
+[[nodiscard]] std::vector<std::string> report_solvers();
+
+/// Null for an unknown name.
+[[nodiscard]] const MeasuredSolver* find_measured_solver(std::string_view name);
+
+/// All of them where `names` is empty. Error (kUsage): an unknown name.
+[[nodiscard]] tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(
+    const std::vector<std::string>& names);
+
+/// A solver at work. Its bone_ends() are in the order of the sample's rig.
+struct SolverAtWork {
+  std::unique_ptr<ChainSolver> solver;
+  std::size_t bones = 0;  ///< That a step moves: the runtime's solvers always move the whole asset.
+};
+
+/// `asset`, whose part `sample` is, must outlive the result.
+[[nodiscard]] SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
+                                       const SolverScene& scene, int effort);
+
+}  // namespace coif

@@ -1,0 +1,201 @@
+#include "report/stability/measure_stability.h"
+
+#include "lab/hair_segment.h"
+#include "lab/reference_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double kFarthest = 10;  ///< Lengths of a bone.
+constexpr double kFastest = 100;  ///< Times the plausible speed.
+constexpr int kFastSteps = 10;    ///< One step may be a correction.
+constexpr double kSettleSeconds = 8;
+constexpr double kSettleDt = 1.0 / 60;
+
+bool is_length(double dt) { return dt > 0 && std::isfinite(dt); }
+
+/// How fast a bone's tail can be made by what acts on it, m/s: falling from above to below, carried by the head, and
+/// swung by its pull to the pose.
+double plausible_speed(const Rig& rig, const Stress& stress) {
+  double fastest = 0;
+  std::vector<double> reach(rig.bones.size());
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    const RigBone& bone = rig.bones[i];
+    reach[i] = bone.length + (bone.parent < 0 ? bone.joint.norm() : reach[std::size_t(bone.parent)]);
+    const double fall = std::sqrt(4 * stress.scene.gravity.norm() * std::abs(bone.gravity_scale) * reach[i]);
+    const double swing = std::min(std::sqrt(bone.stiffness), 1.0e3) * reach[i];
+    fastest = std::max(fastest, fall + swing + stress.top_speed * (1 + reach[i] / 0.1));
+  }
+  return fastest;
+}
+
+/// Watches one solver.
+class StressRun {
+ public:
+  StressRun(const Rig& rig, double top_speed, ChainSolver& solver)
+      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig) {}
+
+  /// False once the outcome is decided.
+  bool step(const HeadPose& head, double dt) {
+    const auto ends = solver_.bone_ends();
+    before_.assign(ends.begin(), ends.end());
+    if (!solver_.step(head, dt)) {
+      was_refused_ = true;
+      if (!std::ranges::equal(before_, solver_.bone_ends())) outcome_ = Outcome::kDiverged;
+    } else {
+      look(dt);
+    }
+    return outcome_ == Outcome::kOk;
+  }
+
+  [[nodiscard]] Outcome outcome() const {
+    return outcome_ == Outcome::kOk && was_refused_ ? Outcome::kRejected : outcome_;
+  }
+  [[nodiscard]] double fastest() const { return fastest_; }
+  [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
+
+ private:
+  void look(double dt) {
+    const auto ends = solver_.bone_ends();
+    double speed = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!ends[i].allFinite()) {
+        outcome_ = Outcome::kNan;
+        return;
+      }
+      const RigBone& bone = rig_.bones[i];
+      const Vector3d& start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
+      if ((ends[i] - start).norm() > kFarthest * bone.length) outcome_ = Outcome::kDiverged;
+      if (is_length(dt)) speed = std::max(speed, (ends[i] - before_[i]).norm() / dt);
+    }
+    meter_.look(ends);
+    fastest_ = std::max(fastest_, speed);
+    fast_steps_ = speed > kFastest * top_speed_ ? fast_steps_ + 1 : 0;
+    if (fast_steps_ >= kFastSteps) outcome_ = Outcome::kDiverged;
+  }
+
+  const Rig& rig_;
+  double top_speed_;
+  ChainSolver& solver_;
+  ConstraintMeter meter_;
+  std::vector<Vector3d> before_;
+  Outcome outcome_ = Outcome::kOk;
+  bool was_refused_ = false;
+  double fastest_ = 0;
+  int fast_steps_ = 0;
+};
+
+bool is_usable(const HeadPose& head) {
+  return std::isfinite(head.position[0]) && std::isfinite(head.position[1]) && std::isfinite(head.position[2]);
+}
+
+/// RMS distance of tips that touch nothing to where they hang at rest, share of their chain's length; NaN without any.
+double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose& head,
+                        std::span<const Vector3d> ends) {
+  const Quat& q = head.rotation;
+  const StaticPose rest = static_pose(rig, scene, Quaterniond(q.w, q.x, q.y, q.z).normalized());
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rig.tips.size(); ++i) {
+    const std::uint32_t tip = rig.tips[i];
+    if (!rest.is_free[tip]) continue;
+    sum += (ends[tip] - rest.ends[tip]).squaredNorm() / (rig.tip_length[i] * rig.tip_length[i]);
+    ++count;
+  }
+  return count == 0 ? kNoNumber : std::sqrt(sum / double(count));
+}
+
+}  // namespace
+
+StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample sample)
+    : stress_(stress), asset_(asset), sample_(std::move(sample)), top_speed_(plausible_speed(sample_.rig, stress)) {}
+
+StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
+  const SolverAtWork at_work = make_solver(solver, asset_, sample_, stress_.scene, solver.efforts.front());
+  StressRun watched(sample_.rig, top_speed_, *at_work.solver);
+  HeadPose head = stress_.head(0);
+  at_work.solver->reset(head);
+  double seconds = 0;
+  const bool takes_fewer = !solver.is_runtime && stress_.steps_of_others;
+  const std::size_t steps = takes_fewer ? *stress_.steps_of_others : stress_.steps;
+  bool goes_on = true;
+  for (std::size_t i = 0; i < steps && goes_on; ++i) {
+    const double dt = stress_.dt[i % stress_.dt.size()];
+    if (is_length(dt)) seconds += dt;
+    const HeadPose next = stress_.head(seconds);
+    goes_on = watched.step(next, dt);
+    if (is_usable(next)) head = next;
+  }
+  for (double t = 0; t < kSettleSeconds && goes_on; t += kSettleDt) goes_on = watched.step(head, kSettleDt);
+
+  StabilityRow row{.stress_case = stress_.about.name, .solver = std::string(solver.name)};
+  row.outcome = watched.outcome();
+  row.max_speed = watched.fastest();
+  if (row.outcome != Outcome::kNan) row.stretch_max_pct = 100 * watched.meter().worst().stretch;
+  if (row.outcome != Outcome::kNan && watched.meter().sees_colliders()) {
+    row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
+  }
+  if (goes_on && stress_.settles) {
+    row.settle_error_pct = 100 * distance_to_rest(sample_.rig, stress_.scene, head, at_work.solver->bone_ends());
+  }
+  return row;
+}
+
+namespace {
+
+constexpr std::size_t kMostBones = 64;  ///< Of the asset: what breaks, breaks on any of its chains.
+
+void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
+             std::span<const MeasuredSolver* const> solvers, const ReportProgress& progress, StabilityReport& report) {
+  const StressSubject subject(stress, asset, sample_of(rig_of(asset), most_bones));
+  for (const MeasuredSolver* solver : solvers) {
+    if (progress) progress(fmt::format("{}, {}", stress.about.name, solver->name));
+    report.rows.push_back(subject.run(*solver));
+  }
+}
+
+/// A rig that the format refuses never reaches a solver.
+void refuse(const Stress& stress, std::span<const MeasuredSolver* const> solvers, StabilityReport& report) {
+  for (const MeasuredSolver* solver : solvers) {
+    StabilityRow row{.stress_case = stress.about.name, .solver = std::string(solver->name)};
+    row.outcome = Outcome::kRejected;
+    report.rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, const StabilitySettings& settings,
+                                                           const ReportProgress& progress) {
+  const auto solvers = chosen_solvers(settings.solvers);
+  if (!solvers) return tl::unexpected(solvers.error());
+  if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
+  }
+  StabilityReport report;
+  for (const Stress& stress : stress_cases()) {
+    report.stress_cases.push_back(stress.about);
+    if (!stress.rig) {
+      measure(stress, asset, kMostBones, *solvers, progress, report);
+      continue;
+    }
+    const StressAsset made(*stress.rig);
+    if (made.is_open()) {
+      measure(stress, made.asset(), kMaxBones, *solvers, progress, report);
+    } else {
+      refuse(stress, *solvers, report);
+    }
+  }
+  return report;
+}
+
+}  // namespace coif

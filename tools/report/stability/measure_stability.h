@@ -1,0 +1,97 @@
+#pragma once
+
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+#include "report/page/report_heading.h"
+#include "report/solvers/measured_solvers.h"
+#include "report/stability/stability_report.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace coif {
+
+/// Chains that exist in no model, made to be simulated under stress. They start behind a head sphere, and hang.
+struct StressRig {
+  std::uint32_t chains = 2;     ///< Side by side, with `chain_spacing` between them.
+  double chain_spacing = 0.04;  ///< Metres; 0: all in the same place.
+  std::uint32_t bones_per_chain = 8;
+  std::uint32_t branching = 1;  ///< Children of each bone; 1: none branches.
+  double bone_length = 0.04;    ///< Metres.
+  double length_ratio = 1;      ///< Every second bone is longer by this factor.
+  double root_resistance = 0.3, tip_resistance = 0.08;
+  double friction = 1;  ///< 1/s
+  double gravity_scale = 1;
+  double torsion = 20;        ///< 1/s; kShortestArc: never a twist.
+  double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.
+  double root_offset = 0.01;  ///< Metres from the surface to the chains' roots; negative: inside the head.
+};
+
+/// An asset in memory.
+class StressAsset {
+ public:
+  /// Simulates as cooked hair does: stiffness from the resistance, damped to critical or more.
+  explicit StressAsset(const StressRig& rig);
+
+  /// False where the format does not allow such a rig.
+  [[nodiscard]] bool is_open() const { return asset().is_open(); }
+  [[nodiscard]] const Asset& asset() const { return opened_.asset(); }
+
+ private:
+  OpenedAsset opened_;
+};
+
+/// What is done to hair in one StressCase. After it the head stands still where it is, and frames are as usual, until
+/// hair has had time to settle.
+struct Stress {
+  StressCase about;
+  std::optional<StressRig> rig;  ///< Empty: the asset's own hair.
+  SolverScene scene;
+  std::function<HeadPose(double seconds)> head;
+  /// Step lengths, repeated; seconds. Entries that are no lengths (0, negative, not a number) take no time.
+  std::vector<double> dt{1.0 / 60};
+  std::size_t steps = 240;
+  /// For solvers that do not ship: they are up to a hundred times slower, and take fewer.
+  std::optional<std::size_t> steps_of_others;
+  double top_speed = 10;  ///< m/s of the fastest point of the head's path near the hair, as it is meant to be.
+  bool settles = true;    ///< Hair comes to rest within the time for it.
+};
+
+/// Time steps, parameters, shapes, movements, then long runs.
+[[nodiscard]] std::vector<Stress> stress_cases();
+
+/// A rig under stress, and where it would come to rest: made once for all solvers.
+class StressSubject {
+ public:
+  StressSubject(const Stress& stress, const Asset& asset, RigSample sample);
+
+  /// Runs one solver, with the least effort that it is measured with, through the case, from its rest pose. What the outcomes mean:
+  /// - nan: a bone's end was not finite after some step.
+  /// - diverged: a bone's end was further from the bone's start than ten of its lengths; or faster, ten steps in a row,
+  ///   than a hundred times what gravity, the head and the pull to the pose can make it; or a step that was refused
+  ///   moved a bone.
+  /// - rejected: none of that, and at least one step was refused with everything kept as it was.
+  /// - ok: none of that.
+  /// Figures are the worst up to the end, or to the step that decided. Settling is looked at where hair is free of the
+  /// head and comes to rest in 8 s.
+  [[nodiscard]] StabilityRow run(const MeasuredSolver& solver) const;
+
+ private:
+  const Stress& stress_;
+  const Asset& asset_;
+  RigSample sample_;
+  double top_speed_;  ///< m/s in head space.
+};
+
+struct StabilitySettings {
+  std::vector<std::string> solvers;  ///< Names; empty: all of report_solvers().
+};
+
+/// Runs every solver through every stress case. Errors: kUsage for an unknown solver, kBadInput for an asset without
+/// simulated bones.
+tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, const StabilitySettings& settings,
+                                                           const ReportProgress& progress);
+
+}  // namespace coif

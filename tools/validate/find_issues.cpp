@@ -1,0 +1,170 @@
+#include "validate/find_issues.h"
+
+#include "cook/select/mesh_topology.h"
+#include "cook/select/select_hair.h"
+#include "cook/strands/patches.h"
+#include "validate/asset_checks.h"
+#include "write/chunk_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace coif {
+namespace {
+
+std::string place(const LoadStatus& status) {
+  if (status.chunk == 0) return "";
+  const std::string chunk = "chunk " + chunk_name(status.chunk);
+  return status.code == LoadCode::kHash ? chunk : fmt::format("{}, record {}", chunk, status.item);
+}
+
+}  // namespace
+
+std::string describe_text(const LoadStatus& status) {
+  if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
+  char text[256];
+  return std::string(text, describe(status, text, sizeof text));
+}
+
+std::vector<Issue> find_asset_issues(const Asset& asset) {
+  Issues issues;
+  for (const auto check : {check_bones, check_dynamics, check_geometry, check_patches, check_orders, check_skin,
+                           check_textures, check_alpha, check_unwrapping, check_quality}) {
+    check(asset, issues);
+  }
+  return issues;
+}
+
+Issue refusal_issue(const LoadStatus& status) {
+  return make_issue(fmt::format("A{}", 100 + int(status.code)), describe_text(status), place(status));
+}
+
+namespace {
+
+using Version = std::uint16_t[3];
+
+std::string text(const Version& v) { return fmt::format("{}.{}.{}", v[0], v[1], v[2]); }
+
+void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now,
+                    std::vector<Issue>& issues) {
+  if (then == now) return;
+  issues.push_back(make_issue(
+      code, fmt::format("cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what, then, now),
+      "chunk PROV"));
+}
+
+void compare_versions(const char* code, const char* what, const Version& then, const Version& now,
+                      std::vector<Issue>& issues) {
+  if (std::ranges::equal(then, now)) return;
+  issues.push_back(
+      make_issue(code, fmt::format("cooked by {} {}; this is {}", what, text(then), text(now)), "chunk PROV"));
+}
+
+const ChunkEntry* find_chunk(const Asset& asset, std::uint32_t id) {
+  const auto found = std::ranges::find(asset.chunks(), id, &ChunkEntry::id);
+  return found == asset.chunks().end() ? nullptr : &*found;
+}
+
+bool same_chunk(const Asset& a, const Asset& b, std::uint32_t id) {
+  const ChunkEntry* in_a = find_chunk(a, id);
+  const ChunkEntry* in_b = find_chunk(b, id);
+  return in_a != nullptr && in_b != nullptr && in_a->bytes == in_b->bytes && in_a->hash == in_b->hash;
+}
+
+}  // namespace
+
+std::vector<Issue> find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
+  std::vector<Issue> issues;
+  const ProvenanceRecord* then = asset.provenance();
+  if (then == nullptr) {
+    issues.push_back(
+        make_issue("R105", "it does not say what it was cooked from; cook with \"scene.provenance\": true"));
+    return issues;
+  }
+  compare_hashes("R101", "a source", then->source_hash, now.source_hash, issues);
+  compare_hashes("R102", "a recipe", then->recipe_hash, now.recipe_hash, issues);
+  if (!issues.empty()) return issues;
+  compare_versions("R103", "version", then->tool_version, now.tool_version, issues);
+  compare_versions("R104", "the importer's version", then->importer_version, now.importer_version, issues);
+  return issues;
+}
+
+std::vector<Issue> find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
+  std::vector<std::uint32_t> ids;
+  for (const Asset* side : {&asset, &cooked_anew}) {
+    std::ranges::transform(side->chunks(), std::back_inserter(ids), &ChunkEntry::id);
+  }
+  std::string different;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const bool known =
+        std::find(ids.begin(), ids.begin() + std::ptrdiff_t(i), ids[i]) != ids.begin() + std::ptrdiff_t(i);
+    if (known || ids[i] == chunk::kProvenance || same_chunk(asset, cooked_anew, ids[i])) continue;
+    different += (different.empty() ? "" : ", ") + chunk_name(ids[i]);
+  }
+  if (different.empty()) return {};
+  return {make_issue("R106", fmt::format("cooked anew, it has other chunks {}; use the new one", different))};
+}
+
+namespace {
+
+using Issues = std::vector<Issue>;
+
+std::string mesh_place(const SourceModel& source, std::uint32_t mesh) {
+  return fmt::format("mesh '{}'", source.meshes[mesh].name);
+}
+
+void check_meshes(const SourceModel& source, const SelectedHair& hair, const Recipe& recipe, Issues& issues) {
+  bool rigid = true;
+  for (const std::uint32_t mesh : hair.meshes) {
+    rigid = rigid && source.meshes[mesh].influences.empty();
+    if (!source.meshes[mesh].uvs.empty()) continue;
+    issues.push_back(
+        make_issue("S203", "no texture coordinates; unwrap the strips along their length", mesh_place(source, mesh)));
+  }
+  if (!rigid || !source.springs.empty() || recipe.chain_source == "none") return;
+  issues.push_back(make_issue("S204", "the hair follows no bone; chains will be fitted to it"));
+}
+
+void check_size(const HairMesh& mesh, Issues& issues) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& at : mesh.positions) box.extend(at);
+  if (is_hair_sized(largest_side(box))) return;
+  issues.push_back(make_issue(
+      "S205",
+      fmt::format("the hair is {:.3g} m large; hair has 0.05 .. 3 m: set \"source.metres_per_unit\" in the recipe",
+                  largest_side(box))));
+}
+
+void check_strips(const HairMesh& mesh, const Recipe& recipe, Issues& issues) {
+  const auto places = weld_places(mesh.positions, recipe.patch_weld_distance);
+  const ExtractedPatches extracted = extract_patches(mesh, places, recipe.patch_connectivity);
+  const std::size_t patches = extracted.patches.count;
+  if (!is_shattered(mesh.triangle_count(), patches)) return;
+  issues.push_back(make_issue("S206", fmt::format("{} triangles fall into {} patches by {}", mesh.triangle_count(),
+                                                  patches, extracted.chosen)));
+}
+
+}  // namespace
+
+Issue import_issue(const ToolError& error) {
+  return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
+}
+
+std::vector<Issue> find_source_issues(const SourceModel& source, const Recipe& recipe) {
+  Issues issues;
+  for (const std::string& warning : source.warnings) issues.push_back(make_issue("S201", warning));
+  const auto hair = select_hair(source, recipe);
+  if (!hair) {
+    issues.push_back(make_issue("S104", hair.error().message));
+    return issues;
+  }
+  for (const std::string& warning : hair->warnings) issues.push_back(make_issue("S202", warning));
+  check_meshes(source, *hair, recipe, issues);
+  check_size(hair->mesh, issues);
+  check_strips(hair->mesh, recipe, issues);
+  return issues;
+}
+
+}  // namespace coif

@@ -1,0 +1,200 @@
+#include "animation/recording.h"
+#include "validate/asset_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace coif {
+namespace {
+
+constexpr float kHardlyAnyLength = 0.001f;  // metres
+constexpr float kMuchLonger = 5;            // than the median
+constexpr std::size_t kEnoughBones = 4;     // for a median that says something
+
+bool is_simulated(const BoneRecord& bone) { return bone.kind == BoneKind::kSimulated; }
+
+void find_unused_bones(const Asset& asset, Issues& issues) {
+  if (asset.skin().empty()) return;
+  std::vector<bool> used(asset.bones().size(), false);
+  for (const SkinRecord& skin : asset.skin()) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (skin.weight[k] > 0) used[skin.bone[k]] = true;
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i] || !is_simulated(asset.bones()[i])) continue;
+    issues.push_back(make_issue("A207", "no vertex follows it, though it is simulated", bone_place(asset, i)));
+  }
+}
+
+void find_stiff_chains(const Asset& asset, Issues& issues) {
+  for (const ChainRecord& chain : asset.chains()) {
+    if (chain.bone_count != 1) continue;
+    issues.push_back(
+        make_issue("A211", "its chain has no other bone: the strand cannot bend", bone_place(asset, chain.first_bone)));
+  }
+}
+
+float median_length(const Asset& asset) {
+  std::vector<float> lengths;
+  for (const BoneRecord& bone : asset.bones()) {
+    if (is_simulated(bone)) lengths.push_back(bone.length);
+  }
+  if (lengths.size() < kEnoughBones) return 0;
+  const auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  return *middle;
+}
+
+void find_odd_lengths(const Asset& asset, Issues& issues) {
+  const float median = median_length(asset);
+  for (std::size_t i = 0; i < asset.bones().size(); ++i) {
+    const BoneRecord& bone = asset.bones()[i];
+    if (!is_simulated(bone)) continue;
+    if (bone.length < kHardlyAnyLength) {
+      issues.push_back(
+          make_issue("A212", fmt::format("only {:.2g} mm long: it flips", 1000 * bone.length), bone_place(asset, i)));
+    } else if (median > 0 && bone.length > kMuchLonger * median) {
+      issues.push_back(make_issue(
+          "A213", fmt::format("{:.2g} m long, {:.0f} times the bones' median", bone.length, bone.length / median),
+          bone_place(asset, i)));
+    }
+  }
+}
+
+}  // namespace
+
+std::string bone_place(const Asset& asset, std::size_t bone) {
+  const std::string name = asset.bone_name(std::uint32_t(bone));
+  return name.empty() ? fmt::format("bone {}", bone) : fmt::format("bone '{}'", name);
+}
+
+void check_bones(const Asset& asset, Issues& issues) {
+  if (asset.skeleton().simulated_count == 0) {
+    issues.push_back(make_issue("A202", "no simulated bone: the hair is rigid; name the hair's bones in the recipe"));
+  }
+  find_unused_bones(asset, issues);
+  find_stiff_chains(asset, issues);
+  find_odd_lengths(asset, issues);
+}
+
+namespace {
+
+constexpr float kRestingDepth = 0.01f;  // of the head's radius
+constexpr float kNeverMoves = 0.9999f;
+
+/// Rigid bones have length 0 and rest at their joint.
+std::vector<Vec3> resting_particles(const Asset& asset) {
+  std::vector<Vec3> particles;
+  for (const BoneRecord& bone : asset.bones()) {
+    particles.push_back({bone.joint[0] + bone.length * bone.rest_direction[0],
+                         bone.joint[1] + bone.length * bone.rest_direction[1],
+                         bone.joint[2] + bone.length * bone.rest_direction[2]});
+  }
+  return particles;
+}
+
+void find_resting_penetration(const Asset& asset, Issues& issues) {
+  const float depth = worst_penetration(asset, resting_particles(asset));
+  if (!(depth > kRestingDepth)) return;
+  issues.push_back(
+      make_issue("A205", fmt::format("the rest pose is up to {:.0f} % of the head's radius inside the head: "
+                                     "the simulation will push it out",
+                                     100 * depth)));
+}
+
+void find_idle_colliders(const Asset& asset, Issues& issues) {
+  std::uint32_t reached = 0;
+  for (const BoneRecord& bone : asset.bones()) reached |= bone.colliders;
+  for (std::size_t i = 0; i < asset.colliders().size(); ++i) {
+    if ((reached >> i & 1u) != 0) continue;
+    const std::string where = fmt::format("collider {} on {}", i, bone_place(asset, asset.colliders()[i].bone));
+    issues.push_back(make_issue("A221", "no bone can ever reach it", where));
+  }
+}
+
+void find_odd_pulls(const Asset& asset, Issues& issues) {
+  for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
+    if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
+    const DynamicsRecord& bone = asset.dynamics()[i];
+    if (bone.resistance <= 0 && bone.stiffness <= 0) {
+      issues.push_back(make_issue("A222", "nothing pulls it to the modelled pose", bone_place(asset, i)));
+    } else if (bone.resistance >= kNeverMoves) {
+      issues.push_back(make_issue("A223", "its resistance of 1 keeps it from ever moving", bone_place(asset, i)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_dynamics(const Asset& asset, Issues& issues) {
+  if (asset.skeleton().simulated_count == 0) return;
+  if (asset.colliders().empty()) issues.push_back(make_issue("A203", "no collider: hair will pass through the head"));
+  find_resting_penetration(asset, issues);
+  find_idle_colliders(asset, issues);
+  find_odd_pulls(asset, issues);
+}
+
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kMostWeight = 128;  // of 255
+constexpr float kFarAway = 0.6f;  // of the hair's size
+
+bool moves(const Asset& asset, const SkinRecord& skin) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (skin.weight[k] > 0 && asset.bones()[skin.bone[k]].kind == BoneKind::kSimulated) return true;
+  }
+  return false;
+}
+
+/// The simulated bone with most of the vertex's weight; null where there is none.
+const BoneRecord* mover_of(const Asset& asset, const SkinRecord& skin) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const BoneRecord& bone = asset.bones()[skin.bone[k]];
+    if (skin.weight[k] >= kMostWeight && bone.kind == BoneKind::kSimulated) return &bone;
+  }
+  return nullptr;
+}
+
+/// From a place to the segment that the bone is at rest, metres. Rest directions are in the parent's frame, which at rest
+/// has the axes of head space.
+float distance(const Vector3f& at, const BoneRecord& bone) {
+  const Vector3f from = at - Vector3f(bone.joint);
+  const Vector3f direction(bone.rest_direction);
+  return (from - direction * std::clamp(from.dot(direction), 0.0f, bone.length)).norm();
+}
+
+void find_strays(const Asset& asset, Issues& issues) {
+  Eigen::AlignedBox3f box;
+  for (const VertexRecord& vertex : asset.vertices()) box.extend(Vector3f(vertex.position));
+  const float far_away = kFarAway * largest_side(box);
+  for (std::size_t i = 0; i < asset.patches().size(); ++i) {
+    const PatchRecord& patch = asset.patches()[i];
+    for (const std::uint32_t vertex : asset.indices().subspan(patch.first_index, patch.index_count)) {
+      const BoneRecord* bone = mover_of(asset, asset.skin()[vertex]);
+      if (bone == nullptr) continue;
+      const float off = distance(Vector3f(asset.vertices()[vertex].position), *bone);
+      if (off <= far_away) continue;
+      const std::string mover = bone_place(asset, std::size_t(bone - asset.bones().data()));
+      issues.push_back(patch_issue("A262", fmt::format("a vertex follows {}, {:.2g} m away", mover, off), i));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void check_skin(const Asset& asset, Issues& issues) {
+  if (asset.vertices().empty() || asset.skeleton().simulated_count == 0) return;
+  if (std::ranges::none_of(asset.skin(), [&](const SkinRecord& skin) { return moves(asset, skin); })) {
+    issues.push_back(make_issue("A261", "no vertex follows a simulated bone: what is drawn does not move"));
+    return;
+  }
+  find_strays(asset, issues);
+}
+
+}  // namespace coif
