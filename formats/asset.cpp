@@ -6,10 +6,7 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kChunkAlignment = 16;
-constexpr std::size_t kTexelAlignment = 64;
-
-std::size_t alignment_of(std::uint32_t id) { return id == chunk::kTexels ? kTexelAlignment : kChunkAlignment; }
+constexpr std::size_t kFileAlignment = 16;  ///< Of the memory that the file lies in, whatever its chunks.
 
 bool is_aligned(const void* address, std::size_t alignment) {
   return reinterpret_cast<std::uintptr_t>(address) % alignment == 0;
@@ -45,7 +42,7 @@ LoadStatus check_table(std::span<const std::byte> bytes, std::span<const ChunkEn
     const ChunkEntry& entry = chunks[i];
     if ((entry.flags & ~kChunkRequired) != 0) return {LoadCode::kReserved, entry.id, i};
     const bool inside = entry.offset >= free_from && entry.offset <= bytes.size() &&
-                        entry.bytes <= bytes.size() - entry.offset && entry.offset % alignment_of(entry.id) == 0;
+                        entry.bytes <= bytes.size() - entry.offset && entry.offset % chunk_alignment(entry.id) == 0;
     if (!inside) return {LoadCode::kChunkRange, entry.id, i, bytes.size(), entry.offset};
     if (!is_zero(bytes.subspan(std::size_t(free_from), std::size_t(entry.offset - free_from)))) {
       return {LoadCode::kReserved, entry.id, i};
@@ -59,73 +56,56 @@ LoadStatus check_table(std::span<const std::byte> bytes, std::span<const ChunkEn
   return {};
 }
 
-/// The records of one chunk as a span into the file; empty where the chunk is absent.
-template <typename Record>
-LoadStatus read_chunk(const std::byte* file, const ChunkEntry& entry, std::span<const Record>& out) {
-  if (entry.bytes % sizeof(Record) != 0) {
-    return {LoadCode::kChunkSize, entry.id, 0, sizeof(Record), entry.bytes};
+}  // namespace
+
+LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& entry) {
+  const std::size_t row = chunk_row(entry.id);
+  if (row == kChunkKinds) {
+    return (entry.flags & kChunkRequired) != 0 ? LoadStatus{LoadCode::kChunkUnknown, entry.id} : LoadStatus{};
   }
-  out = {reinterpret_cast<const Record*>(file + entry.offset), std::size_t(entry.bytes / sizeof(Record))};
+  const ChunkLayout& layout = kChunkLayouts[row];
+  const bool is_one = layout.count == ChunkCount::kOne;
+  const bool whole = is_one ? entry.bytes == layout.record_bytes : entry.bytes % layout.record_bytes == 0;
+  if (!whole) return {LoadCode::kChunkSize, entry.id, 0, layout.record_bytes, entry.bytes};
+  const std::byte* data = file + entry.offset;
+  if (entry.bytes > 0 && !is_aligned(data, layout.alignment)) return {LoadCode::kMisaligned};
+  views_[row] = {data, std::size_t(entry.bytes / layout.record_bytes)};
   return {};
 }
 
-template <typename Record>
-LoadStatus read_single(const std::byte* file, const ChunkEntry& entry, const Record*& out) {
-  if (entry.bytes != sizeof(Record)) return {LoadCode::kChunkSize, entry.id, 0, sizeof(Record), entry.bytes};
-  out = reinterpret_cast<const Record*>(file + entry.offset);
-  return {};
+namespace {
+
+bool has_records(const Asset& asset, std::uint32_t id) {
+  for (const ChunkEntry& entry : asset.chunks()) {
+    if (entry.id == id) return entry.bytes > 0;
+  }
+  return false;
 }
 
 }  // namespace
 
-LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& entry) {
-  switch (entry.id) {
-    case chunk::kSkeleton: return read_single(file, entry, skeleton_);
-    case chunk::kBones: return read_chunk(file, entry, bones_);
-    case chunk::kNames: return read_chunk(file, entry, names_);
-    case chunk::kChains: return read_chunk(file, entry, chains_);
-    case chunk::kDynamics: return read_chunk(file, entry, dynamics_);
-    case chunk::kColliders: return read_chunk(file, entry, colliders_);
-    case chunk::kVertices: return read_chunk(file, entry, vertices_);
-    case chunk::kSkin: return read_chunk(file, entry, skin_);
-    case chunk::kIndices: return read_chunk(file, entry, indices_);
-    case chunk::kPatches: return read_chunk(file, entry, patches_);
-    case chunk::kLods: return read_chunk(file, entry, lods_);
-    case chunk::kLodBones: return read_chunk(file, entry, lod_bones_);
-    case chunk::kOrders: return read_chunk(file, entry, orders_);
-    case chunk::kOrderViews: return read_chunk(file, entry, order_views_);
-    case chunk::kMaterial: return read_single(file, entry, material_);
-    case chunk::kTextures: return read_chunk(file, entry, textures_);
-    case chunk::kTexels: return read_chunk(file, entry, texels_);
-    case chunk::kProvenance: return read_single(file, entry, provenance_);
-    case chunk::kTuning: return read_single(file, entry, tuning_);
-    case chunk::kQuality: return read_chunk(file, entry, quality_);
-    default: break;
+LoadStatus check_needed_chunks(const Asset& asset) {
+  for (const ChunkLayout& layout : kChunkLayouts) {
+    const bool needed = layout.needs.presence == ChunkNeeds::Presence::kAlways;
+    if (needed && !has_records(asset, layout.id)) return {LoadCode::kChunkMissing, layout.id};
   }
-  if ((entry.flags & kChunkRequired) != 0) return {LoadCode::kChunkUnknown, entry.id};
   return {};
 }
 
-LoadStatus Asset::check_content() const {
-  if (skeleton_ == nullptr) return {LoadCode::kChunkMissing, chunk::kSkeleton};
-  if (bones_.empty()) return {LoadCode::kChunkMissing, chunk::kBones};
-  if (const LoadStatus status = check_names(names_); !status) return status;
-  if (const LoadStatus status = check_skeleton(*this, names_.size()); !status) return status;
-  if (const LoadStatus status = check_dynamics(*this); !status) return status;
-  if (const LoadStatus status = check_colliders(*this); !status) return status;
-  if (const LoadStatus status = check_lods(*this); !status) return status;
-  if (const LoadStatus status = check_mesh(*this); !status) return status;
-  if (const LoadStatus status = check_orders(*this); !status) return status;
-  if (const LoadStatus status = check_material(*this); !status) return status;
-  if (const LoadStatus status = check_textures(*this, texels_.size()); !status) return status;
-  if (const LoadStatus status = check_tuning(*this); !status) return status;
-  return check_provenance(*this);
+LoadStatus check_needs(const Asset& asset) {
+  for (const ChunkLayout& layout : kChunkLayouts) {
+    const bool needs = layout.needs.presence == ChunkNeeds::Presence::kRefusedWithout && has_records(asset, layout.id);
+    for (const std::uint32_t id : layout.needs.ids) {
+      if (needs && id != 0 && !has_records(asset, id)) return {LoadCode::kChunkMissing, id};
+    }
+  }
+  return {};
 }
 
 LoadStatus Asset::open(std::span<const std::byte> bytes, const OpenOptions& options) {
   *this = Asset{};
   if (bytes.size() < sizeof(FileHeader)) return {LoadCode::kTooSmall, 0, 0, sizeof(FileHeader), bytes.size()};
-  if (!is_aligned(bytes.data(), kChunkAlignment)) return {LoadCode::kMisaligned};
+  if (!is_aligned(bytes.data(), kFileAlignment)) return {LoadCode::kMisaligned};
   Asset view;
   view.header_ = reinterpret_cast<const FileHeader*>(bytes.data());
   if (const LoadStatus status = check_header(bytes, *view.header_, options); !status) return status;
@@ -136,8 +116,9 @@ LoadStatus Asset::open(std::span<const std::byte> bytes, const OpenOptions& opti
     if (const LoadStatus status = verify ? check_hash(bytes, entry) : LoadStatus{}; !status) return status;
     if (const LoadStatus status = view.read_chunk_into_view(bytes.data(), entry); !status) return status;
   }
-  if (!view.texels_.empty() && !is_aligned(bytes.data(), kTexelAlignment)) return {LoadCode::kMisaligned};
-  if (const LoadStatus status = view.check_content(); !status) return status;
+  for (const ContentCheck check : kContentChecks) {
+    if (const LoadStatus status = check(view); !status) return status;
+  }
   *this = view;
   return {};
 }

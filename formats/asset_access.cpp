@@ -5,33 +5,33 @@
 namespace coif {
 
 const char* Asset::bone_name(std::uint32_t bone) const {
-  if (bone >= bones_.size() || bones_[bone].name == kNone) return "";
-  return names_.data() + bones_[bone].name;
+  if (bone >= bones().size() || bones()[bone].name == kNone) return "";
+  return records<chunk::kNames>().data() + bones()[bone].name;
 }
 
 std::uint32_t Asset::lod_count() const {
-  if (!lods_.empty()) return std::uint32_t(lods_.size());
-  return patches_.empty() ? 0 : 1;
+  if (!lods().empty()) return std::uint32_t(lods().size());
+  return patches().empty() ? 0 : 1;
 }
 
 std::span<const PatchRecord> Asset::lod_patches(std::uint32_t lod) const {
   if (lod >= lod_count()) return {};
-  return lods_.empty() ? patches_ : patches_.subspan(lods_[lod].first_patch, lods_[lod].patch_count);
+  return lods().empty() ? patches() : patches().subspan(lods()[lod].first_patch, lods()[lod].patch_count);
 }
 
 std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {
-  const auto patches = lod_patches(lod);
-  if (patches.empty()) return {};
-  const std::uint32_t first = patches.front().first_index;
-  return indices_.subspan(first, patches.back().first_index + patches.back().index_count - first);
+  const auto drawn = lod_patches(lod);
+  if (drawn.empty()) return {};
+  const std::uint32_t first = drawn.front().first_index;
+  return indices().subspan(first, drawn.back().first_index + drawn.back().index_count - first);
 }
 
 std::uint32_t Asset::order_count() const {
-  return indices_.empty() ? 0 : 1 + std::uint32_t(3 * orders_.size() / indices_.size());
+  return indices().empty() ? 0 : 1 + std::uint32_t(3 * orders().size() / indices().size());
 }
 
 const TextureRecord* Asset::texture(TextureRole role) const {
-  for (const TextureRecord& texture : textures_) {
+  for (const TextureRecord& texture : textures()) {
     if (texture.role == role) return &texture;
   }
   return nullptr;
@@ -40,8 +40,8 @@ const TextureRecord* Asset::texture(TextureRole role) const {
 std::span<const std::byte> Asset::texels(const TextureRecord& texture, std::uint32_t mip) const {
   std::uint64_t offset = texture.offset;
   for (std::uint32_t i = 0; i < mip; ++i) offset += mip_bytes(texture.format, texture.width, texture.height, i);
-  return texels_.subspan(std::size_t(offset),
-                         std::size_t(mip_bytes(texture.format, texture.width, texture.height, mip)));
+  const std::uint64_t bytes = mip_bytes(texture.format, texture.width, texture.height, mip);
+  return records<chunk::kTexels>().subspan(std::size_t(offset), std::size_t(bytes));
 }
 
 }  // namespace coif

@@ -1,5 +1,4 @@
 #include "chunk_checks.h"
-#include "number_checks.h"
 
 #include <bit>
 
@@ -53,7 +52,8 @@ LoadStatus check_material(const Asset& asset) {
   return good ? LoadStatus{} : LoadStatus{LoadCode::kNotFinite, chunk::kMaterial};
 }
 
-LoadStatus check_textures(const Asset& asset, std::size_t texel_bytes) {
+LoadStatus check_textures(const Asset& asset) {
+  const std::size_t texel_bytes = asset.records<chunk::kTexels>().size();
   std::uint32_t roles_seen = 0;
   for (std::size_t i = 0; i < asset.textures().size(); ++i) {
     const TextureRecord& t = asset.textures()[i];

@@ -1,7 +1,60 @@
 #include "chunk_checks.h"
-#include "number_checks.h"
 
 namespace coif {
+namespace {
+
+LoadStatus lod_error(LoadCode code, std::size_t level, std::uint64_t expected = 0, std::uint64_t found = 0) {
+  return {code, chunk::kLods, level, expected, found};
+}
+
+/// Whatever is simulated is so in the finest level and in no level where its parent has become rigid to its own. Names the
+/// first bone that is not so, with the largest number it may have.
+LoadStatus check_lod_bones(const Asset& asset) {
+  const auto counts = asset.lod_bones();
+  const auto bones = asset.bones();
+  if (counts.size() != bones.size()) {
+    return {LoadCode::kChunkSize, chunk::kLodBones, 0, bones.size(), counts.size()};
+  }
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    const bool can_move = bones[i].kind == BoneKind::kSimulated;
+    const bool hangs_freely = can_move && bones[bones[i].parent].kind != BoneKind::kSimulated;
+    const std::size_t most = !can_move ? 0 : hangs_freely ? asset.lods().size() : counts[bones[i].parent];
+    const std::size_t least = can_move ? 1 : 0;
+    if (counts[i] < least || counts[i] > most) return {LoadCode::kLodBones, chunk::kLodBones, i, most, counts[i]};
+  }
+  return {};
+}
+
+/// Screen sizes fall to 0, errors start at 0 and grow: what lets a game pick a level by one comparison each.
+bool measures_fit(const LodRecord& lod, const LodRecord* finer, bool is_last) {
+  if (!in_range(lod.screen_size, 0.0f, kMaxCoordinate) || !in_range(lod.error, 0.0f, kMaxCoordinate)) return false;
+  if (is_last != (lod.screen_size == 0.0f)) return false;
+  if (finer == nullptr) return lod.error == 0.0f;
+  return lod.screen_size < finer->screen_size && lod.error >= finer->error;
+}
+
+}  // namespace
+
+LoadStatus check_lods(const Asset& asset) {
+  const auto lods = asset.lods();
+  if (lods.empty()) return {};
+  if (lods.size() > kMaxLods) return lod_error(LoadCode::kChunkSize, 0, kMaxLods, lods.size());
+  const std::uint64_t total = asset.patches().size();
+  std::uint64_t next = 0;
+  for (std::size_t i = 0; i < lods.size(); ++i) {
+    const LodRecord& lod = lods[i];
+    const LodRecord* finer = i == 0 ? nullptr : &lods[i - 1];
+    if (lod.first_patch != next) return lod_error(LoadCode::kLodCover, i, next, lod.first_patch);
+    if (lod.patch_count == 0 || lod.patch_count > total - next) {
+      return lod_error(LoadCode::kLodCover, i, total - next, lod.patch_count);
+    }
+    if (!measures_fit(lod, finer, i + 1 == lods.size())) return lod_error(LoadCode::kLodOrder, i);
+    next += lod.patch_count;
+  }
+  if (next != total) return lod_error(LoadCode::kLodCover, lods.size(), total, next);
+  return check_lod_bones(asset);
+}
+
 namespace {
 
 // Meshes have thousands of records, and nearly always all are good. So each record's faults are one word without a branch,
@@ -99,19 +152,79 @@ LoadStatus check_patches(const Asset& asset) {
 }  // namespace
 
 LoadStatus check_mesh(const Asset& asset) {
-  if (asset.vertices().empty()) {
-    // A skeleton alone is a complete asset; half a mesh is not.
-    if (!asset.skin().empty()) return {LoadCode::kChunkMissing, chunk::kVertices};
-    if (!asset.indices().empty()) return {LoadCode::kChunkMissing, chunk::kVertices};
-    if (!asset.patches().empty()) return {LoadCode::kChunkMissing, chunk::kVertices};
-    return {};
-  }
-  if (asset.indices().empty()) return {LoadCode::kChunkMissing, chunk::kIndices};
-  if (asset.patches().empty()) return {LoadCode::kChunkMissing, chunk::kPatches};
+  if (asset.vertices().empty()) return {};  // a skeleton alone is a complete asset
   if (const LoadStatus status = check_vertices(asset.vertices()); !status) return status;
   if (const LoadStatus status = check_skin(asset); !status) return status;
   if (const LoadStatus status = check_indices(asset); !status) return status;
   return check_patches(asset);
+}
+
+namespace {
+
+LoadStatus order_error(LoadCode code, std::size_t item, std::uint64_t expected = 0, std::uint64_t found = 0) {
+  return {code, chunk::kOrders, item, expected, found};
+}
+
+/// Spreads a triangle's number over all bits, so that sums of the results tell one set of triangles from another. Source:
+/// the finaliser of SplitMix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
+std::uint64_t scatter(std::uint64_t x) {
+  x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ x >> 27) * 0x94D049BB133111EBu;
+  return x ^ x >> 31;
+}
+
+/// One level's triangles `first` to `first + count` in all further orders. There is no memory for a mark per triangle: that
+/// each occurs once is shown by a sum, certain against accidents. A forged list that passes draws wrong triangles, as many
+/// as it should, all of them the level's.
+LoadStatus check_level(const Asset& asset, std::size_t first, std::size_t count) {
+  std::uint64_t expected = 0;
+  for (std::size_t t = first; t < first + count; ++t) expected += scatter(t + 1);
+  const auto orders = asset.orders();
+  for (std::size_t start = first; start < orders.size(); start += asset.indices().size() / 3) {
+    std::uint64_t found = 0;
+    for (std::size_t i = start; i < start + count; ++i) {
+      const std::size_t triangle = orders[i];
+      if (triangle < first || triangle - first >= count) {
+        return order_error(LoadCode::kReference, i, first + count, triangle);
+      }
+      found += scatter(triangle + 1);
+    }
+    if (found != expected) return order_error(LoadCode::kOrderCover, start);
+  }
+  return {};
+}
+
+LoadStatus check_levels(const Asset& asset) {
+  if (asset.lods().empty()) return check_level(asset, 0, asset.indices().size() / 3);
+  for (const LodRecord& lod : asset.lods()) {
+    const auto patches = asset.patches().subspan(lod.first_patch, lod.patch_count);
+    const std::size_t first = patches.front().first_index;
+    const std::size_t end = std::size_t{patches.back().first_index} + patches.back().index_count;
+    if (const LoadStatus status = check_level(asset, first / 3, (end - first) / 3); !status) return status;
+  }
+  return {};
+}
+
+LoadStatus check_views(const Asset& asset, std::size_t order_count) {
+  const auto views = asset.order_views();
+  if (views.size() != kViewCells) return {LoadCode::kChunkSize, chunk::kOrderViews, 0, kViewCells, views.size()};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i] >= order_count) return {LoadCode::kReference, chunk::kOrderViews, i, order_count, views[i]};
+  }
+  return {};
+}
+
+}  // namespace
+
+LoadStatus check_orders(const Asset& asset) {
+  const auto orders = asset.orders();
+  if (orders.empty()) return {};
+  const std::size_t triangles = asset.indices().size() / 3;
+  if (orders.size() % triangles != 0) return order_error(LoadCode::kChunkSize, 0, triangles, orders.size());
+  const std::size_t further = orders.size() / triangles;
+  if (further >= kMaxOrders) return order_error(LoadCode::kChunkSize, 0, kMaxOrders - 1, further);
+  if (const LoadStatus status = check_levels(asset); !status) return status;
+  return check_views(asset, further + 1);
 }
 
 }  // namespace coif

@@ -1,5 +1,4 @@
 #include "chunk_checks.h"
-#include "number_checks.h"
 
 namespace coif {
 namespace {
@@ -7,8 +6,6 @@ namespace {
 LoadStatus bone_error(LoadCode code, std::size_t bone, std::uint64_t expected = 0, std::uint64_t found = 0) {
   return {code, chunk::kBones, bone, expected, found};
 }
-
-bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
 
 LoadStatus check_bone_place(std::span<const BoneRecord> bones, std::size_t i) {
   const BoneRecord& bone = bones[i];
@@ -114,20 +111,22 @@ LoadStatus check_chains(const Asset& asset, std::uint32_t rigid_count) {
 
 }  // namespace
 
-LoadStatus check_names(std::span<const char> names) {
+LoadStatus check_names(const Asset& asset) {
+  const auto names = asset.records<chunk::kNames>();
   const bool ended = names.empty() || names.back() == 0;
   return ended ? LoadStatus{} : LoadStatus{LoadCode::kName, chunk::kNames};
 }
 
-LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes) {
+LoadStatus check_skeleton(const Asset& asset) {
   const SkeletonRecord& skeleton = asset.skeleton();
   const auto bones = asset.bones();
+  const std::size_t name_bytes = asset.records<chunk::kNames>().size();
   const auto fail = [](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
     return LoadStatus{code, chunk::kSkeleton, 0, expected, found};
   };
   if (skeleton.reserved != 0 || !(skeleton.reserved_tail == 0.0f)) return fail(LoadCode::kReserved);
   if (!all_finite(skeleton.head_joint) || !is_unit(skeleton.head_rotation)) return fail(LoadCode::kNotFinite);
-  if (bones.empty() || bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
+  if (bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
   if (skeleton.bone_count != bones.size()) return fail(LoadCode::kChunkSize, bones.size(), skeleton.bone_count);
   if (skeleton.chain_count != asset.chains().size()) {
     return fail(LoadCode::kChunkSize, asset.chains().size(), skeleton.chain_count);
@@ -145,26 +144,6 @@ LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes) {
   const std::uint64_t simulated = bones.size() - rigid_count;
   if (skeleton.simulated_count != simulated) return fail(LoadCode::kChunkSize, simulated, skeleton.simulated_count);
   return check_chains(asset, rigid_count);
-}
-
-LoadStatus check_dynamics(const Asset& asset) {
-  const auto dynamics = asset.dynamics();
-  if (dynamics.empty() && asset.skeleton().simulated_count == 0) return {};
-  if (dynamics.empty()) return {LoadCode::kChunkMissing, chunk::kDynamics};
-  if (dynamics.size() != asset.bones().size()) {
-    return {LoadCode::kChunkSize, chunk::kDynamics, 0, asset.bones().size(), dynamics.size()};
-  }
-  for (std::size_t i = 0; i < dynamics.size(); ++i) {
-    const DynamicsRecord& d = dynamics[i];
-    if (!all_zero(d.reserved)) return {LoadCode::kReserved, chunk::kDynamics, i};
-    const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
-                      in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
-                      in_range(d.hit_radius, 0.0f, kMaxCoordinate) && in_range(d.stiffness, 0.0f, 1.0e12f) &&
-                      in_range(d.damping, 0.0f, 1.0e6f) && in_range(d.torsion, 0.0f, 1.0e6f) &&
-                      in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f);
-    if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
-  }
-  return {};
 }
 
 }  // namespace coif

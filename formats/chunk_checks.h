@@ -4,22 +4,77 @@
 
 #include <coif/asset.h>
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 namespace coif {
 
 /// `entry` is known to lie inside the file.
 LoadStatus check_hash(std::span<const std::byte> file, const ChunkEntry& entry);
-LoadStatus check_names(std::span<const char> names);
-LoadStatus check_skeleton(const Asset& asset, std::size_t name_bytes);
+
+/// Chunks that no asset is without.
+LoadStatus check_needed_chunks(const Asset& asset);
+LoadStatus check_names(const Asset& asset);
+LoadStatus check_skeleton(const Asset& asset);
 LoadStatus check_dynamics(const Asset& asset);
 LoadStatus check_colliders(const Asset& asset);
-/// Before check_mesh(), which relies on it.
+/// Chunks that others are refused without: of what is drawn.
+LoadStatus check_needs(const Asset& asset);
 LoadStatus check_lods(const Asset& asset);
 LoadStatus check_mesh(const Asset& asset);
-/// After check_lods() and check_mesh(), on which it relies.
 LoadStatus check_orders(const Asset& asset);
 LoadStatus check_material(const Asset& asset);
-LoadStatus check_textures(const Asset& asset, std::size_t texel_bytes);
-LoadStatus check_provenance(const Asset& asset);
+LoadStatus check_textures(const Asset& asset);
 LoadStatus check_tuning(const Asset& asset);
+LoadStatus check_provenance(const Asset& asset);
+
+using ContentCheck = LoadStatus (*)(const Asset&);
+
+/// One after the other: each relies on those before it.
+inline constexpr ContentCheck kContentChecks[] = {
+    check_needed_chunks, check_names, check_skeleton, check_dynamics, check_colliders, check_needs,     check_lods,
+    check_mesh,          check_orders, check_material, check_textures, check_tuning,    check_provenance};
+
+inline bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
+
+// Comparisons that are false for NaN, so that one test covers range and finiteness.
+
+inline constexpr float kMaxCoordinate = 1.0e5f;  ///< Metres, texture repeats, colours: larger is a broken file.
+
+inline bool in_range(float value, float low, float high) { return value >= low && value <= high; }
+
+/// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are ordered
+/// as their bits are. For many numbers at once, whose words are joined and looked at once.
+inline std::uint32_t beyond_limit(float value) {
+  return std::bit_cast<std::uint32_t>(kMaxCoordinate) - (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
+}
+
+template <std::size_t kCount>
+bool all_in_range(const float (&values)[kCount], float low, float high) {
+  for (float value : values) {
+    if (!in_range(value, low, high)) return false;
+  }
+  return true;
+}
+
+template <std::size_t kCount>
+bool all_finite(const float (&values)[kCount]) {
+  return all_in_range(values, -kMaxCoordinate, kMaxCoordinate);
+}
+
+/// True where the vector's length is 1 within one per mille.
+template <std::size_t kCount>
+bool is_unit(const float (&values)[kCount]) {
+  if (!all_in_range(values, -2.0f, 2.0f)) return false;
+  float square = 0;
+  for (float value : values) square += value * value;
+  return in_range(square, 0.998f, 1.002f);
+}
+
+template <std::size_t kCount>
+bool all_zero(const float (&values)[kCount]) {
+  return all_in_range(values, 0.0f, 0.0f);
+}
 
 }  // namespace coif

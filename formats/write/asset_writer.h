@@ -1,40 +1,53 @@
 #pragma once
 // For tools only. A game never links this.
 
-#include <coif/asset_records.h>
+#include <coif/chunks.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace coif {
 
-/// Everything a .coif can hold, in editable form. An empty array leaves its chunk out.
+/// A chunk in editable form: the records, or the one that no asset is without.
+template <std::uint32_t kId>
+using EditableChunk = std::conditional_t<is_needed_chunk(kId) && kChunkLayouts[chunk_row(kId)].count == ChunkCount::kOne,
+                                         typename ChunkRecord<kId>::Type, std::vector<typename ChunkRecord<kId>::Type>>;
+
+/// Everything a .coif can hold: a field for each chunk by its name in COIF_CHUNKS, such as `skeleton`, `bones` or
+/// `lod_bones`. An empty one leaves its chunk out; `material`, `provenance` and `tuning` have one record or none. Offsets and
+/// bytes of `textures` refer to `texels`.
 struct AssetContents {
-  SkeletonRecord skeleton{};  ///< Counts are filled by write_asset().
-  std::vector<BoneRecord> bones;
-  std::vector<std::string> bone_names;  ///< One per bone, or empty; sets BoneRecord::name.
-  std::vector<ChainRecord> chains;
-  std::vector<DynamicsRecord> dynamics;
-  std::vector<ColliderRecord> colliders;
-  std::vector<VertexRecord> vertices;
-  std::vector<SkinRecord> skin;
-  std::vector<std::uint32_t> indices;
-  std::vector<PatchRecord> patches;
-  std::vector<LodRecord> lods;            ///< Empty: one level.
-  std::vector<std::uint8_t> lod_bones;    ///< One per bone, or empty where `lods` is.
-  std::vector<std::uint32_t> orders;      ///< Draw orders besides that of `indices`, each of all triangles.
-  std::vector<std::uint8_t> order_views;  ///< kViewCells, or empty where `orders` is.
-  std::vector<MaterialRecord> material;   ///< None or one.
-  std::vector<TextureRecord> textures;    ///< Offsets and bytes refer to `texels`.
-  std::vector<std::byte> texels;
-  std::vector<ProvenanceRecord> provenance;  ///< None or one.
-  std::vector<TuningRecord> tuning;          ///< None or one.
-  std::vector<QualityRecord> quality;
+#define COIF_FIELD(constant, id, Record, count, name, ...) EditableChunk<chunk::constant> name{};
+  COIF_CHUNKS(COIF_FIELD)
+#undef COIF_FIELD
+  /// One per bone, or empty. write_asset() makes `names` of them, sets BoneRecord::name and counts in `skeleton`.
+  std::vector<std::string> bone_names;
 };
 
 /// The file's bytes. Deterministic: equal contents give equal bytes. Contents that the reader would refuse are
 /// the caller's bug; open the result to find out.
-[[nodiscard]] std::vector<std::byte> write_asset(const AssetContents& contents);
+[[nodiscard]] std::vector<std::byte> write_asset(AssetContents contents);
+
+/// Empties the chunks that `coif strip` knows by this word; returns how many bytes of records they were.
+std::uint64_t clear_group(std::string_view group, AssetContents& contents);
+
+// A file from its chunks, whatever they mean.
+
+/// A chunk on its way into a file. Does not own the bytes.
+struct PendingChunk {
+  std::uint32_t id = 0;
+  std::uint32_t flags = 0;
+  std::span<const std::byte> bytes;
+  std::size_t alignment = 16;  ///< Of its place in the file.
+};
+
+/// Header, table and chunks in the order given, as close to each other as their alignment allows, hashes filled in.
+[[nodiscard]] std::vector<std::byte> write_chunks(std::span<const PendingChunk> chunks,
+                                                  std::uint16_t minor = kAssetMinor);
 
 }  // namespace coif

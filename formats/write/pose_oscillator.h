@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace coif {
 
 /// A bone's pull to its default pose in continuous time: y'' = -stiffness y - damping y' for the distance y to it.
@@ -13,6 +16,9 @@ struct PoseOscillator {
 /// damping = -rate ln(1 - r), and whose sag under a constant load is that of stiffness = rate^2 r / (1 - r). Its frequency
 /// is w for small r and higher by about r/5 of it for others.
 /// Resistances above 1 - 1e-6 are taken as that: a bone that never leaves its pose still has finite numbers.
-[[nodiscard]] PoseOscillator oscillator_of(double resistance, double rate);
+[[nodiscard]] inline PoseOscillator oscillator_of(double resistance, double rate) {
+  const double r = std::clamp(resistance, 0.0, 1.0 - 1.0e-6);
+  return {rate * rate * r / (1 - r), -rate * std::log1p(-r)};
+}
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #include "write/strip_asset.h"
 
-#include "write/chunk_file.h"
+#include "write/asset_writer.h"
 
 #include <algorithm>
 #include <cstring>
@@ -8,21 +8,6 @@
 
 namespace coif {
 namespace {
-
-/// `chunk` means nothing without `needed`.
-struct Need {
-  std::uint32_t chunk;
-  std::uint32_t needed;
-};
-
-constexpr Need kNeeds[] = {
-    {chunk::kChains, chunk::kDynamics},  {chunk::kDynamics, chunk::kChains},   {chunk::kTuning, chunk::kDynamics},
-    {chunk::kQuality, chunk::kDynamics}, {chunk::kVertices, chunk::kIndices},  {chunk::kVertices, chunk::kPatches},
-    {chunk::kSkin, chunk::kVertices},    {chunk::kIndices, chunk::kVertices},  {chunk::kPatches, chunk::kVertices},
-    {chunk::kLods, chunk::kPatches},     {chunk::kLods, chunk::kLodBones},     {chunk::kLodBones, chunk::kLods},
-    {chunk::kOrders, chunk::kPatches},   {chunk::kOrders, chunk::kOrderViews}, {chunk::kOrderViews, chunk::kOrders},
-    {chunk::kTextures, chunk::kTexels},  {chunk::kTexels, chunk::kTextures},
-};
 
 bool contains(std::span<const std::uint32_t> ids, std::uint32_t id) { return std::ranges::find(ids, id) != ids.end(); }
 
@@ -74,7 +59,7 @@ class Stripper {
 
   /// A chunk that is not known here may want the alignment that it has.
   static std::size_t alignment_of(const ChunkEntry& entry) {
-    const bool known = contains(kKnownChunks, entry.id);
+    const bool known = chunk_row(entry.id) < kChunkKinds;
     return !known && entry.offset % 64 == 0 ? 64 : chunk_alignment(entry.id);
   }
 
@@ -139,8 +124,9 @@ class Stripper {
 std::vector<std::uint32_t> with_dependents(std::span<const std::uint32_t> chunks) {
   std::vector<std::uint32_t> all(chunks.begin(), chunks.end());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const Need& need : kNeeds) {
-      if (need.needed == all[i] && !contains(all, need.chunk)) all.push_back(need.chunk);
+    for (const ChunkLayout& layout : kChunkLayouts) {
+      const bool needs_it = all[i] != 0 && contains(layout.needs.ids, all[i]);
+      if (needs_it && !contains(all, layout.id)) all.push_back(layout.id);
     }
   }
   return all;

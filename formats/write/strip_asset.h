@@ -23,16 +23,6 @@ struct StrippedAsset {
   std::vector<std::uint32_t> rewritten;  ///< Chunks of the same size that no longer refer to what was removed.
 };
 
-/// All chunks of this version of the format, in the order in which the cooker writes them.
-inline constexpr std::uint32_t kKnownChunks[] = {
-    chunk::kSkeleton,   chunk::kBones,    chunk::kNames,      chunk::kChains,   chunk::kDynamics,
-    chunk::kColliders,  chunk::kPatches,  chunk::kLods,       chunk::kLodBones, chunk::kOrders,
-    chunk::kOrderViews, chunk::kMaterial, chunk::kProvenance, chunk::kTuning,   chunk::kQuality,
-    chunk::kTextures,   chunk::kVertices, chunk::kSkin,       chunk::kIndices,  chunk::kTexels};
-
-/// Chunks that no asset is without: they cannot be stripped.
-[[nodiscard]] constexpr bool is_needed_chunk(std::uint32_t id) { return id == chunk::kSkeleton || id == chunk::kBones; }
-
 /// `chunks`, and behind them all others that mean nothing without one of them.
 [[nodiscard]] std::vector<std::uint32_t> with_dependents(std::span<const std::uint32_t> chunks);
 

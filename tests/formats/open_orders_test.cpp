@@ -28,8 +28,7 @@ TEST(OpenOrders, AnOpenAssetGivesThemBack) {
 
 TEST(OpenOrders, WithoutThemTheStoredOneIsTheOnlyOne) {
   AssetContents contents = small_asset();
-  contents.orders.clear();
-  contents.order_views.clear();
+  clear_group("orders", contents);
   AlignedBytes file(write_asset(contents));
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
@@ -60,8 +59,7 @@ TEST(OpenOrders, EveryLevelKeepsItsOwnTriangles) {
   EXPECT_EQ(refusal([](auto& a) { a.orders[5] = kNone; }), LoadCode::kReference);
   EXPECT_EQ(refusal([](auto& a) { std::swap(a.orders[3], a.orders[4]); }), LoadCode::kOk);
   const auto one_level = [](AssetContents& a) {
-    a.lods.clear();
-    a.lod_bones.clear();
+    clear_group("lods", a);
     a.orders = {2, 0, 1, 1, 2, 0};
   };
   EXPECT_EQ(refusal(one_level), LoadCode::kOk);

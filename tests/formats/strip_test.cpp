@@ -1,6 +1,6 @@
 // Every chunk that is not needed can be left out, alone and with others.
 
-#include "write/chunk_file.h"
+#include "write/asset_writer.h"
 #include "write/strip_asset.h"
 
 #include "models/small_asset.h"
@@ -42,8 +42,8 @@ struct OpenFile {
 
 Ids optional_chunks() {
   Ids ids;
-  for (const std::uint32_t id : kKnownChunks) {
-    if (!is_needed_chunk(id)) ids.push_back(id);
+  for (const ChunkLayout& layout : kChunkLayouts) {
+    if (!is_needed_chunk(layout.id)) ids.push_back(layout.id);
   }
   return ids;
 }
@@ -79,7 +79,7 @@ void expect_stripped(OpenFile& whole, const Ids& chunks) {
 TEST(Strip, EveryOptionalChunkCanBeLeftOutAloneAndWithAnyOther) {
   OpenFile whole(write_asset(small_asset()));
   ASSERT_TRUE(whole.status);
-  ASSERT_EQ(whole.asset.chunks().size(), std::size(kKnownChunks)) << "small_asset() has every chunk";
+  ASSERT_EQ(whole.asset.chunks().size(), kChunkKinds) << "small_asset() has every chunk";
   for (const std::uint32_t one : optional_chunks()) {
     for (const std::uint32_t other : optional_chunks()) expect_stripped(whole, {one, other});
   }

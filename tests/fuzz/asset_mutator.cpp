@@ -1,7 +1,7 @@
 // Changes a .coif chunk by chunk. Bytes put in anywhere would move all chunks behind them off their places, and a hash would
 // refuse any change: so that neither is all that a fuzzer ever meets, the file is taken apart and written anew.
 
-#include "write/chunk_file.h"
+#include "write/asset_writer.h"
 
 #include <coif/asset_records.h>
 

@@ -30,7 +30,7 @@ void prepare_to_draw(const Asset& asset) {
 
 /// Without one of its chunks, which one depends on the input's size: one input is not to take the time of twenty.
 void strip(const Asset& asset, std::span<const std::byte> file) {
-  const std::uint32_t chunk = kKnownChunks[file.size() % std::size(kKnownChunks)];
+  const std::uint32_t chunk = kChunkLayouts[file.size() % kChunkKinds].id;
   if (is_needed_chunk(chunk)) return;
   AlignedBytes stripped(strip_asset(asset, file, {&chunk, 1}).file);
   Asset rest;

@@ -96,7 +96,7 @@ constexpr Doubt kBodyDoubts[] = {
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_error = 0.001f; }},
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_cost = 1000; }},
     {"A282", [](AssetContents& asset) { asset.quality[0].rms_error = 0.05f; }},
-    {"A283", [](AssetContents& asset) { asset.tuning.clear(), asset.quality.clear(); }},
+    {"A283", [](AssetContents& asset) { clear_group("tuning", asset); }},
     {"A284", [](AssetContents& asset) { asset.quality[1].penetration = 0.1f; }},
     {"A285", [](AssetContents& asset) { asset.quality[1].stretch = 0.02f; }},
 };
@@ -106,17 +106,6 @@ constexpr Doubt kBodyDoubts[] = {
 std::span<const Doubt> body_doubts() { return kBodyDoubts; }
 
 namespace {
-
-void remove_mesh(AssetContents& asset) {
-  asset.vertices.clear();
-  asset.skin.clear();
-  asset.indices.clear();
-  asset.patches.clear();
-  asset.lods.clear();
-  asset.lod_bones.clear();
-  asset.orders.clear();
-  asset.order_views.clear();
-}
 
 /// Both patches of the finest level become one, whose triangles share no place.
 void join_patches(AssetContents& asset) {
@@ -129,10 +118,8 @@ void join_patches(AssetContents& asset) {
 
 /// Nine patches of one triangle.
 void shatter(AssetContents& asset) {
-  asset.lods.clear();
-  asset.lod_bones.clear();
-  asset.orders.clear();
-  asset.order_views.clear();
+  clear_group("lods", asset);
+  clear_group("orders", asset);
   asset.patches.clear();
   asset.indices.clear();
   for (std::uint32_t place = 0; place < 9; ++place) {
@@ -159,8 +146,8 @@ void fade_mips(AssetContents& asset) {
 void blend_nothing(AssetContents& asset) { asset.material[0].discard_threshold = asset.material[0].opaque_threshold; }
 
 constexpr Doubt kSurfaceDoubts[] = {
-    {"A201", remove_mesh},
-    {"A204", [](AssetContents& asset) { asset.textures.clear(), asset.texels.clear(); }},
+    {"A201", [](AssetContents& asset) { clear_group("mesh", asset); }},
+    {"A204", [](AssetContents& asset) { clear_group("textures", asset); }},
     {"A231", [](AssetContents& asset) { std::copy_n(asset.vertices[0].position, 3, asset.vertices[1].position); }},
     {"A232",
      [](AssetContents& asset) {
@@ -179,8 +166,7 @@ constexpr Doubt kSurfaceDoubts[] = {
      [](AssetContents& asset) {
        asset.lods[0].patch_count = 1;
        asset.lods[1] = {1, 2, asset.lods[1].screen_size, asset.lods[1].error};
-       asset.orders.clear();
-       asset.order_views.clear();
+       clear_group("orders", asset);
      }},
     {"A241", join_patches},
     {"A242", [](AssetContents& asset) { asset.vertices[2].position[0] = 1; }},

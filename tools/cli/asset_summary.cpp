@@ -3,7 +3,7 @@
 #include "base/json.h"
 #include "base/shading_names.h"
 #include "cook/texture/alpha.h"
-#include "write/chunk_file.h"
+#include "write/chunk_words.h"
 
 #include <fmt/format.h>
 

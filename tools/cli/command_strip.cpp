@@ -1,18 +1,21 @@
 #include "base/files.h"
 #include "base/json.h"
-#include "cli/chunk_choice.h"
+#include "base/text.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "validate/find_issues.h"
-#include "write/chunk_file.h"
+#include "write/chunk_words.h"
 #include "write/strip_asset.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
+#include <sstream>
 
 namespace coif {
 namespace {
@@ -23,6 +26,68 @@ struct StripOptions {
   std::string without;
   OutputFormat format = OutputFormat::kText;
 };
+
+using Ids = std::vector<std::uint32_t>;
+
+std::string in_case(std::string text, int (*letter)(int)) {
+  for (char& c : text) c = char(letter(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Chunks of the format and those that only this asset has.
+Ids nameable_chunks(const Asset& asset) {
+  Ids ids;
+  for (const ChunkLayout& layout : kChunkLayouts) ids.push_back(layout.id);
+  for (const ChunkEntry& entry : asset.chunks()) {
+    if (std::ranges::find(ids, entry.id) == ids.end()) ids.push_back(entry.id);
+  }
+  return ids;
+}
+
+tl::unexpected<ToolError> unknown_word(const std::string& word, const Ids& chunks) {
+  std::vector<std::string> words, groups;
+  for (const ChunkGroup& group : chunk_groups()) groups.emplace_back(group.name);
+  words = groups;
+  for (const std::uint32_t id : chunks) words.push_back(in_case(chunk_name(id), std::tolower));
+  const std::string nearest = nearest_word(in_case(word, std::tolower), words);
+  const bool is_group = std::ranges::find(groups, nearest) != groups.end();
+  const std::string cure =
+      nearest.empty() ? fmt::format("use {}, or a chunk's name as 'coif info' prints it", fmt::join(groups, ", "))
+                      : fmt::format("did you mean '{}'?", is_group ? nearest : in_case(nearest, std::toupper));
+  return usage(fmt::format("--without: '{}' is no part of an asset; {}", word, cure));
+}
+
+tl::expected<Ids, ToolError> chunks_of(const std::string& word, const Ids& chunks) {
+  for (const ChunkGroup& group : chunk_groups()) {
+    if (in_case(word, std::tolower) == group.name) return chunks_of_group(group.name);
+  }
+  for (const std::uint32_t id : chunks) {
+    if (in_case(word, std::toupper) != in_case(chunk_name(id), std::toupper)) continue;
+    if (!is_needed_chunk(id)) return Ids{id};
+    return usage(
+        fmt::format("--without: no asset is without {}: SKEL and BONE are the skeleton that all else refers to; "
+                    "leave it off the list",
+                    chunk_name(id)));
+  }
+  return unknown_word(word, chunks);
+}
+
+/// The chunks that a list such as "textures,NAME" stands for, in letters of either case: groups, chunks of the format, and
+/// whatever else the asset has. Errors (kUsage) say which word is none of these, with the nearest one, and which chunks no
+/// asset is without.
+tl::expected<Ids, ToolError> choose_chunks(const std::string& list, const Asset& asset) {
+  const Ids nameable = nameable_chunks(asset);
+  Ids chosen;
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto chunks = chunks_of(word, nameable);
+    if (!chunks) return chunks;
+    for (const std::uint32_t id : *chunks) {
+      if (std::ranges::find(chosen, id) == chosen.end()) chosen.push_back(id);
+    }
+  }
+  return chosen;
+}
 
 nlohmann::ordered_json losses(const std::vector<StrippedChunk>& chunks) {
   auto list = nlohmann::ordered_json::array();
@@ -87,7 +152,7 @@ std::string list_of_groups() {
   std::string text = "CHUNK is a chunk's name as 'coif info' prints it, or one of these, after which an asset is:\n";
   for (const ChunkGroup& group : chunk_groups()) {
     std::vector<std::string> names;
-    for (const std::uint32_t id : group.chunks) names.push_back(chunk_name(id));
+    for (const std::uint32_t id : chunks_of_group(group.name)) names.push_back(chunk_name(id));
     text += fmt::format("  {:<12}{} ({})\n", group.name, group.meaning, fmt::join(names, " "));
   }
   return text + "What needs a chunk goes with it.";

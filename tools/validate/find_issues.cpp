@@ -4,7 +4,7 @@
 #include "cook/select/select_hair.h"
 #include "cook/strands/patches.h"
 #include "validate/asset_checks.h"
-#include "write/chunk_file.h"
+#include "write/chunk_words.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <coif/asset_records.h>
+#include <coif/chunks.h>
 #include <coif/export.h>
 #include <coif/load_status.h>
 
@@ -30,29 +30,40 @@ class COIF_API Asset {
   /// them. open() has proved all of it harmless: this finds a picture that is not the one cooked. Of an open asset.
   [[nodiscard]] LoadStatus verify_draw_data() const;
 
-  [[nodiscard]] bool is_open() const { return skeleton_ != nullptr; }
+  [[nodiscard]] bool is_open() const { return header_ != nullptr; }
   [[nodiscard]] std::uint16_t minor() const { return header_->minor; }
   [[nodiscard]] std::uint64_t total_bytes() const { return header_->total_bytes; }
 
   /// The chunk table as stored, for tools that list sizes.
   [[nodiscard]] std::span<const ChunkEntry> chunks() const { return chunks_; }
 
-  [[nodiscard]] const SkeletonRecord& skeleton() const { return *skeleton_; }
-  [[nodiscard]] std::span<const BoneRecord> bones() const { return bones_; }
+  /// The records of a chunk by its id; empty where it is absent. Those below say what they mean.
+  template <std::uint32_t kId>
+  [[nodiscard]] std::span<const typename ChunkRecord<kId>::Type> records() const {
+    return {reinterpret_cast<const typename ChunkRecord<kId>::Type*>(view<kId>().data), view<kId>().count};
+  }
+  /// The one of a chunk that has no more; null where it is absent.
+  template <std::uint32_t kId>
+  [[nodiscard]] const typename ChunkRecord<kId>::Type* record() const {
+    return reinterpret_cast<const typename ChunkRecord<kId>::Type*>(view<kId>().data);
+  }
+
+  [[nodiscard]] const SkeletonRecord& skeleton() const { return *record<chunk::kSkeleton>(); }
+  [[nodiscard]] std::span<const BoneRecord> bones() const { return records<chunk::kBones>(); }
   /// Never null; empty where the asset has no names.
   [[nodiscard]] const char* bone_name(std::uint32_t bone) const;
-  [[nodiscard]] std::span<const ChainRecord> chains() const { return chains_; }
-  [[nodiscard]] std::span<const DynamicsRecord> dynamics() const { return dynamics_; }
-  [[nodiscard]] std::span<const ColliderRecord> colliders() const { return colliders_; }
+  [[nodiscard]] std::span<const ChainRecord> chains() const { return records<chunk::kChains>(); }
+  [[nodiscard]] std::span<const DynamicsRecord> dynamics() const { return records<chunk::kDynamics>(); }
+  [[nodiscard]] std::span<const ColliderRecord> colliders() const { return records<chunk::kColliders>(); }
 
-  [[nodiscard]] std::span<const VertexRecord> vertices() const { return vertices_; }
-  [[nodiscard]] std::span<const SkinRecord> skin() const { return skin_; }
-  [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
-  [[nodiscard]] std::span<const PatchRecord> patches() const { return patches_; }
+  [[nodiscard]] std::span<const VertexRecord> vertices() const { return records<chunk::kVertices>(); }
+  [[nodiscard]] std::span<const SkinRecord> skin() const { return records<chunk::kSkin>(); }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return records<chunk::kIndices>(); }
+  [[nodiscard]] std::span<const PatchRecord> patches() const { return records<chunk::kPatches>(); }
   /// Levels of detail, finest first; empty where the asset has one level: all patches, all bones simulated.
-  [[nodiscard]] std::span<const LodRecord> lods() const { return lods_; }
+  [[nodiscard]] std::span<const LodRecord> lods() const { return records<chunk::kLods>(); }
   /// In how many levels each bone is simulated, from the finest on; 0 for rigid bones. Empty where lods() is.
-  [[nodiscard]] std::span<const std::uint8_t> lod_bones() const { return lod_bones_; }
+  [[nodiscard]] std::span<const std::uint8_t> lod_bones() const { return records<chunk::kLodBones>(); }
   /// 0 without a mesh, 1 for a mesh without LODS.
   [[nodiscard]] std::uint32_t lod_count() const;
   /// What one level draws, with or without LODS; empty where there is no such level.
@@ -61,50 +72,43 @@ class COIF_API Asset {
 
   /// Draw orders besides the stored one: for each, at every position a triangle t, which is indices() from 3 t on. A
   /// level's positions hold its own triangles, each once.
-  [[nodiscard]] std::span<const std::uint32_t> orders() const { return orders_; }
+  [[nodiscard]] std::span<const std::uint32_t> orders() const { return records<chunk::kOrders>(); }
   /// With the stored one, at most kMaxOrders; 0 without a mesh.
   [[nodiscard]] std::uint32_t order_count() const;
   /// The order for each of the kViewCells directions (coif/view_cells.h): 0 the stored one, k the k-th of orders(). Empty
   /// where there is one order.
-  [[nodiscard]] std::span<const std::uint8_t> order_views() const { return order_views_; }
+  [[nodiscard]] std::span<const std::uint8_t> order_views() const { return records<chunk::kOrderViews>(); }
 
-  [[nodiscard]] const MaterialRecord* material() const { return material_; }  ///< Null where absent.
-  [[nodiscard]] std::span<const TextureRecord> textures() const { return textures_; }
+  [[nodiscard]] const MaterialRecord* material() const { return record<chunk::kMaterial>(); }  ///< Null where absent.
+  [[nodiscard]] std::span<const TextureRecord> textures() const { return records<chunk::kTextures>(); }
   /// Null where the asset has no texture of this role.
   [[nodiscard]] const TextureRecord* texture(TextureRole role) const;
   /// Texels of one mip; `mip` below texture.mip_count.
   [[nodiscard]] std::span<const std::byte> texels(const TextureRecord& texture, std::uint32_t mip) const;
 
-  [[nodiscard]] const ProvenanceRecord* provenance() const { return provenance_; }  ///< Null where absent.
-  [[nodiscard]] const TuningRecord* tuning() const { return tuning_; }              ///< Null where absent.
-  [[nodiscard]] std::span<const QualityRecord> quality() const { return quality_; }
+  /// Null where absent.
+  [[nodiscard]] const ProvenanceRecord* provenance() const { return record<chunk::kProvenance>(); }
+  /// Null where absent.
+  [[nodiscard]] const TuningRecord* tuning() const { return record<chunk::kTuning>(); }
+  [[nodiscard]] std::span<const QualityRecord> quality() const { return records<chunk::kQuality>(); }
 
  private:
+  /// A chunk's records in the file.
+  struct View {
+    const std::byte* data = nullptr;
+    std::size_t count = 0;
+  };
+
+  template <std::uint32_t kId>
+  [[nodiscard]] const View& view() const {
+    constexpr std::size_t kRow = chunk_row(kId);
+    return views_[kRow];
+  }
   LoadStatus read_chunk_into_view(const std::byte* file, const ChunkEntry& entry);
-  [[nodiscard]] LoadStatus check_content() const;
 
   const FileHeader* header_ = nullptr;
   std::span<const ChunkEntry> chunks_;
-  const SkeletonRecord* skeleton_ = nullptr;
-  std::span<const BoneRecord> bones_;
-  std::span<const char> names_;
-  std::span<const ChainRecord> chains_;
-  std::span<const DynamicsRecord> dynamics_;
-  std::span<const ColliderRecord> colliders_;
-  std::span<const VertexRecord> vertices_;
-  std::span<const SkinRecord> skin_;
-  std::span<const std::uint32_t> indices_;
-  std::span<const PatchRecord> patches_;
-  std::span<const LodRecord> lods_;
-  std::span<const std::uint8_t> lod_bones_;
-  std::span<const std::uint32_t> orders_;
-  std::span<const std::uint8_t> order_views_;
-  const MaterialRecord* material_ = nullptr;
-  std::span<const TextureRecord> textures_;
-  std::span<const std::byte> texels_;
-  const ProvenanceRecord* provenance_ = nullptr;
-  const TuningRecord* tuning_ = nullptr;
-  std::span<const QualityRecord> quality_;
+  View views_[kChunkKinds];  ///< As in kChunkLayouts.
 };
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
-// The bytes of a .coif, as plain records. formats/SPECIFICATION.md describes the same layout in prose and
-// changes together with this file. Everything is little-endian and used in place.
+// The records that the chunks of a .coif are made of (coif/chunks.h: which chunk holds which). formats/SPECIFICATION.md
+// describes the same layout in prose and changes together with this file. Everything is little-endian and used in place.
 //
 // Space: "head space" has its origin at the head bone's joint in the rest pose and the axes of the model:
 // right-handed, +Y up, metres. Nothing in an asset is in any other space.
@@ -15,77 +15,14 @@ namespace coif {
 
 static_assert(std::endian::native == std::endian::little, "a .coif is used in place; big-endian hosts need a reader");
 
-inline constexpr std::uint8_t kAssetMagic[8] = {0x89, 'C', 'O', 'I', 'F', '\r', '\n', 0x1A};
-inline constexpr std::uint16_t kAssetMajor = 1;
-inline constexpr std::uint16_t kAssetMinor = 0;
-
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
 inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has one value per bone stays small.
-inline constexpr std::uint32_t kMaxChunks = 64;
 inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
 inline constexpr std::uint32_t kMaxLods = 8;
 inline constexpr std::uint32_t kMaxOrders = 32;  ///< Draw orders of one asset, the stored one included.
 inline constexpr std::uint32_t kViewCells = 96;  ///< Directions to look from that may have an order each: view_cells.h.
 /// Bones of a chain whose children are not all behind a walk in stored order: what a solver has to keep at hand.
 inline constexpr std::uint32_t kMaxOpenBones = 16;
-
-constexpr std::uint32_t chunk_id(const char (&text)[5]) {
-  return std::uint32_t(std::uint8_t(text[0])) | std::uint32_t(std::uint8_t(text[1])) << 8 |
-         std::uint32_t(std::uint8_t(text[2])) << 16 | std::uint32_t(std::uint8_t(text[3])) << 24;
-}
-
-namespace chunk {
-inline constexpr std::uint32_t kSkeleton = chunk_id("SKEL");     ///< One SkeletonRecord. Required.
-inline constexpr std::uint32_t kBones = chunk_id("BONE");        ///< BoneRecord[]. Required.
-inline constexpr std::uint32_t kNames = chunk_id("NAME");        ///< UTF-8 bone names, each ended by a zero byte.
-inline constexpr std::uint32_t kChains = chunk_id("CHAN");       ///< ChainRecord[].
-inline constexpr std::uint32_t kDynamics = chunk_id("DYNA");     ///< DynamicsRecord[], one per bone.
-inline constexpr std::uint32_t kColliders = chunk_id("COLL");    ///< ColliderRecord[].
-inline constexpr std::uint32_t kVertices = chunk_id("VERT");     ///< VertexRecord[].
-inline constexpr std::uint32_t kSkin = chunk_id("SKIN");         ///< SkinRecord[], one per vertex.
-inline constexpr std::uint32_t kIndices = chunk_id("INDX");      ///< uint32[], three per triangle, patches contiguous.
-inline constexpr std::uint32_t kPatches = chunk_id("PTCH");      ///< PatchRecord[] in draw order: what is behind first.
-inline constexpr std::uint32_t kOrders = chunk_id("ORDR");       ///< uint32[]: further draw orders, of triangles.
-inline constexpr std::uint32_t kOrderViews = chunk_id("VIEW");   ///< uint8[kViewCells]: the order for each direction.
-inline constexpr std::uint32_t kLods = chunk_id("LODS");         ///< LodRecord[], finest first; absent: one level.
-inline constexpr std::uint32_t kLodBones = chunk_id("LODB");     ///< uint8[], one per bone; see LodRecord.
-inline constexpr std::uint32_t kMaterial = chunk_id("MATL");     ///< One MaterialRecord.
-inline constexpr std::uint32_t kTextures = chunk_id("TEXR");     ///< TextureRecord[].
-inline constexpr std::uint32_t kTexels = chunk_id("TEXD");       ///< Bytes that TextureRecord points into.
-inline constexpr std::uint32_t kProvenance = chunk_id("PROV");   ///< One ProvenanceRecord.
-inline constexpr std::uint32_t kTuning = chunk_id("TUNE");       ///< One TuningRecord.
-inline constexpr std::uint32_t kQuality = chunk_id("QUAL");      ///< QualityRecord[]: what TUNE was chosen from.
-}  // namespace chunk
-
-/// Chunks that only drawing reads, and nearly all bytes of an asset: whatever their values, in range they do no harm.
-constexpr bool is_draw_data(std::uint32_t id) {
-  return id == chunk::kVertices || id == chunk::kSkin || id == chunk::kIndices || id == chunk::kTexels;
-}
-
-/// A reader that does not know a chunk with this flag must refuse the file.
-inline constexpr std::uint32_t kChunkRequired = 1u << 0;
-
-struct FileHeader {
-  std::uint8_t magic[8];
-  std::uint16_t major;
-  std::uint16_t minor;
-  std::uint32_t chunk_count;
-  std::uint64_t total_bytes;   ///< Of the whole file, header included.
-  /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes of
-  /// the chunks, and bytes between them are zero: every byte of the file is covered.
-  std::uint64_t table_hash;
-};
-static_assert(sizeof(FileHeader) == 32);
-
-/// The table follows the header directly, sorted by offset.
-struct ChunkEntry {
-  std::uint32_t id;
-  std::uint32_t flags;
-  std::uint64_t offset;  ///< From the file's first byte; a multiple of 16, of 64 for TEXD.
-  std::uint64_t bytes;
-  std::uint64_t hash;  ///< XXH64 (seed 0) of the chunk's bytes.
-};
-static_assert(sizeof(ChunkEntry) == 32);
 
 struct SkeletonRecord {
   std::uint32_t bone_count;

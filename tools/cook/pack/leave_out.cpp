@@ -8,22 +8,6 @@
 namespace coif {
 namespace {
 
-template <typename Record>
-std::uint64_t clear(std::vector<Record>& records) {
-  const std::uint64_t bytes = records.size() * sizeof(Record);
-  records.clear();
-  return bytes;
-}
-
-std::uint64_t clear_names(std::vector<std::string>& names) {
-  std::uint64_t bytes = 0;
-  for (const std::string& name : names) bytes += name.empty() ? 0 : name.size() + 1;
-  names.clear();
-  return bytes;
-}
-
-std::uint64_t clear_textures(AssetContents& contents) { return clear(contents.textures) + clear(contents.texels); }
-
 /// The last of the textures, so that no other has to move.
 std::uint64_t clear_shift_mask(AssetContents& contents) {
   if (contents.textures.empty() || contents.textures.back().role != TextureRole::kShiftMask) return 0;
@@ -32,12 +16,6 @@ std::uint64_t clear_shift_mask(AssetContents& contents) {
   contents.texels.resize(contents.textures.empty() ? 0
                                                    : contents.textures.back().offset + contents.textures.back().bytes);
   return before - contents.texels.size() + sizeof(TextureRecord);
-}
-
-std::uint64_t clear_drawn(AssetContents& contents) {
-  return clear(contents.vertices) + clear(contents.skin) + clear(contents.indices) + clear(contents.patches) +
-         clear(contents.lods) + clear(contents.lod_bones) + clear(contents.orders) + clear(contents.order_views) +
-         clear(contents.material) + clear_textures(contents);
 }
 
 std::uint64_t bytes_of(const DetailLevel& level) {
@@ -71,10 +49,10 @@ std::vector<LeftOut> leave_out_parts(const Recipe& recipe, AssetContents& conten
   const auto note = [&](const char* what, const char* key, std::uint64_t bytes) {
     if (bytes > 0) left_out.push_back({what, fmt::format("\"scene.{}\" is false", key), bytes, 0});
   };
-  if (!recipe.scene_names) note("bone names", "names", clear_names(contents.bone_names));
-  if (!recipe.scene_quality) note("quality of other settings", "quality", clear(contents.quality));
-  if (!recipe.scene_provenance) note("provenance", "provenance", clear(contents.provenance));
-  if (!recipe.scene_draw) note("mesh, material and textures", "draw", clear_drawn(contents));
+  if (!recipe.scene_names) note("bone names", "names", clear_group("names", contents));
+  if (!recipe.scene_quality) note("quality of other settings", "quality", clear_group("quality", contents));
+  if (!recipe.scene_provenance) note("provenance", "provenance", clear_group("provenance", contents));
+  if (!recipe.scene_draw) note("mesh, material and textures", "draw", clear_group("mesh", contents));
   if (!recipe.scene_shift_mask) note("shift and mask of the highlights", "shift_mask", clear_shift_mask(contents));
   return left_out;
 }

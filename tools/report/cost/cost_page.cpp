@@ -53,7 +53,8 @@ void add_memory(const CostReport& report, PlottedPage& page) {
   }
   std::uint64_t stays = report.asset.framing, drawn = 0;
   for (const ChunkBytes& chunk : report.asset.chunks) {
-    (chunk.use == ChunkUse::kDrawing ? drawn : stays) += chunk.bytes;
+    const bool is_drawn = chunk.use == ChunkUse::kDrawing || chunk.use == ChunkUse::kDrawData;
+    (is_drawn ? drawn : stays) += chunk.bytes;
   }
   page.table(chunks_table(report));
   page.paragraph(

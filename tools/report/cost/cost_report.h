@@ -2,6 +2,8 @@
 
 // Table 1 of the thesis (6. Results): what a crowd costs to simulate and draw, each with and without.
 
+#include <coif/chunks.h>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -97,18 +99,12 @@ struct CrowdMemory {
   double bytes_shared = 0;
 };
 
-/// What has to stay in memory while a game uses the asset.
-enum class ChunkUse {
-  kSimulation,  ///< Stays as long as the hair is simulated.
-  kDrawing,     ///< May go once the mesh is on the graphics card.
-  kTools,       ///< A game never reads it.
-};
-
 /// "simulation", "drawing", "tools".
 [[nodiscard]] constexpr const char* name_of(ChunkUse use) {
   switch (use) {
     case ChunkUse::kSimulation: return "simulation";
-    case ChunkUse::kDrawing: return "drawing";
+    case ChunkUse::kDrawing:
+    case ChunkUse::kDrawData: return "drawing";
     case ChunkUse::kTools: return "tools";
   }
   return "";

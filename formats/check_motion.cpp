@@ -1,12 +1,9 @@
 #include "chunk_checks.h"
-#include "number_checks.h"
 
 namespace coif {
 namespace {
 
 constexpr float kShortest = 1.0e-6f;  ///< Metres: below it a radius or an axis has no direction to push along.
-
-bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
 
 bool reserved_is_zero(const ColliderRecord& c) {
   // -0.0 passes as zero, NaN does not.
@@ -71,6 +68,58 @@ LoadStatus check_colliders(const Asset& asset) {
     if (!good) return fail(LoadCode::kNotFinite);
   }
   return check_collider_sets(asset);
+}
+
+LoadStatus check_dynamics(const Asset& asset) {
+  const auto dynamics = asset.dynamics();
+  if (dynamics.empty() && asset.skeleton().simulated_count == 0) return {};
+  if (dynamics.empty()) return {LoadCode::kChunkMissing, chunk::kDynamics};
+  if (dynamics.size() != asset.bones().size()) {
+    return {LoadCode::kChunkSize, chunk::kDynamics, 0, asset.bones().size(), dynamics.size()};
+  }
+  for (std::size_t i = 0; i < dynamics.size(); ++i) {
+    const DynamicsRecord& d = dynamics[i];
+    if (!all_zero(d.reserved)) return {LoadCode::kReserved, chunk::kDynamics, i};
+    const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
+                      in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
+                      in_range(d.hit_radius, 0.0f, kMaxCoordinate) && in_range(d.stiffness, 0.0f, 1.0e12f) &&
+                      in_range(d.damping, 0.0f, 1.0e6f) && in_range(d.torsion, 0.0f, 1.0e6f) &&
+                      in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f);
+    if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
+  }
+  return {};
+}
+
+namespace {
+
+constexpr float kMostRate = 1.0e5f;   ///< Per second.
+constexpr float kMostError = 1.0e3f;  ///< Chain lengths: something that is no longer hair.
+constexpr float kMostCost = 1.0e12f;  ///< Nanoseconds.
+constexpr std::uint32_t kMostSubsteps = 1024;
+constexpr std::uint32_t kMotions = 8;
+
+bool fits(const TuningRecord& t) {
+  return in_range(t.substep_rate, 0.0f, kMostRate) && in_range(t.asked_error, 0.0f, kMostError) &&
+         in_range(t.reached_error, 0.0f, kMostError) && in_range(t.asked_cost, 0.0f, kMostCost) &&
+         in_range(t.cost, 0.0f, kMostCost) && in_range(t.slowest_rate, 1.0f, kMostRate) &&
+         in_range(t.fastest_rate, t.slowest_rate, kMostRate) && t.met <= 1;
+}
+
+bool fits(const QualityRecord& q) {
+  return in_range(q.frame_rate, 1.0f, kMostRate) && q.substeps >= 1 && q.substeps <= kMostSubsteps &&
+         in_range(q.rms_error, 0.0f, kMostError) && in_range(q.max_error, 0.0f, kMostError) &&
+         in_range(q.stretch, 0.0f, kMostError) && in_range(q.penetration, 0.0f, kMostError) &&
+         in_range(q.cost, 0.0f, kMostCost) && q.worst_motion < kMotions;
+}
+
+}  // namespace
+
+LoadStatus check_tuning(const Asset& asset) {
+  if (asset.tuning() != nullptr && !fits(*asset.tuning())) return {LoadCode::kNotFinite, chunk::kTuning};
+  for (std::size_t i = 0; i < asset.quality().size(); ++i) {
+    if (!fits(asset.quality()[i])) return {LoadCode::kNotFinite, chunk::kQuality, i};
+  }
+  return {};
 }
 
 }  // namespace coif
