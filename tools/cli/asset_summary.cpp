@@ -9,23 +9,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace coif {
 namespace {
 
 using nlohmann::ordered_json;
-
-struct Range {
-  float low = std::numeric_limits<float>::max();
-  float high = std::numeric_limits<float>::lowest();
-
-  void add(float value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
 
 struct BoneSetting {
   const char* name;
@@ -46,35 +36,28 @@ constexpr BoneSetting kBoneSettings[] = {
     {"parent_share", &DynamicsRecord::parent_share},
 };
 
+std::vector<DynamicsRecord> simulated_dynamics(const Asset& asset) {
+  std::vector<DynamicsRecord> dynamics;
+  for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
+    if (asset.bones()[i].kind == BoneKind::kSimulated) dynamics.push_back(asset.dynamics()[i]);
+  }
+  return dynamics;
+}
+
 /// Smallest and largest value over the simulated bones: an artist sets curves and scalars, the asset has numbers.
 ordered_json dynamics_ranges(const Asset& asset) {
   ordered_json settings = ordered_json::object();
+  const std::vector<DynamicsRecord> moving = simulated_dynamics(asset);
+  if (moving.empty()) return settings;
   for (const BoneSetting& setting : kBoneSettings) {
-    Range range;
-    for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
-      if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
-      range.add(float(asset.dynamics()[i].*setting.value * setting.scale));
-    }
-    if (range.low <= range.high) settings[setting.name] = {range.low, range.high};
+    std::vector<float> values;
+    for (const DynamicsRecord& dynamics : moving) values.push_back(float(dynamics.*setting.value * setting.scale));
+    settings[setting.name] = {std::ranges::min(values), std::ranges::max(values)};
   }
   return settings;
 }
 
-/// With how the asset was tuned, where it was.
-ordered_json all_settings(const Asset& asset) {
-  ordered_json settings = dynamics_ranges(asset);
-  if (asset.tuning() != nullptr) settings["tuning"] = tuning_json(asset);
-  return settings;
-}
-
-const char* name_of(TexelFormat format) {
-  switch (format) {
-    case TexelFormat::kSrgb8Alpha8: return "rgba8";
-    case TexelFormat::kRg8: return "rg8";
-    case TexelFormat::kRg11Eac: return "eac_rg11";
-  }
-  return "unknown";
-}
+constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};  // as TexelFormat
 
 /// Of the base colour with what each mip covers: hair that loses coverage gets thin with distance.
 ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCoverage>& coverage) {
@@ -95,7 +78,7 @@ ordered_json texture_list(const Asset& asset) {
   for (const TextureRecord& texture : asset.textures()) {
     const char* role = texture.role == TextureRole::kBaseColor ? "base_color" : "shift_mask";
     list.push_back({{"role", role},
-                    {"format", name_of(texture.format)},
+                    {"format", kTexelFormats[std::size_t(texture.format)]},
                     {"width", texture.width},
                     {"height", texture.height},
                     {"mips", mip_list(texture, coverage)},
@@ -118,23 +101,15 @@ ordered_json lod_list(const Asset& asset) {
   return list;
 }
 
-const char* name_of(ColliderShape shape) {
-  switch (shape) {
-    case ColliderShape::kSphere: return "spheres";
-    case ColliderShape::kEllipsoid: return "ellipsoids";
-    case ColliderShape::kCapsule: return "capsules";
-    case ColliderShape::kPlane: return "planes";
-    case ColliderShape::kTaperedCapsule: return "tapered_capsules";
-  }
-  return "unknown";
-}
+constexpr const char* kColliderShapes[] = {"spheres", "ellipsoids", "capsules", "planes",
+                                           "tapered_capsules"};  // as ColliderShape
 
 /// Shapes that occur, each with its count; those that keep hair inside are counted once more under that name.
 ordered_json collider_shapes(const Asset& asset) {
   ordered_json shapes = ordered_json::object();
   for (const ColliderRecord& collider : asset.colliders()) {
     const auto count = [&shapes](const char* name) { shapes[name] = shapes.value(name, 0) + 1; };
-    count(name_of(collider.shape));
+    count(kColliderShapes[std::size_t(collider.shape)]);
     if ((collider.flags & kColliderKeepsInside) != 0) count("keep_inside");
   }
   return shapes;
@@ -146,12 +121,8 @@ std::ptrdiff_t colliding_bones(const Asset& asset) {
 
 /// Bones that carry a twist from step to step; the frames of all others are shortest arcs.
 std::ptrdiff_t twisting_bones(const Asset& asset) {
-  std::ptrdiff_t count = 0;
-  for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
-    const bool moves = asset.bones()[i].kind == BoneKind::kSimulated;
-    if (moves && asset.dynamics()[i].torsion < kShortestArc) ++count;
-  }
-  return count;
+  return std::ranges::count_if(simulated_dynamics(asset),
+                               [](const DynamicsRecord& bone) { return bone.torsion < kShortestArc; });
 }
 
 ordered_json provenance(const ProvenanceRecord& record) {
@@ -160,10 +131,6 @@ ordered_json provenance(const ProvenanceRecord& record) {
           {"importer", version(record.importer_version)},
           {"source_hash", fmt::format("{:016x}", record.source_hash)},
           {"recipe_hash", fmt::format("{:016x}", record.recipe_hash)}};
-}
-
-const char* sides(const MaterialRecord& material) {
-  return (material.flags & kMaterialDoubleSided) != 0 ? "both" : "front";
 }
 
 ordered_json summarize(const Asset& asset) {
@@ -187,10 +154,11 @@ ordered_json summarize(const Asset& asset) {
                           {"colliding_bones", colliding_bones(asset)},
                           {"lods", lod_list(asset)},
                           {"textures", texture_list(asset)},
-                          {"settings", all_settings(asset)},
+                          {"settings", dynamics_ranges(asset)},
                           {"quality", quality_json(asset)}};
+  if (asset.tuning() != nullptr) summary["settings"]["tuning"] = tuning_json(asset);
   if (asset.material() != nullptr) {
-    summary["sides"] = sides(*asset.material());
+    summary["sides"] = (asset.material()->flags & kMaterialDoubleSided) != 0 ? "both" : "front";
     summary["shading"] = name_of(asset.material()->shading);
   }
   if (asset.provenance()) summary["provenance"] = provenance(*asset.provenance());

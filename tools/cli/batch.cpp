@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <map>
 
@@ -18,31 +17,19 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-const char* status_word(Exit code) {
-  switch (code) {
-    case Exit::kOk: return "ok";
-    case Exit::kUsage: return "usage";
-    case Exit::kFileAccess: return "file access";
-    case Exit::kBadInput: return "bad input";
-    case Exit::kOverBudget: return "over budget";
-    case Exit::kUnsupported: return "unsupported";
-    case Exit::kInternal: break;
-  }
-  return "internal error";
-}
-
 tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                               const Messages& messages) {
   const auto choice = choose_recipe(request.source, request.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   std::error_code told_by_the_cook;
   fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
-  const CookJob job{.source = request.source,
-                    .output = request.output,
-                    .cache = options.cache,
-                    .threads = threads,
-                    .shows_progress = false};
-  return run_cook_job(job, options, *choice, messages);
+  CookOptions alone = options;
+  alone.sources = {request.source};
+  alone.output = request.output;
+  alone.report.clear();
+  alone.threads = threads;
+  alone.shows_progress = false;
+  return run_cook_job(alone, *choice, messages);
 }
 
 /// What a process sends home: the lines of the result, as JSON.
@@ -53,8 +40,8 @@ ordered_json outcome_of(const CookOptions& options, const CookRequest& request, 
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
   ordered_json outcome{{"source", request.source},
                        {"output", request.output},
-                       {"status", "ok"},
-                       {"exit_code", 0},
+                       {"status", status_word(Exit::kOk)},
+                       {"exit_code", int(Exit::kOk)},
                        {"ms", elapsed.count()}};
   if (summary) {
     outcome.update(ordered_json::parse(cook_json(*summary)));
@@ -141,12 +128,6 @@ tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
   return requests;
 }
 
-std::size_t number(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : 0;
-}
-
 }  // namespace
 
 tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
@@ -159,12 +140,8 @@ tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
 }
 
 tl::expected<Share, ToolError> parse_share(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  if (slash != std::string::npos) {
-    const Share share{number(std::string_view(text).substr(0, slash)),
-                      number(std::string_view(text).substr(slash + 1))};
-    if (share.index >= 1 && share.index <= share.count) return share;
-  }
+  const auto share = parse_pair<std::size_t>(text, '/');
+  if (share && share->first >= 1 && share->first <= share->second) return Share{share->first, share->second};
   return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
 }
 

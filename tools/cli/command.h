@@ -25,6 +25,9 @@ enum class Exit : int {
 
 [[nodiscard]] Exit exit_code(ToolError::Kind kind);
 
+/// "ok", "bad input": what became of one of many.
+[[nodiscard]] std::string status_word(Exit code);
+
 struct ExitMeaning {
   Exit code;
   const char* name;     ///< A word or two.

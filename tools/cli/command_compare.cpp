@@ -29,10 +29,6 @@ struct CompareResult {
   std::vector<MotionResult> rows;
 };
 
-bool is_wanted(const CompareOptions& options, Motion motion) {
-  return options.motions.empty() || std::ranges::find(options.motions, motion) != options.motions.end();
-}
-
 ToolError about_both(const CompareOptions& options, const ToolError& error) {
   return {error.kind, fmt::format("{} and {}: {}", options.a, options.b, error.message)};
 }
@@ -42,12 +38,13 @@ tl::expected<CompareResult, ToolError> compare(const CompareOptions& options, co
   if (!match) return tl::unexpected(about_both(options, match.error()));
   CompareResult result{match->rest_rms, hair_size(a), {}};
   RecordingSettings recording = options.recording;
-  for (const Choice<Motion>& choice : motion_choices()) {
-    if (!is_wanted(options, choice.value)) continue;
-    recording.motion = choice.value;
+  for (const MotionInfo& info : all_motions()) {
+    const bool wanted = options.motions.empty() || std::ranges::find(options.motions, info.motion) != options.motions.end();
+    if (!wanted) continue;
+    recording.motion = info.motion;
     const auto difference = compare_rigs(a, b, *match, recording);
     if (!difference) return tl::unexpected(about_both(options, difference.error()));
-    result.rows.push_back({choice.name, *difference});
+    result.rows.push_back({info.name, *difference});
   }
   return result;
 }
@@ -128,12 +125,7 @@ Command add_compare(CLI::App& program) {
   app->add_option("A", options->a, "A cooked asset: what is right")->required();
   app->add_option("B", options->b, "Another one with the same surface")->required();
   add_motions(*app, options->motions);
-  app->add_option("--fps", options->recording.fps, "Steps and frames per second")
-      ->check(CLI::Range(10.0, 1000.0))
-      ->capture_default_str();
-  app->add_option("--seconds", options->recording.seconds, "Length of each motion")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
+  add_recording(*app, options->recording, "each motion");
   add_format(*app, options->format);
   return {app, [options](const Messages&) { return run_compare(*options); }};
 }

@@ -12,23 +12,9 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = import_model(options.sources[0], options.import_limits(import_settings(choice.recipe)));
+  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe)));
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
-  return Exit::kOk;
-}
-
-tl::expected<Exit, ToolError> cook_to_file(const CookOptions& options, const RecipeChoice& choice,
-                                           const Messages& messages) {
-  const CookJob job{.source = options.sources[0],
-                    .output = options.output,
-                    .report = options.report,
-                    .depfile = options.depfile,
-                    .cache = options.cache,
-                    .threads = options.threads.value_or(all_threads())};
-  const auto summary = run_cook_job(job, options, choice, messages);
-  if (!summary) return tl::unexpected(summary.error());
-  print_result(options.format == OutputFormat::kJson ? cook_json(*summary) : cook_text(*summary));
   return Exit::kOk;
 }
 
@@ -36,7 +22,7 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  const auto choice = choose_recipe(options.sources.empty() ? "" : options.sources[0], options.recipe, messages);
+  const auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   if (options.print_recipe) {
     print_result(print_recipe(choice->recipe));
@@ -45,7 +31,10 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
   if (options.list) return list_source(options, *choice);
   if (options.output.empty()) return usage("needs -o OUT.coif; see 'coif cook --help'");
   if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
-  return cook_to_file(options, *choice, messages);
+  const auto summary = run_cook_job(options, *choice, messages);
+  if (!summary) return tl::unexpected(summary.error());
+  print_result(options.format == OutputFormat::kJson ? cook_json(*summary) : cook_text(*summary));
+  return Exit::kOk;
 }
 
 void add_many(CLI::App& app, CookOptions& options) {
@@ -64,18 +53,12 @@ void add_limits(CLI::App& app, CookOptions& options) {
   app.add_option("--threads", options.threads, "Threads of each cook; the asset's bytes do not depend on it")
       ->check(CLI::Range(1u, 256u))
       ->type_name("N");
-  app.add_option("--max-source-mb", options.max_source_mb, "Largest source that is read, MiB")
-      ->check(CLI::Range(1u, 1024u))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--max-memory-mb", options.max_memory_mb, "Memory limit of the importer, MiB")
-      ->check(CLI::Range(64u, 1u << 20))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--max-seconds", options.max_seconds, "Time limit of the importer, seconds")
-      ->check(CLI::Range(1u, 86400u))
-      ->type_name("N")
-      ->capture_default_str();
+  add_number(app, "--max-source-mb", options.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")
+      ->type_name("N");
+  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20, "Memory limit of the importer, MiB")
+      ->type_name("N");
+  add_number(app, "--max-seconds", options.max_seconds, 1u, 86400u, "Time limit of the importer, seconds")
+      ->type_name("N");
 }
 
 }  // namespace

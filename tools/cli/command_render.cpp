@@ -120,9 +120,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--time", options.picture.time, "Seconds into the motion")
       ->check(CLI::Range(0.0, 3600.0))
       ->needs(motion);
-  app.add_option("--heads", options.picture.heads, "Heads in a grid")
-      ->check(CLI::Range(1u, 10000u))
-      ->capture_default_str();
+  add_number(app, "--heads", options.picture.heads, 1u, 10000u, "Heads in a grid");
   CLI::Option* body = app.add_option("--body", options.body, "Draw this model's other meshes with the hair");
   body->type_name("SOURCE");
   app.add_option("--body-mesh", options.body_mesh, "Which meshes, with * and ? (default: all that are not hair)")

@@ -49,18 +49,11 @@ tl::expected<std::vector<std::byte>, ToolError> encode(const SimulateOptions& op
       ToolError{ToolError::Kind::kUsage, fmt::format("{}: more than 4 GiB; record fewer seconds", options.output)});
 }
 
-std::string motion_name(Motion motion) {
-  for (const auto& choice : motion_choices()) {
-    if (choice.value == motion) return choice.name;
-  }
-  return "";
-}
-
 /// The movement of the head in `recording`; returns its name.
 tl::expected<std::string, ToolError> choose_motion(const HeadMotion& chosen, RecordingSettings& recording,
                                                    const Messages& messages) {
   recording.motion = chosen.motion;
-  if (!chosen.clip) return motion_name(chosen.motion);
+  if (!chosen.clip) return all_motions()[std::size_t(chosen.motion)].name;
   auto clip = open_clip(*chosen.clip, messages);
   if (!clip) return tl::unexpected(clip.error());
   recording.clip = std::move(clip->path);
@@ -120,23 +113,13 @@ Command add_simulate(CLI::App& program) {
       ->required()
       ->type_name("OUT.csv|OUT.glb");
   add_motion(*app, options->motion, "How the head moves")->required();
-  app->add_option("--fps", recording.fps, "Steps and frames per second")
-      ->check(CLI::Range(10.0, 1000.0))
-      ->capture_default_str();
-  app->add_option("--seconds", recording.seconds, "Length of the recording")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app->add_option("--settle", recording.settle_seconds,
-                  "Seconds of rest before it, so that gravity has sagged the hair")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
+  add_recording(*app, recording, "the recording");
+  add_number(*app, "--settle", recording.settle_seconds, 0.0, 60.0,
+             "Seconds of rest before it, so that gravity has sagged the hair");
   add_choice<const Solver*>(*app, "--solver", recording.solver, kSolvers, "Which method moves the bones");
-  app->add_option("--substeps", recording.step.substeps, "coif: parts of a step; 0: as the asset was tuned")
-      ->check(CLI::Range(0u, 64u))
-      ->capture_default_str();
-  app->add_option("--iterations", recording.step.iterations, "thesis: passes over the length and head constraints")
-      ->check(CLI::Range(1u, 64u))
-      ->capture_default_str();
+  add_number(*app, "--substeps", recording.step.substeps, 0u, 64u, "coif: parts of a step; 0: as the asset was tuned");
+  add_number(*app, "--iterations", recording.step.iterations, 1u, 64u,
+             "thesis: passes over the length and head constraints");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_simulate(*options, messages); }};
 }

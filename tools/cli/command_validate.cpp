@@ -172,10 +172,9 @@ void add_policy(CLI::App& app, IssuePolicy& policy) {
       ->type_name("CODE")
       ->allow_extra_args(false);
   app.add_flag("--warnings-as-errors", policy.warnings_as_errors, "A warning makes a file invalid, too");
-  app.add_option("--max-issues", policy.most_of_a_code, "Shown of each code and file; the others are counted")
-      ->check(CLI::Range(1u, 1000000u))
-      ->type_name("N")
-      ->capture_default_str();
+  add_number(app, "--max-issues", policy.most_of_a_code, 1u, 1000000u,
+             "Shown of each code and file; the others are counted")
+      ->type_name("N");
 }
 
 void add_origin(CLI::App& app, OriginOptions& origin) {

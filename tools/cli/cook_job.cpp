@@ -18,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::expected<void, ToolError> check_outputs(const CookJob& job, const RecipeChoice& choice) {
-  if (auto asset = check_output(job.output, {job.source, choice.file}); !asset) return asset;
-  for (const auto& [option, file] : {std::pair{"--report", &job.report}, std::pair{"--depfile", &job.depfile}}) {
+tl::expected<void, ToolError> check_outputs(const CookOptions& options, const RecipeChoice& choice) {
+  if (auto asset = check_output(options.output, {options.source(), choice.file}); !asset) return asset;
+  for (const auto& [name, file] : {std::pair{"--report", &options.report}, std::pair{"--depfile", &options.depfile}}) {
     if (file->empty()) continue;
-    if (*file == job.output) return usage(fmt::format("{} and --output name the same file", option));
-    if (auto checked = check_output(*file, {job.source, choice.file}); !checked) return checked;
+    if (*file == options.output) return usage(fmt::format("{} and --output name the same file", name));
+    if (auto checked = check_output(*file, {options.source(), choice.file}); !checked) return checked;
   }
-  if (!job.report.empty() && job.report == job.depfile) return usage("--report and --depfile name the same file");
-  return {};
+  const bool same = !options.report.empty() && options.report == options.depfile;
+  return same ? usage("--report and --depfile name the same file") : tl::expected<void, ToolError>{};
 }
 
 /// The version alone would not tell apart two builds of it.
@@ -41,20 +41,20 @@ struct FinishedCook {
 };
 
 /// Cooks as if there were no cache.
-tl::expected<CookResult, ToolError> cook_source(const CookJob& job, const CookOptions& options,
-                                                const RecipeChoice& choice, std::span<const std::byte> bytes) {
+tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
+                                                std::span<const std::byte> bytes) {
   std::optional<ProgressLine> progress;
-  if (job.shows_progress) progress.emplace(job.source);
+  if (options.shows_progress) progress.emplace(options.source());
   const auto show = [&progress](const char* pass) {
     if (progress) progress->show(pass);
   };
   show("import");
   const auto begin = std::chrono::steady_clock::now();
-  const auto model = import_model(job.source, options.import_limits(import_settings(choice.recipe)));
+  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe)));
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookSettings settings;
-  settings.threads = job.threads;
+  settings.threads = options.threads.value_or(all_threads());
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes);
   settings.progress = show;
@@ -64,18 +64,19 @@ tl::expected<CookResult, ToolError> cook_source(const CookJob& job, const CookOp
   return result;
 }
 
-tl::expected<FinishedCook, ToolError> cook_or_find(const CookJob& job, const CookOptions& options,
-                                                   const RecipeChoice& choice, const Messages& messages) {
+tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, const RecipeChoice& choice,
+                                                   const Messages& messages) {
   const auto begin = file_time_now();
-  const auto bytes = FileBytes::read(job.source);
+  const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto fresh = [&] { return cook_source(job, options, choice, bytes->span()); };
-  if (job.cache.empty()) return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
-
-  const CookCache cache(job.cache);
-  const CookPlace place{job.source, choice.directory};
+  const auto fresh = [&] { return cook_source(options, choice, bytes->span()); };
+  if (options.cache.empty()) {
+    return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
+  }
+  const CookCache cache(options.cache);
+  const CookPlace place{options.source(), choice.directory};
   const std::string key =
-      cook_key({tool_identity(), importer_name(), job.source, bytes->span(), print_recipe(choice.recipe)});
+      cook_key({tool_identity(), importer_name(), options.source(), bytes->span(), print_recipe(choice.recipe)});
   if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
   auto result = fresh();
   if (!result) return tl::unexpected(result.error());
@@ -88,13 +89,13 @@ tl::expected<void, ToolError> write_text(const std::string& path, const std::str
   return write_output(path, std::as_bytes(std::span(text)));
 }
 
-tl::expected<std::string, ToolError> depfile_of(const CookJob& job, const RecipeChoice& choice,
+tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, const RecipeChoice& choice,
                                                 const CookInputs& inputs) {
-  std::vector<fs::path> files{job.source};
+  std::vector<fs::path> files{options.source()};
   if (!choice.file.empty()) files.push_back(choice.file);
   files.insert(files.end(), inputs.source_files.begin(), inputs.source_files.end());
   files.insert(files.end(), inputs.recipe_files.begin(), inputs.recipe_files.end());
-  return depfile_text(job.output, files);
+  return depfile_text(options.output, files);
 }
 
 }  // namespace
@@ -106,21 +107,21 @@ ImportSettings CookOptions::import_limits(ImportSettings settings) const {
   return settings;
 }
 
-tl::expected<CookSummary, ToolError> run_cook_job(const CookJob& job, const CookOptions& options,
-                                                  const RecipeChoice& choice, const Messages& messages) {
-  if (auto checked = check_outputs(job, choice); !checked) return tl::unexpected(checked.error());
-  const auto cooked = cook_or_find(job, options, choice, messages);
+tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
+                                                  const Messages& messages) {
+  if (auto checked = check_outputs(options, choice); !checked) return tl::unexpected(checked.error());
+  const auto cooked = cook_or_find(options, choice, messages);
   if (!cooked) return tl::unexpected(cooked.error());
   const CookResult& result = cooked->result;
   tl::expected<std::string, ToolError> depfile;
-  if (!job.depfile.empty()) depfile = depfile_of(job, choice, result.inputs);
+  if (!options.depfile.empty()) depfile = depfile_of(options, choice, result.inputs);
   if (!depfile) return tl::unexpected(depfile.error());
 
-  for (const std::string& warning : result.report.warnings) messages.warning(job.source + ": " + warning);
-  CookSummary summary{job.output, result.asset.size(), result.report, cooked->from_cache};
-  auto written = write_output(job.output, result.asset);
-  if (written && !job.report.empty()) written = write_text(job.report, cook_json(summary));
-  if (written && !job.depfile.empty()) written = write_text(job.depfile, *depfile);
+  for (const std::string& warning : result.report.warnings) messages.warning(options.source() + ": " + warning);
+  CookSummary summary{options.output, result.asset.size(), result.report, cooked->from_cache};
+  auto written = write_output(options.output, result.asset);
+  if (written && !options.report.empty()) written = write_text(options.report, cook_json(summary));
+  if (written && !options.depfile.empty()) written = write_text(options.depfile, *depfile);
   if (!written) return tl::unexpected(written.error());
   return summary;
 }

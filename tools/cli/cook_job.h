@@ -50,24 +50,15 @@ struct CookOptions {
   std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
   std::uint32_t max_seconds = ImportSettings{}.max_seconds;
   OutputFormat format = OutputFormat::kText;
+  bool shows_progress = true;
 
+  [[nodiscard]] const std::string& source() const { return sources.front(); }
   [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
 };
 
-/// One source of a command line.
-struct CookJob {
-  std::string source{};
-  std::string output{};
-  std::string report{};  ///< Empty: none; so with the others.
-  std::string depfile{};
-  std::string cache{};
-  unsigned threads = 1;
-  bool shows_progress = true;
-};
-
-/// Cooks, or takes the result from the cache, tells the warnings, and writes asset, report and depfile, each whole or not
-/// at all and none without the asset.
-tl::expected<CookSummary, ToolError> run_cook_job(const CookJob& job, const CookOptions& options,
-                                                  const RecipeChoice& choice, const Messages& messages);
+/// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset, report
+/// and depfile, each whole or not at all and none without the asset.
+tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
+                                                  const Messages& messages);
 
 }  // namespace coif

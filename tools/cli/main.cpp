@@ -63,8 +63,11 @@ Exit run_program(int argc, char** argv) {
   for (const Command& command : commands) {
     if (command.app->parsed()) return run(command);
   }
-  Messages("").error(
-      "needs a verb: cook, validate, info, simulate, render, gallery, compare, report or strip; see 'coif --help'");
+  std::string verbs = commands.front().app->get_name();
+  for (std::size_t i = 1; i < commands.size(); ++i) {
+    verbs += (i + 1 < commands.size() ? ", " : " or ") + commands[i].app->get_name();
+  }
+  Messages("").error(fmt::format("needs a verb: {}; see 'coif --help'", verbs));
   return Exit::kUsage;
 }
 

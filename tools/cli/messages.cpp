@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -55,6 +56,7 @@ void print_result(std::string_view text) { std::fwrite(text.data(), 1, text.size
 
 namespace {
 
+/// Behind the first in the order of ToolError::Kind.
 constexpr ExitMeaning kMeanings[] = {
     {Exit::kOk, "ok", "All is well."},
     {Exit::kUsage, "usage", "The command line is wrong."},
@@ -85,16 +87,11 @@ std::string exit_code_help() {
   return lines + line;
 }
 
-Exit exit_code(ToolError::Kind kind) {
-  switch (kind) {
-    case ToolError::Kind::kUsage: return Exit::kUsage;
-    case ToolError::Kind::kFileAccess: return Exit::kFileAccess;
-    case ToolError::Kind::kBadInput: return Exit::kBadInput;
-    case ToolError::Kind::kOverBudget: return Exit::kOverBudget;
-    case ToolError::Kind::kUnsupported: return Exit::kUnsupported;
-    case ToolError::Kind::kInternal: return Exit::kInternal;
-  }
-  return Exit::kInternal;
+Exit exit_code(ToolError::Kind kind) { return kMeanings[1 + std::size_t(kind)].code; }
+
+std::string status_word(Exit code) {
+  const std::string name = std::ranges::find(kMeanings, code, &ExitMeaning::code)->name;
+  return name.substr(0, name.find(" or "));
 }
 
 }  // namespace coif

@@ -4,7 +4,6 @@
 #include "import/clip_file.h"
 #include "motion/head_path.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -15,24 +14,6 @@ namespace coif {
 namespace {
 
 constexpr Choice<OutputFormat> kFormats[] = {{"text", OutputFormat::kText}, {"json", OutputFormat::kJson}};
-
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-template <typename Number>
-std::optional<std::pair<Number, Number>> parse_pair(std::string_view text, char separator) {
-  const std::size_t split = text.find(separator);
-  if (split == std::string_view::npos) return std::nullopt;
-  const auto first = parse_number<Number>(text.substr(0, split));
-  const auto second = parse_number<Number>(text.substr(split + 1));
-  if (!first || !second) return std::nullopt;
-  return std::pair{*first, *second};
-}
 
 bool is_drawable(std::uint32_t pixels) { return pixels >= 16 && pixels <= 8192; }
 
@@ -91,15 +72,6 @@ tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Mess
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, choice.file.string() + ": read keys make no path"});
 }
 
-std::span<const Choice<Motion>> motion_choices() {
-  static const std::vector<Choice<Motion>> choices = [] {
-    std::vector<Choice<Motion>> list;
-    for (const MotionInfo& info : all_motions()) list.push_back({info.name, info.motion});
-    return list;
-  }();
-  return choices;
-}
-
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help) {
   std::vector<std::string> names;
   for (const MotionInfo& info : all_motions()) names.emplace_back(info.name);
@@ -117,6 +89,11 @@ CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& he
       .add_option_function<std::string>("--motion", parse,
                                         fmt::format("{}: {}, or a node's animation in a glTF", help, list))
       ->type_name("NAME|CLIP[:NODE]");
+}
+
+void add_recording(CLI::App& app, RecordingSettings& recording, const std::string& what) {
+  add_number(app, "--fps", recording.fps, 10.0, 1000.0, "Steps and frames per second");
+  add_number(app, "--seconds", recording.seconds, 0.0, 3600.0, "Length of " + what);
 }
 
 std::string motion_help() {

@@ -2,6 +2,7 @@
 
 // Options that several commands share, and the types of values that CLI11 does not know.
 
+#include "animation/recording.h"
 #include "base/tool_error.h"
 #include "cli/messages.h"
 #include "motion/head_path.h"
@@ -11,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <tl/expected.hpp>
 
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -18,6 +20,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -54,6 +57,33 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value, st
   return app.add_option_function<std::string>(name, parse, fmt::format("{}: {}", help, list))->type_name("NAME");
 }
 
+/// An option that takes a number within `low` .. `high`, which help shows with the default.
+template <typename Number, typename Limit>
+CLI::Option* add_number(CLI::App& app, const std::string& name, Number& value, Limit low, Limit high,
+                        const std::string& help) {
+  return app.add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
+}
+
+/// All of the text.
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// Two numbers with `separator` between them and nothing else.
+template <typename Number>
+std::optional<std::pair<Number, Number>> parse_pair(std::string_view text, char separator) {
+  const std::size_t split = text.find(separator);
+  if (split == std::string_view::npos) return std::nullopt;
+  const auto first = parse_number<Number>(text.substr(0, split));
+  const auto second = parse_number<Number>(text.substr(split + 1));
+  if (!first || !second) return std::nullopt;
+  return std::pair{*first, *second};
+}
+
 struct PixelSize {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -88,9 +118,6 @@ struct HeadClip {
 /// Reads it; `messages` gets what was taken otherwise than the file says. Errors: as read_clip().
 [[nodiscard]] tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Messages& messages);
 
-/// The built-in motions as words of the command line.
-[[nodiscard]] std::span<const Choice<Motion>> motion_choices();
-
 /// A built-in motion or a clip.
 struct HeadMotion {
   Motion motion = Motion::kStill;
@@ -99,6 +126,9 @@ struct HeadMotion {
 
 /// --motion NAME|CLIP[:NODE]; `motion` must outlive the parsing.
 CLI::Option* add_motion(CLI::App& app, HeadMotion& motion, const std::string& help);
+
+/// --fps and --seconds; `what` is recorded.
+void add_recording(CLI::App& app, RecordingSettings& recording, const std::string& what);
 
 /// A paragraph with each motion and its figures, for --help.
 [[nodiscard]] std::string motion_help();

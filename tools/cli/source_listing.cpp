@@ -32,30 +32,28 @@ std::vector<bool> find_bones(const SourceModel& model) {
   return is_bone;
 }
 
-struct TreeWriter {
-  const SourceModel& model;
-  std::vector<bool> is_bone = find_bones(model);
-  std::vector<std::vector<std::size_t>> children = std::vector<std::vector<std::size_t>>(model.nodes.size());
-  std::string text = {};
-
-  std::string run() {
-    std::vector<std::pair<std::size_t, std::size_t>> open;  // node, depth; no recursion: files choose the depth
-    for (std::size_t i = model.nodes.size(); i-- > 0;) {
-      const std::uint32_t parent = model.nodes[i].parent;
-      if (parent != kNoIndex) children[parent].push_back(i);
+/// Two blanks deeper with each parent.
+std::string node_tree(const SourceModel& model) {
+  const std::vector<bool> is_bone = find_bones(model);
+  std::vector<std::vector<std::size_t>> children(model.nodes.size());
+  std::vector<std::pair<std::size_t, std::size_t>> open;  // node, depth; no recursion: files choose the depth
+  for (std::size_t i = model.nodes.size(); i-- > 0;) {
+    const std::uint32_t parent = model.nodes[i].parent;
+    if (parent == kNoIndex) {
+      open.emplace_back(i, 1);
+    } else {
+      children[parent].push_back(i);
     }
-    for (std::size_t i = model.nodes.size(); i-- > 0;) {
-      if (model.nodes[i].parent == kNoIndex) open.emplace_back(i, 1);
-    }
-    while (!open.empty()) {
-      const auto [node, depth] = open.back();
-      open.pop_back();
-      text += fmt::format("{:{}}{}{}\n", "", 2 * depth, model.nodes[node].name, is_bone[node] ? "  (bone)" : "");
-      for (const std::size_t child : children[node]) open.emplace_back(child, depth + 1);
-    }
-    return text;
   }
-};
+  std::string text;
+  while (!open.empty()) {
+    const auto [node, depth] = open.back();
+    open.pop_back();
+    text += fmt::format("{:{}}{}{}\n", "", 2 * depth, model.nodes[node].name, is_bone[node] ? "  (bone)" : "");
+    for (const std::size_t child : children[node]) open.emplace_back(child, depth + 1);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -71,7 +69,7 @@ std::string list_text(const SourceModel& model) {
     const std::string texture = texture_name(model, material.base_texture);
     text += fmt::format("  {}  {}\n", material.name, texture.empty() ? "no texture" : texture);
   }
-  return text + "nodes\n" + TreeWriter{model}.run();
+  return text + "nodes\n" + node_tree(model);
 }
 
 std::string list_json(const SourceModel& model) {

@@ -26,11 +26,15 @@ constexpr bool is_shattered(std::size_t triangles, std::size_t patches) {
 
 // What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
 
-using Issues = std::vector<Issue>;
-
 /// "bone 'fringe_2'", or "bone 7" where it has no name.
 [[nodiscard]] std::string bone_place(const Asset& asset, std::size_t bone);
-[[nodiscard]] Issue patch_issue(std::string_view code, std::string message, std::size_t patch);
+
+template <typename... Args>
+void add_patch_issue(Issues& issues, std::string_view code, std::size_t patch, fmt::format_string<Args...> message,
+                     Args&&... args) {
+  add_issue(issues, code, fmt::format("patch {}", patch), message, std::forward<Args>(args)...);
+  issues.back().patch = std::uint32_t(patch);
+}
 
 void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
 void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223

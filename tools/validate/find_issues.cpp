@@ -7,9 +7,9 @@
 #include "write/chunk_words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace coif {
 namespace {
@@ -28,7 +28,7 @@ std::string describe_text(const LoadStatus& status) {
   return std::string(text, describe(status, text, sizeof text));
 }
 
-std::vector<Issue> find_asset_issues(const Asset& asset) {
+Issues find_asset_issues(const Asset& asset) {
   Issues issues;
   for (const auto check : {check_bones, check_dynamics, check_geometry, check_patches, check_orders, check_skin,
                            check_textures, check_alpha, check_unwrapping, check_quality}) {
@@ -47,42 +47,32 @@ using Version = std::uint16_t[3];
 
 std::string text(const Version& v) { return fmt::format("{}.{}.{}", v[0], v[1], v[2]); }
 
-void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now,
-                    std::vector<Issue>& issues) {
+void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now, Issues& issues) {
   if (then == now) return;
-  issues.push_back(make_issue(
-      code, fmt::format("cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what, then, now),
-      "chunk PROV"));
+  add_issue(issues, code, "chunk PROV", "cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what, then,
+            now);
 }
 
-void compare_versions(const char* code, const char* what, const Version& then, const Version& now,
-                      std::vector<Issue>& issues) {
+void compare_versions(const char* code, const char* what, const Version& then, const Version& now, Issues& issues) {
   if (std::ranges::equal(then, now)) return;
-  issues.push_back(
-      make_issue(code, fmt::format("cooked by {} {}; this is {}", what, text(then), text(now)), "chunk PROV"));
+  add_issue(issues, code, "chunk PROV", "cooked by {} {}; this is {}", what, text(then), text(now));
 }
 
-const ChunkEntry* find_chunk(const Asset& asset, std::uint32_t id) {
-  const auto found = std::ranges::find(asset.chunks(), id, &ChunkEntry::id);
-  return found == asset.chunks().end() ? nullptr : &*found;
-}
-
-bool same_chunk(const Asset& a, const Asset& b, std::uint32_t id) {
-  const ChunkEntry* in_a = find_chunk(a, id);
-  const ChunkEntry* in_b = find_chunk(b, id);
-  return in_a != nullptr && in_b != nullptr && in_a->bytes == in_b->bytes && in_a->hash == in_b->hash;
+/// The asset has a chunk of this name and content.
+bool has_chunk(const Asset& asset, const ChunkEntry& other) {
+  return std::ranges::any_of(asset.chunks(), [&](const ChunkEntry& entry) {
+    return entry.id == other.id && entry.bytes == other.bytes && entry.hash == other.hash;
+  });
 }
 
 }  // namespace
 
-std::vector<Issue> find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
-  std::vector<Issue> issues;
+Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
   const ProvenanceRecord* then = asset.provenance();
   if (then == nullptr) {
-    issues.push_back(
-        make_issue("R105", "it does not say what it was cooked from; cook with \"scene.provenance\": true"));
-    return issues;
+    return {make_issue("R105", "it does not say what it was cooked from; cook with \"scene.provenance\": true")};
   }
+  Issues issues;
   compare_hashes("R101", "a source", then->source_hash, now.source_hash, issues);
   compare_hashes("R102", "a recipe", then->recipe_hash, now.recipe_hash, issues);
   if (!issues.empty()) return issues;
@@ -91,50 +81,43 @@ std::vector<Issue> find_origin_issues(const Asset& asset, const ProvenanceRecord
   return issues;
 }
 
-std::vector<Issue> find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
-  std::vector<std::uint32_t> ids;
-  for (const Asset* side : {&asset, &cooked_anew}) {
-    std::ranges::transform(side->chunks(), std::back_inserter(ids), &ChunkEntry::id);
-  }
-  std::string different;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const bool known =
-        std::find(ids.begin(), ids.begin() + std::ptrdiff_t(i), ids[i]) != ids.begin() + std::ptrdiff_t(i);
-    if (known || ids[i] == chunk::kProvenance || same_chunk(asset, cooked_anew, ids[i])) continue;
-    different += (different.empty() ? "" : ", ") + chunk_name(ids[i]);
-  }
+Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
+  std::vector<std::string> different;
+  const auto compare = [&different](const Asset& one, const Asset& other) {
+    for (const ChunkEntry& entry : one.chunks()) {
+      const std::string name = chunk_name(entry.id);
+      const bool told = entry.id == chunk::kProvenance || std::ranges::find(different, name) != different.end();
+      if (!told && !has_chunk(other, entry)) different.push_back(name);
+    }
+  };
+  compare(asset, cooked_anew);
+  compare(cooked_anew, asset);
   if (different.empty()) return {};
-  return {make_issue("R106", fmt::format("cooked anew, it has other chunks {}; use the new one", different))};
+  return {make_issue("R106", fmt::format("cooked anew, it has other chunks {}; use the new one",
+                                         fmt::join(different, ", ")))};
 }
 
 namespace {
-
-using Issues = std::vector<Issue>;
-
-std::string mesh_place(const SourceModel& source, std::uint32_t mesh) {
-  return fmt::format("mesh '{}'", source.meshes[mesh].name);
-}
 
 void check_meshes(const SourceModel& source, const SelectedHair& hair, const Recipe& recipe, Issues& issues) {
   bool rigid = true;
   for (const std::uint32_t mesh : hair.meshes) {
     rigid = rigid && source.meshes[mesh].influences.empty();
     if (!source.meshes[mesh].uvs.empty()) continue;
-    issues.push_back(
-        make_issue("S203", "no texture coordinates; unwrap the strips along their length", mesh_place(source, mesh)));
+    add_issue(issues, "S203", fmt::format("mesh '{}'", source.meshes[mesh].name),
+              "no texture coordinates; unwrap the strips along their length");
   }
   if (!rigid || !source.springs.empty() || recipe.chain_source == "none") return;
-  issues.push_back(make_issue("S204", "the hair follows no bone; chains will be fitted to it"));
+  add_issue(issues, "S204", "", "the hair follows no bone; chains will be fitted to it");
 }
 
 void check_size(const HairMesh& mesh, Issues& issues) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& at : mesh.positions) box.extend(at);
   if (is_hair_sized(largest_side(box))) return;
-  issues.push_back(make_issue(
-      "S205",
-      fmt::format("the hair is {:.3g} m large; hair has 0.05 .. 3 m: set \"source.metres_per_unit\" in the recipe",
-                  largest_side(box))));
+  add_issue(issues, "S205", "",
+            "the hair is {:.3g} m large; hair has 0.05 .. 3 m: set \"source.metres_per_unit\" in the recipe",
+            largest_side(box));
 }
 
 void check_strips(const HairMesh& mesh, const Recipe& recipe, Issues& issues) {
@@ -142,8 +125,8 @@ void check_strips(const HairMesh& mesh, const Recipe& recipe, Issues& issues) {
   const ExtractedPatches extracted = extract_patches(mesh, places, recipe.patch_connectivity);
   const std::size_t patches = extracted.patches.count;
   if (!is_shattered(mesh.triangle_count(), patches)) return;
-  issues.push_back(make_issue("S206", fmt::format("{} triangles fall into {} patches by {}", mesh.triangle_count(),
-                                                  patches, extracted.chosen)));
+  add_issue(issues, "S206", "", "{} triangles fall into {} patches by {}", mesh.triangle_count(), patches,
+            extracted.chosen);
 }
 
 }  // namespace
@@ -152,7 +135,7 @@ Issue import_issue(const ToolError& error) {
   return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
 }
 
-std::vector<Issue> find_source_issues(const SourceModel& source, const Recipe& recipe) {
+Issues find_source_issues(const SourceModel& source, const Recipe& recipe) {
   Issues issues;
   for (const std::string& warning : source.warnings) issues.push_back(make_issue("S201", warning));
   const auto hair = select_hair(source, recipe);

@@ -7,12 +7,10 @@
 
 #include <coif/asset.h>
 
-#include <vector>
-
 namespace coif {
 
 /// What an asset that opens without error still does badly on screen: no error, but worth an artist's look.
-[[nodiscard]] std::vector<Issue> find_asset_issues(const Asset& asset);
+[[nodiscard]] Issues find_asset_issues(const Asset& asset);
 
 /// Why an asset was refused; `status` is that of a failed open().
 [[nodiscard]] Issue refusal_issue(const LoadStatus& status);
@@ -22,16 +20,16 @@ namespace coif {
 
 /// Whether an asset was cooked from what `now` describes: source and recipe by their hashes, tool and importer by their
 /// versions; versions only where both hashes agree. Hashes do not cover texture files beside source and recipe.
-[[nodiscard]] std::vector<Issue> find_origin_issues(const Asset& asset, const ProvenanceRecord& now);
+[[nodiscard]] Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now);
 
 /// Whether a cook of today gives the same chunks; what PROV says of the tools does not count.
-[[nodiscard]] std::vector<Issue> find_recook_issues(const Asset& asset, const Asset& cooked_anew);
+[[nodiscard]] Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew);
 
 /// Why a source could not be imported.
 [[nodiscard]] Issue import_issue(const ToolError& error);
 
 /// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are hair,
 /// and whether they fall into strips.
-[[nodiscard]] std::vector<Issue> find_source_issues(const SourceModel& source, const Recipe& recipe);
+[[nodiscard]] Issues find_source_issues(const SourceModel& source, const Recipe& recipe);
 
 }  // namespace coif

@@ -24,28 +24,14 @@ std::vector<IssueCode> all_codes() {
 }  // namespace
 
 const char* name(Severity severity) {
-  switch (severity) {
-    case Severity::kInfo: return "info";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: return "error";
-  }
-  return "error";
+  constexpr const char* kNames[] = {"info", "warning", "error"};
+  return kNames[std::size_t(severity)];
 }
 
 const char* name(IssueGroup group) {
-  switch (group) {
-    case IssueGroup::kContainer: return "container";
-    case IssueGroup::kSkeleton: return "skeleton";
-    case IssueGroup::kDynamics: return "dynamics";
-    case IssueGroup::kGeometry: return "geometry";
-    case IssueGroup::kPatches: return "patches";
-    case IssueGroup::kOrders: return "orders";
-    case IssueGroup::kSkin: return "skin";
-    case IssueGroup::kTextures: return "textures";
-    case IssueGroup::kQuality: return "quality";
-    case IssueGroup::kSource: return "source";
-  }
-  return "unknown";
+  constexpr const char* kNames[kIssueGroups] = {"container", "skeleton", "dynamics", "geometry", "patches",
+                                                "orders",    "skin",     "textures", "quality",  "source"};
+  return kNames[std::size_t(group)];
 }
 
 std::span<const IssueCode> issue_codes() {

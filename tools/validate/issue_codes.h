@@ -1,11 +1,14 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -25,6 +28,15 @@ struct Issue {
 
 /// With the severity that issue_codes() gives `code`, which must be one of them.
 [[nodiscard]] Issue make_issue(std::string_view code, std::string message, std::string where = "");
+
+using Issues = std::vector<Issue>;
+
+/// Appends one whose message is written as by fmt::format().
+template <typename... Args>
+void add_issue(Issues& issues, std::string_view code, std::string where, fmt::format_string<Args...> message,
+               Args&&... args) {
+  issues.push_back(make_issue(code, fmt::format(message, std::forward<Args>(args)...), std::move(where)));
+}
 
 // Every code that `coif validate` knows. ISSUES.md is written from this table.
 //   F1xx files            R1xx origin of an asset: its source, recipe and tool

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace coif {
@@ -25,15 +26,7 @@ void find_unused_bones(const Asset& asset, Issues& issues) {
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i] || !is_simulated(asset.bones()[i])) continue;
-    issues.push_back(make_issue("A207", "no vertex follows it, though it is simulated", bone_place(asset, i)));
-  }
-}
-
-void find_stiff_chains(const Asset& asset, Issues& issues) {
-  for (const ChainRecord& chain : asset.chains()) {
-    if (chain.bone_count != 1) continue;
-    issues.push_back(
-        make_issue("A211", "its chain has no other bone: the strand cannot bend", bone_place(asset, chain.first_bone)));
+    add_issue(issues, "A207", bone_place(asset, i), "no vertex follows it, though it is simulated");
   }
 }
 
@@ -54,12 +47,10 @@ void find_odd_lengths(const Asset& asset, Issues& issues) {
     const BoneRecord& bone = asset.bones()[i];
     if (!is_simulated(bone)) continue;
     if (bone.length < kHardlyAnyLength) {
-      issues.push_back(
-          make_issue("A212", fmt::format("only {:.2g} mm long: it flips", 1000 * bone.length), bone_place(asset, i)));
+      add_issue(issues, "A212", bone_place(asset, i), "only {:.2g} mm long: it flips", 1000 * bone.length);
     } else if (median > 0 && bone.length > kMuchLonger * median) {
-      issues.push_back(make_issue(
-          "A213", fmt::format("{:.2g} m long, {:.0f} times the bones' median", bone.length, bone.length / median),
-          bone_place(asset, i)));
+      add_issue(issues, "A213", bone_place(asset, i), "{:.2g} m long, {:.0f} times the bones' median", bone.length,
+                bone.length / median);
     }
   }
 }
@@ -73,10 +64,13 @@ std::string bone_place(const Asset& asset, std::size_t bone) {
 
 void check_bones(const Asset& asset, Issues& issues) {
   if (asset.skeleton().simulated_count == 0) {
-    issues.push_back(make_issue("A202", "no simulated bone: the hair is rigid; name the hair's bones in the recipe"));
+    add_issue(issues, "A202", "", "no simulated bone: the hair is rigid; name the hair's bones in the recipe");
   }
   find_unused_bones(asset, issues);
-  find_stiff_chains(asset, issues);
+  for (const ChainRecord& chain : asset.chains()) {
+    if (chain.bone_count != 1) continue;
+    add_issue(issues, "A211", bone_place(asset, chain.first_bone), "its chain has no other bone: the strand cannot bend");
+  }
   find_odd_lengths(asset, issues);
 }
 
@@ -99,10 +93,9 @@ std::vector<Vec3> resting_particles(const Asset& asset) {
 void find_resting_penetration(const Asset& asset, Issues& issues) {
   const float depth = worst_penetration(asset, resting_particles(asset));
   if (!(depth > kRestingDepth)) return;
-  issues.push_back(
-      make_issue("A205", fmt::format("the rest pose is up to {:.0f} % of the head's radius inside the head: "
-                                     "the simulation will push it out",
-                                     100 * depth)));
+  add_issue(issues, "A205", "",
+            "the rest pose is up to {:.0f} % of the head's radius inside the head: the simulation will push it out",
+            100 * depth);
 }
 
 void find_idle_colliders(const Asset& asset, Issues& issues) {
@@ -111,18 +104,18 @@ void find_idle_colliders(const Asset& asset, Issues& issues) {
   for (std::size_t i = 0; i < asset.colliders().size(); ++i) {
     if ((reached >> i & 1u) != 0) continue;
     const std::string where = fmt::format("collider {} on {}", i, bone_place(asset, asset.colliders()[i].bone));
-    issues.push_back(make_issue("A221", "no bone can ever reach it", where));
+    add_issue(issues, "A221", where, "no bone can ever reach it");
   }
 }
 
 void find_odd_pulls(const Asset& asset, Issues& issues) {
   for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
-    if (asset.bones()[i].kind != BoneKind::kSimulated) continue;
+    if (!is_simulated(asset.bones()[i])) continue;
     const DynamicsRecord& bone = asset.dynamics()[i];
     if (bone.resistance <= 0 && bone.stiffness <= 0) {
-      issues.push_back(make_issue("A222", "nothing pulls it to the modelled pose", bone_place(asset, i)));
+      add_issue(issues, "A222", bone_place(asset, i), "nothing pulls it to the modelled pose");
     } else if (bone.resistance >= kNeverMoves) {
-      issues.push_back(make_issue("A223", "its resistance of 1 keeps it from ever moving", bone_place(asset, i)));
+      add_issue(issues, "A223", bone_place(asset, i), "its resistance of 1 keeps it from ever moving");
     }
   }
 }
@@ -131,7 +124,7 @@ void find_odd_pulls(const Asset& asset, Issues& issues) {
 
 void check_dynamics(const Asset& asset, Issues& issues) {
   if (asset.skeleton().simulated_count == 0) return;
-  if (asset.colliders().empty()) issues.push_back(make_issue("A203", "no collider: hair will pass through the head"));
+  if (asset.colliders().empty()) add_issue(issues, "A203", "", "no collider: hair will pass through the head");
   find_resting_penetration(asset, issues);
   find_idle_colliders(asset, issues);
   find_odd_pulls(asset, issues);
@@ -146,7 +139,7 @@ constexpr float kFarAway = 0.6f;  // of the hair's size
 
 bool moves(const Asset& asset, const SkinRecord& skin) {
   for (std::size_t k = 0; k < 4; ++k) {
-    if (skin.weight[k] > 0 && asset.bones()[skin.bone[k]].kind == BoneKind::kSimulated) return true;
+    if (skin.weight[k] > 0 && is_simulated(asset.bones()[skin.bone[k]])) return true;
   }
   return false;
 }
@@ -155,7 +148,7 @@ bool moves(const Asset& asset, const SkinRecord& skin) {
 const BoneRecord* mover_of(const Asset& asset, const SkinRecord& skin) {
   for (std::size_t k = 0; k < 4; ++k) {
     const BoneRecord& bone = asset.bones()[skin.bone[k]];
-    if (skin.weight[k] >= kMostWeight && bone.kind == BoneKind::kSimulated) return &bone;
+    if (skin.weight[k] >= kMostWeight && is_simulated(bone)) return &bone;
   }
   return nullptr;
 }
@@ -180,7 +173,7 @@ void find_strays(const Asset& asset, Issues& issues) {
       const float off = distance(Vector3f(asset.vertices()[vertex].position), *bone);
       if (off <= far_away) continue;
       const std::string mover = bone_place(asset, std::size_t(bone - asset.bones().data()));
-      issues.push_back(patch_issue("A262", fmt::format("a vertex follows {}, {:.2g} m away", mover, off), i));
+      add_patch_issue(issues, "A262", i, "a vertex follows {}, {:.2g} m away", mover, off);
       break;
     }
   }
@@ -191,10 +184,66 @@ void find_strays(const Asset& asset, Issues& issues) {
 void check_skin(const Asset& asset, Issues& issues) {
   if (asset.vertices().empty() || asset.skeleton().simulated_count == 0) return;
   if (std::ranges::none_of(asset.skin(), [&](const SkinRecord& skin) { return moves(asset, skin); })) {
-    issues.push_back(make_issue("A261", "no vertex follows a simulated bone: what is drawn does not move"));
-    return;
+    return add_issue(issues, "A261", "", "no vertex follows a simulated bone: what is drawn does not move");
   }
   find_strays(asset, issues);
+}
+
+namespace {
+
+constexpr float kLargeError = 0.03f;  // of the chain's length, RMS
+constexpr float kDeep = 0.05f;        // of the collider's radius
+constexpr float kStretched = 0.01f;
+constexpr float kRounding = 1.001f;
+
+/// The rows that a game following `tuning` runs.
+bool is_chosen(const QualityRecord& row, const TuningRecord& tuning) {
+  if (row.frame_rate < tuning.slowest_rate || row.frame_rate > tuning.fastest_rate) return false;
+  return float(row.substeps) == std::max(1.0f, std::ceil(tuning.substep_rate / row.frame_rate));
+}
+
+/// Worst of the rows that are run; what `tuning` says of itself where there are none.
+QualityRecord worst_of(const Asset& asset, const TuningRecord& tuning) {
+  QualityRecord worst{};
+  worst.rms_error = tuning.reached_error;
+  worst.cost = tuning.cost;
+  for (const QualityRecord& row : asset.quality()) {
+    if (!is_chosen(row, tuning)) continue;
+    worst.rms_error = std::max(worst.rms_error, row.rms_error);
+    worst.cost = std::max(worst.cost, row.cost);
+    worst.penetration = std::max(worst.penetration, row.penetration);
+    worst.stretch = std::max(worst.stretch, row.stretch);
+  }
+  return worst;
+}
+
+void check_budget(const TuningRecord& tuning, const QualityRecord& worst, Issues& issues) {
+  if (tuning.asked_error > 0 && worst.rms_error > kRounding * tuning.asked_error) {
+    add_issue(issues, "A281", "chunk QUAL", "an error of {:.2g} % of the chain's length, where {:.2g} % was the budget",
+              100 * worst.rms_error, 100 * tuning.asked_error);
+  }
+  if (tuning.asked_cost > 0 && worst.cost > kRounding * tuning.asked_cost) {
+    add_issue(issues, "A281", "chunk QUAL", "{:.0f} ns for a head and frame, where {:.0f} ns was the budget", worst.cost,
+              tuning.asked_cost);
+  }
+}
+
+void add_share(const char* code, const char* text, float share, float limit, Issues& issues) {
+  if (share > limit) add_issue(issues, code, "chunk QUAL", "{} {:.2g} %", text, 100 * share);
+}
+
+}  // namespace
+
+void check_quality(const Asset& asset, Issues& issues) {
+  if (asset.dynamics().empty() || asset.skeleton().simulated_count == 0) return;
+  if (asset.tuning() == nullptr) {
+    return add_issue(issues, "A283", "", "not tuned: the number of sub-steps is left to the game");
+  }
+  const QualityRecord worst = worst_of(asset, *asset.tuning());
+  check_budget(*asset.tuning(), worst, issues);
+  add_share("A282", "tips are off the exact motion by", worst.rms_error, kLargeError, issues);
+  add_share("A284", "tips get into a collider by", worst.penetration, kDeep, issues);
+  add_share("A285", "bones are longer than at rest by", worst.stretch, kStretched, issues);
 }
 
 }  // namespace coif

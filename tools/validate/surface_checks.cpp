@@ -59,11 +59,10 @@ void find_faulty_triangles(const Asset& asset, Issues& issues) {
     const PatchRecord& patch = asset.patches()[i];
     const PatchFaults faults = faults_of(asset, asset.indices().subspan(patch.first_index, patch.index_count));
     if (faults.flat > 0) {
-      const std::string count = counted(faults.flat, "triangle", "triangles");
-      issues.push_back(patch_issue("A231", count + " without area", i));
+      add_patch_issue(issues, "A231", i, "{} without area", counted(faults.flat, "triangle", "triangles"));
     }
     if (6 * faults.turned > patch.index_count) {
-      issues.push_back(patch_issue("A233", "normals point to the back of its triangles", i));
+      add_patch_issue(issues, "A233", i, "normals point to the back of its triangles");
     }
   }
 }
@@ -73,38 +72,29 @@ void find_unused_vertices(const Asset& asset, Issues& issues) {
   for (const std::uint32_t vertex : asset.indices()) used[vertex] = true;
   const auto unused = std::size_t(std::ranges::count(used, false));
   if (unused == 0) return;
-  issues.push_back(make_issue("A232", counted(unused, "vertex", "vertices") + " in no triangle", "chunk VERT"));
+  add_issue(issues, "A232", "chunk VERT", "{} in no triangle", counted(unused, "vertex", "vertices"));
 }
 
 void check_size(const Asset& asset, Issues& issues) {
   Eigen::AlignedBox3f box;
   for (const VertexRecord& vertex : asset.vertices()) box.extend(position(vertex));
   if (is_hair_sized(largest_side(box))) return;
-  issues.push_back(make_issue("A234", fmt::format("{:.3g} m large; hair has 0.05 .. 3 m", largest_side(box))));
+  add_issue(issues, "A234", "", "{:.3g} m large; hair has 0.05 .. 3 m", largest_side(box));
 }
 
 void find_equal_levels(const Asset& asset, Issues& issues) {
   for (std::uint32_t lod = 1; lod < asset.lod_count(); ++lod) {
     const double share = double(asset.lod_indices(lod).size()) / double(asset.lod_indices(lod - 1).size());
     if (share <= kSavesLittle) continue;
-    issues.push_back(make_issue("A235", fmt::format("{:.0f} % of the triangles of the finer level", 100 * share),
-                                fmt::format("level of detail {}", lod)));
+    add_issue(issues, "A235", fmt::format("level of detail {}", lod), "{:.0f} % of the triangles of the finer level",
+              100 * share);
   }
 }
 
 }  // namespace
 
-Issue patch_issue(std::string_view code, std::string message, std::size_t patch) {
-  Issue issue = make_issue(code, std::move(message), fmt::format("patch {}", patch));
-  issue.patch = std::uint32_t(patch);
-  return issue;
-}
-
 void check_geometry(const Asset& asset, Issues& issues) {
-  if (asset.vertices().empty()) {
-    issues.push_back(make_issue("A201", "no mesh: it can be simulated but not drawn"));
-    return;
-  }
+  if (asset.vertices().empty()) return add_issue(issues, "A201", "", "no mesh: it can be simulated but not drawn");
   find_faulty_triangles(asset, issues);
   find_unused_vertices(asset, issues);
   find_equal_levels(asset, issues);
@@ -175,14 +165,10 @@ void find_unsortable(const Asset& asset, Issues& issues) {
     const PatchRecord& patch = asset.lod_patches(0)[i];
     const Corners corners = asset.indices().subspan(patch.first_index, patch.index_count);
     const std::size_t pieces = pieces_of(asset, corners);
-    if (pieces > 1) {
-      issues.push_back(patch_issue("A241", fmt::format("{} pieces that do not touch", pieces), i));
-    }
+    if (pieces > 1) add_patch_issue(issues, "A241", i, "{} pieces that do not touch", pieces);
     const float width = width_of(asset, corners);
-    if (width > widest) {
-      issues.push_back(
-          patch_issue("A242", fmt::format("{:.2g} m wide across its strands, above {:.2g} m", width, widest), i));
-    }
+    if (width <= widest) continue;
+    add_patch_issue(issues, "A242", i, "{:.2g} m wide across its strands, above {:.2g} m", width, widest);
   }
 }
 
@@ -191,32 +177,20 @@ void find_unsortable(const Asset& asset, Issues& issues) {
 void check_patches(const Asset& asset, Issues& issues) {
   const std::size_t patches = asset.lod_patches(0).size();
   const std::size_t triangles = asset.lod_indices(0).size() / 3;
-  if (is_shattered(triangles, patches)) {
-    issues.push_back(make_issue("A243", fmt::format("{} triangles in {} patches", triangles, patches)));
-  }
+  if (is_shattered(triangles, patches)) add_issue(issues, "A243", "", "{} triangles in {} patches", triangles, patches);
   find_unsortable(asset, issues);
 }
 
-namespace {
-
-void find_unused_orders(const Asset& asset, Issues& issues) {
-  std::vector<bool> used(asset.order_count(), false);
-  for (const std::uint8_t order : asset.order_views()) used[order] = true;
-  // Order 0 is that of the triangles themselves and costs nothing.
-  for (std::size_t i = 1; i < used.size(); ++i) {
-    if (!used[i]) issues.push_back(make_issue("A253", "no direction uses it", fmt::format("draw order {}", i)));
-  }
-}
-
-}  // namespace
-
 void check_orders(const Asset& asset, Issues& issues) {
   if (asset.orders().empty()) return;
-  find_unused_orders(asset, issues);
+  // Order 0 is that of the triangles themselves and costs nothing.
+  for (std::uint32_t i = 1; i < asset.order_count(); ++i) {
+    if (std::ranges::find(asset.order_views(), i) != asset.order_views().end()) continue;
+    add_issue(issues, "A253", fmt::format("draw order {}", i), "no direction uses it");
+  }
   if (asset.material() == nullptr || blends(*asset.material())) return;
-  issues.push_back(make_issue(
-      "A251", fmt::format("nothing is blended; {} bytes of orders have no effect", asset.orders().size_bytes()),
-      "chunk ORDR"));
+  add_issue(issues, "A251", "chunk ORDR", "nothing is blended; {} bytes of orders have no effect",
+            asset.orders().size_bytes());
 }
 
 }  // namespace coif

@@ -35,8 +35,7 @@ void find_thin_mips(const TextureRecord& texture, std::span<const AlphaCoverage>
     if (std::min(texture.width, texture.height) >> mip < kFewTexels) return;
     const double share = coverage[mip].opacity / coverage[0].opacity;
     if (share >= kThin) continue;
-    issues.push_back(make_issue(
-        "A277", fmt::format("mip {} covers {:.0f} % of what the texture does", mip, 100 * share), place(texture.role)));
+    add_issue(issues, "A277", place(texture.role), "mip {} covers {:.0f} % of what the texture does", mip, 100 * share);
   }
 }
 
@@ -44,18 +43,16 @@ void find_thin_mips(const TextureRecord& texture, std::span<const AlphaCoverage>
 
 void check_textures(const Asset& asset, Issues& issues) {
   if (!asset.vertices().empty() && asset.texture(TextureRole::kBaseColor) == nullptr) {
-    issues.push_back(make_issue("A204", "no base colour texture: strips are drawn as solid cards"));
+    add_issue(issues, "A204", "", "no base colour texture: strips are drawn as solid cards");
   }
   for (const TextureRecord& texture : asset.textures()) {
     const std::string size = fmt::format("{} x {} texels", texture.width, texture.height);
     if (!std::has_single_bit(texture.width) || !std::has_single_bit(texture.height)) {
-      issues.push_back(make_issue("A271", size + " are no powers of two", place(texture.role)));
+      add_issue(issues, "A271", place(texture.role), "{} are no powers of two", size);
     }
     const auto all = std::uint32_t(std::bit_width(std::max(texture.width, texture.height)));
-    if (texture.mip_count < all) {
-      issues.push_back(make_issue("A272", fmt::format("{} of the {} mips of {}", texture.mip_count, all, size),
-                                  place(texture.role)));
-    }
+    if (texture.mip_count >= all) continue;
+    add_issue(issues, "A272", place(texture.role), "{} of the {} mips of {}", texture.mip_count, all, size);
   }
 }
 
@@ -63,17 +60,16 @@ void check_alpha(const Asset& asset, Issues& issues) {
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
   if (texture == nullptr || coverage.empty()) return;
-  const auto add = [&](const char* code, const char* message) {
-    issues.push_back(make_issue(code, message, place(texture->role)));
-  };
+  const char* where = place(texture->role);
   if (coverage.front().opacity <= 0) {
-    add("A274", "no texel that the hair uses is above the threshold that discards: nothing is drawn");
+    add_issue(issues, "A274", where,
+              "no texel that the hair uses is above the threshold that discards: nothing is drawn");
   } else if (coverage.front().opaque >= kAll) {
-    add("A273", "every texel that the hair uses is opaque: strips are drawn as solid cards");
+    add_issue(issues, "A273", where, "every texel that the hair uses is opaque: strips are drawn as solid cards");
   }
   if (coverage.front().opacity > 0) find_thin_mips(*texture, coverage, issues);
-  if (!blends(*asset.material()) && has_soft_texels(asset, *texture))
-    add("A252", "soft edges, of which the thresholds leave nothing");
+  if (blends(*asset.material()) || !has_soft_texels(asset, *texture)) return;
+  add_issue(issues, "A252", where, "soft edges, of which the thresholds leave nothing");
 }
 
 namespace {
@@ -123,15 +119,14 @@ void check_unwrapping(const Asset& asset, Issues& issues) {
   if (texture == nullptr || asset.vertices().empty()) return;
   for (std::size_t i = 0; i < asset.lod_patches(0).size(); ++i) {
     if (is_unwrapped(asset, asset.lod_patches(0)[i])) continue;
-    issues.push_back(patch_issue("A276", "all of it shows one texel: it is not unwrapped", i));
+    add_patch_issue(issues, "A276", i, "all of it shows one texel: it is not unwrapped");
   }
   const Areas areas = areas_of(asset);
   if (!(areas.surface > 0)) return;
   const double texels = areas.texture * texture->width * texture->height;
   const double density = std::sqrt(texels / areas.surface) / kMillimetresPerMetre;
   if (density <= kDenseTexels) return;
-  issues.push_back(
-      make_issue("A275", fmt::format("{:.0f} texels to a millimetre of hair", density), "base colour texture"));
+  add_issue(issues, "A275", "base colour texture", "{:.0f} texels to a millimetre of hair", density);
 }
 
 }  // namespace coif
