@@ -69,7 +69,8 @@ LoadStatus Asset::read_chunk_into_view(const std::byte* file, const ChunkEntry& 
   if (!whole) return {LoadCode::kChunkSize, entry.id, 0, layout.record_bytes, entry.bytes};
   const std::byte* data = file + entry.offset;
   if (entry.bytes > 0 && !is_aligned(data, layout.alignment)) return {LoadCode::kMisaligned};
-  views_[row] = {data, std::size_t(entry.bytes / layout.record_bytes)};
+  data_[row] = data;
+  if (!is_one) counts_[count_arrays(row)] = std::size_t(entry.bytes / layout.record_bytes);
   return {};
 }
 

@@ -33,7 +33,7 @@ using ContentCheck = LoadStatus (*)(const Asset&);
 
 /// One after the other: each relies on those before it.
 inline constexpr ContentCheck kContentChecks[] = {
-    check_needed_chunks, check_names, check_skeleton, check_dynamics, check_colliders, check_needs,     check_lods,
+    check_needed_chunks, check_names,  check_skeleton, check_dynamics, check_colliders, check_needs,     check_lods,
     check_mesh,          check_orders, check_material, check_textures, check_tuning,    check_provenance};
 
 inline bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }

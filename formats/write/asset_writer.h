@@ -15,8 +15,9 @@ namespace coif {
 
 /// A chunk in editable form: the records, or the one that no asset is without.
 template <std::uint32_t kId>
-using EditableChunk = std::conditional_t<is_needed_chunk(kId) && kChunkLayouts[chunk_row(kId)].count == ChunkCount::kOne,
-                                         typename ChunkRecord<kId>::Type, std::vector<typename ChunkRecord<kId>::Type>>;
+using EditableChunk =
+    std::conditional_t<is_needed_chunk(kId) && kChunkLayouts[chunk_row(kId)].count == ChunkCount::kOne,
+                       typename ChunkRecord<kId>::Type, std::vector<typename ChunkRecord<kId>::Type>>;
 
 /// Everything a .coif can hold: a field for each chunk by its name in COIF_CHUNKS, such as `skeleton`, `bones` or
 /// `lod_bones`. An empty one leaves its chunk out; `material`, `provenance` and `tuning` have one record or none. Offsets and

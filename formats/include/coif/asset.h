@@ -37,15 +37,18 @@ class COIF_API Asset {
   /// The chunk table as stored, for tools that list sizes.
   [[nodiscard]] std::span<const ChunkEntry> chunks() const { return chunks_; }
 
-  /// The records of a chunk by its id; empty where it is absent. Those below say what they mean.
-  template <std::uint32_t kId>
-  [[nodiscard]] std::span<const typename ChunkRecord<kId>::Type> records() const {
-    return {reinterpret_cast<const typename ChunkRecord<kId>::Type*>(view<kId>().data), view<kId>().count};
-  }
-  /// The one of a chunk that has no more; null where it is absent.
+  /// The one record of a chunk that has no more; null where it is absent.
   template <std::uint32_t kId>
   [[nodiscard]] const typename ChunkRecord<kId>::Type* record() const {
-    return reinterpret_cast<const typename ChunkRecord<kId>::Type*>(view<kId>().data);
+    constexpr std::size_t kRow = chunk_row(kId);
+    return reinterpret_cast<const typename ChunkRecord<kId>::Type*>(data_[kRow]);
+  }
+  /// The records of a chunk that may have many; empty where it is absent. Those below say what they mean.
+  template <std::uint32_t kId>
+  [[nodiscard]] std::span<const typename ChunkRecord<kId>::Type> records() const {
+    constexpr std::size_t kRow = chunk_row(kId);
+    static_assert(kChunkLayouts[kRow].count == ChunkCount::kMany);
+    return {record<kId>(), counts_[count_arrays(kRow)]};
   }
 
   [[nodiscard]] const SkeletonRecord& skeleton() const { return *record<chunk::kSkeleton>(); }
@@ -93,22 +96,12 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const QualityRecord> quality() const { return records<chunk::kQuality>(); }
 
  private:
-  /// A chunk's records in the file.
-  struct View {
-    const std::byte* data = nullptr;
-    std::size_t count = 0;
-  };
-
-  template <std::uint32_t kId>
-  [[nodiscard]] const View& view() const {
-    constexpr std::size_t kRow = chunk_row(kId);
-    return views_[kRow];
-  }
   LoadStatus read_chunk_into_view(const std::byte* file, const ChunkEntry& entry);
 
   const FileHeader* header_ = nullptr;
   std::span<const ChunkEntry> chunks_;
-  View views_[kChunkKinds];  ///< As in kChunkLayouts.
+  const std::byte* data_[kChunkKinds] = {};             ///< Of each chunk, as in kChunkLayouts.
+  std::size_t counts_[count_arrays(kChunkKinds)] = {};  ///< Of records, of those that may have many.
 };
 
 }  // namespace coif

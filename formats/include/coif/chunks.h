@@ -1,13 +1,14 @@
 #pragma once
 // The file around the records: header, table of chunks, and the one list of what chunks there are. Whatever treats chunks
 // alike goes by that list: ids, the reader's bounds, alignment and needs, the views of an Asset, what the writer writes in
-// which order, `coif strip`, reports, and the test of formats/SPECIFICATION.md.
+// which order, `coif strip`, reports, and the test of formats/SPECIFICATION.md. A new chunk takes a record
+// (coif/asset_records.h), a row here, an accessor with its meaning (coif/asset.h), a check of its content
+// (formats/check_*.cpp), its place in the specification, and a pass of the cook that fills AssetContents.
 
 #include <coif/asset_records.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 
 namespace coif {
 
@@ -24,7 +25,7 @@ struct FileHeader {
   std::uint16_t major;
   std::uint16_t minor;
   std::uint32_t chunk_count;
-  std::uint64_t total_bytes;   ///< Of the whole file, header included.
+  std::uint64_t total_bytes;  ///< Of the whole file, header included.
   /// XXH64 of the chunk table, seeded with the XXH64 (seed 0) of the header's first 24 bytes. The table has the hashes of
   /// the chunks, and bytes between them are zero: every byte of the file is covered.
   std::uint64_t table_hash;
@@ -126,9 +127,9 @@ enum class ChunkUse : std::uint8_t {
 /// Whether a chunk may be absent, and what it is without others.
 struct ChunkNeeds {
   enum class Presence : std::uint8_t {
-    kAlways,          ///< No asset is without it.
-    kOptional,        ///< It needs no other.
-    kIdleWithout,     ///< It means nothing without `ids`: who takes those out takes it too; the file opens all the same.
+    kAlways,       ///< No asset is without it.
+    kOptional,     ///< It needs no other.
+    kIdleWithout,  ///< It means nothing without `ids`: who takes those out takes it too; the file opens all the same.
     kRefusedWithout,  ///< A file that has it and not `ids` is refused.
   };
   Presence presence;
@@ -158,7 +159,14 @@ inline constexpr ChunkLayout kChunkLayouts[] = {
     COIF_CHUNKS(COIF_LAYOUT)
 #undef COIF_LAYOUT
 };
-inline constexpr std::size_t kChunkKinds = std::size(kChunkLayouts);
+inline constexpr std::size_t kChunkKinds = sizeof kChunkLayouts / sizeof kChunkLayouts[0];
+
+/// Chunks of many records in the first `rows` rows.
+constexpr std::size_t count_arrays(std::size_t rows) {
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < rows; ++row) count += kChunkLayouts[row].count == ChunkCount::kMany ? 1 : 0;
+  return count;
+}
 
 /// Its place in kChunkLayouts; kChunkKinds for a chunk that this version does not know.
 constexpr std::size_t chunk_row(std::uint32_t id) {
