@@ -31,24 +31,8 @@ struct Dependency {
   std::optional<std::uint64_t> hash;  ///< XXH64; none: there was no file that could be read.
 };
 
-/// The files of `inputs` as they are now.
-[[nodiscard]] std::vector<Dependency> take_dependencies(const CookInputs& inputs, const CookPlace& place);
-
-[[nodiscard]] std::filesystem::path path_of(const Dependency& dependency, const CookPlace& place);
-
-/// True where all of them hold what they held.
-[[nodiscard]] bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace& place);
-
-/// True where the folder of the source's textures gives the same answers as then.
-[[nodiscard]] bool are_still_answered(const std::vector<TextureQuestion>& questions, const CookPlace& place);
-
 /// A moment as file systems stamp it, which is coarser than the clock.
 [[nodiscard]] std::chrono::nanoseconds file_time_now();
-
-/// The first of the files (source included) that was written, replaced or renamed at `since` or later.
-[[nodiscard]] std::optional<std::filesystem::path> changed_since(std::chrono::nanoseconds since,
-                                                                 const std::vector<Dependency>& dependencies,
-                                                                 const CookPlace& place);
 
 /// All that is known before the import and changes what a cook makes.
 struct CookIdentity {

@@ -12,10 +12,102 @@
 #include <map>
 
 namespace coif {
+
+bool is_cooked(const nlohmann::ordered_json& outcome) { return outcome["exit_code"] == 0; }
+
+BatchCounts count(const Outcomes& outcomes) {
+  BatchCounts counts{.asked = outcomes.size()};
+  for (const auto& file : outcomes) {
+    const bool done = is_cooked(file);
+    ++(done ? counts.cooked : counts.failed);
+    if (done && file["from_cache"].get<bool>()) ++counts.from_cache;
+  }
+  return counts;
+}
+
+std::string sentence(const BatchCounts& counts) {
+  return fmt::format("{} asked, {} cooked ({} from the cache), {} failed", counts.asked, counts.cooked,
+                     counts.from_cache, counts.failed);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
+
+using Requests = std::vector<CookRequest>;
+
+tl::expected<void, ToolError> check_options(const CookOptions& options) {
+  std::error_code ignored;
+  if (options.output.empty()) return usage("needs -o FOLDER for several sources; see 'coif cook --help'");
+  if (!fs::is_directory(options.output, ignored)) {
+    return usage(fmt::format("{}: several sources need a folder that exists; create it first", options.output));
+  }
+  if (!options.depfile.empty()) return usage("--depfile goes with one SOURCE; cook each by a call of its own");
+  if (options.list) return usage("--list goes with one SOURCE");
+  if (!options.manifest.empty()) {
+    if (!options.sources.empty()) return usage("--manifest names the sources; leave SOURCE out");
+    if (options.recipe) return usage("--manifest names recipes for each source; leave --recipe out");
+  }
+  return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {options.manifest});
+}
+
+tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
+  Requests requests;
+  std::map<std::string, std::string> owners;
+  for (const std::string& source : options.sources) {
+    const std::string output = (fs::path(options.output) / fs::path(source).stem()).string() + ".coif";
+    const auto [owner, is_new] = owners.emplace(output, source);
+    if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, output));
+    requests.push_back({source, options.recipe, output});
+  }
+  return requests;
+}
+
+/// "K/N", K within 1 .. N. Error (kUsage): says so.
+tl::expected<Share, ToolError> parse_share(const std::string& text) {
+  const auto share = parse_pair<std::size_t>(text, '/');
+  if (share && share->first >= 1 && share->first <= share->second) return Share{share->first, share->second};
+  return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
+}
+
+/// What a command line with several sources or a manifest asks for: all of it, or the batch of it that is named. Errors: those
+/// of read_manifest(), and kUsage for options that do not go with many sources.
+tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
+  if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
+  const auto share = parse_share(options.share);
+  if (!share) return tl::unexpected(share.error());
+  const auto all = options.manifest.empty() ? named_requests(options) : read_manifest(options.manifest, options.output);
+  if (!all) return all;
+  return share_of(*all, *share);
+}
+
+std::string line_of(const Outcomes& file, std::size_t width) {
+  const bool done = is_cooked(file);
+  const auto figure = [&](const char* key) { return done ? fmt::format("{}", file[key].get<std::uint64_t>()) : "-"; };
+  const char* from_cache = !done ? "-" : file["from_cache"].get<bool>() ? "yes" : "no";
+  return fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8.0f}  {}\n", file["source"].get<std::string>(), width,
+                     file["status"].get<std::string>(), figure("triangles"), figure("bytes"), file["ms"].get<double>(),
+                     from_cache);
+}
+
+std::string batch_json(const Outcomes& outcomes) {
+  const BatchCounts counts = count(outcomes);
+  return json_text({{"asked", counts.asked},
+                    {"cooked", counts.cooked},
+                    {"from_cache", counts.from_cache},
+                    {"failed", counts.failed},
+                    {"files", outcomes}});
+}
+
+std::string batch_text(const Outcomes& outcomes) {
+  std::size_t width = 4;
+  for (const auto& file : outcomes) width = std::max(width, file["source"].get_ref<const std::string&>().size());
+  std::string text = fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8}  {}\n", "file", width, "status", "triangles",
+                                 "bytes", "ms", "from cache");
+  for (const auto& file : outcomes) text += line_of(file, width);
+  return text + sentence(count(outcomes)) + "\n";
+}
 
 tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                               const Messages& messages) {
@@ -95,102 +187,6 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
   }
   print_result(options.format == OutputFormat::kJson ? batch_json(outcomes) : batch_text(outcomes));
   return Exit(worst);
-}
-
-namespace {
-
-using Requests = std::vector<CookRequest>;
-
-tl::expected<void, ToolError> check_options(const CookOptions& options) {
-  std::error_code ignored;
-  if (options.output.empty()) return usage("needs -o FOLDER for several sources; see 'coif cook --help'");
-  if (!fs::is_directory(options.output, ignored)) {
-    return usage(fmt::format("{}: several sources need a folder that exists; create it first", options.output));
-  }
-  if (!options.depfile.empty()) return usage("--depfile goes with one SOURCE; cook each by a call of its own");
-  if (options.list) return usage("--list goes with one SOURCE");
-  if (!options.manifest.empty()) {
-    if (!options.sources.empty()) return usage("--manifest names the sources; leave SOURCE out");
-    if (options.recipe) return usage("--manifest names recipes for each source; leave --recipe out");
-  }
-  return options.report.empty() ? tl::expected<void, ToolError>{} : check_output(options.report, {options.manifest});
-}
-
-tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
-  Requests requests;
-  std::map<std::string, std::string> owners;
-  for (const std::string& source : options.sources) {
-    const std::string output = (fs::path(options.output) / fs::path(source).stem()).string() + ".coif";
-    const auto [owner, is_new] = owners.emplace(output, source);
-    if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, output));
-    requests.push_back({source, options.recipe, output});
-  }
-  return requests;
-}
-
-}  // namespace
-
-tl::expected<Requests, ToolError> batch_requests(const CookOptions& options) {
-  if (auto checked = check_options(options); !checked) return tl::unexpected(checked.error());
-  const auto share = parse_share(options.share);
-  if (!share) return tl::unexpected(share.error());
-  const auto all = options.manifest.empty() ? named_requests(options) : read_manifest(options.manifest, options.output);
-  if (!all) return all;
-  return share_of(*all, *share);
-}
-
-tl::expected<Share, ToolError> parse_share(const std::string& text) {
-  const auto share = parse_pair<std::size_t>(text, '/');
-  if (share && share->first >= 1 && share->first <= share->second) return Share{share->first, share->second};
-  return usage(fmt::format("--batch: '{}' is not K/N with K from 1 to N, as in 3/40", text));
-}
-
-namespace {
-
-std::string line_of(const Outcomes& file, std::size_t width) {
-  const bool done = is_cooked(file);
-  const auto figure = [&](const char* key) { return done ? fmt::format("{}", file[key].get<std::uint64_t>()) : "-"; };
-  const char* from_cache = !done ? "-" : file["from_cache"].get<bool>() ? "yes" : "no";
-  return fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8.0f}  {}\n", file["source"].get<std::string>(), width,
-                     file["status"].get<std::string>(), figure("triangles"), figure("bytes"), file["ms"].get<double>(),
-                     from_cache);
-}
-
-}  // namespace
-
-bool is_cooked(const nlohmann::ordered_json& outcome) { return outcome["exit_code"] == 0; }
-
-BatchCounts count(const Outcomes& outcomes) {
-  BatchCounts counts{.asked = outcomes.size()};
-  for (const auto& file : outcomes) {
-    const bool done = is_cooked(file);
-    ++(done ? counts.cooked : counts.failed);
-    if (done && file["from_cache"].get<bool>()) ++counts.from_cache;
-  }
-  return counts;
-}
-
-std::string sentence(const BatchCounts& counts) {
-  return fmt::format("{} asked, {} cooked ({} from the cache), {} failed", counts.asked, counts.cooked,
-                     counts.from_cache, counts.failed);
-}
-
-std::string batch_json(const Outcomes& outcomes) {
-  const BatchCounts counts = count(outcomes);
-  return json_text({{"asked", counts.asked},
-                    {"cooked", counts.cooked},
-                    {"from_cache", counts.from_cache},
-                    {"failed", counts.failed},
-                    {"files", outcomes}});
-}
-
-std::string batch_text(const Outcomes& outcomes) {
-  std::size_t width = 4;
-  for (const auto& file : outcomes) width = std::max(width, file["source"].get_ref<const std::string&>().size());
-  std::string text = fmt::format("{:{}}  {:14}  {:>9}  {:>10}  {:>8}  {}\n", "file", width, "status", "triangles",
-                                 "bytes", "ms", "from cache");
-  for (const auto& file : outcomes) text += line_of(file, width);
-  return text + sentence(count(outcomes)) + "\n";
 }
 
 }  // namespace coif

@@ -28,22 +28,10 @@ struct BatchCounts {
 /// "9 asked, 8 cooked (6 from the cache), 1 failed"
 [[nodiscard]] std::string sentence(const BatchCounts& counts);
 
-/// {"asked", "cooked", "from_cache", "failed", "files": the outcomes}; the keys are stable.
-[[nodiscard]] std::string batch_json(const Outcomes& outcomes);
-
-/// A line a source, and the sum.
-[[nodiscard]] std::string batch_text(const Outcomes& outcomes);
-
-/// What a command line with several sources or a manifest asks for: all of it, or the batch of it that is named. Errors: those
-/// of read_manifest(), and kUsage for options that do not go with many sources.
-tl::expected<std::vector<CookRequest>, ToolError> batch_requests(const CookOptions& options);
-
-/// "K/N", K within 1 .. N. Error (kUsage): says so.
-tl::expected<Share, ToolError> parse_share(const std::string& text);
-
 /// Cooks several sources, or a manifest's, into a folder, each for itself, in processes of their own; one that fails or crashes
 /// stops no other. Prints a table or JSON, writes that or a page with pictures to --report, and returns the highest exit code
-/// of all. Errors: those of batch_requests(), before anything is cooked, and a report that cannot be written.
+/// of all. Errors, before anything is cooked: those of read_manifest(), and options that do not go with many sources; and a
+/// report that cannot be written.
 tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const Messages& messages);
 
 /// The outcomes as an HTML page, failures first, with a picture of each asset that can be drawn. Draws up to `jobs` at once,

@@ -39,7 +39,8 @@ tl::expected<CompareResult, ToolError> compare(const CompareOptions& options, co
   CompareResult result{match->rest_rms, hair_size(a), {}};
   RecordingSettings recording = options.recording;
   for (const MotionInfo& info : all_motions()) {
-    const bool wanted = options.motions.empty() || std::ranges::find(options.motions, info.motion) != options.motions.end();
+    const bool wanted =
+        options.motions.empty() || std::ranges::find(options.motions, info.motion) != options.motions.end();
     if (!wanted) continue;
     recording.motion = info.motion;
     const auto difference = compare_rigs(a, b, *match, recording);

@@ -23,6 +23,13 @@ namespace {
 namespace fs = std::filesystem;
 using Found = tl::expected<std::vector<Issue>, ToolError>;
 
+/// What an asset should have been cooked from.
+struct OriginOptions {
+  std::string source;                 ///< Empty: nothing is compared.
+  std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
+  bool recook = false;                ///< Compare with the bytes of a new cook, too.
+};
+
 struct ValidateOptions {
   std::vector<std::string> files;
   OriginOptions origin;
@@ -42,6 +49,39 @@ bool has_asset_magic(std::span<const std::byte> bytes) {
 /// A file is taken for a source only by a suffix that the importer knows; everything else should be an asset.
 bool is_source(const fs::path& path, std::span<const std::byte> bytes) {
   return find_suffix(path).has_value() && !has_asset_magic(bytes);
+}
+
+Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
+                            std::uint64_t source_hash) {
+  CookSettings settings;
+  settings.threads = all_threads();
+  settings.recipe_directory = choice.directory;
+  settings.source_hash = source_hash;
+  const auto result = cook(model, choice.recipe, settings);
+  if (!result) return tl::unexpected(result.error());
+  const FileBytes bytes = FileBytes::copy(result->asset);
+  Asset cooked_anew;
+  const LoadStatus opened = open_whole(bytes.span(), cooked_anew);
+  if (!opened) return tl::unexpected(ToolError{ToolError::Kind::kInternal, describe_text(opened)});
+  return find_recook_issues(asset, cooked_anew);
+}
+
+/// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
+/// `recook` those of the cook.
+Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages) {
+  const auto bytes = FileBytes::read(options.source);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto choice = choose_recipe(options.source, options.recipe, messages);
+  if (!choice) return tl::unexpected(choice.error());
+  const auto model = import_model(options.source, import_settings(choice->recipe));
+  if (!model) return tl::unexpected(model.error());
+  const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
+  std::vector<Issue> issues = find_origin_issues(asset, now);
+  if (!options.recook) return issues;
+  auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash);
+  if (!differences) return tl::unexpected(differences.error());
+  issues.insert(issues.end(), differences->begin(), differences->end());
+  return issues;
 }
 
 Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& origin, const Messages& messages) {
@@ -199,41 +239,6 @@ Command add_validate(CLI::App& program) {
   app->add_flag("--list-codes", options->list_codes, "Print what every code means, check nothing");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_validate(*options, messages); }};
-}
-
-namespace {
-
-Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
-                            std::uint64_t source_hash) {
-  CookSettings settings;
-  settings.threads = all_threads();
-  settings.recipe_directory = choice.directory;
-  settings.source_hash = source_hash;
-  const auto result = cook(model, choice.recipe, settings);
-  if (!result) return tl::unexpected(result.error());
-  const FileBytes bytes = FileBytes::copy(result->asset);
-  Asset cooked_anew;
-  const LoadStatus opened = open_whole(bytes.span(), cooked_anew);
-  if (!opened) return tl::unexpected(ToolError{ToolError::Kind::kInternal, describe_text(opened)});
-  return find_recook_issues(asset, cooked_anew);
-}
-
-}  // namespace
-
-Found compare_with_origin(const Asset& asset, const OriginOptions& options, const Messages& messages) {
-  const auto bytes = FileBytes::read(options.source);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto choice = choose_recipe(options.source, options.recipe, messages);
-  if (!choice) return tl::unexpected(choice.error());
-  const auto model = import_model(options.source, import_settings(choice->recipe));
-  if (!model) return tl::unexpected(model.error());
-  const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
-  std::vector<Issue> issues = find_origin_issues(asset, now);
-  if (!options.recook) return issues;
-  auto differences = compare_with_new_cook(asset, *model, *choice, now.source_hash);
-  if (!differences) return tl::unexpected(differences.error());
-  issues.insert(issues.end(), differences->begin(), differences->end());
-  return issues;
 }
 
 }  // namespace coif

@@ -35,12 +35,12 @@ ordered_json folded_list(const std::vector<FoldedIssues>& folded) {
   return list;
 }
 
-}  // namespace
-
 const char* verdict_word(const Verdict& verdict) {
   if (!verdict.readable) return "unreadable";
   return verdict.issues.valid() ? "valid" : "invalid";
 }
+
+}  // namespace
 
 std::string verdicts_json(const std::vector<Verdict>& verdicts) {
   auto files = ordered_json::array();

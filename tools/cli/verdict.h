@@ -37,9 +37,6 @@ struct Verdict {
   IssuePictures pictures;  ///< Where a page was asked for.
 };
 
-/// "valid", "invalid" or "unreadable".
-[[nodiscard]] const char* verdict_word(const Verdict& verdict);
-
 /// The result as JSON; its keys are stable, and tools/validate/verdicts.schema.json describes them.
 [[nodiscard]] std::string verdicts_json(const std::vector<Verdict>& verdicts);
 
@@ -48,17 +45,5 @@ struct Verdict {
 
 /// All verdicts as one HTML document: a table of each file's issues with their meaning and cure, and its pictures.
 [[nodiscard]] std::string verdict_page(std::span<const Verdict> verdicts);
-
-/// What an asset should have been cooked from.
-struct OriginOptions {
-  std::string source;                 ///< Empty: nothing is compared.
-  std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
-  bool recook = false;                ///< Compare with the bytes of a new cook, too.
-};
-
-/// Whether the asset still is what a cook of the source would give. Errors: those of reading source and recipe; with
-/// `recook` those of the cook.
-tl::expected<std::vector<Issue>, ToolError> compare_with_origin(const Asset& asset, const OriginOptions& options,
-                                                                const Messages& messages);
 
 }  // namespace coif

@@ -49,8 +49,8 @@ std::string text(const Version& v) { return fmt::format("{}.{}.{}", v[0], v[1], 
 
 void compare_hashes(const char* code, const char* what, std::uint64_t then, std::uint64_t now, Issues& issues) {
   if (then == now) return;
-  add_issue(issues, code, "chunk PROV", "cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what, then,
-            now);
+  add_issue(issues, code, "chunk PROV", "cooked from {} with the hash {:016x}; it now is {:016x}: cook again", what,
+            then, now);
 }
 
 void compare_versions(const char* code, const char* what, const Version& then, const Version& now, Issues& issues) {
@@ -93,8 +93,8 @@ Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
   compare(asset, cooked_anew);
   compare(cooked_anew, asset);
   if (different.empty()) return {};
-  return {make_issue("R106", fmt::format("cooked anew, it has other chunks {}; use the new one",
-                                         fmt::join(different, ", ")))};
+  return {make_issue("R106",
+                     fmt::format("cooked anew, it has other chunks {}; use the new one", fmt::join(different, ", ")))};
 }
 
 namespace {

@@ -69,7 +69,8 @@ void check_bones(const Asset& asset, Issues& issues) {
   find_unused_bones(asset, issues);
   for (const ChainRecord& chain : asset.chains()) {
     if (chain.bone_count != 1) continue;
-    add_issue(issues, "A211", bone_place(asset, chain.first_bone), "its chain has no other bone: the strand cannot bend");
+    add_issue(issues, "A211", bone_place(asset, chain.first_bone),
+              "its chain has no other bone: the strand cannot bend");
   }
   find_odd_lengths(asset, issues);
 }
@@ -223,8 +224,8 @@ void check_budget(const TuningRecord& tuning, const QualityRecord& worst, Issues
               100 * worst.rms_error, 100 * tuning.asked_error);
   }
   if (tuning.asked_cost > 0 && worst.cost > kRounding * tuning.asked_cost) {
-    add_issue(issues, "A281", "chunk QUAL", "{:.0f} ns for a head and frame, where {:.0f} ns was the budget", worst.cost,
-              tuning.asked_cost);
+    add_issue(issues, "A281", "chunk QUAL", "{:.0f} ns for a head and frame, where {:.0f} ns was the budget",
+              worst.cost, tuning.asked_cost);
   }
 }
 
