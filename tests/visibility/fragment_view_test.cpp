@@ -194,7 +194,7 @@ TEST(SightLines, WhatSolidFragmentsHideIsNotEvenFound) {
   }
 }
 
-TEST(ViewSamples, DirectionsFillTheirCells) {
+TEST(SampledViews, DirectionsFillTheirCells) {
   for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
     float middle[3];
     view_cell_direction(cell, middle);
@@ -210,7 +210,7 @@ TEST(ViewSamples, DirectionsFillTheirCells) {
   }
 }
 
-TEST(ViewSamples, EveryCellHasEveryPoseAndThreadsDoNotMatter) {
+TEST(SampledViews, EveryCellHasEveryPoseAndThreadsDoNotMatter) {
   const OpenedAsset opened(stack_of({100, 150}));
   const HairSurface hair(opened.asset());
   std::vector<HairPositions> poses(3, posed_positions(opened.asset(), {}));
@@ -218,13 +218,13 @@ TEST(ViewSamples, EveryCellHasEveryPoseAndThreadsDoNotMatter) {
   SampleSettings settings;
   settings.views_per_cell = 6;
   settings.lines = 200;
-  const ViewSamples one = sample_views(hair, poses, settings);
+  const std::vector<SampledView> one = sample_views(hair, poses, settings);
   settings.threads = 3;
-  const ViewSamples three = sample_views(hair, poses, settings);
+  const std::vector<SampledView> three = sample_views(hair, poses, settings);
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
-  for (std::size_t i = 0; i < one.views.size(); ++i) {
-    seen.insert({one.views[i].cell, one.views[i].pose});
-    EXPECT_EQ(one.views[i].lines.begin, three.views[i].lines.begin);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    seen.insert({one[i].cell, one[i].pose});
+    EXPECT_EQ(one[i].lines.begin, three[i].lines.begin);
   }
   EXPECT_EQ(seen.size(), 3 * kViewCells);
 }

@@ -167,7 +167,7 @@ TEST(OrderSearch, OneSidedHairHasNothingToDrawTogether) {
 TEST(OrderClusters, CellsThatWantTheSameShareAnOrder) {
   CellVotes cells;
   for (std::size_t cell = 0; cell < kViewCells; ++cell) cells[cell] = {{0, 1, cell % 2 == 0 ? 1.0f : -1.0f}};
-  const OrderClusters clusters = cluster_orders(cells, counted(2), 8, 2);
+  const CellOrders clusters = cluster_orders(cells, counted(2), 8, 2);
   ASSERT_EQ(clusters.orders.size(), 2u);
   for (std::size_t cell = 0; cell < kViewCells; ++cell) {
     EXPECT_EQ(votes_against(cells[cell], clusters.orders[clusters.order_of[cell]]), 0);
@@ -184,7 +184,7 @@ TEST(OrderClusters, NeverLoseMoreThanTheirStartAndLessWithMoreOrders) {
       votes.push_back({a, a + 1, float(int(seed >> 16 & 0xFF)) - 127.5f});
     }
   }
-  const auto lost = [&](const OrderClusters& clusters) {
+  const auto lost = [&](const CellOrders& clusters) {
     double sum = 0;
     for (std::size_t i = 0; i < kViewCells; ++i) sum += votes_against(cells[i], clusters.orders[clusters.order_of[i]]);
     return sum;

@@ -107,14 +107,11 @@ struct SightLines {
 /// Hair in one pose.
 using HairPositions = std::vector<Eigen::Vector3f>;
 
-/// The hair from all sides, in several poses: what orders are found from, or judged by.
-struct ViewSamples {
-  struct View {
-    std::uint32_t cell = 0;  ///< That its direction lies in.
-    std::uint32_t pose = 0;
-    SightLines lines;
-  };
-  std::vector<View> views;
+/// The hair from one side in one of several poses: what orders are found from, or judged by.
+struct SampledView {
+  std::uint32_t cell = 0;  ///< That its direction lies in.
+  std::uint32_t pose = 0;
+  SightLines lines;
 };
 
 struct SampleSettings {
@@ -128,12 +125,12 @@ struct SampleSettings {
 
 /// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
 /// pose, at rest, comes every other time.
-[[nodiscard]] ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
-                                      const SampleSettings& settings, std::uint32_t cell);
+[[nodiscard]] std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
+                                                   const SampleSettings& settings, std::uint32_t cell);
 
 /// Those of all cells.
-[[nodiscard]] ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
-                                       const SampleSettings& settings);
+[[nodiscard]] std::vector<SampledView> sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
+                                                    const SampleSettings& settings);
 
 /// Direction `index` of a sequence that fills a cell evenly, unit.
 [[nodiscard]] Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index);

@@ -18,17 +18,10 @@ std::size_t unit_range(std::span<const Vote> votes, std::span<const std::uint32_
   return std::size_t(largest) + 1;
 }
 
-/// Per unit its place in `order`.
-std::vector<std::uint32_t> places(std::span<const std::uint32_t> order, std::size_t units) {
-  std::vector<std::uint32_t> place(units, 0);
-  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  return place;
-}
-
 class InsertionSearch {
  public:
   InsertionSearch(std::span<const Vote> votes, UnitOrder order)
-      : order_(std::move(order)), opinions_(unit_range(votes, order_)), place_(places(order_, opinions_.size())) {
+      : order_(std::move(order)), opinions_(unit_range(votes, order_)), place_(places_in(order_, opinions_.size())) {
     double total = 0;
     for (const Vote& vote : votes) {
       opinions_[vote.first].push_back({vote.second, vote.weight});
@@ -99,8 +92,14 @@ class InsertionSearch {
 
 }  // namespace
 
+std::vector<std::uint32_t> places_in(std::span<const std::uint32_t> order, std::size_t units) {
+  std::vector<std::uint32_t> place(units, 0);
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  return place;
+}
+
 double votes_against(std::span<const Vote> votes, std::span<const std::uint32_t> order) {
-  const std::vector<std::uint32_t> place = places(order, unit_range(votes, order));
+  const std::vector<std::uint32_t> place = places_in(order, unit_range(votes, order));
   double lost = 0;
   for (const Vote& vote : votes) {
     const bool first_before = place[vote.first] < place[vote.second];
@@ -151,8 +150,7 @@ class VertexCache {
 class CacheOrder {
  public:
   CacheOrder(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order)
-      : hair_(hair), place_(order.size()), held_by_(order.size(), 0), holds_(order.size()) {
-    for (std::uint32_t i = 0; i < order.size(); ++i) place_[order[i]] = i;
+      : hair_(hair), place_(places_in(order, order.size())), held_by_(order.size(), 0), holds_(order.size()) {
     for (const Vote& vote : votes) {
       const bool in_order = place_[vote.first] < place_[vote.second];
       const std::uint32_t before = in_order ? vote.first : vote.second, after = in_order ? vote.second : vote.first;

@@ -15,6 +15,9 @@ namespace coif {
 /// Units in the order in which they are drawn.
 using UnitOrder = std::vector<std::uint32_t>;
 
+/// Of each unit below `units` its place in `order`; 0 where it is not there.
+[[nodiscard]] std::vector<std::uint32_t> places_in(std::span<const std::uint32_t> order, std::size_t units);
+
 /// What an order loses of the votes: the weights of those that it goes against.
 [[nodiscard]] double votes_against(std::span<const Vote> votes, std::span<const std::uint32_t> order);
 
@@ -31,20 +34,23 @@ using UnitOrder = std::vector<std::uint32_t>;
 using CellVotes = std::array<std::vector<Vote>, kViewCells>;
 
 /// A few orders, and which of them each cell draws with.
-struct OrderClusters {
+struct CellOrders {
   std::vector<UnitOrder> orders;
   std::array<std::uint8_t, kViewCells> order_of{};
+
+  /// The votes of all cells that draw with one of them.
+  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells) const;
 };
 
 /// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of all cells'
 /// lost votes found the clusters; then cells go to the order that loses least of their votes and orders are improved for their
 /// cells, until neither changes anything (Lloyd's iteration, with votes for distances). Never loses more votes than `start`
 /// does; the same for every number of threads.
-[[nodiscard]] OrderClusters cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
-                                           unsigned threads);
+[[nodiscard]] CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count,
+                                        unsigned threads);
 
 /// The second half of that alone, from the orders of `found`, which other votes led to.
-[[nodiscard]] OrderClusters refine_clusters(const CellVotes& cells, OrderClusters found, unsigned threads);
+[[nodiscard]] CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads);
 
 /// Triangles of `order` in an order that shares vertices between neighbours as far as the votes allow: two triangles that have
 /// a vote on each other stay in the order they have, all others may move. What no vote was seen for moves too, so judge the

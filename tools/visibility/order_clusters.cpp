@@ -14,7 +14,7 @@ class Clustering {
   Clustering(const CellVotes& cells, unsigned threads) : cells_(cells), threads_(threads) {}
 
   /// Lloyd's iteration.
-  OrderClusters refine(OrderClusters found) {
+  CellOrders refine(CellOrders found) {
     result_ = std::move(found);
     for (int round = 0; round < kMostRounds && (assign() || round == 0); ++round) improve();
     assign();
@@ -22,7 +22,7 @@ class Clustering {
     return std::move(result_);
   }
 
-  [[nodiscard]] OrderClusters found_clusters(const UnitOrder& start, std::size_t count) const {
+  [[nodiscard]] CellOrders found_clusters(const UnitOrder& start, std::size_t count) const {
     std::vector<UnitOrder> own(kViewCells);
     std::vector<Losses> lost(kViewCells);
     parallel_for(kViewCells, threads_, [&](std::size_t cell) {
@@ -31,7 +31,7 @@ class Clustering {
       lost[cell] = losses(own[cell]);
     });
     Losses least = losses(start);
-    OrderClusters founded{{start}, {}};
+    CellOrders founded{{start}, {}};
     while (founded.orders.size() < count) {
       const std::size_t best = best_founder(lost, least);
       if (best == kViewCells) break;
@@ -86,11 +86,8 @@ class Clustering {
 
   void improve() {
     parallel_for(result_.orders.size(), threads_, [&](std::size_t k) {
-      std::vector<std::vector<Vote>> of_cluster;
-      for (std::size_t cell = 0; cell < kViewCells; ++cell) {
-        if (result_.order_of[cell] == k) of_cluster.push_back(cells_[cell]);
-      }
-      if (!of_cluster.empty()) result_.orders[k] = improve_order(sum_of(of_cluster), std::move(result_.orders[k]));
+      const bool is_used = std::ranges::find(result_.order_of, std::uint8_t(k)) != result_.order_of.end();
+      if (is_used) result_.orders[k] = improve_order(result_.votes_on(k, cells_), std::move(result_.orders[k]));
     });
   }
 
@@ -109,17 +106,25 @@ class Clustering {
 
   const CellVotes& cells_;
   unsigned threads_;
-  OrderClusters result_;
+  CellOrders result_;
 };
 
 }  // namespace
 
-OrderClusters cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, unsigned threads) {
+std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells) const {
+  std::vector<std::vector<Vote>> votes;
+  for (std::size_t cell = 0; cell < kViewCells; ++cell) {
+    if (order_of[cell] == order) votes.push_back(cells[cell]);
+  }
+  return sum_of(votes);
+}
+
+CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, unsigned threads) {
   Clustering clustering(cells, threads);
   return clustering.refine(clustering.found_clusters(start, std::clamp<std::size_t>(count, 1, kMaxOrders)));
 }
 
-OrderClusters refine_clusters(const CellVotes& cells, OrderClusters found, unsigned threads) {
+CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads) {
   return Clustering(cells, threads).refine(std::move(found));
 }
 

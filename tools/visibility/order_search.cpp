@@ -10,12 +10,6 @@
 namespace coif {
 namespace {
 
-std::vector<std::uint32_t> ranks_of(const UnitOrder& triangles) {
-  std::vector<std::uint32_t> rank(triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) rank[triangles[i]] = i;
-  return rank;
-}
-
 double median_of(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -27,27 +21,26 @@ double median_of(std::vector<double> values) {
 
 UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                              std::span<const std::uint32_t> unit_of_triangle) {
-  std::vector<std::uint32_t> place(unit_order.size());
-  for (std::uint32_t i = 0; i < unit_order.size(); ++i) place[unit_order[i]] = i;
+  const std::vector<std::uint32_t> place = places_in(unit_order, unit_order.size());
   UnitOrder triangles(unit_of_triangle.size());
   std::iota(triangles.begin(), triangles.end(), 0u);
   std::ranges::stable_sort(triangles, {}, [&](std::uint32_t t) { return place[unit_of_triangle[t]]; });
   return triangles;
 }
 
-OrderQuality OrderJudge::judge(const TriangleOrders& orders, const DrawRule& rule) const {
+OrderQuality OrderJudge::judge(const CellOrders& orders, const DrawRule& rule) const {
   std::vector<std::vector<std::uint32_t>> ranks;
-  for (const UnitOrder& order : orders.orders) ranks.push_back(ranks_of(order));
-  std::vector<double> error(samples_.views.size());
+  for (const UnitOrder& order : orders.orders) ranks.push_back(places_in(order, order.size()));
+  std::vector<double> error(samples_.size());
   parallel_for(error.size(), threads_, [&](std::size_t i) {
-    const ViewSamples::View& view = samples_.views[i];
+    const SampledView& view = samples_[i];
     error[i] = squared_error(view.lines, ranks[orders.order_of[view.cell]], rule);
   });
   double sum = 0;
   std::size_t pixels = 0;
   std::vector<double> rest, moving;
   for (std::size_t i = 0; i < error.size(); ++i) {
-    const ViewSamples::View& view = samples_.views[i];
+    const SampledView& view = samples_[i];
     sum += error[i];
     pixels += view.lines.covered;
     (view.pose == 0 ? rest : moving).push_back(psnr_db(error[i], view.lines.covered));
@@ -59,7 +52,7 @@ OrderQuality OrderJudge::judge(const TriangleOrders& orders, const DrawRule& rul
 double OrderJudge::best_psnr(float opaque_threshold) const {
   double sum = 0;
   std::size_t pixels = 0;
-  for (const ViewSamples::View& view : samples_.views) {
+  for (const SampledView& view : samples_) {
     sum += threshold_error(view.lines, opaque_threshold);
     pixels += view.lines.covered;
   }
@@ -88,7 +81,7 @@ std::vector<std::uint32_t> patches_of(const HairSurface& hair) {
   return patch_of;
 }
 
-TriangleOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t> patch_of) {
+CellOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t> patch_of) {
   return {{triangles_in_order(patches, patch_of)}, {}};
 }
 
@@ -160,10 +153,10 @@ class OrderSearch {
     const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
     std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      const ViewSamples samples = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
+      const std::vector<SampledView> views = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
         std::vector<std::vector<Vote>> of_views;
-        for (const auto& view : samples.views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
+        for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
         votes[rule][cell] = sum_of(of_views);
       }
     });
@@ -180,39 +173,34 @@ class OrderSearch {
     return sums_win ? std::move(from_sums) : std::move(from_start);
   }
 
-  [[nodiscard]] OrderClusters clusters(const CellVotes& cells, const FoundOrders& candidate,
-                                       const FoundOrders* from) const {
+  [[nodiscard]] CellOrders clusters(const CellVotes& cells, const FoundOrders& candidate,
+                                    const FoundOrders* from) const {
     if (from != nullptr) {
-      return refine_clusters(cells, {from->by_view.orders, from->by_view.order_of}, settings_.threads);
+      return refine_clusters(cells, from->by_view, settings_.threads);
     }
     return cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_), settings_.max_orders - 1,
                           settings_.threads);
   }
 
-  void add_views(const CellVotes& cells, OrderClusters clusters, FoundOrders& candidate) const {
-    const TriangleOrders shared = for_cache(clusters, cells);
-    TriangleOrders orders{std::move(clusters.orders), clusters.order_of};
-    OrderQuality quality = judge_.judge(orders, candidate.rule);
+  void add_views(const CellVotes& cells, CellOrders clusters, FoundOrders& candidate) const {
+    const CellOrders shared = for_cache(clusters, cells);
+    OrderQuality quality = judge_.judge(clusters, candidate.rule);
     const OrderQuality of_shared = judge_.judge(shared, candidate.rule);
     if (of_shared.psnr >= quality.psnr - kMostLostToCache) {
-      orders = shared;
+      clusters = shared;
       quality = of_shared;
     }
     const double gain = std::min(quality.psnr, kUnseenPsnr) - std::min(candidate.single.psnr, kUnseenPsnr);
     if (gain < settings_.min_gain) return;
     candidate.found = quality;
-    candidate.by_view = std::move(orders);
+    candidate.by_view = std::move(clusters);
   }
 
   /// The same, as far as votes tell, with more vertices shared between triangles.
-  [[nodiscard]] TriangleOrders for_cache(const OrderClusters& clusters, const CellVotes& cells) const {
-    TriangleOrders shared{clusters.orders, clusters.order_of};
+  [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
+    CellOrders shared = clusters;
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
-      std::vector<std::vector<Vote>> votes;
-      for (std::size_t cell = 0; cell < kViewCells; ++cell) {
-        if (clusters.order_of[cell] == k) votes.push_back(cells[cell]);
-      }
-      shared.orders[k] = order_for_cache(hair_, sum_of(votes), shared.orders[k]);
+      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells), shared.orders[k]);
     });
     return shared;
   }

@@ -17,12 +17,6 @@ struct OrderQuality {
   double moving = 0;  ///< Median over the views in motion; that of those at rest where there are none.
 };
 
-/// A few orders of all triangles, and the one that each cell of directions draws with.
-struct TriangleOrders {
-  std::vector<UnitOrder> orders;
-  std::array<std::uint8_t, kViewCells> order_of{};
-};
-
 /// All triangles of each unit after those of the unit before it; stored order within.
 [[nodiscard]] UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                                            std::span<const std::uint32_t> unit_of_triangle);
@@ -30,14 +24,16 @@ struct TriangleOrders {
 /// Judges orders by views that none of them was found from.
 class OrderJudge {
  public:
-  explicit OrderJudge(ViewSamples samples, unsigned threads) : samples_(std::move(samples)), threads_(threads) {}
+  explicit OrderJudge(std::vector<SampledView> samples, unsigned threads)
+      : samples_(std::move(samples)), threads_(threads) {}
 
-  [[nodiscard]] OrderQuality judge(const TriangleOrders& orders, const DrawRule& rule) const;
+  /// `orders`: of all triangles.
+  [[nodiscard]] OrderQuality judge(const CellOrders& orders, const DrawRule& rule) const;
   /// The best that any order could do.
   [[nodiscard]] double best_psnr(float opaque_threshold) const;
 
  private:
-  ViewSamples samples_;
+  std::vector<SampledView> samples_;
   unsigned threads_;
 };
 
@@ -56,12 +52,12 @@ struct OrderSearchSettings {
 /// How to draw the hair, and how good that is.
 struct FoundOrders {
   DrawRule rule;
-  UnitOrder patches;       ///< The best order of whole patches.
-  TriangleOrders by_view;  ///< Orders of triangles for directions; none where they would gain too little.
-  OrderQuality head;       ///< By distance from the head, faces apart.
-  OrderQuality single;     ///< `patches`, for all directions.
-  OrderQuality found;      ///< What is drawn: `by_view`, else `single`.
-  double limit = 0;        ///< dB that the best conceivable order has.
+  UnitOrder patches;    ///< The best order of whole patches.
+  CellOrders by_view;   ///< Orders of triangles for directions; none where they would gain too little.
+  OrderQuality head;    ///< By distance from the head, faces apart.
+  OrderQuality single;  ///< `patches`, for all directions.
+  OrderQuality found;   ///< What is drawn: `by_view`, else `single`.
+  double limit = 0;     ///< dB that the best conceivable order has.
 };
 
 /// Looks for better orders than `by_head_distance`, which has all patches. `poses`: the first at rest. Orders that are judged

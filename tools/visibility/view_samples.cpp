@@ -73,10 +73,10 @@ Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
   return direction.normalized();
 }
 
-ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> poses, const SampleSettings& settings,
-                        std::uint32_t cell) {
+std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
+                                     const SampleSettings& settings, std::uint32_t cell) {
   const double outline = mean_outline(poses.front());
-  ViewSamples samples;
+  std::vector<SampledView> views;
   for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
     const std::uint32_t turn = i + settings.seed;
     const std::uint32_t pose = pose_of_view(cell, turn, poses.size());
@@ -86,18 +86,18 @@ ViewSamples sample_cell(const HairSurface& hair, std::span<const HairPositions> 
     grid.pixel = settings.pixel;
     grid.solid_alpha = settings.solid_alpha;
     const FragmentView view(hair, poses[pose], grid);
-    samples.views.push_back({cell, pose, SightLines(view, settings.solid_alpha)});
+    views.push_back({cell, pose, SightLines(view, settings.solid_alpha)});
   }
-  return samples;
+  return views;
 }
 
-ViewSamples sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
-                         const SampleSettings& settings) {
-  std::array<ViewSamples, kViewCells> of_cell;
+std::vector<SampledView> sample_views(const HairSurface& hair, std::span<const HairPositions> poses,
+                                      const SampleSettings& settings) {
+  std::array<std::vector<SampledView>, kViewCells> of_cell;
   parallel_for(kViewCells, settings.threads,
                [&](std::size_t cell) { of_cell[cell] = sample_cell(hair, poses, settings, std::uint32_t(cell)); });
-  ViewSamples all;
-  for (ViewSamples& samples : of_cell) std::ranges::move(samples.views, std::back_inserter(all.views));
+  std::vector<SampledView> all;
+  for (std::vector<SampledView>& views : of_cell) std::ranges::move(views, std::back_inserter(all));
   return all;
 }
 
