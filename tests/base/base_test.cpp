@@ -1,7 +1,14 @@
+#include "base/encodings.h"
 #include "base/text.h"
 #include "base/timing.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace coif::base_test {
 
@@ -20,6 +27,28 @@ TEST(PrintableText, ReplacesBytesThatAreNotUtf8) {
 TEST(PrintableText, CutsBetweenCharacters) {
   EXPECT_EQ(printable_text("ab髪", 4), "ab");
   EXPECT_EQ(printable_text("ab髪", 5), "ab髪");
+}
+
+TEST(Base64, ComesBackWithAndWithoutPadding) {
+  for (const char* text : {"", "f", "fo", "foo", "foob", "\xFB\xFF\xFE?"}) {
+    const std::vector<std::uint8_t> bytes(text, text + std::strlen(text));
+    std::string coded = base64(bytes);
+    for (int padding = 0; padding < 2; ++padding) {
+      const auto back = from_base64(coded);
+      ASSERT_TRUE(back) << coded;
+      EXPECT_TRUE(std::ranges::equal(*back, std::as_bytes(std::span(bytes)))) << coded;
+      while (coded.ends_with('=')) coded.pop_back();
+    }
+  }
+  EXPECT_FALSE(from_base64("Zm9v YmFy"));
+  EXPECT_FALSE(from_base64("Zm=9"));
+}
+
+TEST(DecodedUri, TakesTwoDigitsOfEitherCaseAndLeavesTheRest) {
+  EXPECT_EQ(decoded_uri("a%20b%2Fc%2fd"), "a b/c/d");
+  EXPECT_EQ(decoded_uri("100%"), "100%");
+  EXPECT_EQ(decoded_uri("%4"), "%4");
+  EXPECT_EQ(decoded_uri("%g1%1g"), "%g1%1g");
 }
 
 TEST(Timing, MedianAndSpreadDoNotHearOneWildSample) {

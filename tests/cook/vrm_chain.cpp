@@ -1,6 +1,6 @@
 #include "cook/vrm_chain.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 
 namespace coif {
 

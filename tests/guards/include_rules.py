@@ -37,6 +37,7 @@ LINKED = {"coif::gl": DRAWING}
 # Third-party header -> the folders that may include it.
 HOMES = {
     "assimp/": ["tools/import"],
+    "pugixml.hpp": ["tools/import"],
     "hwy/": ["runtime/sim"],
     "CLI/": ["tools/cli"],
     "meshoptimizer.h": ["tools/cook/lods", "tools/cook/pack"],
@@ -47,7 +48,7 @@ HOMES = {
     "stb/stb_easy_font.h": ["tools/render"],
     "stb/stb_image.h": ["tools/cook/texture", "tests/"],
     "stb/stb_image_resize.h": ["tools/cook/texture"],
-    "stb/stb_image_write.h": ["tools/render", "tools/sample", "tests/cook"],
+    "stb/stb_image_write.h": ["tools/base", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl", "runtime/examples"],
     "GLES2/": ["tools/render", "tests/gl", "tests/render"],
     "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples"],

@@ -1,9 +1,8 @@
+#include "base/encodings.h"
 #include "import/model_files.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <string_view>
 
 namespace coif::test {
 namespace {
@@ -11,22 +10,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kFloatComponent = 5126;
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? std::uint8_t(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kLetters[bits >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
-
-void append_word(std::string& bytes, std::size_t value) {
-  const auto word = std::uint32_t(value);
-  bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
-}
 
 }  // namespace
 
@@ -63,7 +46,8 @@ std::size_t ClipDocument::add(const std::vector<float>& values, const char* type
 }
 
 std::string ClipDocument::text() const {
-  return text_beside("data:application/octet-stream;base64," + base64(buffer_));
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(buffer_.data());
+  return text_beside("data:application/octet-stream;base64," + base64({bytes, buffer_.size()}));
 }
 
 std::string ClipDocument::text_beside(const std::string& uri) const {
@@ -72,18 +56,7 @@ std::string ClipDocument::text_beside(const std::string& uri) const {
   return whole.dump();
 }
 
-std::string ClipDocument::glb() const {
-  std::string text = document.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::string file = "glTF";
-  append_word(file, 2);
-  append_word(file, 12 + 8 + text.size() + 8 + buffer_.size());
-  append_word(file, text.size());
-  file += "JSON" + text;
-  append_word(file, buffer_.size());
-  file += std::string("BIN\0", 4) + buffer_;
-  return file;
-}
+std::string ClipDocument::glb() const { return glb_of(document.dump(), buffer_); }
 
 std::vector<float> turns_about_x(const std::vector<float>& seconds, const std::function<double(double)>& radians) {
   std::vector<float> values;

@@ -1,6 +1,7 @@
 // Units, axes, winding, UVs, skinning: every convention on a model small enough to know the answer.
 
 #include "import/import.h"
+#include "import/imported_model.h"
 #include "import/model_files.h"
 #include "import/source_model.h"
 
@@ -14,6 +15,7 @@ namespace coif::conventions_test {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 using test::fbx_int;
+using test::import_or_fail;
 using test::measure;
 using test::small_dae;
 using test::small_fbx;
@@ -21,19 +23,6 @@ using test::SmallGltf;
 using test::TemporaryFolder;
 using test::with_unit;
 using test::with_up_axis;
-
-SourceModel import_or_fail(const std::filesystem::path& path, const ImportSettings& settings = {}) {
-  auto model = import_model(path, settings);
-  if (model) {
-    EXPECT_EQ(find_model_fault(*model), "");
-    return *std::move(model);
-  }
-  ADD_FAILURE() << model.error().message;
-  SourceModel empty;
-  empty.meshes.resize(1);
-  empty.meshes[0].positions.resize(3);
-  return empty;
-}
 
 std::string fbx_axes(int right, int right_sign, int up, int up_sign, int front, int front_sign) {
   return fbx_int("CoordAxis", right) + fbx_int("CoordAxisSign", right_sign) + fbx_int("UpAxis", up) +

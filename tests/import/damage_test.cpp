@@ -1,6 +1,7 @@
 // Files that parse but lie: what is wrong is dropped and counted, the rest comes through.
 
 #include "import/import.h"
+#include "import/imported_model.h"
 #include "import/model_files.h"
 #include "import/source_model.h"
 
@@ -16,18 +17,10 @@ namespace coif::damage_test {
 
 using test::SmallGltf;
 using test::TemporaryFolder;
+using test::warnings_of;
+using test::warns;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-bool warns(const SourceModel& model, const std::string& text) {
-  return std::ranges::any_of(model.warnings, [&](const auto& w) { return w.find(text) != std::string::npos; });
-}
-
-std::string joined(const SourceModel& model) {
-  std::string all;
-  for (const std::string& warning : model.warnings) all += warning + "\n";
-  return all;
-}
 
 SmallGltf two_triangles() {
   SmallGltf file;
@@ -40,15 +33,7 @@ SmallGltf two_triangles() {
 
 class Damage : public testing::Test {
  protected:
-  SourceModel import_or_fail(const SmallGltf& file) {
-    auto model = import_model(file.write(folder_, "m.gltf"));
-    if (model) {
-      EXPECT_EQ(find_model_fault(*model), "");
-      return *std::move(model);
-    }
-    ADD_FAILURE() << model.error().message;
-    return {};
-  }
+  SourceModel import_or_fail(const SmallGltf& file) { return test::import_or_fail(file.write(folder_, "m.gltf")); }
   TemporaryFolder folder_;
 };
 
@@ -59,7 +44,7 @@ TEST_F(Damage, TriangleWithANanVertexIsDroppedAndTheVertexWithIt) {
   ASSERT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.meshes[0].triangles.size(), 3u);
   EXPECT_EQ(model.meshes[0].positions.size(), 3u);
-  EXPECT_TRUE(warns(model, "mesh 'card': 1 triangles dropped")) << joined(model);
+  EXPECT_TRUE(warns(model, "mesh 'card': 1 triangles dropped")) << warnings_of(model);
 }
 
 TEST_F(Damage, ModelWithoutAnyFinitePositionIsRefused) {
@@ -89,7 +74,7 @@ TEST_F(Damage, UnusableNormalsAreTakenFromTheSurface) {
   const SourceModel model = import_or_fail(file);
   ASSERT_EQ(model.meshes.size(), 1u);
   for (const auto& normal : model.meshes[0].normals) EXPECT_TRUE(normal.isApprox(Eigen::Vector3f(0, 0, 1)));
-  EXPECT_TRUE(warns(model, "2 unusable normals")) << joined(model);
+  EXPECT_TRUE(warns(model, "2 unusable normals")) << warnings_of(model);
 }
 
 TEST_F(Damage, UvsThatAreNotFiniteBecomeZero) {
@@ -97,7 +82,7 @@ TEST_F(Damage, UvsThatAreNotFiniteBecomeZero) {
   file.uvs[1] = std::numeric_limits<float>::infinity();
   const SourceModel model = import_or_fail(file);
   EXPECT_TRUE(model.meshes.at(0).uvs[0].isZero());
-  EXPECT_TRUE(warns(model, "1 UVs")) << joined(model);
+  EXPECT_TRUE(warns(model, "1 UVs")) << warnings_of(model);
 }
 
 SmallGltf skinned_strip() {
@@ -118,7 +103,7 @@ TEST_F(Damage, WeightsThatAreNotNumbersOrBelowZeroAreDropped) {
   ASSERT_EQ(mesh.influence_begin.size(), 4u);
   EXPECT_EQ(model.nodes[mesh.influences[0].node].name, "strip");  // follows the mesh's node instead
   EXPECT_EQ(model.nodes[mesh.influences[2].node].name, "a");
-  EXPECT_TRUE(warns(model, "2 vertices without a bone weight")) << joined(model);
+  EXPECT_TRUE(warns(model, "2 vertices without a bone weight")) << warnings_of(model);
 }
 
 TEST_F(Damage, SkinWithoutAnyWeightIsRigid) {
@@ -126,7 +111,7 @@ TEST_F(Damage, SkinWithoutAnyWeightIsRigid) {
   std::ranges::fill(file.weights, 0.0f);
   const SourceModel model = import_or_fail(file);
   EXPECT_TRUE(model.meshes.at(0).influence_begin.empty());
-  EXPECT_TRUE(warns(model, "taken as rigid")) << joined(model);
+  EXPECT_TRUE(warns(model, "taken as rigid")) << warnings_of(model);
 }
 
 TEST_F(Damage, JointOutOfRangeNeverReachesTheModel) {

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 
 namespace coif::test {
@@ -142,41 +141,6 @@ std::string small_dae(const std::string& unit_metres, const std::string& up_axis
                      unit_metres, up_axis);
 }
 
-ImportSettings with_unit(double metres_per_unit) {
-  ImportSettings settings;
-  settings.metres_per_unit = metres_per_unit;
-  return settings;
-}
-
-ImportSettings with_up_axis(UpAxis axis) {
-  ImportSettings settings;
-  settings.up_axis = axis;
-  return settings;
-}
-
-Shape measure(const SourceModel& model) {
-  Shape shape;
-  shape.low.setConstant(std::numeric_limits<float>::max());
-  shape.high.setConstant(std::numeric_limits<float>::lowest());
-  for (const SourceMesh& mesh : model.meshes) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-      Eigen::Vector3d corner[3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t v = mesh.triangles[i + k];
-        shape.low = shape.low.cwiseMin(mesh.positions[v]);
-        shape.high = shape.high.cwiseMax(mesh.positions[v]);
-        corner[k] = mesh.positions[v].cast<double>();
-        if (!mesh.uvs.empty()) shape.mean_uv += mesh.uvs[v].cast<double>();
-      }
-      shape.area += 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
-      shape.signed_volume += corner[0].dot(corner[1].cross(corner[2])) / 6.0;
-      ++shape.triangles;
-    }
-  }
-  if (shape.triangles != 0) shape.mean_uv /= 3.0 * double(shape.triangles);
-  return shape;
-}
-
 namespace {
 
 std::string read_file(const std::filesystem::path& path) {
@@ -211,12 +175,7 @@ std::string spring_bone_0(const std::string& bone_groups, const std::string& col
       bone_groups, collider_groups);
 }
 
-std::string as_glb(const std::filesystem::path& gltf) {
-  const std::string uri = gltf.filename().string() + ".bin";
-  std::string json = read_file(gltf);
-  std::string buffer = read_file(gltf.parent_path() / uri);
-  const std::string reference = fmt::format(R"(, "uri": "{}")", uri);
-  json.erase(json.find(reference), reference.size());
+std::string glb_of(std::string json, std::string buffer) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   buffer.resize((buffer.size() + 3) / 4 * 4);
   std::string out = "glTF";
@@ -230,6 +189,14 @@ std::string as_glb(const std::filesystem::path& gltf) {
   out += "JSON" + json;
   append(buffer.size());
   return out + std::string("BIN\0", 4) + buffer;
+}
+
+std::string as_glb(const std::filesystem::path& gltf) {
+  const std::string uri = gltf.filename().string() + ".bin";
+  std::string json = read_file(gltf);
+  const std::string reference = fmt::format(R"(, "uri": "{}")", uri);
+  json.erase(json.find(reference), reference.size());
+  return glb_of(std::move(json), read_file(gltf.parent_path() / uri));
 }
 
 SourceModel small_source_model() {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Small models that tests write for themselves, and what tests measure on imported ones.
+// Small models that tests write for themselves.
 
 #include "import/import.h"
 #include "import/source_model.h"
@@ -59,19 +59,6 @@ struct SmallGltf {
 /// COLLADA with the same triangle.
 [[nodiscard]] std::string small_dae(const std::string& unit_metres, const std::string& up_axis);
 
-[[nodiscard]] ImportSettings with_unit(double metres_per_unit);
-[[nodiscard]] ImportSettings with_up_axis(UpAxis axis);
-
-/// What should not depend on the file format that carried a shape.
-struct Shape {
-  Eigen::Vector3f low, high;      ///< Bounding box, metres.
-  double area = 0;                ///< Square metres.
-  double signed_volume = 0;       ///< Changes sign when the winding turns.
-  Eigen::Vector2d mean_uv{0, 0};  ///< Over triangle corners.
-  std::size_t triangles = 0;
-};
-[[nodiscard]] Shape measure(const SourceModel& model);
-
 // Small glTF documents with VRM's extensions.
 
 /// body > head > hair_1 > hair_2 > hair_end, straight up by 1 m, then down by 0.1 m each, and a strip beside them; the
@@ -83,6 +70,9 @@ struct Shape {
                                         const std::string& groups = "[]");
 /// A VRM 0.x extension with a humanoid whose head is node 2.
 [[nodiscard]] std::string spring_bone_0(const std::string& bone_groups, const std::string& collider_groups = "[]");
+
+/// One binary glTF of a document and its buffer.
+[[nodiscard]] std::string glb_of(std::string json, std::string buffer);
 
 /// A .gltf that SmallGltf wrote, as one binary file with its buffer inside.
 [[nodiscard]] std::string as_glb(const std::filesystem::path& gltf);

@@ -2,7 +2,6 @@
 
 #include "import/import.h"
 #include "import/model_files.h"
-#include "import/source_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -67,6 +66,20 @@ TEST_F(Refusal, ContentOfAnotherFormatThanTheSuffix) {
       "endloop\nendfacet\nendsolid s\n";
   expect(folder_.write("hair.glb", stl), Kind::kBadInput, "glTF 2.0");
   expect(folder_.write("hair.fbx", stl), Kind::kBadInput, "FBX");
+}
+
+TEST_F(Refusal, ColladaThatIsNoXml) {
+  const std::string whole = test::small_dae("1", "Y_UP");
+  expect(folder_.write("cut.dae", whole.substr(0, whole.size() - 5)), Kind::kBadInput, "COLLADA");
+  expect(folder_.write("open.dae", "<COLLADA><float_array id='a' count='1'><accessor source='#a' count='2'/></COLLADA>"),
+         Kind::kBadInput, "COLLADA");
+}
+
+TEST_F(Refusal, ColladaThatReadsBeyondAnArray) {
+  std::string text = test::small_dae("1", "Y_UP");
+  text.replace(text.find("count=\"3\" stride"), 9, "id=\"a>b\" count=\"300\"");
+  expect(folder_.write("m.dae", text), Kind::kBadInput,
+         "cannot be read as COLLADA: an accessor reads 900 numbers of the array 'pa', which has 9");
 }
 
 TEST_F(Refusal, MissingSideFileIsNamed) {
@@ -174,9 +187,22 @@ TEST(ColladaArrays, AreFoundOnWhicheverSideOfTheirAccessor) {
 }
 
 TEST(ColladaArrays, OfCommentsAreNone) {
-  const std::string array = "<float_array id='a' count='9'>";
+  const std::string array = "<float_array id='a' count='9'/>";
   EXPECT_FALSE(overrun_array(array + "<!-- <accessor source='#a' count='10'/> > -->"));
   EXPECT_TRUE(overrun_array(array + "<!-- > --><accessor source='#a' count='10'/>"));
+}
+
+TEST(ColladaArrays, AreFoundWhateverTheirAttributesHold) {
+  EXPECT_TRUE(overrun_array(document("id='a' count='3'", "id='a>b' source='#a' count='4'")));
+  EXPECT_TRUE(overrun_array(document("id='a>b' count='3'", "source='#a>b' count='4'")));
+  EXPECT_TRUE(overrun_array(document("id='a&amp;b' count='3'", "source='#a&#38;b' count='4'")));
+  EXPECT_TRUE(overrun_array(document("name=' id=&quot;b' id='a' count='3'", "source='#a' count='4'")));
+  EXPECT_TRUE(overrun_array(document("id='a' count='3'", "source='#a' count='0x64'")));
+}
+
+TEST(ColladaArrays, OfTextAreNone) {
+  EXPECT_FALSE(overrun_array(document("id='a' count='3'", "") + "<p><![CDATA[<accessor source='#a' count='4'/>]]></p>"));
+  EXPECT_FALSE(overrun_array(document("id='a' count='3'", "") + "<?note <accessor source='#a' count='4'/>?>"));
 }
 
 TEST(ColladaArrays, NumbersWithoutEndDoNotWrapAround) {

@@ -1,5 +1,6 @@
 // Spring bones that lie: what is wrong is left out and told, the rest comes through; and nodes that are hard to tell.
 
+#include "import/imported_model.h"
 #include "import/model_files.h"
 #include "import/source_model.h"
 
@@ -11,33 +12,20 @@
 
 namespace coif::vrm_damage_test {
 
+using test::import_or_fail;
 using test::small_vrm;
 using test::SmallGltf;
 using test::spring_bone_0;
 using test::spring_bone_1;
 using test::TemporaryFolder;
+using test::warnings_of;
+using test::warns;
 
 class VrmDamage : public testing::Test {
  protected:
-  SourceModel import_file(const SmallGltf& file) {
-    auto model = import_model(file.write(folder_, "m.gltf"));
-    if (model) {
-      EXPECT_EQ(find_model_fault(*model), "");
-      return *std::move(model);
-    }
-    ADD_FAILURE() << model.error().message;
-    return {};
-  }
+  SourceModel import_file(const SmallGltf& file) { return import_or_fail(file.write(folder_, "m.gltf")); }
   SourceModel import_with(const std::string& extensions) { return import_file(small_vrm(extensions)); }
 
-  static std::string warnings_of(const SourceModel& model) {
-    std::string all;
-    for (const std::string& warning : model.warnings) all += warning + "\n";
-    return all;
-  }
-  static bool warns(const SourceModel& model, const std::string& text) {
-    return warnings_of(model).find(text) != std::string::npos;
-  }
   /// Distance from the origin of every joint of the first spring, which tells nodes without names apart.
   static std::vector<double> heights_of_joints(const SourceModel& model) {
     std::vector<double> heights;

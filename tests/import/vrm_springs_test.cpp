@@ -1,5 +1,6 @@
 // Spring bones, colliders and the head as both versions of VRM write them.
 
+#include "import/imported_model.h"
 #include "import/model_files.h"
 #include "import/source_model.h"
 
@@ -10,27 +11,21 @@
 namespace coif::vrm_springs_test {
 
 using Eigen::Vector3d;
+using test::import_or_fail;
 using test::small_vrm;
 using test::SmallGltf;
 using test::spring_bone_0;
 using test::spring_bone_1;
 using test::TemporaryFolder;
+using test::warnings_of;
+using test::warns;
 
 const std::string kTwoJoints = R"("joints": [{"node": 3}, {"node": 4}])";
 
 class VrmSprings : public testing::Test {
  protected:
-  SourceModel import_file(const std::filesystem::path& path, const ImportSettings& settings = {}) {
-    auto model = import_model(path, settings);
-    if (model) {
-      EXPECT_EQ(find_model_fault(*model), "");
-      return *std::move(model);
-    }
-    ADD_FAILURE() << model.error().message;
-    return {};
-  }
   SourceModel import_with(const std::string& extensions, const ImportSettings& settings = {}) {
-    return import_file(small_vrm(extensions).write(folder_, "m.gltf"), settings);
+    return import_or_fail(small_vrm(extensions).write(folder_, "m.gltf"), settings);
   }
   static std::string name_of(const SourceModel& model, std::uint32_t node) {
     return node < model.nodes.size() ? model.nodes[node].name : "none";
@@ -39,14 +34,6 @@ class VrmSprings : public testing::Test {
     std::string names;
     for (const SourceSpringJoint& joint : spring.joints) names += name_of(model, joint.node) + " ";
     return names;
-  }
-  static bool warns(const SourceModel& model, const std::string& text) {
-    return std::ranges::any_of(model.warnings, [&](const auto& w) { return w.find(text) != std::string::npos; });
-  }
-  static std::string warnings_of(const SourceModel& model) {
-    std::string all;
-    for (const std::string& warning : model.warnings) all += warning + "\n";
-    return all;
   }
   TemporaryFolder folder_;
 };
@@ -129,7 +116,7 @@ TEST_F(VrmSprings, AVersion0RootSwingsWithEverythingBelowIt) {
     {"name": "hair", "children": [4, 5], "translation": [0, -0.1, 0]},
     {"name": "left", "translation": [0.2, 0, 0]},
     {"name": "right", "children": [6], "translation": [-0.2, 0, 0]}, {"name": "right_end", "translation": [0, -1, 0]}])";
-  const SourceModel model = import_file(file.write(folder_, "m.gltf"));
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"));
   ASSERT_EQ(model.springs.size(), 2u) << warnings_of(model);
   EXPECT_EQ(joints_of(model, model.springs[0]), "hair left ") << "a joint's tail is its first child";
   EXPECT_EQ(joints_of(model, model.springs[1]), "right right_end ") << "a further child starts a spring of its own";
@@ -192,7 +179,7 @@ TEST_F(VrmSprings, ScaledNodesScaleTheirColliders) {
   SmallGltf file =
       small_vrm(spring_bone_1("[]", R"([{"node": 1, "shape": {"sphere": {"offset": [1, 0, 0], "radius": 0.5}}}])"));
   file.nodes = R"([{"name": "strip", "mesh": 0}, {"name": "body", "scale": [2, 3, 2]}])";
-  const SourceModel model = import_file(file.write(folder_, "m.gltf"));
+  const SourceModel model = import_or_fail(file.write(folder_, "m.gltf"));
   ASSERT_EQ(model.colliders.size(), 1u);
   EXPECT_NEAR(model.colliders[0].radius, 1.5, 1.0e-6);
   EXPECT_NEAR(model.colliders[0].center.x(), 2.0, 1.0e-6);
@@ -201,7 +188,7 @@ TEST_F(VrmSprings, ScaledNodesScaleTheirColliders) {
 TEST_F(VrmSprings, BinaryFilesAreReadAlike) {
   const std::string glb = test::as_glb(small_vrm(spring_bone_1("[{" + kTwoJoints + "}]")).write(folder_, "m.gltf"));
   for (const char* name : {"m.glb", "m.vrm"}) {
-    const SourceModel model = import_file(folder_.write(name, glb));
+    const SourceModel model = import_or_fail(folder_.write(name, glb));
     ASSERT_EQ(model.springs.size(), 1u) << name;
     EXPECT_EQ(joints_of(model, model.springs[0]), "hair_1 hair_2 ");
   }

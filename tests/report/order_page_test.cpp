@@ -1,4 +1,4 @@
-#include "base/text.h"
+#include "base/encodings.h"
 #include "report/made_up_report.h"
 #include "report/order/show_order.h"
 #include "report/shadow/show_shadows.h"

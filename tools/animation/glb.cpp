@@ -1,11 +1,10 @@
-#include "animation/glb_file.h"
 #include "animation/recording.h"
 
-#include <Eigen/Geometry>
-#include <fmt/format.h>
+#include "base/glb_file.h"
 
-#include <iterator>
-#include <string_view>
+#include <Eigen/Geometry>
+
+#include <array>
 
 namespace coif {
 namespace {
@@ -14,6 +13,7 @@ using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using nlohmann::json;
+using HairGlb = GlbFile<json>;
 
 Isometry3d from_pose(const HeadPose& pose) {
   const Quat& q = pose.rotation;
@@ -64,7 +64,7 @@ NodeTrack track_of(const Asset& asset, const Recording& recording, std::size_t b
   return track;
 }
 
-void add_channels(GlbFile& file, json& animation, std::size_t times, std::size_t node, const NodeTrack& track) {
+void add_channels(HairGlb& file, json& animation, std::size_t times, std::size_t node, const NodeTrack& track) {
   const auto add = [&](const char* path, std::size_t values) {
     animation["samplers"].push_back({{"input", times}, {"output", values}, {"interpolation", "LINEAR"}});
     animation["channels"].push_back(
@@ -74,7 +74,7 @@ void add_channels(GlbFile& file, json& animation, std::size_t times, std::size_t
   add("rotation", file.add(track.rotations, {.type = "VEC4"}));
 }
 
-void add_animation(GlbFile& file, const Asset& asset, const Recording& recording) {
+void add_animation(HairGlb& file, const Asset& asset, const Recording& recording) {
   std::vector<float> seconds;
   for (const RecordedFrame& frame : recording.frames) seconds.push_back(static_cast<float>(frame.seconds));
   const std::size_t times = file.add(seconds, {.type = "SCALAR"});
@@ -103,7 +103,7 @@ json bone_nodes(const Asset& asset) {
   return nodes;
 }
 
-json hair_skin(GlbFile& file, const Asset& asset) {
+json hair_skin(HairGlb& file, const Asset& asset) {
   std::vector<Eigen::Matrix4f> inverse_bind;
   json joints = json::array();
   for (std::size_t bone = 0; bone < asset.bones().size(); ++bone) {
@@ -115,12 +115,89 @@ json hair_skin(GlbFile& file, const Asset& asset) {
   return {{"joints", joints}, {"skeleton", 0}, {"inverseBindMatrices", file.add(inverse_bind, {.type = "MAT4"})}};
 }
 
+using Byte4 = std::array<std::uint8_t, 4>;
+using Short4 = std::array<std::uint16_t, 4>;
+
+struct VertexArrays {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector2f> uvs;
+  std::vector<Short4> joints;
+  std::vector<Byte4> weights;
+};
+
+Eigen::Vector3f unit_normal(const VertexRecord& vertex) {
+  const Eigen::Vector3f normal(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
+  // glTF demands unit length; a mesh may still have a vertex without a direction.
+  return normal.squaredNorm() > 0 ? normal.normalized() : Eigen::Vector3f::UnitY();
+}
+
+VertexArrays unpack(const Asset& asset) {
+  VertexArrays arrays;
+  for (const VertexRecord& vertex : asset.vertices()) {
+    arrays.positions.emplace_back(vertex.position[0], vertex.position[1], vertex.position[2]);
+    arrays.normals.push_back(unit_normal(vertex));
+    arrays.uvs.emplace_back(vertex.uv[0], vertex.uv[1]);
+  }
+  for (const SkinRecord& skin : asset.skin()) {
+    Short4 joints{};
+    Byte4 weights{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      weights[k] = skin.weight[k];
+      joints[k] = skin.weight[k] > 0 ? skin.bone[k] : std::uint16_t{0};  // glTF: an unused joint is joint 0
+    }
+    arrays.joints.push_back(joints);
+    arrays.weights.push_back(weights);
+  }
+  return arrays;
+}
+
+json attributes(HairGlb& file, const VertexArrays& arrays, std::size_t bones) {
+  json result;
+  const std::size_t positions = file.add(arrays.positions, vertex_floats("VEC3"));
+  file.add_bounds(positions, {arrays.positions.data()->data(), arrays.positions.size() * 3}, 3);
+  result["POSITION"] = positions;
+  result["NORMAL"] = file.add(arrays.normals, vertex_floats("VEC3"));
+  result["TEXCOORD_0"] = file.add(arrays.uvs, vertex_floats("VEC2"));
+  if (!arrays.joints.empty()) {
+    const GlbArray shares{GlbComponent::kUnsignedByte, "VEC4", GlbTarget::kVertices, true};
+    result["JOINTS_0"] = file.add_joints(arrays.joints, bones <= 256);
+    result["WEIGHTS_0"] = file.add(arrays.weights, shares);
+  }
+  return result;
+}
+
+json hair_material(HairGlb& file, const MaterialRecord* record, std::span<const std::uint8_t> base_color_png) {
+  json surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
+  if (record) surface["baseColorFactor"] = record->base_color;
+  json material = {{"name", "hair"}, {"doubleSided", !record || (record->flags & kMaterialDoubleSided) != 0}};
+  if (!base_color_png.empty()) {
+    const std::size_t view = file.add_view(std::as_bytes(base_color_png));
+    file.document["images"] = json::array({{{"bufferView", view}, {"mimeType", "image/png"}}});
+    file.document["textures"] = json::array({{{"source", 0}}});
+    surface["baseColorTexture"] = {{"index", 0}};
+    // Viewers do not draw patches in the cooked order, so blending would show the far side through the near one.
+    material["alphaMode"] = "MASK";
+  }
+  material["pbrMetallicRoughness"] = std::move(surface);
+  return material;
+}
+
+/// The finest level with its skin attributes and one material, as mesh 0.
+void add_hair_mesh(HairGlb& file, const Asset& asset, std::span<const std::uint8_t> base_color_png) {
+  json primitive = {{"attributes", attributes(file, unpack(asset), asset.bones().size())}, {"material", 0}};
+  primitive["indices"] =
+      file.add(asset.lod_indices(0), {GlbComponent::kUnsignedInt, "SCALAR", GlbTarget::kIndices, false});
+  file.document["meshes"] = json::array({{{"name", "hair"}, {"primitives", json::array({std::move(primitive)})}}});
+  file.document["materials"] = json::array({hair_material(file, asset.material(), base_color_png)});
+}
+
 }  // namespace
 
 std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording,
                               std::span<const std::uint8_t> base_color_png) {
   if (recording.frames.empty()) return {};
-  GlbFile file;
+  HairGlb file;
   file.document = {{"asset", {{"version", "2.0"}, {"generator", "coif"}}}, {"scene", 0}};
   json nodes = bone_nodes(asset);
   json roots = json::array({0});
@@ -138,46 +215,6 @@ std::vector<std::byte> to_glb(const Asset& asset, const Recording& recording,
   file.document["nodes"] = std::move(nodes);
   add_animation(file, asset, recording);
   return file.bytes();
-}
-
-namespace {
-
-// RFC 4180: a field with a comma, a quote or a line end is quoted, quotes inside are doubled.
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
-Eigen::Vector3d to_world(const HeadPose& head, const Vec3& point) {
-  const Quat& q = head.rotation;
-  const Eigen::Quaterniond rotation(double(q.w), double(q.x), double(q.y), double(q.z));
-  return rotation * Eigen::Vector3f(point.x, point.y, point.z).cast<double>() +
-         Eigen::Map<const Eigen::Vector3d>(head.position);
-}
-
-}  // namespace
-
-std::string to_csv(const Asset& asset, const Recording& recording) {
-  std::vector<std::string> names;
-  for (std::uint32_t bone = 0; bone < asset.bones().size(); ++bone) names.push_back(csv_field(asset.bone_name(bone)));
-
-  std::string text = "frame,seconds,bone,name,x,y,z,world_x,world_y,world_z\n";
-  auto out = std::back_inserter(text);
-  for (std::size_t f = 0; f < recording.frames.size(); ++f) {
-    const RecordedFrame& frame = recording.frames[f];
-    for (std::size_t bone = 0; bone < frame.bone_ends.size(); ++bone) {
-      const Vec3& p = frame.bone_ends[bone];
-      const Eigen::Vector3d world = to_world(frame.head, p);
-      fmt::format_to(out, "{},{:.6f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", f, frame.seconds, bone,
-                     names[bone], p.x, p.y, p.z, world.x(), world.y(), world.z());
-    }
-  }
-  return text;
 }
 
 }  // namespace coif

@@ -1,13 +1,14 @@
 #include "animation/recording.h"
 
-#include "base/hair_memory.h"
+#include "base/geometry.h"
+#include "base/hair_runtime.h"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 namespace coif {
 namespace {
@@ -17,8 +18,7 @@ constexpr double kMaxSeconds = 3600;
 constexpr double kMaxRecordingBytes = 1024.0 * 1024.0 * 1024.0;
 
 tl::unexpected<ToolError> refused(Status status) {
-  return tl::unexpected(
-      ToolError{ToolError::Kind::kBadInput, fmt::format("the runtime refuses this simulation: {}", describe(status))});
+  return failure(ToolError::Kind::kBadInput, fmt::format("the runtime refuses this simulation: {}", describe(status)));
 }
 
 std::size_t frame_count(const RecordingSettings& settings) {
@@ -76,7 +76,7 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
   desc.solver = settings.solver;
   const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
-  if (!memory) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
+  if (!memory) return failure(ToolError::Kind::kInternal, "out of memory");
   Hair hair;
   if (const Status status = hair.create(asset, desc, {memory.get(), need.bytes}); status != Status::kOk) {
     return refused(status);
@@ -108,11 +108,9 @@ namespace {
 /// Metres. A plane has no radius; that of a head makes its depths comparable with the others'.
 constexpr float kPlaneRadius = 0.1f;
 
-Eigen::Vector3f vector(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 /// A bone under a rigid one starts at its own joint, which need not be its parent's.
 Eigen::Vector3f start_of(const Asset& asset, const BoneRecord& bone, std::span<const Vec3> bone_ends) {
-  if (asset.bones()[bone.parent].kind == BoneKind::kSimulated) return vector(bone_ends[bone.parent]);
+  if (asset.bones()[bone.parent].kind == BoneKind::kSimulated) return to_eigen(bone_ends[bone.parent]);
   return Eigen::Map<const Eigen::Vector3f>(bone.joint);
 }
 
@@ -171,7 +169,7 @@ float worst_stretch(const Asset& asset, std::span<const Vec3> bone_ends) {
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
     const BoneRecord& bone = asset.bones()[i];
     if (bone.kind != BoneKind::kSimulated) continue;
-    const float length = (vector(bone_ends[i]) - start_of(asset, bone, bone_ends)).norm();
+    const float length = (to_eigen(bone_ends[i]) - start_of(asset, bone, bone_ends)).norm();
     worst = std::max(worst, std::abs(length / bone.length - 1.0f));
   }
   return worst;
@@ -182,10 +180,49 @@ float worst_penetration(const Asset& asset, std::span<const Vec3> bone_ends) {
   for (std::size_t i = 0; i < asset.bones().size(); ++i) {
     for (std::size_t k = 0; k < asset.colliders().size(); ++k) {
       if ((asset.bones()[i].colliders >> k & 1) == 0) continue;
-      worst = std::max(worst, depth(asset.colliders()[k], vector(bone_ends[i])));
+      worst = std::max(worst, depth(asset.colliders()[k], to_eigen(bone_ends[i])));
     }
   }
   return worst;
+}
+
+namespace {
+
+// RFC 4180: a field with a comma, a quote or a line end is quoted, quotes inside are doubled.
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+Eigen::Vector3d to_world(const HeadPose& head, const Vec3& point) {
+  const Quat& q = head.rotation;
+  const Eigen::Quaterniond rotation(double(q.w), double(q.x), double(q.y), double(q.z));
+  return rotation * to_eigen(point).cast<double>() + Eigen::Map<const Eigen::Vector3d>(head.position);
+}
+
+}  // namespace
+
+std::string to_csv(const Asset& asset, const Recording& recording) {
+  std::vector<std::string> names;
+  for (std::uint32_t bone = 0; bone < asset.bones().size(); ++bone) names.push_back(csv_field(asset.bone_name(bone)));
+
+  std::string text = "frame,seconds,bone,name,x,y,z,world_x,world_y,world_z\n";
+  auto out = std::back_inserter(text);
+  for (std::size_t f = 0; f < recording.frames.size(); ++f) {
+    const RecordedFrame& frame = recording.frames[f];
+    for (std::size_t bone = 0; bone < frame.bone_ends.size(); ++bone) {
+      const Vec3& p = frame.bone_ends[bone];
+      const Eigen::Vector3d world = to_world(frame.head, p);
+      fmt::format_to(out, "{},{:.6f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", f, frame.seconds, bone,
+                     names[bone], p.x, p.y, p.z, world.x(), world.y(), world.z());
+    }
+  }
+  return text;
 }
 
 }  // namespace coif

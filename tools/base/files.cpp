@@ -16,31 +16,32 @@
 namespace coif {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kAlignment = 64;
 
-tl::unexpected<ToolError> cannot_open(const std::filesystem::path& path, const std::error_code& why) {
-  return tl::unexpected(
-      ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot open: {}", path.string(), why.message())});
+tl::unexpected<ToolError> cannot_open(const fs::path& path, const std::error_code& why) {
+  return file_failure(ToolError::Kind::kFileAccess, path, "cannot open: {}", why.message());
 }
 
-tl::expected<std::size_t, ToolError> readable_size(const std::filesystem::path& path) {
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+tl::expected<std::size_t, ToolError> readable_size(const fs::path& path) {
   std::error_code why;
-  const auto status = std::filesystem::status(path, why);
-  if (!std::filesystem::exists(status)) {
+  const auto status = fs::status(path, why);
+  if (!fs::exists(status)) {
     return cannot_open(path, why ? why : std::make_error_code(std::errc::no_such_file_or_directory));
   }
-  if (std::filesystem::is_directory(status)) return cannot_open(path, std::make_error_code(std::errc::is_a_directory));
+  if (fs::is_directory(status)) return cannot_open(path, std::make_error_code(std::errc::is_a_directory));
   // A pipe has no size, and opening one would wait for a writer.
-  if (!std::filesystem::is_regular_file(status)) {
-    return tl::unexpected(
-        ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot open: not a regular file", path.string())});
+  if (!fs::is_regular_file(status)) {
+    return file_failure(ToolError::Kind::kFileAccess, path, "cannot open: not a regular file");
   }
-  const std::uintmax_t size = std::filesystem::file_size(path, why);
+  const std::uintmax_t size = fs::file_size(path, why);
   if (why) return cannot_open(path, why);
   if (size > FileBytes::kMaxBytes) {
-    return tl::unexpected(ToolError{
-        ToolError::Kind::kBadInput,
-        fmt::format("{}: {} bytes are more than the {} that are accepted", path.string(), size, FileBytes::kMaxBytes)});
+    return file_failure(ToolError::Kind::kBadInput, path, "{} bytes are more than the {} that are accepted", size,
+                        FileBytes::kMaxBytes);
   }
   return static_cast<std::size_t>(size);
 }
@@ -58,28 +59,23 @@ FileBytes FileBytes::copy(std::span<const std::byte> bytes) {
   return result;
 }
 
-tl::expected<FileBytes, ToolError> FileBytes::read(const std::filesystem::path& path) {
+tl::expected<FileBytes, ToolError> FileBytes::read(const fs::path& path) {
   const auto size = readable_size(path);
   if (!size) return tl::unexpected(size.error());
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) return cannot_open(path, std::error_code(errno, std::generic_category()));
+  if (!file) return cannot_open(path, last_error());
 
   FileBytes result(*size);
   if (std::fread(result.bytes_.get(), 1, *size, file.get()) != *size) {
-    return tl::unexpected(ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot read", path.string())});
+    return file_failure(ToolError::Kind::kFileAccess, path, "cannot read");
   }
   return result;
 }
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::error_code last_error() { return {errno, std::generic_category()}; }
-
 tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
-  return tl::unexpected(
-      ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: cannot write: {}", path.string(), why)});
+  return file_failure(ToolError::Kind::kFileAccess, path, "cannot write: {}", why);
 }
 
 std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes) {
@@ -102,8 +98,7 @@ tl::expected<void, ToolError> check_output(const fs::path& output, std::initiali
   }
   for (const fs::path& input : inputs) {
     if (fs::equivalent(output, input, ignored)) {
-      return tl::unexpected(ToolError{ToolError::Kind::kUsage,
-                                      fmt::format("{}: is also an input; choose another output", output.string())});
+      return file_failure(ToolError::Kind::kUsage, output, "is also an input; choose another output");
     }
   }
   return {};
@@ -114,8 +109,7 @@ tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
   std::string suffix = output.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   if (std::find(allowed.begin(), allowed.end(), suffix) != allowed.end()) return suffix;
-  return tl::unexpected(ToolError{
-      ToolError::Kind::kUsage, fmt::format("{}: the suffix must be {}", output.string(), fmt::join(allowed, " or "))});
+  return file_failure(ToolError::Kind::kUsage, output, "the suffix must be {}", fmt::join(allowed, " or "));
 }
 
 tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {

@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +27,25 @@ inline constexpr int kDeepestJson = 32;
 /// Parses JSON with // comments of at most kDeepestJson levels: whatever prints or copies a value calls itself for each of
 /// them, and would run out of stack. The error is a sentence without the file's name.
 [[nodiscard]] tl::expected<nlohmann::json, std::string> parse_shallow_json(std::string_view text);
+
+// Questions that have an answer for every kind of value.
+
+/// A member of an object; JSON's null where `value` is no object or has none of that name. Valid as long as `value`.
+[[nodiscard]] const nlohmann::json& member(const nlohmann::json& value, const char* name);
+
+/// `value` itself where it is a list, else an empty list.
+[[nodiscard]] const nlohmann::json& list_of(const nlohmann::json& value);
+
+/// A finite number.
+[[nodiscard]] std::optional<double> number_of(const nlohmann::json& value);
+
+/// A whole number below `count`.
+[[nodiscard]] std::optional<std::uint32_t> index_of(const nlohmann::json& value, std::size_t count);
+
+/// Printable text; empty where `value` is no text.
+[[nodiscard]] std::string printable_text_of(const nlohmann::json& value);
+
+// JSON for others.
 
 /// Indented JSON with a final newline. Names from artists' files need not be UTF-8; offending bytes are replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);

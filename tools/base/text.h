@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,8 +42,5 @@ namespace coif {
 /// The word with the smallest edit distance to `word` (insert, delete, replace), or "" where even that one differs in
 /// more than a third of its letters.
 [[nodiscard]] std::string nearest_word(const std::string& word, std::span<const std::string> words);
-
-/// RFC 4648, section 4: letters, digits, + and /, padded with =.
-[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace coif

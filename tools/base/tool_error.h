@@ -1,7 +1,9 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <tl/expected.hpp>
 
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -14,9 +16,22 @@ struct ToolError {
   std::string message;  ///< "FILE: what is wrong; cure", without a trailing period or newline.
 };
 
+// For functions that return tl::expected.
+
+[[nodiscard]] inline tl::unexpected<ToolError> failure(ToolError::Kind kind, std::string message) {
+  return tl::unexpected(ToolError{kind, std::move(message)});
+}
+
 /// Of what the caller asked for.
 [[nodiscard]] inline tl::unexpected<ToolError> usage(std::string message) {
-  return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
+  return failure(ToolError::Kind::kUsage, std::move(message));
+}
+
+/// Of the file at `path`, with which the message begins.
+template <class... Args>
+[[nodiscard]] tl::unexpected<ToolError> file_failure(ToolError::Kind kind, const std::filesystem::path& path,
+                                                     fmt::format_string<Args...> text, Args&&... args) {
+  return failure(kind, path.string() + ": " + fmt::format(text, std::forward<Args>(args)...));
 }
 
 }  // namespace coif

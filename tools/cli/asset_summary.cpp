@@ -1,7 +1,7 @@
 #include "cli/asset_summary.h"
 
+#include "base/hair_runtime.h"
 #include "base/json.h"
-#include "base/shading_names.h"
 #include "cook/texture/alpha.h"
 #include "write/chunk_words.h"
 

@@ -1,6 +1,6 @@
 #include "base/files.h"
+#include "base/hair_runtime.h"
 #include "base/json.h"
-#include "base/shading_names.h"
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/input_files.h"

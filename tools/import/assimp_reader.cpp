@@ -1,10 +1,11 @@
 #include "import/assimp_scene.h"
 
 #include "base/text.h"
-#include "import/source_file.h"
+#include "import/import.h"
 #include "import/vrm_springs.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -40,6 +41,27 @@ void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const Imp
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
+/// Files as assimp sees them, with a record of every name that it looked for or opened, whether there was such a file or
+/// not: a model changes with each of them.
+class AskedFiles : public Assimp::DefaultIOSystem {
+ public:
+  /// `names` outlives this object.
+  explicit AskedFiles(std::set<std::string>& names) : names_(names) {}
+
+  bool Exists(const char* name) const override {
+    names_.insert(name);
+    return DefaultIOSystem::Exists(name);
+  }
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    names_.insert(name);
+    return DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  std::set<std::string>& names_;
+};
+
 std::vector<char> bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -54,24 +76,28 @@ const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::pat
 
 std::string cure_for(const std::string& reason) {
   if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb";
-  return "open it in a modelling tool and export it again, best as glTF (.glb)";
+  return kReexport;
 }
 
-ToolError refusal(const std::filesystem::path& path, const SourceSuffix& suffix, const char* assimp_text) {
+tl::unexpected<ToolError> refusal(const std::filesystem::path& path, const SourceSuffix& suffix,
+                                  const char* assimp_text) {
   std::string reason = printable_text(assimp_text, 300);
   if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
   if (reason.find("No suitable reader") != std::string::npos) reason = "the content is not of that format, or damaged";
   while (reason.ends_with('.') || reason.ends_with(' ')) reason.pop_back();
   const std::string cure = cure_for(reason);
-  return {ToolError::Kind::kBadInput,
-          fmt::format("{}: cannot be read as {}: {}; {}", path.string(), format_name(suffix.format), reason, cure)};
+  return file_failure(ToolError::Kind::kBadInput, path, "cannot be read as {}: {}; {}", format_name(suffix.format),
+                      reason, cure);
 }
 
 tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const std::filesystem::path& path,
                                                    const SourceSuffix& suffix, const ImportSettings& settings) {
   SourceModel model;
   model.path = path.string();
-  describe_importer(model);
+  model.importer = importer_name();
+  model.importer_version[0] = static_cast<std::uint16_t>(aiGetVersionMajor());
+  model.importer_version[1] = static_cast<std::uint16_t>(aiGetVersionMinor());
+  model.importer_version[2] = static_cast<std::uint16_t>(aiGetVersionPatch());
   const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
@@ -79,10 +105,8 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   model.nodes = std::move(nodes.nodes);
   if (suffix.format == SourceFormat::kGltf) read_vrm_extensions(path, to_model, model);
   if (model.meshes.empty()) {
-    return tl::unexpected(ToolError{
-        ToolError::Kind::kBadInput,
-        fmt::format("{}: no usable triangles; convert curves and hair particles to polygon strips before the export",
-                    model.path)});
+    return file_failure(ToolError::Kind::kBadInput, path,
+                        "no usable triangles; convert curves and hair particles to polygon strips before the export");
   }
   if (suffix.format == SourceFormat::kObj && !settings.metres_per_unit) guess_unit(model);
   warn_of_implausible_height(model);
@@ -95,8 +119,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
                                                       const ImportSettings& settings) try {
   if (suffix.format == SourceFormat::kDae) {
     const std::vector<char> text = bytes_of(path);
-    if (auto fault = overrun_array({text.data(), text.size()}))
-      return tl::unexpected(refusal(path, suffix, fault->c_str()));
+    if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
   }
   std::set<std::string> asked;
   Assimp::Importer importer;
@@ -104,7 +127,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   configure(importer, suffix, settings);
   const aiScene* scene = read_scene(importer, path, suffix);
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    return tl::unexpected(refusal(path, suffix, importer.GetErrorString()));
+    return refusal(path, suffix, importer.GetErrorString());
   }
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.erase(path.string());
@@ -113,17 +136,11 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
 } catch (const std::bad_alloc&) {
   throw;
 } catch (const std::exception& error) {
-  return tl::unexpected(refusal(path, suffix, error.what()));
+  return refusal(path, suffix, error.what());
 }
 
 std::string importer_name() {
   return fmt::format("assimp {}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch());
-}
-
-void describe_importer(SourceModel& model) {
-  const unsigned version[3] = {aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()};
-  model.importer = importer_name();
-  for (int i = 0; i < 3; ++i) model.importer_version[i] = static_cast<std::uint16_t>(version[i]);
 }
 
 }  // namespace coif

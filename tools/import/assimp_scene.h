@@ -7,13 +7,12 @@
 #include "import/source_model.h"
 
 #include <Eigen/Geometry>
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/matrix4x4.h>
 #include <assimp/types.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -37,35 +36,17 @@ namespace coif {
   return out;
 }
 
-/// Files as assimp sees them, with a record of every name that it looked for or opened, whether there was such a file or
-/// not: a model changes with each of them.
-class AskedFiles : public Assimp::DefaultIOSystem {
- public:
-  /// `names` outlives this object.
-  explicit AskedFiles(std::set<std::string>& names) : names_(names) {}
-
-  bool Exists(const char* name) const override {
-    names_.insert(name);
-    return DefaultIOSystem::Exists(name);
-  }
-
-  Assimp::IOStream* Open(const char* name, const char* mode) override {
-    names_.insert(name);
-    return DefaultIOSystem::Open(name, mode);
-  }
-
- private:
-  std::set<std::string>& names_;
-};
+/// "LABEL: 3 points or lines dropped", where there are any.
+inline void warn_count(std::size_t count, const std::string& label, const char* what,
+                       std::vector<std::string>& warnings) {
+  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
+}
 
 /// Parses the file in this process and converts it. Meant for a child process: assimp may crash, hang or eat memory.
 /// Throws std::bad_alloc where memory runs out; other exceptions become errors.
 [[nodiscard]] tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::path& path,
                                                                     const SourceSuffix& suffix,
                                                                     const ImportSettings& settings);
-
-/// Name and version of the linked assimp.
-void describe_importer(SourceModel& model);
 
 /// The node tree as a list, parents first, in the order of the file.
 struct SceneNodes {

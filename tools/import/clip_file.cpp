@@ -1,11 +1,10 @@
 #include "import/clip_file.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 #include "base/text.h"
 #include "import/clip_track.h"
 #include "import/gltf_document.h"
 #include "import/import.h"
-#include "import/source_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,8 +25,9 @@ template <class T>
 using Expected = tl::expected<T, std::string>;  ///< The error without the file's name.
 
 constexpr std::uint64_t kMostClipBytes = std::uint64_t{1} << 30;
-constexpr std::size_t kMostClipNumbers = 16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
-constexpr double kLeastSpan = 1.0e-4;             ///< Seconds; the promise of ClipFile::keys.
+constexpr std::size_t kMostClipNumbers =
+    16'000'000;                        ///< Of all tracks, so that one buffer named often fills no memory.
+constexpr double kLeastSpan = 1.0e-4;  ///< Seconds; the promise of ClipFile::keys.
 constexpr const char* kExportAgain = "export the clip again as .glb";
 
 /// A clip being read: one node and its parents, and what moves them.
@@ -88,28 +88,26 @@ class ClipReader {
 
   [[nodiscard]] Expected<std::uint32_t> find(std::string_view name) const {
     const std::set<std::uint32_t> animated = animated_nodes();
-    if (animated.empty())
-      return tl::unexpected(fmt::format("no animation moves a node; {} with its animation", kExportAgain));
+    if (animated.empty()) return fault("no animation moves a node; {} with its animation", kExportAgain);
     if (name.empty()) {
       if (animated.size() == 1) return *animated.begin();
-      return tl::unexpected(fmt::format("{} nodes are animated: {}; name the head's, as in CLIP:NODE", animated.size(),
-                                        list_of_labels(animated)));
+      return fault("{} nodes are animated: {}; name the head's, as in CLIP:NODE", animated.size(),
+                   list_of_labels(animated));
     }
     const std::vector<std::uint32_t> named = tree_.named(name);
     if (named.size() == 1) return named.front();
     const std::string shown = printable_text(name, 100);
     if (named.empty()) {
-      return tl::unexpected(fmt::format("no node '{}'; animated are {}", shown, list_of_labels(animated)));
+      return fault("no node '{}'; animated are {}", shown, list_of_labels(animated));
     }
-    return tl::unexpected(fmt::format("{} nodes are called '{}'; rename all but the head's", named.size(), shown));
+    return fault("{} nodes are called '{}'; rename all but the head's", named.size(), shown);
   }
 
   Expected<void> read_nodes() {
     for (const std::uint32_t index : chain_) {
       auto node = ClipNode::from(tree_.node(index));
       if (!node) {
-        return tl::unexpected(
-            fmt::format("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain));
+        return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain);
       }
       nodes_.push_back(std::move(*node));
     }
@@ -142,8 +140,7 @@ class ClipReader {
       }
     }
     if (used) return {};
-    return tl::unexpected(
-        fmt::format("node '{}' does not move; animated are {}", clip_.node, list_of_labels(animated_nodes())));
+    return fault("node '{}' does not move; animated are {}", clip_.node, list_of_labels(animated_nodes()));
   }
 
   Expected<void> read_channel(std::size_t animation, const json& channel) {
@@ -152,20 +149,19 @@ class ClipReader {
                                           tree_.label(target.node));
     const json& samplers = list_of(member(animations_[animation], "samplers"));
     const auto sampler = index_of(member(channel, "sampler"), samplers.size());
-    if (!sampler)
-      return tl::unexpected(fmt::format("{}: no such sampler among {}; {}", where, samplers.size(), kExportAgain));
+    if (!sampler) return fault("{}: no such sampler among {}; {}", where, samplers.size(), kExportAgain);
     auto track = read_track(document_, buffers_, samplers[*sampler], target.property);
-    if (!track) return tl::unexpected(fmt::format("{}: {}; {}", where, track.error(), kExportAgain));
+    if (!track) return fault("{}: {}; {}", where, track.error(), kExportAgain);
     numbers_ += track->seconds.size() + track->values.size();
     if (numbers_ > kMostClipNumbers)
-      return tl::unexpected(fmt::format("more than {} numbers of animation; export a shorter clip", kMostClipNumbers));
+      return fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
     if (!track->was_linear) {
       clip_.notes.push_back(
           where + ": steps or splines are read as straight lines between their values; bake the clip for other curves");
     }
     const auto place = std::size_t(std::ranges::find(chain_, target.node) - chain_.begin());
     if (nodes_[place].animate(target.property, std::move(*track))) return {};
-    return tl::unexpected(fmt::format("{}: animated twice, or given as a matrix; {}", where, kExportAgain));
+    return fault("{}: animated twice, or given as a matrix; {}", where, kExportAgain);
   }
 
   /// Keys of one track differ from another's by rounding, and so near ones are one.
@@ -201,17 +197,15 @@ class ClipReader {
   Expected<void> sample() {
     const std::vector<double> times = key_times();
     if (times.size() > kMostClipKeys) {
-      return tl::unexpected(
-          fmt::format("{} keys, and the limit is {}; export a shorter clip", times.size(), kMostClipKeys));
+      return fault("{} keys, and the limit is {}; export a shorter clip", times.size(), kMostClipKeys);
     }
     const auto rest = rotation_of(world([](const ClipNode& node) { return node.at_rest(); }));
     for (const double time : times) {
       const Affine3d place = world([time](const ClipNode& node) { return node.at(time); });
       const auto rotation = rotation_of(place);
       if (!rest || !rotation) {
-        return tl::unexpected(
-            fmt::format("node '{}' is mirrored, or scaled to nothing, at {} s; apply the scale in the modelling tool",
-                        clip_.node, time));
+        return fault("node '{}' is mirrored, or scaled to nothing, at {} s; apply the scale in the modelling tool",
+                     clip_.node, time);
       }
       clip_.keys.push_back({time, place.translation(), (*rotation * rest->conjugate()).normalized()});
     }
@@ -235,21 +229,19 @@ tl::expected<ClipFile, ToolError> read_clip(const fs::path& path, std::string_vi
   if (auto readable = check_readable(path, kMostClipBytes); !readable) return tl::unexpected(readable.error());
   const auto suffix = find_suffix(path);
   if (!suffix || suffix->format != SourceFormat::kGltf) {
-    return tl::unexpected(
-        file_error(Kind::kUnsupported, path,
-                   "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool"));
+    return file_failure(Kind::kUnsupported, path,
+                        "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool");
   }
   constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
   const auto document = read_gltf_json(path, kMembers);
   if (!document)
-    return tl::unexpected(
-        file_error(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain));
+    return file_failure(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain);
   auto clip = ClipReader(path, *document).read(node);
-  if (!clip) return tl::unexpected(file_error(Kind::kBadInput, path, "{}", clip.error()));
+  if (!clip) return file_failure(Kind::kBadInput, path, "{}", clip.error());
   for (std::string& note : clip->notes) note = path.string() + ": " + note;
   return std::move(*clip);
 } catch (const std::bad_alloc&) {
-  return tl::unexpected(file_error(ToolError::Kind::kBadInput, path, "not enough memory for this clip"));
+  return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this clip");
 }
 
 }  // namespace coif

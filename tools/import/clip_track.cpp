@@ -97,7 +97,7 @@ tl::expected<ClipTrack, std::string> read_track(const json& document, GltfBuffer
                                   {turns ? "VEC4" : "VEC3", width, 3 * kMostClipKeys});
   if (!values) return tl::unexpected("values: " + values.error());
   if (values->size() != seconds->size() * width * (is_spline ? 3 : 1)) {
-    return tl::unexpected(fmt::format("{} values for {} key times", values->size() / width, seconds->size()));
+    return fault("{} values for {} key times", values->size() / width, seconds->size());
   }
   track.seconds = std::move(*seconds);
   track.values = is_spline ? values_of_spline(*values, width) : std::move(*values);

@@ -1,12 +1,12 @@
 #include "import/gltf_document.h"
 
+#include "base/encodings.h"
 #include "base/text.h"
-#include "import/source_file.h"
+#include "import/import.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -25,12 +25,10 @@ using Bytes = tl::expected<std::vector<std::byte>, std::string>;
 
 constexpr std::size_t kMostBufferBytes = std::size_t{1} << 30;
 
-tl::unexpected<std::string> fault(std::string text) { return tl::unexpected(std::move(text)); }
-
 Bytes read_part(std::ifstream& file, std::size_t size) {
   std::vector<std::byte> bytes(size);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (std::size_t(file.gcount()) != size) return fault(fmt::format("cut off: {} of {} bytes", file.gcount(), size));
+  if (std::size_t(file.gcount()) != size) return fault("cut off: {} of {} bytes", file.gcount(), size);
   return bytes;
 }
 
@@ -56,49 +54,9 @@ Bytes read_binary_chunk(const fs::path& path, std::size_t wanted) {
   const std::uintmax_t whole = fs::file_size(path, code);
   const auto left = code ? 0 : whole - std::uintmax_t(file.tellg());
   if (wanted > size || wanted > left) {
-    return fault(fmt::format("cut off: {} of {} bytes", std::min<std::uintmax_t>(size, left), wanted));
+    return fault("cut off: {} of {} bytes", std::min<std::uintmax_t>(size, left), wanted);
   }
   return read_part(file, wanted);
-}
-
-constexpr std::array<std::int8_t, 256> kBase64 = [] {
-  std::array<std::int8_t, 256> table{};
-  table.fill(-1);
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < kLetters.size(); ++i) table[std::uint8_t(kLetters[i])] = std::int8_t(i);
-  return table;
-}();
-
-Bytes decode_base64(std::string_view text) {
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::vector<std::byte> bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char letter : text) {
-    const int six = kBase64[std::uint8_t(letter)];
-    if (six < 0) return fault("not base64");
-    bits = bits << 6 | std::uint32_t(six);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(std::byte(bits >> count & 0xFF));
-  }
-  return bytes;
-}
-
-/// "%20" as a space; a percent sign without two digits stays.
-std::string decoded_uri(std::string_view uri) {
-  const auto digit = [](char c) {
-    return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
-  };
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool coded = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
-    text += coded ? char(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
-    if (coded) i += 2;
-  }
-  return text;
 }
 
 Bytes read_side_file(const fs::path& document, const std::string& uri, std::size_t wanted) {
@@ -106,14 +64,15 @@ Bytes read_side_file(const fs::path& document, const std::string& uri, std::size
   const bool inside = !name.empty() && name.is_relative() && *name.lexically_normal().begin() != ".." &&
                       name.native().find('\0') == std::string::npos && uri.find("://") == std::string::npos;
   const std::string shown = printable_text(uri, 100);
-  if (!inside) return fault(fmt::format("in '{}', which is not in this file's folder", shown));
+  if (!inside) return fault("in '{}', which is not in this file's folder", shown);
   const fs::path path = document.parent_path() / name;
-  if (auto readable = check_readable(path, kMostBufferBytes); !readable) return fault(readable.error().message);
+  if (auto readable = check_readable(path, kMostBufferBytes); !readable) {
+    return tl::unexpected(readable.error().message);
+  }
   std::ifstream file(path, std::ios::binary);
   std::error_code code;
   const std::uintmax_t size = fs::file_size(path, code);
-  if (code || size < wanted)
-    return fault(fmt::format("cut off: '{}' has {} of {} bytes", shown, code ? 0 : size, wanted));
+  if (code || size < wanted) return fault("cut off: '{}' has {} of {} bytes", shown, code ? 0 : size, wanted);
   return read_part(file, wanted);
 }
 
@@ -124,11 +83,11 @@ Bytes read_buffer(const fs::path& path, const json& buffer, std::size_t wanted) 
   if (!text.starts_with("data:")) return read_side_file(path, text, wanted);
   const std::size_t comma = text.find(";base64,");
   if (comma == std::string::npos) return fault("a data: URI that is not base64");
-  Bytes bytes = decode_base64(std::string_view(text).substr(comma + std::strlen(";base64,")));
-  if (!bytes) return bytes;
-  if (bytes->size() < wanted) return fault(fmt::format("cut off: {} of {} bytes", bytes->size(), wanted));
+  auto bytes = from_base64(std::string_view(text).substr(comma + std::strlen(";base64,")));
+  if (!bytes) return fault("not base64");
+  if (bytes->size() < wanted) return fault("cut off: {} of {} bytes", bytes->size(), wanted);
   bytes->resize(wanted);
-  return bytes;
+  return std::move(*bytes);
 }
 
 }  // namespace
@@ -136,11 +95,11 @@ Bytes read_buffer(const fs::path& path, const json& buffer, std::size_t wanted) 
 tl::expected<std::span<const std::byte>, std::string> GltfBuffers::bytes(std::size_t buffer) {
   if (const auto found = read_.find(buffer); found != read_.end()) return found->second;
   const json& entries = list_of(member(document_, "buffers"));
-  if (buffer >= entries.size()) return fault(fmt::format("buffer {} is not one of {}", buffer, entries.size()));
+  if (buffer >= entries.size()) return fault("buffer {} is not one of {}", buffer, entries.size());
   const auto wanted = index_of(member(entries[buffer], "byteLength"), kMostBufferBytes + 1);
-  if (!wanted) return fault(fmt::format("buffer {} has no byteLength of 0 to 1 GiB", buffer));
+  if (!wanted) return fault("buffer {} has no byteLength of 0 to 1 GiB", buffer);
   Bytes bytes = read_buffer(path_, entries[buffer], *wanted);
-  if (!bytes) return fault(fmt::format("buffer {} is {}", buffer, bytes.error()));
+  if (!bytes) return fault("buffer {} is {}", buffer, bytes.error());
   return read_.emplace(buffer, std::move(*bytes)).first->second;
 }
 
@@ -191,42 +150,42 @@ tl::expected<Elements, std::string> find_elements(const json& document, GltfBuff
   const auto index = index_of(member(accessor, "bufferView"), views.size());
   if (!index) return fault("has no bufferView");
   const json& view = views[*index];
-  if (member(view, "extensions").is_object()) return fault(fmt::format("is compressed (bufferView {})", *index));
+  if (member(view, "extensions").is_object()) return fault("is compressed (bufferView {})", *index);
   const auto buffer = index_of(member(view, "buffer"), kMostBufferBytes);
-  const auto begin = size_of(member(view, "byteOffset"), 0), size = size_of(member(view, "byteLength"), kMostBufferBytes + 1);
+  const auto begin = size_of(member(view, "byteOffset"), 0),
+             size = size_of(member(view, "byteLength"), kMostBufferBytes + 1);
   const auto stride = size_of(member(view, "byteStride"), element_size);
   const auto first = size_of(member(accessor, "byteOffset"), 0);
   if (!buffer || !begin || !size || !stride || !first || *stride < element_size) {
-    return fault(fmt::format("has offsets or sizes that are no such numbers (bufferView {})", *index));
+    return fault("has offsets or sizes that are no such numbers (bufferView {})", *index);
   }
   const auto bytes = buffers.bytes(*buffer);
-  if (!bytes) return fault(fmt::format("is in bufferView {}, and {}", *index, bytes.error()));
+  if (!bytes) return fault("is in bufferView {}, and {}", *index, bytes.error());
   if (*begin > bytes->size() || *size > bytes->size() - *begin) {
-    return fault(fmt::format("is in bufferView {}, which ends at byte {} of a buffer of {}", *index, *begin + *size,
-                             bytes->size()));
+    return fault("is in bufferView {}, which ends at byte {} of a buffer of {}", *index, *begin + *size, bytes->size());
   }
-  if (*first > *size) return fault(fmt::format("begins at byte {} of a bufferView of {}", *first, *size));
+  if (*first > *size) return fault("begins at byte {} of a bufferView of {}", *first, *size);
   return Elements{bytes->subspan(*begin + *first, *size - *first), *stride};
 }
 
 tl::expected<std::vector<float>, std::string> read_numbers(const json& document, GltfBuffers& buffers,
                                                            const json& accessor, const NumbersWanted& wanted) {
-  if (member(accessor, "type") != wanted.type) return fault(fmt::format("is not of type {}", wanted.type));
+  if (member(accessor, "type") != wanted.type) return fault("is not of type {}", wanted.type);
   if (!member(accessor, "sparse").is_null()) return fault("is sparse, which is not supported");
   const auto component = component_of(accessor);
   if (!component) return fault("has neither floats nor normalized integers of 8 or 16 bits");
   const auto count = index_of(member(accessor, "count"), wanted.most_elements + 1);
-  if (!count || *count == 0) return fault(fmt::format("has no count of 1 to {}", wanted.most_elements));
+  if (!count || *count == 0) return fault("has no count of 1 to {}", wanted.most_elements);
   const std::size_t size = component->size * wanted.width;
   const auto elements = find_elements(document, buffers, accessor, size);
   if (!elements) return tl::unexpected(elements.error());
   const std::size_t held = elements->bytes.size() < size ? 0 : (elements->bytes.size() - size) / elements->stride + 1;
-  if (held < *count) return fault(fmt::format("is cut off: {} of {} elements", held, *count));
+  if (held < *count) return fault("is cut off: {} of {} elements", held, *count);
   std::vector<float> numbers(*count * wanted.width);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::size_t element = i / wanted.width;
     numbers[i] = component->read(&elements->bytes[element * elements->stride + i % wanted.width * component->size]);
-    if (!std::isfinite(numbers[i])) return fault(fmt::format("is not finite in element {}", element));
+    if (!std::isfinite(numbers[i])) return fault("is not finite in element {}", element);
   }
   return numbers;
 }
@@ -237,9 +196,9 @@ tl::expected<std::vector<float>, std::string> read_gltf_numbers(const json& docu
                                                                 const json& accessor, const NumbersWanted& wanted) {
   const json& accessors = list_of(member(document, "accessors"));
   const auto index = index_of(accessor, accessors.size());
-  if (!index) return fault(fmt::format("there is no such accessor among {}", accessors.size()));
+  if (!index) return fault("there is no such accessor among {}", accessors.size());
   auto numbers = read_numbers(document, buffers, accessors[*index], wanted);
-  if (!numbers) return fault(fmt::format("accessor {} {}", *index, numbers.error()));
+  if (!numbers) return fault("accessor {} {}", *index, numbers.error());
   return numbers;
 }
 

@@ -17,52 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-}  // namespace
-
-const json& member(const json& value, const char* name) {
-  static const json kNull;
-  if (!value.is_object()) return kNull;
-  const auto found = value.find(name);
-  return found == value.end() ? kNull : *found;
-}
-
-const json& list_of(const json& value) {
-  static const json kEmpty = json::array();
-  return value.is_array() ? value : kEmpty;
-}
-
-std::optional<double> number_of(const json& value) {
-  if (!value.is_number()) return std::nullopt;
-  const auto number = value.get<double>();
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
-std::optional<std::uint32_t> index_of(const json& value, std::size_t count) {
-  const std::optional<double> number = number_of(value);
-  if (!number || !(*number >= 0 && *number < double(count)) || std::floor(*number) != *number) return std::nullopt;
-  return static_cast<std::uint32_t>(*number);
-}
-
-std::optional<Eigen::Vector3d> vector_of(const json& value) {
-  const bool list = value.is_array() && value.size() == 3;
-  if (!list && !value.is_object()) return std::nullopt;
-  constexpr const char* kNames[] = {"x", "y", "z"};
-  Eigen::Vector3d out;
-  for (int k = 0; k < 3; ++k) {
-    const std::optional<double> number = number_of(list ? value[std::size_t(k)] : member(value, kNames[k]));
-    if (!number) return std::nullopt;
-    out[k] = *number;
-  }
-  return out;
-}
-
-std::string printable_text_of(const json& value) {
-  return value.is_string() ? printable_text(value.get_ref<const std::string&>()) : std::string();
-}
-
-namespace {
-
-constexpr int kDeepestLevel = 32;  // VRM's own deepest value is about a dozen levels down
+constexpr std::size_t kMostLevels = 256;  // of nodes
+constexpr int kDeepestLevel = 32;         // VRM's own deepest value is about a dozen levels down
 
 struct GlbStart {
   char magic[4];
@@ -86,11 +42,11 @@ tl::expected<std::string, std::string> read_text(const std::filesystem::path& pa
   }
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (std::memcmp(start.chunk_type, "JSON", 4) != 0) return tl::unexpected(std::string("the first chunk is not JSON"));
-  if (code || start.chunk_bytes > size - sizeof start) return tl::unexpected(std::string("the JSON chunk is cut off"));
+  if (std::memcmp(start.chunk_type, "JSON", 4) != 0) return fault("the first chunk is not JSON");
+  if (code || start.chunk_bytes > size - sizeof start) return fault("the JSON chunk is cut off");
   std::string text(start.chunk_bytes, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file) return tl::unexpected(std::string("the JSON chunk cannot be read"));
+  if (!file) return fault("the JSON chunk cannot be read");
   return text;
 }
 
@@ -111,6 +67,55 @@ tl::expected<json, std::string> read_gltf_json(const std::filesystem::path& path
   } catch (const json::exception& error) {
     return tl::unexpected(printable_text(error.what(), 200));
   }
+}
+
+std::optional<Eigen::Vector3d> vector_of(const json& value) {
+  const bool list = value.is_array() && value.size() == 3;
+  if (!list && !value.is_object()) return std::nullopt;
+  constexpr const char* kNames[] = {"x", "y", "z"};
+  Eigen::Vector3d out;
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<double> number = number_of(list ? value[std::size_t(k)] : member(value, kNames[k]));
+    if (!number) return std::nullopt;
+    out[k] = *number;
+  }
+  return out;
+}
+
+GltfTree::GltfTree(const json& document)
+    : nodes_(list_of(member(document, "nodes"))), parents_(nodes_.size(), kNoIndex) {
+  for (std::uint32_t parent = 0; parent < parents_.size(); ++parent) {
+    for (const json& entry : list_of(member(nodes_[parent], "children"))) {
+      const auto child = index_of(entry, parents_.size());
+      if (child && parents_[*child] == kNoIndex) parents_[*child] = parent;
+    }
+  }
+}
+
+const json& GltfTree::node(std::uint32_t index) const { return nodes_[index]; }
+
+std::string GltfTree::label(std::uint32_t index) const {
+  const std::string name = printable_text_of(member(nodes_[index], "name"));
+  return name.empty() ? fmt::format("node {}", index) : name;
+}
+
+std::vector<std::uint32_t> GltfTree::named(std::string_view name) const {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < parents_.size(); ++i) {
+    if (member(nodes_[i], "name") == name) found.push_back(i);
+  }
+  return found;
+}
+
+tl::expected<std::vector<std::uint32_t>, std::string> GltfTree::with_parents(std::uint32_t index) const {
+  std::vector<std::uint32_t> chain;
+  for (std::uint32_t node = index; node != kNoIndex; node = parents_[node]) {
+    if (chain.size() == kMostLevels) {
+      return fault("node '{}' is more than {} levels deep, or its own parent", label(index), kMostLevels);
+    }
+    chain.push_back(node);
+  }
+  return chain;
 }
 
 }  // namespace coif

@@ -1,11 +1,12 @@
 #pragma once
 
-// Reading JSON that somebody else wrote: every question has an answer for every kind of value.
+// Reading a glTF document that somebody else wrote, beside what assimp reads of it.
 
 #include "base/json.h"
 #include "import/source_model.h"
 
 #include <Eigen/Core>
+#include <fmt/format.h>
 #include <tl/expected.hpp>
 
 #include <cstddef>
@@ -16,27 +17,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coif {
 
-/// A member of an object; JSON's null where `value` is no object or has none of that name. Valid as long as `value`.
-[[nodiscard]] const nlohmann::json& member(const nlohmann::json& value, const char* name);
-
-/// `value` itself where it is a list, else an empty list.
-[[nodiscard]] const nlohmann::json& list_of(const nlohmann::json& value);
-
-/// A finite number.
-[[nodiscard]] std::optional<double> number_of(const nlohmann::json& value);
-
-/// A whole number below `count`.
-[[nodiscard]] std::optional<std::uint32_t> index_of(const nlohmann::json& value, std::size_t count);
+/// What is wrong, as a sentence without the file's name.
+template <class... Args>
+[[nodiscard]] tl::unexpected<std::string> fault(fmt::format_string<Args...> text, Args&&... args) {
+  return tl::unexpected(fmt::format(text, std::forward<Args>(args)...));
+}
 
 /// Three finite numbers as a list [x, y, z] or as an object with members x, y and z.
 [[nodiscard]] std::optional<Eigen::Vector3d> vector_of(const nlohmann::json& value);
-
-/// Printable text; empty where `value` is no text.
-[[nodiscard]] std::string printable_text_of(const nlohmann::json& value);
 
 /// Members of a glTF document (.gltf, or the JSON chunk of a .glb or .vrm), those of `members`. The rest, which may hold
 /// whole buffers as text, is skipped unstored; so is what is nested deeper than any extension needs, so that nothing

@@ -1,6 +1,5 @@
 #include "import/model_stream.h"
 
-#include "base/text.h"
 #include "import/source_model.h"
 
 #include <concepts>

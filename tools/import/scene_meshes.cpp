@@ -74,12 +74,9 @@ std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVert
       triangles.insert(triangles.end(), corner, corner + 3);
     }
   }
-  const auto warn = [&](std::size_t count, const char* what) {
-    if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
-  };
-  warn(not_triangles, "points or lines dropped");
-  warn(out_of_range, "triangles dropped: vertex index out of range");
-  warn(misplaced, "triangles dropped: vertex position not finite or beyond 1000 km");
+  warn_count(not_triangles, label, "points or lines dropped", warnings);
+  warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
+  warn_count(misplaced, label, "triangles dropped: vertex position not finite or beyond 1000 km", warnings);
   return triangles;
 }
 
@@ -111,7 +108,7 @@ void copy_uvs(const aiMesh& mesh, std::span<const std::uint32_t> kept, const std
     }
     out.uvs.push_back(uv);
   }
-  if (unusable != 0) warnings.push_back(fmt::format("{}: {} UVs that are not finite set to zero", label, unusable));
+  warn_count(unusable, label, "UVs that are not finite set to zero", warnings);
 }
 
 void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {
@@ -140,7 +137,7 @@ void repair_normals(SourceMesh& mesh, const std::string& label, std::vector<std:
     mesh.normals[v] = std::isnormal(length) ? Eigen::Vector3f(surface[v] / length) : Eigen::Vector3f::UnitY();
     ++repaired;
   }
-  if (repaired != 0) warnings.push_back(fmt::format("{}: {} unusable normals replaced", label, repaired));
+  warn_count(repaired, label, "unusable normals replaced", warnings);
 }
 
 SourceMesh convert_mesh(const aiScene& scene, const aiMesh& mesh, std::uint32_t node, const SceneNodes& nodes,

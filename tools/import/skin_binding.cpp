@@ -7,13 +7,6 @@
 #include <cmath>
 
 namespace coif {
-namespace {
-
-void warn_count(std::size_t count, const std::string& label, const char* what, std::vector<std::string>& warnings) {
-  if (count != 0) warnings.push_back(fmt::format("{}: {} {}", label, count, what));
-}
-
-}  // namespace
 
 SkinBinding::SkinBinding(const aiMesh& mesh, std::uint32_t mesh_node, const SceneNodes& nodes, const std::string& label,
                          std::vector<std::string>& warnings)

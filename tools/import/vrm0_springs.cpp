@@ -35,26 +35,12 @@ ColliderSet read_group(const json& group, std::size_t number, SpringSink& sink) 
   return set;
 }
 
-SourceSpringJoint read_settings(const json& group) {
-  SourceSpringJoint joint;
-  joint.stiffness = number_of(member(group, "stiffiness")).value_or(1);  // spelt so in the specification
-  joint.gravity_power = number_of(member(group, "gravityPower")).value_or(0);
-  joint.gravity_direction = from_unity(member(group, "gravityDir")).value_or(-Eigen::Vector3d::UnitY());
-  joint.drag = number_of(member(group, "dragForce")).value_or(0.4);
-  joint.hit_radius = number_of(member(group, "hitRadius")).value_or(0);
-  return joint;
-}
-
 /// What all chains of one bone group share.
 struct BoneGroup {
   SourceSpringJoint settings;
   std::uint32_t center = kNoIndex;
   ColliderSet colliders;
 };
-
-Eigen::Vector3d place_of(const SpringSink& sink, std::uint32_t node) {
-  return sink.model().nodes[node].model_from_node.translation();
-}
 
 // The first-child path from `start`; the children beside it are added to `starts`.
 SourceSpring follow_first_children(std::uint32_t start, const BoneGroup& group, SpringSink& sink,
@@ -69,7 +55,7 @@ SourceSpring follow_first_children(std::uint32_t start, const BoneGroup& group, 
     const std::vector<std::uint32_t>& children = sink.children(node);
     node = children.empty() ? kNoIndex : children.front();
     if (!children.empty()) {
-      joint.length = (place_of(sink, node) - place_of(sink, joint.node)).norm();
+      joint.length = sink.distance(joint.node, node);
       starts.insert(starts.end(), children.begin() + 1, children.end());
     }
     spring.joints.push_back(joint);
@@ -94,7 +80,8 @@ void read_root(std::uint32_t root, const BoneGroup& group, SpringSink& sink) {
 
 void read_bone_group(const json& value, std::size_t number, const std::vector<ColliderSet>& groups, SpringSink& sink) {
   BoneGroup group;
-  group.settings = read_settings(value);
+  // The one name is spelt so in the specification.
+  group.settings = read_settings(value, "stiffiness", 0.4, from_unity(member(value, "gravityDir")));
   group.center = sink.find_node(member(value, "center")).value_or(kNoIndex);  // -1 where there is none
   for (const json& reference : list_of(member(value, "colliderGroups"))) {
     if (const auto index = index_of(reference, groups.size())) {

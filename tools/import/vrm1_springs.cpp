@@ -60,17 +60,6 @@ std::vector<ColliderSet> read_groups(const json& list, const ColliderNumbers& co
   return groups;
 }
 
-SourceSpringJoint read_joint(const json& value, std::uint32_t node) {
-  SourceSpringJoint joint;
-  joint.node = node;
-  joint.stiffness = number_of(member(value, "stiffness")).value_or(1);
-  joint.gravity_power = number_of(member(value, "gravityPower")).value_or(0);
-  joint.gravity_direction = vector_of(member(value, "gravityDir")).value_or(-Eigen::Vector3d::UnitY());
-  joint.drag = number_of(member(value, "dragForce")).value_or(0.5);
-  joint.hit_radius = number_of(member(value, "hitRadius")).value_or(0);
-  return joint;
-}
-
 void read_joints(const json& list, SourceSpring& spring, SpringSink& sink) {
   for (const json& value : list_of(list)) {
     const auto node = sink.find_node(member(value, "node"));
@@ -87,13 +76,9 @@ void read_joints(const json& list, SourceSpring& spring, SpringSink& sink) {
       sink.ignore(fmt::format("spring '{}': node '{}' {}; the joint is ignored", spring.name, name, why));
       continue;
     }
-    spring.joints.push_back(read_joint(value, *node));
-  }
-  for (std::size_t j = 0; j + 1 < spring.joints.size(); ++j) {
-    const auto place = [&](std::size_t k) -> Eigen::Vector3d {
-      return sink.model().nodes[spring.joints[k].node].model_from_node.translation();
-    };
-    spring.joints[j].length = (place(j + 1) - place(j)).norm();
+    if (!spring.joints.empty()) spring.joints.back().length = sink.distance(spring.joints.back().node, *node);
+    spring.joints.push_back(read_settings(value, "stiffness", 0.5, vector_of(member(value, "gravityDir"))));
+    spring.joints.back().node = *node;
   }
 }
 

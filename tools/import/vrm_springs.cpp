@@ -1,6 +1,6 @@
 #include "import/vrm_springs.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 #include "import/gltf_document.h"
 
 #include <fmt/format.h>
@@ -72,6 +72,17 @@ bool is_near(const Eigen::Vector3d& point) { return point.cwiseAbs().maxCoeff() 
 
 }  // namespace
 
+SourceSpringJoint read_settings(const json& value, const char* stiffness, double drag,
+                                const std::optional<Eigen::Vector3d>& gravity_direction) {
+  SourceSpringJoint joint;
+  joint.stiffness = number_of(member(value, stiffness)).value_or(1);
+  joint.gravity_power = number_of(member(value, "gravityPower")).value_or(0);
+  joint.gravity_direction = gravity_direction.value_or(-Eigen::Vector3d::UnitY());
+  joint.drag = number_of(member(value, "dragForce")).value_or(drag);
+  joint.hit_radius = number_of(member(value, "hitRadius")).value_or(0);
+  return joint;
+}
+
 SpringSink::SpringSink(const nlohmann::json& document, const Eigen::Affine3d& model_from_file, SourceModel& model)
     : model_(model),
       rotation_(rotation_part(model_from_file)),
@@ -103,6 +114,13 @@ std::optional<std::uint32_t> SpringSink::find_node(const nlohmann::json& index) 
 
 bool SpringSink::descends_from(std::uint32_t node, std::uint32_t ancestor) const {
   return node > ancestor && node < subtree_end_[ancestor];
+}
+
+double SpringSink::distance(std::uint32_t a, std::uint32_t b) const {
+  const auto place = [this](std::uint32_t n) -> Eigen::Vector3d {
+    return model_.nodes[n].model_from_node.translation();
+  };
+  return (place(b) - place(a)).norm();
 }
 
 std::optional<std::uint32_t> SpringSink::add_collider(SourceCollider collider) {

@@ -33,6 +33,7 @@ class SpringSink {
   [[nodiscard]] const SourceModel& model() const { return model_; }
   [[nodiscard]] const std::vector<std::uint32_t>& children(std::uint32_t node) const { return children_[node]; }
   [[nodiscard]] bool descends_from(std::uint32_t node, std::uint32_t ancestor) const;
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const;  ///< Metres at rest.
   [[nodiscard]] double metres(double in_file) const { return metres_per_unit_ * in_file; }
 
   void set_head(std::uint32_t node) { model_.head_node = node; }
@@ -61,6 +62,11 @@ class SpringSink {
   std::vector<bool> is_joint_;
   std::size_t ignored_ = 0;
 };
+
+/// A joint's settings as both versions write them, in the file's units; `stiffness` is what they call that one, `drag` what
+/// counts where there is none.
+[[nodiscard]] SourceSpringJoint read_settings(const nlohmann::json& value, const char* stiffness, double drag,
+                                              const std::optional<Eigen::Vector3d>& gravity_direction);
 
 /// Fills `springs`, `colliders` and `head_node` of a glTF model from its extensions, which assimp drops: VRM 0.x (`VRM`)
 /// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`). `model.nodes` is complete, depth first;

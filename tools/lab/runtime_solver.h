@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/hair_memory.h"
+#include "base/hair_runtime.h"
 
 #include <coif/hair.h>
 #include <coif/math.h>

@@ -34,14 +34,12 @@ Vector3d parabola_slope(const Vector3d& to_left, double left, const Vector3d& to
   return (to_left * (right / left) + to_right * (left / right)) / (left + right);
 }
 
-HeadState standing(const Vector3d& position, const Quaterniond& rotation) {
+HeadState standing_at(const Knot& knot) {
   HeadState state;
-  state.position = position;
-  state.rotation = rotation;
+  state.position = knot.position;
+  state.rotation = knot.rotation;
   return state;
 }
-
-HeadState standing(const Knot& knot) { return standing(knot.position, knot.rotation); }
 
 std::vector<Knot> knots_of(const std::vector<ClipKey>& keys) {
   std::vector<Knot> knots;
@@ -67,10 +65,10 @@ class ClipPath final : public HeadPath {
 
   [[nodiscard]] HeadState at(double seconds, double inside) const override {
     const auto after = std::ranges::upper_bound(knots_, std::max(inside, 0.0), {}, &Knot::seconds);
-    if (after == knots_.begin()) return standing(knots_.front());
-    if (after == knots_.end()) return standing(knots_.back());
+    if (after == knots_.begin()) return standing_at(knots_.front());
+    if (after == knots_.end()) return standing_at(knots_.back());
     const HeadState state = between(after[-1], *after, std::max(seconds, 0.0));
-    return seconds < 0 ? standing(state.position, state.rotation) : state;
+    return seconds < 0 ? standing(state) : state;
   }
 
   [[nodiscard]] std::vector<PathBreak> breaks(double until) const override {

@@ -1,8 +1,11 @@
 #include "motion/head_path.h"
 
+#include "base/hair_runtime.h"
 #include "motion/motion_path.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace coif {
 namespace {
@@ -23,23 +26,23 @@ class MotionPath final : public HeadPath {
   explicit MotionPath(Motion motion) : motion_(motion) {}
 
   [[nodiscard]] HeadState at(double seconds, double inside) const override {
-    if (seconds < 0) return standing(movement(motion_, 0, 0));
+    if (seconds < 0) return standing(state_of(movement(motion_, 0, 0)));
     return state_of(movement(motion_, seconds, std::max(inside, 0.0)));
   }
   [[nodiscard]] std::vector<PathBreak> breaks(double until) const override { return breaks_of(motion_, until); }
 
  private:
-  static HeadState standing(const HeadMovement& moved) {
-    HeadState state;
-    state.position = {moved.x.value, moved.y.value, moved.z.value};
-    state.rotation = Eigen::AngleAxisd(moved.turn.value, moved.axis);
-    return state;
-  }
-
   Motion motion_;
 };
 
 }  // namespace
+
+HeadState standing(const HeadState& moved) {
+  HeadState state;
+  state.position = moved.position;
+  state.rotation = moved.rotation;
+  return state;
+}
 
 HeadPose HeadPath::pose(double seconds) const { return pose_of(at(seconds)); }
 
@@ -111,6 +114,39 @@ class HeldTurn final : public HeadPath {
 
 std::unique_ptr<HeadPath> held_turn(const Eigen::Vector3d& axis, double radians, double seconds) {
   return std::make_unique<HeldTurn>(axis, radians, seconds);
+}
+
+namespace {
+
+constexpr double kRate = 60;  // Hz
+constexpr int kSettleSteps = 120;
+
+tl::unexpected<ToolError> not_simulated(const char* why) {
+  return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be simulated: ") + why);
+}
+
+}  // namespace
+
+tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
+                                                StepSettings step) {
+  const auto pose_at = [motion](double time) { return motion ? motion->pose(time) : HeadPose{}; };
+  if (asset.dynamics().empty()) return HairPose{pose_at(seconds), std::vector<Mat34>(asset.bones().size())};
+
+  step.dt = static_cast<float>(1 / kRate);
+  const MemoryNeed need = Hair::memory_need(asset, {});
+  const HairMemory memory = allocate(need);
+  if (!memory) return not_simulated("out of memory");
+  Hair hair;
+  Status status = hair.create(asset, {}, {memory.get(), need.bytes});
+  if (status == Status::kOk) status = hair.reset(0, pose_at(0));
+  const int motion_steps = motion ? static_cast<int>(std::lround(seconds * kRate)) : 0;
+  for (int i = 1 - kSettleSteps; i <= motion_steps && status == Status::kOk; ++i) {
+    status = hair.set_head(0, pose_at(i > 0 ? i / kRate : 0));
+    if (status == Status::kOk) status = hair.step(step);
+  }
+  if (status != Status::kOk) return not_simulated(describe(status));
+  const std::span<const Mat34> palette = hair.palette(0);
+  return HairPose{pose_at(motion_steps / kRate), {palette.begin(), palette.end()}};
 }
 
 }  // namespace coif

@@ -44,6 +44,9 @@ struct HeadState {
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
 };
 
+/// The same pose at rest.
+[[nodiscard]] HeadState standing(const HeadState& moved);
+
 /// Where one smooth piece of a path ends and the next begins.
 struct PathBreak {
   double seconds = 0;

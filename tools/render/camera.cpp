@@ -1,12 +1,12 @@
 #include "render/camera.h"
 
+#include "base/geometry.h"
 #include "render/stage_renderer.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace coif {
@@ -23,11 +23,6 @@ void aim(Camera& camera, const CameraSettings& settings) {
   camera.right = {std::cos(yaw), 0.0, -std::sin(yaw)};
   camera.up = camera.back.cross(camera.right);
 }
-
-struct Box {
-  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d max = -min;
-};
 
 /// Offsets in camera space of a grid of cells, row by row from the top, the last row centred.
 std::vector<Eigen::Vector2d> grid(const Eigen::Vector2d& cell, const CameraSettings& settings) {
@@ -62,13 +57,10 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   Eigen::Matrix3d axes;
   axes << camera.right.transpose(), camera.up.transpose(), camera.back.transpose();
 
-  Box box;
-  for (const Eigen::Vector3d& point : points) {
-    box.min = box.min.cwiseMin(axes * point);
-    box.max = box.max.cwiseMax(axes * point);
-  }
-  const Eigen::Vector3d center = 0.5 * (box.min + box.max);
-  const Eigen::Vector2d size = (box.max - box.min).head<2>().cwiseMax(1e-3);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(Eigen::Vector3d(axes * point));
+  const Eigen::Vector3d center = box.center();
+  const Eigen::Vector2d size = box.sizes().head<2>().cwiseMax(1e-3);
   Eigen::Vector2d reach = Eigen::Vector2d::Zero();  // of the grid's outermost places
   for (const Eigen::Vector2d& place : grid(kSpacing * size, settings)) {
     reach = reach.cwiseMax(place.cwiseAbs());
@@ -81,12 +73,12 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   double distance = 0;
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector3d p = axes * point - center;
-    distance = std::max({distance, (std::abs(p.x()) + reach.x()) / tan_x + p.z(),
-                         (std::abs(p.y()) + reach.y()) / tan_y + p.z()});
+    distance = std::max(
+        {distance, (std::abs(p.x()) + reach.x()) / tan_x + p.z(), (std::abs(p.y()) + reach.y()) / tan_y + p.z()});
   }
   distance *= settings.margin;
 
-  const double depth = box.max.z() - box.min.z() + size.norm();  // swinging hair may leave the box
+  const double depth = box.max().z() - box.min().z() + size.norm();  // swinging hair may leave the box
   const double near = std::max(distance - depth, 0.02 * distance);
   camera.eye = axes.transpose() * (center + Eigen::Vector3d(0, 0, distance));
   Eigen::Matrix4d view_from_world = Eigen::Matrix4d::Identity();
@@ -95,12 +87,6 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   camera.clip_from_world = (perspective(tan_x, tan_y, near, distance + depth) * view_from_world).cast<float>();
   return view;
 }
-
-namespace {
-
-Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
-
-}  // namespace
 
 std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
   std::vector<Eigen::Vector3d> points;
@@ -112,6 +98,17 @@ std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
   }
   return points;
 }
+
+DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights) {
+  DrawDesc desc;
+  Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = camera.clip_from_world;
+  desc.eye = to_vec3(camera.eye);
+  desc.lights = lights;
+  desc.framebuffer_is_srgb = true;
+  return desc;
+}
+
+bool has_mesh(const Asset& asset) { return asset.is_open() && !asset.vertices().empty() && !asset.indices().empty(); }
 
 // Photographer's lights. Shifted tangents want the half vector some 30 degrees above the normal, so only a light from
 // the top puts both highlights where they are seen, around the head's widest part. Fill and rim come from low, where

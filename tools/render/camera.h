@@ -44,4 +44,10 @@ struct CrowdView {
 /// A key light from the top, fill and rim, which move with the camera.
 [[nodiscard]] std::array<Light, 3> studio_lights(const Camera& camera);
 
+/// Hair seen by this camera in this light (which must outlive what is given back), on an sRGB framebuffer.
+[[nodiscard]] DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights);
+
+/// Whether there is anything to draw.
+[[nodiscard]] bool has_mesh(const Asset& asset);
+
 }  // namespace coif

@@ -17,10 +17,6 @@ namespace {
 constexpr double kYawDegrees = 30, kPitchDegrees = 5;
 constexpr std::uint32_t kManySamples = 4;
 
-tl::unexpected<ToolError> stage_fault(ToolError::Kind kind, std::string message) {
-  return tl::unexpected(ToolError{kind, std::move(message)});
-}
-
 void clear(float shade, float alpha) {
   glClearColor(shade, shade, shade, alpha);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -28,27 +24,21 @@ void clear(float shade, float alpha) {
 
 }  // namespace
 
-CrowdStage::CrowdStage(const Asset& asset, double aspect, EglContext context)
-    : aspect_(aspect), context_(std::move(context)), timer_(context_.loader()), points_(framed_points(asset)) {}
+CrowdStage::CrowdStage(const Asset& asset, double aspect, std::unique_ptr<DrawingDevice> device)
+    : aspect_(aspect), device_(std::move(device)), timer_(device_->context.loader()), points_(framed_points(asset)) {}
 
 tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const Asset& asset, std::uint32_t width,
                                                                         std::uint32_t height) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(width) || !side_ok(height)) {
-    return stage_fault(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way");
+    return usage("a picture has 16 to 8192 pixels each way");
   }
-  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return stage_fault(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
-  }
-  auto context = EglContext::create();
-  if (!context) return tl::unexpected(context.error());
-  std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*context)));
-  if (made->renderer_.create(made->context_.loader()) != Status::kOk) {
-    return stage_fault(ToolError::Kind::kUnsupported,
-                std::string("the renderer does not start: ") + made->renderer_.failure());
-  }
-  if (const Status status = made->model_.upload(made->renderer_, asset); status != Status::kOk) {
-    return stage_fault(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+  if (!has_mesh(asset)) return failure(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
+  auto device = DrawingDevice::create();
+  if (!device) return tl::unexpected(device.error());
+  std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*device)));
+  if (const Status status = made->model_.upload(made->device_->renderer, asset); status != Status::kOk) {
+    return failure(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
   }
   const auto one = OffscreenTarget::create(width, height, 0),
              many = OffscreenTarget::create(width, height, kManySamples);
@@ -84,15 +74,10 @@ Status CrowdStage::draw_heads(const DrawnFrame& frame) {
     scene.heads[head].palette = scene.crowd.palette(head);
     scene.heads[head].lod = frame.lod;
   }
-  DrawDesc desc;
-  Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.camera.clip_from_world;
-  const Eigen::Vector3d& eye = scene.camera.eye;
-  desc.eye = {float(eye.x()), float(eye.y()), float(eye.z())};
-  desc.lights = scene.lights;
+  DrawDesc desc = studio_desc(scene.camera, scene.lights);
   desc.transparency = frame.transparency;
-  desc.framebuffer_is_srgb = true;
   timer_.begin();
-  const Status status = renderer_.draw(model_, scene.heads, desc);
+  const Status status = device_->renderer.draw(model_, scene.heads, desc);
   timer_.end();
   glFinish();
   return status;
@@ -173,8 +158,7 @@ tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(cons
   const std::uint32_t number = stage_.add(std::move(*crowd), view);
   // The first frame also pays for what drivers put off until then.
   if (const Status status = stage_.draw({.crowd = number}); status != Status::kOk) {
-    return tl::unexpected(
-        ToolError{ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status)});
+    return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
   }
   const auto begin = std::chrono::steady_clock::now();
   (void)stage_.draw({.crowd = number});

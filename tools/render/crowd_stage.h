@@ -63,7 +63,7 @@ class CrowdStage {
   /// A crowd of `heads` that fills the picture, or is so many times as far away (>= 1).
   [[nodiscard]] CrowdView filling_view(std::uint32_t heads, double times_as_far = 1) const;
 
-  [[nodiscard]] std::string device() const { return context_.device(); }  ///< GL_RENDERER.
+  [[nodiscard]] std::string device() const { return device_->context.device(); }  ///< GL_RENDERER.
   [[nodiscard]] std::uint32_t lod_count() const { return model_.lod_count(); }
 
  private:
@@ -74,13 +74,12 @@ class CrowdStage {
     std::vector<HairInstance> heads;  ///< Their palettes are renewed every frame.
   };
 
-  CrowdStage(const Asset& asset, double aspect, EglContext context);
+  CrowdStage(const Asset& asset, double aspect, std::unique_ptr<DrawingDevice> device);
   [[nodiscard]] OffscreenTarget& target_of(const DrawnFrame& frame) { return *(frame.samples > 1 ? many_ : one_); }
   Status draw_heads(const DrawnFrame& frame);
 
   double aspect_;
-  EglContext context_;  ///< Before what is made in it.
-  HairRenderer renderer_;
+  std::unique_ptr<DrawingDevice> device_;  ///< Before what is made in it.
   HairModel model_;
   GpuTimer timer_;
   std::optional<OffscreenTarget> one_, many_;  ///< Samples a pixel.
@@ -89,8 +88,8 @@ class CrowdStage {
 };
 
 struct FrameTime {
-  double seconds = 0;                 ///< Wall time until the device has finished, median.
-  double spread_pct = 0;              ///< Width of the middle half of the frames, % of the median.
+  double seconds = 0;                   ///< Wall time until the device has finished, median.
+  double spread_pct = 0;                ///< Width of the middle half of the frames, % of the median.
   std::optional<double> gpu_seconds{};  ///< As the device itself tells, median; nothing where it does not.
 };
 

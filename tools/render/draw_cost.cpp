@@ -20,12 +20,12 @@ constexpr double kLargestShare = 0.6;    // of what is left, for one crowd
 constexpr unsigned kFramesOfACrowd =
     3 * (kLeastFrames + 1);  // two ways that are dear and two that are cheap; warming up
 
-tl::expected<void, ToolError> check(const DrawCostSettings& settings) {
+tl::expected<void, ToolError> check(std::span<const std::uint32_t> crowds, std::span<const CrowdDistance> distances,
+                                    double seconds) {
   const auto crowd_ok = [](std::uint32_t heads) { return heads >= 1 && heads <= kMostDrawnHeads; };
-  if (!std::ranges::all_of(settings.heads, crowd_ok) ||
-      !std::ranges::all_of(settings.distances, crowd_ok, &CrowdDistance::heads) || !(settings.seconds > 0)) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUsage, "1 to 10000 heads can be drawn, and drawing takes time"});
-  }
+  const bool is_ok = std::ranges::all_of(crowds, crowd_ok) &&
+                     std::ranges::all_of(distances, crowd_ok, &CrowdDistance::heads) && seconds > 0;
+  if (!is_ok) return usage("1 to 10000 heads can be drawn, and drawing takes time");
   return {};
 }
 
@@ -83,7 +83,9 @@ tl::expected<FramesOfRows, ToolError> put_up_crowds(CrowdStage& stage, const Dra
 
 tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const DrawCostSettings& settings,
                                                   const MakeCrowd& make_crowd) {
-  if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check(settings.heads, settings.distances, settings.seconds); !checked) {
+    return tl::unexpected(checked.error());
+  }
   auto stage = CrowdStage::create(asset, settings.width, settings.height);
   if (!stage) return tl::unexpected(stage.error());
 
@@ -167,14 +169,6 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
 
 namespace {
 
-tl::expected<void, ToolError> check(const ThesisCrowdSettings& settings) {
-  const auto crowd_ok = [](std::uint32_t heads) { return heads >= 1 && heads <= kMostDrawnHeads; };
-  if (settings.heads.empty() || !std::ranges::all_of(settings.heads, crowd_ok) || !(settings.seconds > 0)) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUsage, "1 to 10000 heads can be drawn, and drawing takes time"});
-  }
-  return {};
-}
-
 void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdRow>& rows,
               std::vector<DrawnFrame>& frames) {
   for (const bool simulation : {true, false}) {
@@ -190,7 +184,9 @@ void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdR
 
 tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, const ThesisCrowdSettings& settings,
                                                             const MakeCrowd& make_crowd) {
-  if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+  if (auto checked = check(settings.heads, {}, settings.heads.empty() ? 0 : settings.seconds); !checked) {
+    return tl::unexpected(checked.error());
+  }
   auto stage = CrowdStage::create(asset, settings.width, settings.height);
   if (!stage) return tl::unexpected(stage.error());
   ThesisCrowds found{(*stage)->device(), {}, {}};

@@ -47,9 +47,9 @@ tl::expected<EglContext, ToolError> EglContext::create() {
     if (open(display, handles)) return EglContext(handles);
     release(handles);
   }
-  return tl::unexpected(ToolError{ToolError::Kind::kUnsupported,
-                                  "no EGL display with OpenGL ES 3.0; install a driver, for example Mesa's "
-                                  "software renderer (Debian: libegl-mesa0, libgl1-mesa-dri)"});
+  return failure(ToolError::Kind::kUnsupported,
+                 "no EGL display with OpenGL ES 3.0; install a driver, for example Mesa's software renderer (Debian: "
+                 "libegl-mesa0, libgl1-mesa-dri)");
 }
 
 void EglContext::release(Handles& handles) {
@@ -70,6 +70,15 @@ GlLoader EglContext::loader() const { return {find_function, nullptr}; }
 std::string EglContext::device() const {
   const GLubyte* name = glGetString(GL_RENDERER);
   return name != nullptr ? reinterpret_cast<const char*>(name) : "";
+}
+
+tl::expected<std::unique_ptr<DrawingDevice>, ToolError> DrawingDevice::create(const RendererDesc& desc) {
+  auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+  auto device = std::make_unique<DrawingDevice>(std::move(*context));
+  if (device->renderer.create(device->context.loader(), desc) == Status::kOk) return device;
+  return failure(ToolError::Kind::kUnsupported,
+                 std::string("the renderer does not start: ") + device->renderer.failure());
 }
 
 namespace {
@@ -103,9 +112,8 @@ tl::expected<OffscreenTarget, ToolError> OffscreenTarget::create(std::uint32_t w
   attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, used_samples);
   attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width, height, used_samples);
   if (!readable || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUnsupported,
-                                    "the driver has no framebuffer of " + std::to_string(width) + " x " +
-                                        std::to_string(height) + " pixels; ask for a smaller picture"});
+    return failure(ToolError::Kind::kUnsupported, "the driver has no framebuffer of " + std::to_string(width) + " x " +
+                                                      std::to_string(height) + " pixels; ask for a smaller picture");
   }
   return target;
 }

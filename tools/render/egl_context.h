@@ -7,8 +7,10 @@
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -38,6 +40,17 @@ class EglContext {
   static bool open(void* display, Handles& handles);
 
   Handles handles_;
+};
+
+/// A context with the runtime's renderer in it.
+struct DrawingDevice {
+  /// Errors: kUnsupported where there is no context or the renderer does not start.
+  static tl::expected<std::unique_ptr<DrawingDevice>, ToolError> create(const RendererDesc& desc = {});
+
+  explicit DrawingDevice(EglContext opened) : context(std::move(opened)) {}
+
+  EglContext context;  ///< Before what is made in it.
+  HairRenderer renderer;
 };
 
 /// An sRGB framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the

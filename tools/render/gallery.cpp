@@ -2,11 +2,13 @@
 
 #include "motion/head_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -43,31 +45,31 @@ void add_highlights(Gallery& gallery, const std::string& caption, PictureSetting
   gallery.pictures.push_back({caption + " (highlights only)", picture});
 }
 
-Gallery shifts(const Asset& asset, PictureSettings picture) {
-  constexpr std::pair<float, float> kShifts[] = {{0.7f, 0.5f}, {0.9f, 0.3f}, {0.5f, 0.7f}};
-  Gallery gallery{2, "Gallery 2: shifts of the highlights along the strands", {}};
-  for (const auto& [primary, secondary] : kShifts) {
+/// Of the first highlight and the second.
+using Pair = std::pair<float, float>;
+
+/// The material's members `first` and `second` as in each of `pairs`, told apart by `caption`.
+void add_pairs(const Asset& asset, PictureSettings picture, std::initializer_list<Pair> pairs,
+               float MaterialRecord::*first, float MaterialRecord::*second, const char* caption, Gallery& gallery) {
+  for (const auto& [primary, secondary] : pairs) {
     picture.material = thesis_material(asset);
-    picture.material->primary_shift = primary;
-    picture.material->secondary_shift = secondary;
-    char caption[64];
-    std::snprintf(caption, sizeof caption, "primary %.1f, secondary %.1f", double(primary), double(secondary));
-    add_highlights(gallery, caption, picture);
+    (*picture.material).*first = primary;
+    (*picture.material).*second = secondary;
+    add_highlights(gallery, fmt::format(fmt::runtime(caption), primary, secondary), picture);
   }
+}
+
+Gallery shifts(const Asset& asset, const PictureSettings& picture) {
+  Gallery gallery{2, "Gallery 2: shifts of the highlights along the strands", {}};
+  add_pairs(asset, picture, {{0.7f, 0.5f}, {0.9f, 0.3f}, {0.5f, 0.7f}}, &MaterialRecord::primary_shift,
+            &MaterialRecord::secondary_shift, "primary {:.1f}, secondary {:.1f}", gallery);
   return gallery;
 }
 
-Gallery exponents(const Asset& asset, PictureSettings picture) {
-  constexpr std::pair<float, float> kExponents[] = {{150.0f, 30.0f}, {1000.0f, 70.0f}, {5000.0f, 100.0f}};
+Gallery exponents(const Asset& asset, const PictureSettings& picture) {
   Gallery gallery{3, "Gallery 3: exponents of the highlights", {}};
-  for (const auto& [primary, secondary] : kExponents) {
-    picture.material = thesis_material(asset);
-    picture.material->primary_exponent = primary;
-    picture.material->secondary_exponent = secondary;
-    char caption[64];
-    std::snprintf(caption, sizeof caption, "primary %g, secondary %g", double(primary), double(secondary));
-    add_highlights(gallery, caption, picture);
-  }
+  add_pairs(asset, picture, {{150, 30}, {1000, 70}, {5000, 100}}, &MaterialRecord::primary_exponent,
+            &MaterialRecord::secondary_exponent, "primary {:g}, secondary {:g}", gallery);
   return gallery;
 }
 
@@ -109,25 +111,20 @@ void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
     picture.yaw_degrees = movement.yaw_degrees;
     for (const double moment : movement.moments) {
       picture.time = moment;
-      char caption[32];
-      std::snprintf(caption, sizeof caption, "%.2f s", moment);
-      gallery.pictures.push_back({caption, picture});
+      gallery.pictures.push_back({fmt::format("{:.2f} s", moment), picture});
     }
     galleries.push_back(std::move(gallery));
   }
 }
 
 tl::expected<void, ToolError> check(const GallerySettings& settings) {
-  const auto fail = [](std::string message) {
-    return tl::unexpected(ToolError{ToolError::Kind::kUsage, std::move(message)});
-  };
   const auto side_ok = [](std::uint32_t side) { return side >= 64 && side <= 1024; };
   if (!side_ok(settings.width) || !side_ok(settings.height)) {
-    return fail("a picture of a gallery has 64 to 1024 pixels each way, not " + std::to_string(settings.width) + " x " +
-                std::to_string(settings.height));
+    return usage("a picture of a gallery has 64 to 1024 pixels each way, not " + std::to_string(settings.width) +
+                 " x " + std::to_string(settings.height));
   }
   if (settings.only > kGalleries) {
-    return fail("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
+    return usage("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
   }
   return {};
 }

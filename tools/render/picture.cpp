@@ -3,10 +3,12 @@
 #include "motion/head_path.h"
 #include "render/camera.h"
 #include "render/egl_context.h"
+#include "render/gallery.h"
 #include "render/stage_renderer.h"
 
 #include <GLES3/gl3.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -18,39 +20,35 @@ constexpr std::uint32_t kMaxHeads = 10'000;
 constexpr double kMaxSeconds = 3600;
 constexpr std::uint32_t kShadowTexels = 1024;
 
-tl::unexpected<ToolError> picture_fault(ToolError::Kind kind, std::string message) {
-  return tl::unexpected(ToolError{kind, std::move(message)});
-}
-
 tl::expected<void, ToolError> check_mesh(const Asset& asset) {
-  if (asset.is_open() && !asset.vertices().empty() && !asset.indices().empty()) return {};
-  return picture_fault(ToolError::Kind::kBadInput, "the asset has no mesh to draw; cook it again without leaving the mesh out");
+  if (has_mesh(asset)) return {};
+  return failure(ToolError::Kind::kBadInput,
+                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
 }
 
 /// Of an asset with a mesh.
 tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(settings.width) || !side_ok(settings.height)) {
-    return picture_fault(ToolError::Kind::kUsage, "a picture has 16 to 8192 pixels each way, not " +
-                                             std::to_string(settings.width) + " x " + std::to_string(settings.height));
+    return usage("a picture has 16 to 8192 pixels each way, not " + std::to_string(settings.width) + " x " +
+                 std::to_string(settings.height));
   }
   if (settings.heads < 1 || settings.heads > kMaxHeads) {
-    return picture_fault(ToolError::Kind::kUsage, "a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
+    return usage("a picture shows 1 to 10000 heads, not " + std::to_string(settings.heads));
   }
   if (!(settings.time >= 0 && settings.time <= kMaxSeconds)) {
-    return picture_fault(ToolError::Kind::kUsage,
-                "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
+    return failure(ToolError::Kind::kUsage,
+                   "the time in a motion is 0 to 3600 seconds, not " + std::to_string(settings.time));
   }
   if (!(settings.margin >= 1 && settings.margin <= 10)) {
-    return picture_fault(ToolError::Kind::kUsage, "a picture's margin is 1 to 10, not " + std::to_string(settings.margin));
+    return usage("a picture's margin is 1 to 10, not " + std::to_string(settings.margin));
   }
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
-    return picture_fault(ToolError::Kind::kUsage, "yaw and pitch of the view are not finite numbers");
+    return usage("yaw and pitch of the view are not finite numbers");
   }
   if (settings.lod >= asset.lod_count()) {
-    return picture_fault(ToolError::Kind::kUsage, "there is no level of detail " + std::to_string(settings.lod) +
-                                             "; the asset has " + std::to_string(asset.lod_count()) +
-                                             ", counted from 0");
+    return usage("there is no level of detail " + std::to_string(settings.lod) + "; the asset has " +
+                 std::to_string(asset.lod_count()) + ", counted from 0");
   }
   return {};
 }
@@ -71,8 +69,6 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   return meshes;
 }
 
-Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
-
 struct Scene {
   const HairModel& model;
   const StageRenderer& stage;
@@ -85,14 +81,10 @@ struct Scene {
 Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings) {
   const auto lights = studio_lights(scene.view.camera);
-  DrawDesc desc;
-  Eigen::Map<Eigen::Matrix4f>{desc.clip_from_world} = scene.view.camera.clip_from_world;
-  desc.eye = to_vec3(scene.view.camera.eye);
-  desc.lights = lights;
+  DrawDesc desc = studio_desc(scene.view.camera, lights);
   desc.component = settings.component;
   desc.material = settings.material ? &*settings.material : nullptr;
   desc.transparency = settings.transparency;
-  desc.framebuffer_is_srgb = true;
 
   std::vector<HairInstance> heads;
   std::vector<HeadPose> poses;
@@ -117,16 +109,16 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTar
   return renderer.draw(scene.model, heads, desc);
 }
 
-tl::expected<Picture, ToolError> take_picture(const EglContext& context, HairRenderer& renderer, const Scene& scene,
+tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene& scene,
                                               const PictureSettings& settings) {
   const auto target = OffscreenTarget::create(settings.width, settings.height, samples_for(*settings.transparency));
   if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width, settings.height, {}, context.device(), 0};
+  Picture picture{settings.width, settings.height, {}, device.context.device(), 0};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
-    if (const Status status = draw_scene(renderer, scene, *target, settings); status != Status::kOk) {
-      return picture_fault(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
+    if (const Status status = draw_scene(device.renderer, scene, *target, settings); status != Status::kOk) {
+      return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
     }
     glFinish();
     picture.draw_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -145,11 +137,10 @@ std::shared_ptr<const HeadPath> played_path(const PictureSettings& settings) {
 
 /// The asset in the context. Objects of the context die with it, last.
 struct PictureMaker::Loaded {
-  Loaded(const Asset& source, EglContext&& egl) : asset(source), context(std::move(egl)) {}
+  Loaded(const Asset& source, std::unique_ptr<DrawingDevice> opened) : asset(source), device(std::move(opened)) {}
 
   const Asset& asset;
-  EglContext context;
-  HairRenderer renderer;
+  std::unique_ptr<DrawingDevice> device;
   HairModel model;
 };
 
@@ -159,15 +150,11 @@ PictureMaker::~PictureMaker() = default;
 
 tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
   if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
-  auto context = EglContext::create();
-  if (!context) return tl::unexpected(context.error());
-  auto loaded = std::make_unique<Loaded>(asset, std::move(*context));
-  HairRenderer& renderer = loaded->renderer;
-  if (renderer.create(loaded->context.loader()) != Status::kOk) {
-    return picture_fault(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer.failure());
-  }
-  if (const Status status = loaded->model.upload(renderer, asset); status != Status::kOk) {
-    return picture_fault(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+  auto device = DrawingDevice::create();
+  if (!device) return tl::unexpected(device.error());
+  auto loaded = std::make_unique<Loaded>(asset, std::move(*device));
+  if (const Status status = loaded->model.upload(loaded->device->renderer, asset); status != Status::kOk) {
+    return failure(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
   }
   return PictureMaker(std::move(loaded));
 }
@@ -180,7 +167,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr) {
-    auto made = StudioShadow::create(loaded_->renderer, loaded_->context.loader(),
+    auto made = StudioShadow::create(loaded_->device->renderer, loaded_->device->context.loader(),
                                      {.technique = settings.shadows, .size = kShadowTexels});
     if (!made) return tl::unexpected(made.error());
     shadow.emplace(std::move(*made));
@@ -196,7 +183,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
                                                             .margin = settings.margin});
   const ShadowBall ball = ball_around(framed_points(asset), view.places);
   const Scene scene{loaded_->model, *stage, *pose, view, ball, shadow ? &*shadow : nullptr};
-  return take_picture(loaded_->context, loaded_->renderer, scene, settings);
+  return take_picture(*loaded_->device, scene, settings);
 }
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
@@ -207,5 +194,30 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   if (!maker) return tl::unexpected(maker.error());
   return maker->take(settings);
 }
+
+MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
+  MaterialRecord material = asset.material() != nullptr ? *asset.material() : thesis_material(asset);
+  if (material.shading != model) material.light_cut = 0;
+  material.shading = model;
+  if (material.roughness < kLeastRoughness) {  // never cooked with a recipe
+    material.tilt = 0.05f;
+    material.roughness = 0.14f;
+    material.scatter = 0.8f;
+  }
+  return material;
+}
+
+std::span<const ShadowTechnique* const> shadow_techniques() {
+  static constexpr std::array kAll{&kPlainShadow, &kDeepOpacityShadow};
+  return kAll;
+}
+
+std::span<const TransparencyMode* const> transparency_modes() {
+  static constexpr const TransparencyMode* kModes[] = {&kBlendMode,      &kOpaqueMode, &kCoverageMode,
+                                                       &kScreenDoorMode, &kHashedMode, &kExactMode};
+  return kModes;
+}
+
+std::uint32_t samples_for(const TransparencyMode& mode) { return &mode == &kExactMode ? 0 : 4; }
 
 }  // namespace coif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/encodings.h"
 #include "base/tool_error.h"
 #include "import/source_model.h"
 #include "motion/head_path.h"
@@ -91,6 +92,8 @@ class PictureMaker {
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings);
 
 /// PNG bytes. Empty only when out of memory.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const Picture& picture);
+[[nodiscard]] inline std::vector<std::uint8_t> encode_png(const Picture& picture) {
+  return encode_png(picture.rgba, picture.width, picture.height);
+}
 
 }  // namespace coif

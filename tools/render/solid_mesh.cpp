@@ -1,6 +1,6 @@
 #include "render/stage_renderer.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 
 #include <coif/skinning.h>
 
@@ -127,8 +127,7 @@ std::vector<SkinnedVertex> skin(const Asset& asset, std::span<const Mat34> palet
 }
 
 SolidVertex solid(const SkinnedVertex& vertex) {
-  const Eigen::Vector3f normal(vertex.normal.x, vertex.normal.y, vertex.normal.z);
-  return {{vertex.position.x, vertex.position.y, vertex.position.z}, normal.normalized()};
+  return {to_eigen(vertex.position), to_eigen(vertex.normal).normalized()};
 }
 
 SolidMesh patch_surface(const Asset& asset, std::span<const SkinnedVertex> skinned, const PatchRecord& patch) {

@@ -1,5 +1,7 @@
 #include "render/stage_renderer.h"
 
+#include "base/geometry.h"
+
 #include <GLES3/gl3.h>
 
 #include <Eigen/Geometry>
@@ -97,7 +99,7 @@ tl::expected<GLuint, ToolError> build(const char* vertex_source, std::span<const
   GLint linked = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked == GL_TRUE) return program;
-  return tl::unexpected(ToolError{ToolError::Kind::kUnsupported, "the driver refuses the stage's shaders: " + log});
+  return failure(ToolError::Kind::kUnsupported, "the driver refuses the stage's shaders: " + log);
 }
 
 GLuint upload(const SolidMesh& mesh) {
@@ -135,9 +137,8 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   float color[kMaxLights][3] = {};
   const std::size_t count = std::min<std::size_t>(lights.size(), kMaxLights);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3& p = lights[i].position;
-    Eigen::Map<Eigen::Vector3f>{direction[i]} = Eigen::Vector3f(p.x, p.y, p.z).normalized();
-    Eigen::Map<Eigen::Vector3f>{color[i]} = Eigen::Vector3f(lights[i].color.x, lights[i].color.y, lights[i].color.z);
+    Eigen::Map<Eigen::Vector3f>{direction[i]} = to_eigen(lights[i].position).normalized();
+    Eigen::Map<Eigen::Vector3f>{color[i]} = to_eigen(lights[i].color);
   }
   glUniform3fv(glGetUniformLocation(program, "light_direction"), kMaxLights, direction[0]);
   glUniform3fv(glGetUniformLocation(program, "light_color"), kMaxLights, color[0]);

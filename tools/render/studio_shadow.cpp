@@ -1,5 +1,7 @@
 #include "render/stage_renderer.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <string>
 
@@ -16,12 +18,9 @@ struct Ball {
 
 /// Around the middle of their box.
 Ball around(std::span<const Eigen::Vector3d> points) {
-  Eigen::Vector3d low = points.front(), high = points.front();
-  for (const Eigen::Vector3d& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  Ball ball{0.5 * (low + high), 0};
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  Ball ball{box.center(), 0};
   for (const Eigen::Vector3d& point : points) ball.radius = std::max(ball.radius, (point - ball.center).norm());
   return ball;
 }
@@ -41,8 +40,7 @@ tl::expected<StudioShadow, ToolError> StudioShadow::create(HairRenderer& rendere
   StudioShadow studio;
   studio.shadow_ = std::make_unique<HairShadow>();
   if (studio.shadow_->create(renderer, loader, desc) == Status::kOk) return studio;
-  return tl::unexpected(
-      ToolError{ToolError::Kind::kUnsupported, std::string("the driver makes no shadow: ") + renderer.failure()});
+  return failure(ToolError::Kind::kUnsupported, std::string("the driver makes no shadow: ") + renderer.failure());
 }
 
 StudioShadow::~StudioShadow() {

@@ -19,10 +19,10 @@ SurfaceMesh skinned(SurfaceMesh mesh, SkinInfluences (*influences)(const Eigen::
 
 }  // namespace
 
-std::vector<std::uint8_t> make_bob(const BobDensity& density) {
+std::vector<std::byte> make_bob(const BobDensity& density) {
   GltfDocument document;
   document.set_skeleton(make_bob_skeleton());
-  document.set_image("strands", encode_png(make_strand_texture()));
+  document.set_image("strands", make_strand_texture());
   document.add_mesh("hair", skinned(make_bob_hair(density), hair_influences), {.name = "hair", .is_hair = true});
   // Not "head": the name must not be mistaken for the joint's.
   document.add_mesh("bust", skinned(make_bust(), bust_influences),

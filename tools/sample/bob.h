@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace coif::sample {
@@ -30,6 +30,6 @@ struct BobDensity {
 [[nodiscard]] SkinInfluences bust_influences(const Eigen::Vector3d& point);
 
 /// The bytes of sample_assets/bob/bob.glb, with the density's defaults: the same on every run.
-[[nodiscard]] std::vector<std::uint8_t> make_bob(const BobDensity& density = {});
+[[nodiscard]] std::vector<std::byte> make_bob(const BobDensity& density = {});
 
 }  // namespace coif::sample

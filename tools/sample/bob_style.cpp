@@ -10,51 +10,39 @@ namespace {
 
 /// The layer next to the skull: it closes the hair, so it is broad and as long as the cut.
 StripStyle panel(double azimuth, double half_width, double parting_from, double parting_to) {
-  StripStyle style;
-  style.columns = 7;
-  style.rows = 9;
-  style.azimuth = azimuth;
-  style.half_width = half_width;
-  style.parting_from = parting_from;
-  style.parting_to = parting_to;
-  style.start = 0.03;
-  style.lift = 0.007;
-  style.bulge = 0.001;
-  style.tip_height = 1.428;
-  style.flare = 0.004;
-  style.curl = 0.022;
-  style.taper = 0.12;
-  style.window = kBroadWindow;
-  return style;
+  return {
+      .course = {.azimuth = azimuth, .start = 0.03, .lift = 0.007, .tip_height = 1.428, .flare = 0.004, .curl = 0.022},
+      .columns = 7,
+      .rows = 9,
+      .half_width = half_width,
+      .parting_from = parting_from,
+      .parting_to = parting_to,
+      .bulge = 0.001,
+      .taper = 0.12,
+      .window = kBroadWindow};
 }
 
 /// A lock of the middle layer, full length.
 StripStyle lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
-  StripStyle style;
-  style.azimuth = azimuth;
-  style.half_width = half_width;
-  style.parting_from = parting_from;
-  style.parting_to = parting_to;
-  style.start = 0.02;
-  style.lift = 0.012;
-  style.bulge = 0.005;
-  style.tip_height = 1.425;
-  style.flare = 0.009;
-  style.curl = 0.032;
-  style.taper = 0.30;
-  style.window = kClumpWindows[static_cast<std::size_t>(window)];
-  return style;
+  return {
+      .course = {.azimuth = azimuth, .start = 0.02, .lift = 0.012, .tip_height = 1.425, .flare = 0.009, .curl = 0.032},
+      .half_width = half_width,
+      .parting_from = parting_from,
+      .parting_to = parting_to,
+      .bulge = 0.005,
+      .taper = 0.30,
+      .window = kClumpWindows[static_cast<std::size_t>(window)]};
 }
 
 /// A lock of the outer layer: shorter, so that the layers show.
 StripStyle top_lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
   StripStyle style = lock(azimuth, half_width, parting_from, parting_to, window);
-  style.start = -0.015;  // Over the parting, which then shows no gap.
-  style.lift = 0.020;
+  style.course.start = -0.015;  // Over the parting, which then shows no gap.
+  style.course.lift = 0.020;
   style.bulge = 0.006;
-  style.tip_height = 1.462;
-  style.flare = 0.012;
-  style.curl = 0.030;
+  style.course.tip_height = 1.462;
+  style.course.flare = 0.012;
+  style.course.curl = 0.030;
   style.taper = 0.38;
   return style;
 }
@@ -62,18 +50,18 @@ StripStyle top_lock(double azimuth, double half_width, double parting_from, doub
 /// An outer lock at the back, whose hairs all start near the crown.
 StripStyle crown_lock(double azimuth, double half_width, double parting_from, double parting_to, int window) {
   StripStyle style = top_lock(azimuth, half_width, parting_from, parting_to, window);
-  style.start = 0.01;
+  style.course.start = 0.01;
   return style;
 }
 
 /// A lock that falls over the forehead and is combed towards the model's right.
 StripStyle fringe(double azimuth, double half_width, double parting_from, double parting_to, double lift, int window) {
   StripStyle style = lock(azimuth, half_width, parting_from, parting_to, window);
-  style.lift = lift;
+  style.course.lift = lift;
   style.sweep = -14;
-  style.tip_height = 1.600;
-  style.flare = 0.002;
-  style.curl = 0.002;
+  style.course.tip_height = 1.600;
+  style.course.flare = 0.002;
+  style.course.curl = 0.002;
   style.taper = 0.25;
   return style;
 }
@@ -81,11 +69,11 @@ StripStyle fringe(double azimuth, double half_width, double parting_from, double
 /// The short side of the parting: combed back over the temple.
 StripStyle side_fringe(double azimuth, double half_width, double parting_from, double parting_to, int window) {
   StripStyle style = fringe(azimuth, half_width, parting_from, parting_to, 0.014, window);
-  style.start = 0.0;
+  style.course.start = 0.0;
   style.sweep = 16;
-  style.tip_height = 1.545;
-  style.flare = 0.014;
-  style.curl = 0.004;
+  style.course.tip_height = 1.545;
+  style.course.flare = 0.014;
+  style.course.curl = 0.004;
   style.taper = 0.5;
   return style;
 }
@@ -97,8 +85,8 @@ void append_copies(StripStyle style, const BobDensity& density, unsigned first_s
   const double rise = 0.003 / density.copies;
   for (int copy = 0; copy < density.copies; ++copy) {
     append_strip(style, first_seed + 1000 * unsigned(copy), mesh);
-    style.azimuth += spread;
-    style.lift += rise;
+    style.course.azimuth += spread;
+    style.course.lift += rise;
   }
 }
 

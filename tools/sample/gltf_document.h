@@ -1,8 +1,10 @@
 #pragma once
 
-#include "base/json.h"
+#include "base/glb_file.h"
+#include "sample/strips.h"
 #include "sample/surface_mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,23 +28,18 @@ class GltfDocument {
   /// which shows with many joints.
   void set_skeleton(const std::vector<Joint>& joints, double per_metre = 65536.0);
   /// Before the first hair material.
-  void set_image(const std::string& name, const std::vector<std::uint8_t>& png);
+  void set_image(const std::string& name, const StrandTexture& image);
   /// Adds material, mesh and node of one name. The mesh has a skin.
   void add_mesh(const std::string& name, const SurfaceMesh& mesh, const GltfMaterial& material);
 
-  [[nodiscard]] std::vector<std::uint8_t> to_glb() const;
+  [[nodiscard]] std::vector<std::byte> to_glb() const { return file_.bytes(); }
 
  private:
-  std::size_t add_view(const void* bytes, std::size_t size, int target);
-  std::size_t add_accessor(std::size_t view, int component, const char* type, std::size_t count);
-  std::size_t add_vectors(const std::vector<Eigen::Vector3d>& vectors, bool with_bounds);
   void add_skin_attributes(const std::vector<SkinInfluences>& skin, nlohmann::ordered_json& attributes);
-  std::size_t add_joints(const std::vector<SkinInfluences>& skin);
   std::size_t add_triangles(const std::vector<std::uint32_t>& triangles);
   std::size_t add_material(const GltfMaterial& material);
 
-  nlohmann::ordered_json json_;
-  std::vector<std::uint8_t> binary_;
+  GlbFile<nlohmann::ordered_json> file_;
 };
 
 }  // namespace coif::sample

@@ -5,6 +5,8 @@
 #include "sample/strips.h"
 #include "sample/surface_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -37,11 +39,11 @@ SurfaceMesh skinned_to_head(SurfaceMesh mesh) {
 
 }  // namespace
 
-std::vector<std::uint8_t> make_long() {
+std::vector<std::byte> make_long() {
   const std::vector<Lock> locks = make_locks();
   GltfDocument document;
   document.set_skeleton(make_long_skeleton(locks), kTenthMillimetres);
-  document.set_image("strands", encode_png(coarsened(make_strand_texture(kHoney))));
+  document.set_image("strands", coarsened(make_strand_texture(kHoney)));
   document.add_mesh("hair", make_long_hair(locks), {.name = "hair", .is_hair = true});
   // Not "head": the name must not be mistaken for the joint's.
   document.add_mesh("mannequin", skinned_to_head(make_bare_head()),
@@ -64,11 +66,6 @@ int scalp_of(const Lock& lock) {
   return lock.course.azimuth <= 235.0 ? kLongFirstScalp + 1 : kLongFirstScalp + 2;
 }
 
-std::string with_digits(int number, std::size_t digits) {
-  std::string text = std::to_string(number);
-  return std::string(digits - std::min(digits, text.size()), '0') + text;
-}
-
 }  // namespace
 
 std::vector<Joint> make_long_skeleton(std::span<const Lock> locks) {
@@ -79,13 +76,13 @@ std::vector<Joint> make_long_skeleton(std::span<const Lock> locks) {
                             {"scalp_back", kLongHead, {0, 1.670, -0.080}},
                             {"scalp_right", kLongHead, {-0.055, 1.670, -0.010}}};
   for (std::size_t l = 0; l < locks.size(); ++l) {
-    const std::string name = "Lock_" + with_digits(static_cast<int>(l) + 1, 3) + "_";
+    const std::string name = fmt::format("Lock_{:03}_", l + 1);
     const double start = chain_start(locks[l].course);
     int parent = scalp_of(locks[l]);
     for (int b = 0; b <= kBonesPerLock; ++b) {
       const double along = start + (1.0 - start) * b / kBonesPerLock;
       const Vector3d position = point_on_lock(locks[l].course, along);
-      joints.push_back({name + (b < kBonesPerLock ? with_digits(b + 1, 2) : "end"), parent, position});
+      joints.push_back({name + (b < kBonesPerLock ? fmt::format("{:02}", b + 1) : "end"), parent, position});
       parent = static_cast<int>(joints.size()) - 1;
     }
   }

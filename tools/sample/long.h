@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +73,6 @@ inline constexpr int kBonesPerLock = 16;
 [[nodiscard]] SurfaceMesh make_long_hair(std::span<const Lock> locks);
 
 /// The bytes of sample_assets/long/long.glb: the same on every run.
-[[nodiscard]] std::vector<std::uint8_t> make_long();
+[[nodiscard]] std::vector<std::byte> make_long();
 
 }  // namespace coif::sample

@@ -1,30 +1,16 @@
 // coif_make_sample [bob|long] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, the bob unless told otherwise; with
 // numbers, a bob of another density.
 
+#include "base/files.h"
 #include "sample/bob.h"
 #include "sample/long.h"
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
 namespace {
-
-/// Beside the target first, then renamed: a reader never sees half a file.
-bool write_file(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
-  const std::filesystem::path draft = path.string() + ".tmp";
-  std::ofstream out(draft, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(draft, path, error);
-  const bool written = out && !error;
-  if (!written) std::filesystem::remove(draft, error);
-  return written;
-}
 
 struct Order {
   const char* path = nullptr;
@@ -60,9 +46,9 @@ int main(int argc, char** argv) {
         stderr);
     return 1;
   }
-  const std::vector<std::uint8_t> bytes =
+  const std::vector<std::byte> bytes =
       order->is_long ? coif::sample::make_long() : coif::sample::make_bob(order->density);
-  if (!write_file(order->path, bytes)) {
+  if (!coif::write_output(order->path, bytes)) {
     std::fprintf(stderr, "coif_make_sample: error: %s: cannot write; check that the folder exists and is writable\n",
                  order->path);
     return 2;

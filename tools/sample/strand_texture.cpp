@@ -4,16 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
 namespace coif::sample {
 namespace {
 
@@ -142,8 +132,9 @@ class StrandPainter {
     const int first =
         std::max(static_cast<int>(std::floor(center - half - 0.5)), static_cast<int>(std::ceil(from)) + 1);
     const int last = std::min(static_cast<int>(std::ceil(center + half)), static_cast<int>(to) - 2);
-    const Vector3d color = hair_color(colors_, v).cwiseProduct(
-        Vector3d{strand.brightness + strand.warmth, strand.brightness, strand.brightness - strand.warmth});
+    const Vector3d color = hair_color(colors_, v)
+                               .cwiseProduct(Vector3d{strand.brightness + strand.warmth, strand.brightness,
+                                                      strand.brightness - strand.warmth});
     for (int x = first; x <= last; ++x) {
       const double off = std::abs(x + 0.5 - center);
       const double cover = strength * std::clamp(half + 0.5 - off, 0.0, 1.0);
@@ -168,15 +159,6 @@ StrandTexture make_strand_texture(const StrandColors& colors) {
   for (std::size_t i = 0; i < kClumpWindows.size(); ++i) painter.paint_window(kClumpWindows[i], kTones[i], noise);
   painter.paint_window(kBroadWindow, 0.82, noise);  // The inner layer lies in the others' shadow.
   return painter.finish();
-}
-
-std::vector<std::uint8_t> encode_png(const StrandTexture& texture) {
-  int size = 0;
-  unsigned char* bytes = stbi_write_png_to_mem(texture.rgba.data(), kWidth * 4, kWidth, kHeight, 4, &size);
-  if (bytes == nullptr) return {};
-  std::vector<std::uint8_t> png(bytes, bytes + size);
-  STBIW_FREE(bytes);
-  return png;
 }
 
 }  // namespace coif::sample

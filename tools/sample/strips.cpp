@@ -35,15 +35,12 @@ Vector3d point_on_strip(const StripStyle& style, const Irregularity& odd, double
   const double width = style.half_width * (1.0 - style.taper * smooth_step(0.50, 1.0, along));
   const double wave =
       odd.wave_degrees * along * std::sin(2.0 * std::numbers::pi * (odd.wave_turns * along + odd.wave_phase));
-  HairCourse course;
+  HairCourse course = style.course;
   course.parting = style.parting_from + (style.parting_to - style.parting_from) * 0.5 * (across + 1.0);
-  course.azimuth = style.azimuth + across * width + wave + style.sweep * along * along;
-  course.start = style.start;
+  course.azimuth = style.course.azimuth + across * width + wave + style.sweep * along * along;
   const double rounding = style.bulge * (1.0 - across * across) * smooth_step(0.0, 0.3, along);
-  course.lift = style.lift + rounding + odd.twist * across * along;
-  course.tip_height = style.tip_height + odd.length;
-  course.flare = style.flare;
-  course.curl = style.curl;
+  course.lift = style.course.lift + rounding + odd.twist * across * along;
+  course.tip_height += odd.length;
   return point_on_hair(course, along);
 }
 
@@ -111,7 +108,8 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
   const double on_skull = std::min(travelled / arc, 1.0);
   // Straight above its end, so that hair arrives there hanging.
   const Vector3d control = widest + 0.75 * Vector3d::UnitY();
-  const Vector3d direction = direction_on_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
+  const Vector3d direction =
+      direction_on_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
   const double root_lift = kRootLift + 0.45 * course.lift;
   const double lift = root_lift + (course.lift - root_lift) * smooth_step(0.0, 0.06, travelled);
   Vector3d point = kCraniumCenter + (kCraniumRadii.array() + lift).matrix().cwiseProduct(direction);

@@ -67,20 +67,15 @@ struct TextureWindow {
 
 /// One hair strip: what an artist decides about it. Angles as in HairCourse.
 struct StripStyle {
+  HairCourse course;        ///< Of its middle, but for where on the parting it starts.
   int columns = 4;          ///< Quads across.
   int rows = 14;            ///< Quads from root to tip.
-  double azimuth = 0;       ///< Middle, degrees.
   double half_width = 20;   ///< Degrees at the skull's widest line.
   double parting_from = 0;  ///< Parting position of the edge with the smaller azimuth.
   double parting_to = 1;    ///< ... and of the other edge.
-  double start = 0.02;
-  double sweep = 0;          ///< Degrees that the tip is carried aside.
-  double lift = 0.01;        ///< Metres above the skull.
-  double bulge = 0.003;      ///< Metres that the middle stands above the edges.
-  double tip_height = 1.43;  ///< Model Y, metres.
-  double flare = 0.010;
-  double curl = 0.020;
-  double taper = 0.5;  ///< Share of the width lost at the tip.
+  double sweep = 0;         ///< Degrees that the tip is carried aside.
+  double bulge = 0.003;     ///< Metres that the middle stands above the edges.
+  double taper = 0.5;       ///< Share of the width lost at the tip.
   TextureWindow window;
 };
 
@@ -118,8 +113,5 @@ struct StrandColors {
 };
 
 [[nodiscard]] StrandTexture make_strand_texture(const StrandColors& colors = {});
-
-/// PNG bytes of the texture; empty only when out of memory.
-[[nodiscard]] std::vector<std::uint8_t> encode_png(const StrandTexture& texture);
 
 }  // namespace coif::sample

@@ -1,4 +1,4 @@
-#include "base/shading_names.h"
+#include "base/hair_runtime.h"
 #include "cook/pack/pack.h"
 #include "payload_hash.h"
 

@@ -1,6 +1,6 @@
 #include "cook/select/head.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 #include "base/text.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "cook/texture/hair_views.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 #include "base/parallel_for.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/hair_memory.h"
+#include "base/hair_runtime.h"
 #include "base/timing.h"
 #include "base/tool_error.h"
 #include "report/page/report_heading.h"

@@ -1,5 +1,6 @@
 #include "report/page/html_page.h"
 
+#include "base/encodings.h"
 #include "base/text.h"
 #include "report/page/page_style.h"
 

@@ -1,6 +1,6 @@
 #include "report/solvers/particle_solver.h"
 
-#include "base/decompositions.h"
+#include "base/geometry.h"
 
 #include <coif/hair.h>
 

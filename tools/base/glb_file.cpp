@@ -1,4 +1,4 @@
-#include "animation/glb_file.h"
+#include "base/glb_file.h"
 
 #include <algorithm>
 #include <cstring>
@@ -27,26 +27,39 @@ void append_words(std::vector<std::byte>& out, std::initializer_list<std::size_t
 
 }  // namespace
 
-std::size_t GlbFile::add_view(std::span<const std::byte> bytes, GlbTarget target) {
+template <class Json>
+std::size_t GlbFile<Json>::add_view(std::span<const std::byte> bytes, GlbTarget target) {
   buffer_.resize(padded(buffer_.size()));  // every component type starts at a multiple of its size
-  nlohmann::json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}};
+  Json view = {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}};
   if (target != GlbTarget::kAny) view["target"] = target;
   append(buffer_, bytes);
   document["bufferViews"].push_back(std::move(view));
   return document["bufferViews"].size() - 1;
 }
 
-std::size_t GlbFile::add_accessor(std::span<const std::byte> bytes, std::size_t count, const GlbArray& array) {
-  nlohmann::json accessor = {{"bufferView", add_view(bytes, array.target)},
-                             {"componentType", array.component},
-                             {"count", count},
-                             {"type", array.type}};
+template <class Json>
+std::size_t GlbFile<Json>::add_accessor(std::span<const std::byte> bytes, std::size_t count, const GlbArray& array) {
+  Json accessor = {{"bufferView", add_view(bytes, array.target)},
+                   {"componentType", array.component},
+                   {"count", count},
+                   {"type", array.type}};
   if (array.normalized) accessor["normalized"] = true;
   document["accessors"].push_back(std::move(accessor));
   return document["accessors"].size() - 1;
 }
 
-void GlbFile::add_bounds(std::size_t accessor, std::span<const float> values, std::size_t width) {
+template <class Json>
+std::size_t GlbFile<Json>::add_joints(std::span<const std::array<std::uint16_t, 4>> joints, bool fit) {
+  if (!fit) return add(joints, {GlbComponent::kUnsignedShort, "VEC4", GlbTarget::kVertices, false});
+  std::vector<std::array<std::uint8_t, 4>> narrow;
+  for (const auto& [a, b, c, d] : joints) {
+    narrow.push_back({std::uint8_t(a), std::uint8_t(b), std::uint8_t(c), std::uint8_t(d)});
+  }
+  return add(narrow, {GlbComponent::kUnsignedByte, "VEC4", GlbTarget::kVertices, false});
+}
+
+template <class Json>
+void GlbFile<Json>::add_bounds(std::size_t accessor, std::span<const float> values, std::size_t width) {
   std::vector<float> low(width, std::numeric_limits<float>::max());
   std::vector<float> high(width, std::numeric_limits<float>::lowest());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -57,9 +70,10 @@ void GlbFile::add_bounds(std::size_t accessor, std::span<const float> values, st
   document["accessors"][accessor]["max"] = high;
 }
 
-std::vector<std::byte> GlbFile::bytes() const {
-  nlohmann::json complete = document;
-  complete["buffers"] = nlohmann::json::array({{{"byteLength", buffer_.size()}}});
+template <class Json>
+std::vector<std::byte> GlbFile<Json>::bytes() const {
+  Json complete = document;
+  complete["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
   // Names come from artists' files and need not be UTF-8; a replaced character beats an exception.
   std::string text = complete.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   text.resize(padded(text.size()), ' ');
@@ -75,5 +89,8 @@ std::vector<std::byte> GlbFile::bytes() const {
   file.resize(total);
   return file;
 }
+
+template class GlbFile<nlohmann::json>;
+template class GlbFile<nlohmann::ordered_json>;
 
 }  // namespace coif

@@ -1,11 +1,17 @@
 #pragma once
 
-// What needs one of Eigen's decompositions, whose templates take seconds to compile: here they are compiled once.
+// Eigen beside the runtime's plain types, and what needs one of its decompositions, whose templates take seconds to
+// compile: here they are compiled once.
+
+#include <coif/math.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 namespace coif {
+
+[[nodiscard]] inline Eigen::Vector3f to_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
 /// Turns `from` towards `to` the shortest way; where they are opposite, about some axis between. Neither need be unit.
 [[nodiscard]] Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to);

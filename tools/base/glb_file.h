@@ -1,12 +1,11 @@
 #pragma once
 
-// The container of a binary glTF 2.0: one JSON document, one buffer.
+// Writing binary glTF 2.0: one JSON document, one buffer.
 // Source: Khronos, "glTF 2.0 Specification", chapters 3.6 (binary data) and 4.4 (GLB).
 
 #include "base/json.h"
 
-#include <coif/asset.h>
-
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,10 +31,17 @@ struct GlbArray {
   bool normalized = false;
 };
 
+/// `type` of floats, one for each vertex.
+[[nodiscard]] constexpr GlbArray vertex_floats(const char* type) {
+  return {GlbComponent::kFloat, type, GlbTarget::kVertices, false};
+}
+
+/// `Json` decides how members are sorted: nlohmann::json by name, nlohmann::ordered_json as they were added.
+template <class Json>
 class GlbFile {
  public:
   /// Everything but buffers, bufferViews and accessors is the caller's to fill.
-  nlohmann::json document;
+  Json document;
 
   /// Copies the elements into the buffer; returns the accessor's index. `Element` is one tightly packed element.
   template <typename Element>
@@ -46,6 +52,9 @@ class GlbFile {
   std::size_t add(const std::vector<Element>& elements, const GlbArray& array) {
     return add(std::span<const Element>(elements), array);
   }
+
+  /// The joints that hold each vertex; as bytes where they `fit`, which is half the size.
+  std::size_t add_joints(std::span<const std::array<std::uint16_t, 4>> joints, bool fit);
 
   /// Writes the smallest and largest value of each component, which glTF demands of positions and key times.
   /// `values`: the accessor's numbers, `width` per element.
@@ -63,8 +72,7 @@ class GlbFile {
   std::vector<std::byte> buffer_;
 };
 
-/// Adds the finest level of the asset's mesh with its skin attributes and one material, as mesh 0. The asset must have vertices.
-/// `base_color_png`: embedded as the base colour texture; empty: none.
-void add_hair_mesh(GlbFile& file, const Asset& asset, std::span<const std::uint8_t> base_color_png);
+extern template class GlbFile<nlohmann::json>;
+extern template class GlbFile<nlohmann::ordered_json>;
 
 }  // namespace coif

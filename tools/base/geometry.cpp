@@ -1,4 +1,4 @@
-#include "base/decompositions.h"
+#include "base/geometry.h"
 
 #include <Eigen/Dense>
 

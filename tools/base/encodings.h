@@ -1,0 +1,28 @@
+#pragma once
+
+// Bytes as other programs and documents want them.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coif {
+
+/// RFC 4648, section 4: letters, digits, + and /, padded with =.
+[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
+
+/// What base64() was given; padding may be left out. None where there is another character.
+[[nodiscard]] std::optional<std::vector<std::byte>> from_base64(std::string_view text);
+
+/// "%20" as a space (RFC 3986, section 2.1); a percent sign without two digits stays.
+[[nodiscard]] std::string decoded_uri(std::string_view uri);
+
+/// PNG bytes of a picture: RGBA, sRGB, rows top to bottom. Empty only when out of memory.
+[[nodiscard]] std::vector<std::uint8_t> encode_png(std::span<const std::uint8_t> rgba, std::uint32_t width,
+                                                   std::uint32_t height);
+
+}  // namespace coif
