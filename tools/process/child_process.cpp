@@ -2,30 +2,28 @@
 
 #include "base/files.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <fcntl.h>
-#include <map>
 #include <new>
-#include <poll.h>
-#include <signal.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
+#include <utility>
 
 namespace coif {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Bytes = std::vector<std::uint8_t>;
 
-constexpr int kPipeDescriptor = 3;      // in the child, after its other descriptors are closed
+constexpr int kPipeDescriptor = 3;      // in a limited child, after its other descriptors are closed
 constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
 constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
 constexpr int kExitFailed = 113;
@@ -79,57 +77,23 @@ void keep_only(int pipe_end) {
   close_range(kPipeDescriptor + 1, ~0u, 0);
 }
 
-[[noreturn]] void child_main(int pipe_end, const ChildLimits& limits,
-                             const std::function<std::vector<std::uint8_t>()>& work) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  reset_signals();
-  keep_only(pipe_end);
-  apply_limits(limits);
+/// `limits`: null for none.
+[[noreturn]] void child_main(int pipe_end, const ChildLimits* limits, const std::function<Bytes()>& work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed build leaves nobody working
+  if (limits != nullptr) {
+    reset_signals();
+    keep_only(pipe_end);
+    apply_limits(*limits);
+    pipe_end = kPipeDescriptor;
+  }
   // _exit: the parent's buffers and exit handlers are not the child's to flush and run.
   try {
-    const std::vector<std::uint8_t> answer = work();
-    _exit(write_all(kPipeDescriptor, std::as_bytes(std::span(answer))) ? kExitFailed : 0);
+    const Bytes answer = work();
+    _exit(write_all(pipe_end, std::as_bytes(std::span(answer))) ? kExitFailed : 0);
   } catch (const std::bad_alloc&) {
     _exit(kExitOutOfMemory);
   } catch (...) {
     _exit(kExitFailed);
-  }
-}
-
-int milliseconds_until(Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, 1 << 30));
-}
-
-// Reads until the child closes its end. The pipe is drained while the child runs, so neither waits for the other.
-ChildResult::End read_output(int descriptor, Clock::time_point deadline, std::uint64_t max_bytes,
-                             std::vector<std::uint8_t>& output) {
-  std::vector<std::uint8_t> block(1 << 16);
-  for (;;) {
-    pollfd waiting{descriptor, POLLIN, 0};
-    const int ready = poll(&waiting, 1, milliseconds_until(deadline));
-    if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return ChildResult::End::kTooSlow;
-    const ssize_t n = read(descriptor, block.data(), block.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return ChildResult::End::kFinished;
-    if (static_cast<std::uint64_t>(n) > max_bytes - output.size()) return ChildResult::End::kTooMuchOutput;
-    output.insert(output.end(), block.begin(), block.begin() + n);
-  }
-}
-
-// Waits until the deadline, then kills. False when the child cannot be waited for (the host ignores SIGCHLD).
-bool reap(pid_t child, Clock::time_point deadline, int& status, bool& timed_out) {
-  for (;;) {
-    const pid_t done = waitpid(child, &status, timed_out ? 0 : WNOHANG);
-    if (done == child) return true;
-    if (done < 0 && errno != EINTR) return false;
-    if (!timed_out && Clock::now() >= deadline) {
-      timed_out = true;
-      kill(child, SIGKILL);
-    } else {
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
   }
 }
 
@@ -144,118 +108,135 @@ void judge_status(int status, ChildResult& result) {
   }
 }
 
-// Kills the child when the reader leaves early, by a limit or by an exception.
-class ChildGuard {
+/// A forked process that works and answers through a pipe. It is killed and waited for when this object goes early, by a
+/// limit or by an exception.
+class Child {
  public:
-  ChildGuard(pid_t child, int descriptor) : child_(child), descriptor_(descriptor) {}
-  ChildGuard(const ChildGuard&) = delete;
-  ChildGuard& operator=(const ChildGuard&) = delete;
-  ~ChildGuard() {
-    close(descriptor_);
-    if (child_ <= 0) return;
-    kill(child_, SIGKILL);
-    while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  /// `limits`: null for none; must outlive the object.
+  Child(const ChildLimits* limits, const std::function<Bytes()>& work) : limits_(limits) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+      result_.code = errno;
+      return;
+    }
+    if (limits != nullptr) deadline_ = Clock::now() + std::chrono::seconds(limits->seconds);
+    process_ = fork();
+    if (process_ == 0) child_main(ends[1], limits, work);
+    if (process_ < 0) result_.code = errno;
+    close(ends[1]);
+    descriptor_ = ends[0];
+    if (process_ > 0) result_.end = ChildResult::End::kFinished;
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (process_ <= 0) return;
+    kill(process_, SIGKILL);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
   }
-  void release() { child_ = 0; }
+
+  [[nodiscard]] bool is_running() const { return process_ > 0 && result_.end == ChildResult::End::kFinished; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  /// At most, for poll(); -1: for ever.
+  [[nodiscard]] int milliseconds_left() const {
+    if (limits_ == nullptr) return -1;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+    return static_cast<int>(std::clamp<std::int64_t>(left, 0, 1 << 30));
+  }
+
+  /// Moves what is in the pipe, which is drained while the child runs, so that neither waits for the other; at its end
+  /// waits for the child.
+  void read_some() {
+    std::uint8_t block[1 << 16];
+    const ssize_t n = read(descriptor_, block, sizeof block);
+    if (n < 0 && errno == EINTR) return;
+    if (n <= 0) return finish();
+    const std::uint64_t most = limits_ != nullptr ? limits_->output_bytes : ~std::uint64_t{0};
+    if (static_cast<std::uint64_t>(n) > most - result_.output.size()) {
+      result_.end = ChildResult::End::kTooMuchOutput;
+    } else {
+      result_.output.insert(result_.output.end(), block, block + n);
+    }
+  }
+  void give_up() { result_.end = ChildResult::End::kTooSlow; }
+
+  [[nodiscard]] ChildResult take_result() {
+    if (result_.end != ChildResult::End::kFinished) result_.output.clear();
+    return std::move(result_);
+  }
 
  private:
-  pid_t child_;
-  int descriptor_;
-};
-
-}  // namespace
-
-ChildResult run_in_child(const ChildLimits& limits, const std::function<std::vector<std::uint8_t>()>& work) {
-  ChildResult result;
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    result.code = errno;
-    return result;
-  }
-  const auto deadline = Clock::now() + std::chrono::seconds(limits.seconds);
-  const pid_t child = fork();
-  if (child == 0) child_main(ends[1], limits, work);
-  const int fork_error = errno;
-  close(ends[1]);
-  if (child < 0) {
-    close(ends[0]);
-    result.code = fork_error;
-    return result;
-  }
-  ChildGuard guard(child, ends[0]);
-  result.end = read_output(ends[0], deadline, limits.output_bytes, result.output);
-  if (result.end == ChildResult::End::kFinished) {
+  /// The child has closed its pipe, but need not have ended. Where it cannot be waited for (the host ignores SIGCHLD), its
+  /// answer is all there is to judge by.
+  void finish() {
     int status = 0;
-    bool timed_out = false;
-    const bool known = reap(child, deadline, status, timed_out);
-    guard.release();
-    if (timed_out)
-      result.end = ChildResult::End::kTooSlow;
-    else if (known)
-      judge_status(status, result);
+    for (;;) {
+      const pid_t done = waitpid(process_, &status, limits_ != nullptr ? WNOHANG : 0);
+      if (done == process_) break;
+      if (done < 0 && errno == EINTR) continue;
+      if (done < 0) return release();
+      if (Clock::now() >= deadline_) return give_up();
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    judge_status(status, result_);
+    release();
   }
-  if (result.end != ChildResult::End::kFinished) result.output.clear();
-  return result;
-}
+  void release() { process_ = 0; }
 
-namespace {
-
-struct Running {
-  std::size_t index = 0;
-  int answer = -1;  ///< A file in memory that both processes hold.
+  const ChildLimits* limits_;
+  Clock::time_point deadline_{};
+  pid_t process_ = -1;
+  int descriptor_ = -1;
+  ChildResult result_;
 };
 
-std::string read_all(int file) {
-  struct stat status {};
-  if (::fstat(file, &status) != 0) return {};
-  std::string text(static_cast<std::size_t>(status.st_size), '\0');
-  const ssize_t n = ::pread(file, text.data(), text.size(), 0);
-  return n == status.st_size ? text : std::string{};
-}
-
-[[noreturn]] void child_main(int answer, std::size_t index, const std::function<std::string(std::size_t)>& work) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed build leaves nobody working
-  // _exit: what the parent has registered for its end is not the child's to run.
-  try {
-    const std::string text = work(index);
-    ::_exit(write_all(answer, std::as_bytes(std::span(text))) ? EXIT_FAILURE : EXIT_SUCCESS);
-  } catch (...) {
-    ::_exit(EXIT_FAILURE);
-  }
-}
-
-void start(std::size_t index, const std::function<std::string(std::size_t)>& work, std::map<pid_t, Running>& running) {
-  const int answer = ::memfd_create("coif answer", MFD_CLOEXEC);
-  if (answer < 0) return;
-  std::fflush(nullptr);  // else the child prints again what waits in buffers
-  const pid_t child = ::fork();
-  if (child == 0) child_main(answer, index, work);
-  if (child > 0) {
-    running[child] = {index, answer};
-  } else {
-    ::close(answer);
+/// Until one of them is no longer running.
+void wait_for_one(std::span<const std::unique_ptr<Child>> children) {
+  while (std::ranges::all_of(children, &Child::is_running, [](const auto& child) -> Child& { return *child; })) {
+    std::vector<pollfd> waiting;
+    for (const auto& child : children) waiting.push_back({child->descriptor(), POLLIN, 0});
+    const int ready = poll(waiting.data(), waiting.size(), children.front()->milliseconds_left());
+    if (ready < 0 && errno == EINTR) continue;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (ready <= 0) children[i]->give_up();
+      if (waiting[i].revents != 0) children[i]->read_some();
+    }
   }
 }
 
 }  // namespace
+
+ChildResult run_in_child(const ChildLimits& limits, const std::function<Bytes()>& work) {
+  const std::unique_ptr<Child> child[] = {std::make_unique<Child>(&limits, work)};
+  wait_for_one(child);
+  return child[0]->take_result();
+}
 
 std::vector<std::optional<std::string>> run_in_processes(std::size_t count, unsigned jobs,
                                                          const std::function<std::string(std::size_t)>& work) {
   std::vector<std::optional<std::string>> answers(count);
-  std::map<pid_t, Running> running;
+  std::vector<std::unique_ptr<Child>> running;
+  std::vector<std::size_t> index;  // of each that is running
   for (std::size_t next = 0; next < count || !running.empty();) {
-    while (next < count && running.size() < std::max(jobs, 1u)) start(next++, work, running);
-    int status = 0;
-    const pid_t done = ::waitpid(-1, &status, 0);
-    if (done < 0 && errno == EINTR) continue;
-    if (done < 0) break;  // the host ignores SIGCHLD: nobody is left to wait for
-    const auto found = running.find(done);
-    if (found == running.end()) continue;
-    const auto [index, answer] = found->second;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) answers[index] = read_all(answer);
-    ::close(answer);
-    running.erase(found);
+    for (; next < count && running.size() < std::max(jobs, 1u); ++next) {
+      std::fflush(nullptr);  // else the child prints again what waits in buffers
+      running.push_back(std::make_unique<Child>(nullptr, [&work, next] {
+        const std::string answer = work(next);
+        return Bytes(answer.begin(), answer.end());
+      }));
+      index.push_back(next);
+    }
+    wait_for_one(running);
+    for (std::size_t i = running.size(); i-- > 0;) {
+      if (running[i]->is_running()) continue;
+      const ChildResult result = running[i]->take_result();
+      if (result.end == ChildResult::End::kFinished)
+        answers[index[i]].emplace(result.output.begin(), result.output.end());
+      running.erase(running.begin() + std::ptrdiff_t(i));
+      index.erase(index.begin() + std::ptrdiff_t(i));
+    }
   }
   return answers;
 }
