@@ -19,6 +19,6 @@ if(BUILD_SHARED_LIBS)  # the program's, which the package itself brings
     list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${folder})
   endforeach()
 endif()
-# What a game that links the archives has to have; the program draws plots with gnuplot where it is there.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev, gnuplot-nox")
+# What a game that links the archives has to have.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhwy-dev")
 include(CPack)

@@ -129,5 +129,3 @@ coif_cli_case(report_shadows_without_device EXIT 5 SAMPLE STDERR "bob.coif: no E
   ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows})
 set_tests_properties(cli.report_shadows_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
 coif_cli_script(report_order_needs_a_mesh SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
-
-coif_cli_script(report_needs_gnuplot SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})

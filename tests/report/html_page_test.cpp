@@ -1,27 +1,19 @@
+#include "report/page/html_page.h"
 #include "animation/glb_reader.h"
 #include "base/json.h"
-#include "report/accuracy/show_accuracy.h"
+#include "report/accuracy/accuracy_report.h"
 #include "report/made_up_report.h"
-#include "report/page/html_page.h"
 #include "report/page/report_heading.h"
-#include "report/stability/show_stability.h"
+#include "report/stability/stability_report.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <regex>
-#include <set>
 
 namespace coif::html_page_test {
 
 constexpr const char* kHostile = "</title><script>alert(\"1\" & '2')</script>\x1b\xff";
-
-std::size_t count_of(const std::string& text, const std::string& word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
-  return count;
-}
 
 TEST(HtmlPage, EscapesEveryTextThatComesIn) {
   HtmlPage page(kHostile);
@@ -29,13 +21,13 @@ TEST(HtmlPage, EscapesEveryTextThatComesIn) {
   page.summary(kHostile);
   page.paragraph(kHostile);
   page.table({{{kHostile}}, {{{kHostile}}}});
-  page.figure("<svg></svg>", kHostile);
+  page.picture({}, kHostile);
   const std::string html = page.text();
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find('\x1b'), std::string::npos);
   EXPECT_EQ(html.find('\xff'), std::string::npos);
-  // Twice for the title, which is also the first heading.
-  EXPECT_EQ(count_of(html, "&lt;script&gt;alert(&quot;1&quot; &amp; &#39;2&#39;)&lt;/script&gt; \xEF\xBF\xBD"), 8u);
+  // Twice for the title, which is also the first heading, and for the caption, which also says what the picture means.
+  EXPECT_EQ(count_of(html, "&lt;script&gt;alert(&quot;1&quot; &amp; &#39;2&#39;)&lt;/script&gt; \xEF\xBF\xBD"), 9u);
 }
 
 TEST(HtmlPage, NeedsNothingBesideItself) {
@@ -78,30 +70,19 @@ TEST(HtmlPage, ShortRowsAreFilledUp) {
   EXPECT_NE(page.text().find("<td>1</td><td></td><td></td></tr>"), std::string::npos);
 }
 
-TEST(HtmlPage, IdsOfFiguresDoNotClash) {
-  const char* svg =
-      "<svg><defs><path id='dot' d=''/><filter id=\"blur\"/></defs><use xlink:href='#dot'/><use href=\"#dot\"/>"
-      "<g filter=\"url(#blur)\"><text>say id='dot' or url(#dot)</text></g></svg>";
+TEST(HtmlPage, IdsOfFiguresDoNotClashAndAreThere) {
+  Figure figure;
+  figure.plot.add("one", {{1, 2}, {3, 4}});
+  figure.plot.add("two", {{1, 2}, {3, 4}});
   HtmlPage page("title");
-  page.figure(svg, "first");
-  page.figure(svg, "second");
+  page.figure(figure);
+  page.figure(figure);
   const std::string html = page.text();
-
-  std::set<std::string> ids;
-  std::size_t definitions = 0;
-  const std::regex id("<[^>]* id=['\"]([^'\"]*)['\"]");
-  for (std::sregex_iterator it(html.begin(), html.end(), id), end; it != end; ++it, ++definitions) {
-    ids.insert((*it)[1]);
+  EXPECT_EQ(expect_unique_ids(html), 6u) << "a title and two series each";
+  for (const char* title : {"figure1_title", "figure2_title"}) {
+    EXPECT_NE(html.find(std::string("aria-labelledby=\"") + title), std::string::npos);
+    EXPECT_NE(html.find(std::string("id=\"") + title), std::string::npos);
   }
-  EXPECT_EQ(definitions, 4u);
-  EXPECT_EQ(ids.size(), 4u);
-  const std::regex reference("(?:href=['\"]|filter=\"url\\()#([^'\")]*)");
-  std::size_t references = 0;
-  for (std::sregex_iterator it(html.begin(), html.end(), reference), end; it != end; ++it, ++references) {
-    EXPECT_TRUE(ids.contains((*it)[1])) << (*it)[1];
-  }
-  EXPECT_EQ(references, 6u);
-  EXPECT_EQ(count_of(html, "say id='dot' or url(#dot)"), 2u) << "text between tags must stay as it is";
 }
 
 TEST(NumberText, IsADashWhereThereIsNoNumber) {
@@ -150,14 +131,6 @@ TEST(ReportHeading, IsOneLineEvenWhereTheMachineIsNotKnown) {
 }
 
 using nlohmann::ordered_json;
-using Keys = std::vector<std::string>;
-
-Keys keys_of(const ordered_json& object) {
-  Keys keys;
-  for (const auto& [key, value] : object.items()) keys.push_back(key);
-  return keys;
-}
-
 const Keys kHeadingKeys = {"asset", "bones", "simulated_bones", "chains", "chain_length_m", "machine", "seconds_taken"};
 
 Keys after_heading(const Keys& keys) {

@@ -1,6 +1,6 @@
 #include "report/made_up_report.h"
 #include "report/stability/measure_stability.h"
-#include "report/stability/show_stability.h"
+#include "report/stability/stability_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
+#include "report/shadow/measure_shadows.h"
 #include "models/card_asset.h"
 #include "render/egl_context.h"
-#include "report/shadow/measure_shadows.h"
-#include "report/shadow/shadow_totals.h"
 
 #include <gtest/gtest.h>
 

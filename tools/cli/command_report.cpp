@@ -5,12 +5,11 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/report_options.h"
-#include "report/accuracy/show_accuracy.h"
-#include "report/cost/show_cost.h"
-#include "report/order/show_order.h"
-#include "report/page/plot.h"
-#include "report/shadow/show_shadows.h"
-#include "report/stability/show_stability.h"
+#include "report/accuracy/accuracy_report.h"
+#include "report/cost/cost_report.h"
+#include "report/order/order_report.h"
+#include "report/shadow/shadow_report.h"
+#include "report/stability/stability_report.h"
 
 #include <chrono>
 #include <memory>
@@ -36,44 +35,36 @@ auto timed(const std::string& file, ReportHeading& heading, Measure measure) {
   return report;
 }
 
-template <typename Page>
-tl::expected<Rendered, ToolError> render(const ReportOptions& options, const std::string& suffix,
-                                         const std::string& text, const nlohmann::ordered_json& json, Page page) {
-  const std::string numbers = json_text(json);
-  const bool as_json = options.format == OutputFormat::kJson;
-  Rendered rendered{as_json ? numbers : text, ""};
-  if (suffix.empty()) return rendered;
-  if (!as_json) rendered.printed += options.output + ": written\n";
-  tl::expected<std::string, ToolError> content = suffix == kPageSuffix ? page() : numbers;
-  if (!content) return tl::unexpected(content.error());
-  rendered.file = std::move(*content);
+/// The file, and what is asked about it.
+struct ReportJob {
+  const ReportOptions& options;
+  const std::string& suffix;  ///< Of the output file; empty where there is none.
+  const Asset& asset;
+};
+
+/// How a report is shown.
+template <typename Report>
+struct ReportForms {
+  std::string (*text)(const ReportHeading&, const Report&);
+  nlohmann::ordered_json (*json)(const ReportHeading&, const Report&);
+  std::string (*page)(const ReportHeading&, const Report&);
+};
+
+template <typename Report, typename Measure>
+tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportForms<Report>& forms, Measure measure) {
+  ReportHeading heading = heading_of(job.asset, job.options.file);
+  const auto report = timed(job.options.file, heading, measure);
+  if (!report) return tl::unexpected(report.error());
+  const std::string numbers = json_text(forms.json(heading, *report));
+  const bool as_json = job.options.format == OutputFormat::kJson;
+  Rendered rendered{as_json ? numbers : forms.text(heading, *report), ""};
+  if (job.suffix.empty()) return rendered;
+  if (!as_json) rendered.printed += job.options.output + ": written\n";
+  rendered.file = job.suffix == kPageSuffix ? forms.page(heading, *report) : numbers;
   return rendered;
 }
 
-tl::expected<Rendered, ToolError> report_accuracy(const ReportOptions& options, const AccuracySettings& settings,
-                                                  const std::string& suffix, const Asset& asset) {
-  ReportHeading heading = heading_of(asset, options.file);
-  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
-    return measure_accuracy(asset, settings, progress);
-  });
-  if (!report) return tl::unexpected(report.error());
-  return render(options, suffix, accuracy_text(heading, *report), accuracy_json(heading, *report),
-                [&] { return accuracy_page(heading, *report); });
-}
-
-tl::expected<Rendered, ToolError> report_stability(const ReportOptions& options, const std::string& suffix,
-                                                   const Asset& asset) {
-  ReportHeading heading = heading_of(asset, options.file);
-  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
-    return measure_stability(asset, options.stability, progress);
-  });
-  if (!report) return tl::unexpected(report.error());
-  return render(options, suffix, stability_text(heading, *report), stability_json(heading, *report),
-                [&] { return tl::expected<std::string, ToolError>(stability_page(heading, *report)); });
-}
-
-tl::expected<Rendered, ToolError> report_cost(const ReportOptions& options, const std::string& suffix,
-                                              const Asset& asset) {
+CostChoice cost_choice(const ReportOptions& options) {
   CostChoice choice = options.cost;
   choice.width = options.size.width;
   choice.height = options.size.height;
@@ -81,58 +72,41 @@ tl::expected<Rendered, ToolError> report_cost(const ReportOptions& options, cons
     choice.thesis_width = options.size.width;
     choice.thesis_height = options.size.height;
   }
-  ReportHeading heading = heading_of(asset, options.file);
-  const auto report = timed(options.file, heading,
-                            [&](const ReportProgress& progress) { return measure_all_cost(asset, choice, progress); });
-  if (!report) return tl::unexpected(report.error());
-  return render(options, suffix, cost_text(heading, *report), cost_json(heading, *report),
-                [&] { return cost_page(heading, *report); });
+  return choice;
 }
 
-tl::expected<Rendered, ToolError> report_order(const ReportOptions& options, const std::string& suffix,
-                                               const Asset& asset) {
+OrderSettings order_settings(const ReportOptions& options) {
   OrderSettings settings = options.order;
   if (options.size_option->count() > 0) {
     settings.width = options.size.width;
     settings.height = options.size.height;
   }
-  ReportHeading heading = heading_of(asset, options.file);
-  const auto report = timed(options.file, heading,
-                            [&](const ReportProgress& progress) { return measure_order(asset, settings, progress); });
-  if (!report) return tl::unexpected(report.error());
-  return render(options, suffix, order_text(heading, *report), order_json(heading, *report),
-                [&] { return order_page(heading, *report); });
+  return settings;
 }
 
-tl::expected<Rendered, ToolError> report_shadows(const ReportOptions& options, const std::string& suffix,
-                                                 const Asset& asset) {
-  ReportHeading heading = heading_of(asset, options.file);
-  const auto report = timed(options.file, heading, [&](const ReportProgress& progress) {
-    return measure_shadows(asset, options.shadows, progress);
-  });
-  if (!report) return tl::unexpected(report.error());
-  return render(options, suffix, shadow_text(heading, *report), shadow_json(heading, *report),
-                [&] { return shadow_page(heading, *report); });
-}
-
-tl::expected<Rendered, ToolError> report_subject(const ReportOptions& options, const AccuracySettings& accuracy,
-                                                 const std::string& suffix, const Asset& asset) {
-  switch (options.subject) {
-    case ReportSubject::kAccuracy: return report_accuracy(options, accuracy, suffix, asset);
-    case ReportSubject::kStability: return report_stability(options, suffix, asset);
-    case ReportSubject::kOrder: return report_order(options, suffix, asset);
-    case ReportSubject::kShadows: return report_shadows(options, suffix, asset);
-    case ReportSubject::kCost: return report_cost(options, suffix, asset);
+tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const AccuracySettings& accuracy) {
+  const auto with = [&job](auto measure, const auto& settings) {
+    return
+        [&job, measure, &settings](const ReportProgress& progress) { return measure(job.asset, settings, progress); };
+  };
+  switch (job.options.subject) {
+    case ReportSubject::kAccuracy:
+      return report_on<AccuracyReport>(job, {accuracy_text, accuracy_json, accuracy_page},
+                                       with(measure_accuracy, accuracy));
+    case ReportSubject::kStability:
+      return report_on<StabilityReport>(job, {stability_text, stability_json, stability_page},
+                                        with(measure_stability, job.options.stability));
+    case ReportSubject::kOrder:
+      return report_on<OrderReport>(job, {order_text, order_json, order_page},
+                                    with(measure_order, order_settings(job.options)));
+    case ReportSubject::kShadows:
+      return report_on<ShadowReport>(job, {shadow_text, shadow_json, shadow_page},
+                                     with(measure_shadows, job.options.shadows));
+    case ReportSubject::kCost:
+      return report_on<CostReport>(job, {cost_text, cost_json, cost_page},
+                                   with(measure_all_cost, cost_choice(job.options)));
   }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, "no such subject"});
-}
-
-/// What would make the minutes of measuring useless.
-tl::expected<void, ToolError> check_before(const ReportOptions& options, const std::string& suffix) {
-  if (options.output.empty()) return {};
-  if (auto checked = check_output(options.output, {options.file}); !checked) return checked;
-  const bool draws = suffix == kPageSuffix && options.subject != ReportSubject::kStability;
-  return draws ? check_plotter() : tl::expected<void, ToolError>{};
 }
 
 tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions& options, const Messages& messages) {
@@ -154,12 +128,13 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
-  if (auto checked = check_before(options, suffix); !checked) return tl::unexpected(checked.error());
-
+  if (!options.output.empty()) {  // before the minutes of measuring
+    if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+  }
   const auto settings = accuracy_settings(options, messages);
   if (!settings) return tl::unexpected(settings.error());
 
-  const auto rendered = report_subject(options, *settings, suffix, file->asset());
+  const auto rendered = report_subject({options, suffix, file->asset()}, *settings);
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }

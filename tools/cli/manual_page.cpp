@@ -25,11 +25,6 @@ do about it. A file is written whole or not at all. The same source, recipe and 
 
 constexpr const char* kBackground = R"(.SH ENVIRONMENT
 .TP
-.B PATH
-Where
-.BR gnuplot (1)
-is looked for, which draws the plots of reports.
-.TP
 .B TERM
 Progress is shown on a terminal, unless it is
 .BR dumb .
@@ -64,8 +59,6 @@ Draws it.
 .TP
 .B coif report bob.coif cost \-o cost.html
 Measures what it costs on this machine.
-.SH SEE ALSO
-.BR gnuplot (1)
 )";
 
 /// Words as they are: without what roff would take for commands, special characters and breakable hyphens.

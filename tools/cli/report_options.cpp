@@ -14,13 +14,14 @@ constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccu
                                                {"shadows", ReportSubject::kShadows},
                                                {"cost", ReportSubject::kCost}};
 
-/// An option that may stand several times, with one value or several between commas each time.
+/// May stand several times, with one value or several between commas each time.
+CLI::Option* as_list(CLI::Option* option) {
+  return option->allow_extra_args(false)->delimiter(',')->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 template <typename Value>
 CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>& values, const std::string& help) {
-  return app.add_option(name, values, help)
-      ->allow_extra_args(false)
-      ->delimiter(',')
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return as_list(app.add_option(name, values, help));
 }
 
 void take_motion(const std::string& word, ReportOptions& options) {
@@ -40,13 +41,9 @@ CLI::Option* add_motions(CLI::App& app, ReportOptions& options) {
   const auto parse = [&options](const std::vector<std::string>& words) {
     for (const std::string& word : words) take_motion(word, options);
   };
-  return app
-      .add_option_function<std::vector<std::string>>("--motion", parse,
-                                                     "How the head moves, repeatable (default: all built-in motions)")
-      ->type_name("NAME|CLIP[:NODE]")
-      ->allow_extra_args(false)
-      ->delimiter(',')
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* option = app.add_option_function<std::vector<std::string>>(
+      "--motion", parse, "How the head moves, repeatable (default: all built-in motions)");
+  return as_list(option->type_name("NAME|CLIP[:NODE]"));
 }
 
 void add_solvers(CLI::App& app, ReportOptions& options) {
@@ -58,11 +55,26 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
     }
     options.accuracy.solvers = options.stability.solvers = options.cost.simulation.solvers = words;
   };
-  app.add_option_function<std::vector<std::string>>("--solver", parse, "Which methods, repeatable (default: all)")
-      ->type_name("NAME")
-      ->allow_extra_args(false)
-      ->delimiter(',')
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* option =
+      app.add_option_function<std::vector<std::string>>("--solver", parse, "Which methods, repeatable (default: all)");
+  as_list(option->type_name("NAME"));
+}
+
+std::vector<const CLI::Option*> add_accuracy_options(CLI::App& app, ReportOptions& options) {
+  AccuracySettings& accuracy = options.accuracy;
+  return {add_motions(app, options),
+          add_list(app, "--fps", accuracy.fps, "Frame rates, repeatable")
+              ->check(CLI::Range(10.0, 1000.0))
+              ->capture_default_str(),
+          add_list(app, "--substeps", accuracy.substeps, "Sub-steps of a frame, for solvers that have them, repeatable")
+              ->check(CLI::Range(1u, 64u))
+              ->capture_default_str(),
+          app.add_option("--seconds", accuracy.seconds, "Length of each motion")
+              ->check(CLI::Range(0.1, 60.0))
+              ->capture_default_str(),
+          app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
+              ->check(CLI::Range(0.001, 1000.0))
+              ->capture_default_str()};
 }
 
 std::vector<const CLI::Option*> add_cost_options(CLI::App& app, CostChoice& cost) {
@@ -113,46 +125,24 @@ tl::expected<void, ToolError> refuse(const std::vector<const CLI::Option*>& only
 }  // namespace
 
 void add_report_options(CLI::App& app, ReportOptions& options) {
-  AccuracySettings& accuracy = options.accuracy;
   app.add_option("FILE", options.file, "A cooked asset")->required();
   add_choice<ReportSubject>(app, "SUBJECT", options.subject, kSubjects, "What about (default accuracy)");
   app.add_option("-o,--output", options.output, "A page with plots and tables, or the numbers")
       ->type_name("OUT.html|OUT.json");
   add_solvers(app, options);
-  options.accuracy_only = {
-      add_motions(app, options),
-      add_list(app, "--fps", accuracy.fps, "Frame rates, repeatable")
-          ->check(CLI::Range(10.0, 1000.0))
-          ->capture_default_str(),
-      add_list(app, "--substeps", accuracy.substeps, "Sub-steps of a frame, for solvers that have them, repeatable")
-          ->check(CLI::Range(1u, 64u))
-          ->capture_default_str(),
-      app.add_option("--seconds", accuracy.seconds, "Length of each motion")
-          ->check(CLI::Range(0.1, 60.0))
-          ->capture_default_str(),
-      app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
-          ->check(CLI::Range(0.001, 1000.0))
-          ->capture_default_str()};
-  options.cost_only = add_cost_options(app, options.cost);
-  options.order_only = add_order_options(app, options.order);
-  options.shadows_only = add_shadow_options(app, options.shadows);
+  options.only.push_back({ReportSubject::kAccuracy, "accuracy", add_accuracy_options(app, options)});
+  options.only.push_back({ReportSubject::kCost, "cost", add_cost_options(app, options.cost)});
+  options.only.push_back({ReportSubject::kOrder, "order", add_order_options(app, options.order)});
+  options.only.push_back({ReportSubject::kShadows, "shadows", add_shadow_options(app, options.shadows)});
   options.size_option =
       add_size(app, options.size)->description("Pixels of a picture (default: cost 512x384, order 160x160)");
   add_format(app, options.format);
 }
 
 tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
-  if (options.subject != ReportSubject::kAccuracy) {
-    if (auto refused = refuse(options.accuracy_only, "accuracy"); !refused) return refused;
-  }
-  if (options.subject != ReportSubject::kCost) {
-    if (auto refused = refuse(options.cost_only, "cost"); !refused) return refused;
-  }
-  if (options.subject != ReportSubject::kOrder) {
-    if (auto refused = refuse(options.order_only, "order"); !refused) return refused;
-  }
-  if (options.subject != ReportSubject::kShadows) {
-    if (auto refused = refuse(options.shadows_only, "shadows"); !refused) return refused;
+  for (const SubjectOptions& of : options.only) {
+    if (of.subject == options.subject) continue;
+    if (auto refused = refuse(of.options, of.name); !refused) return refused;
   }
   const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder;
   return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost' or 'order");

@@ -33,6 +33,13 @@ tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const C
 
 enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost };
 
+/// Options that only one subject takes; owned by the program.
+struct SubjectOptions {
+  ReportSubject subject;
+  const char* name;
+  std::vector<const CLI::Option*> options;
+};
+
 struct ReportOptions {
   std::string file;
   ReportSubject subject = ReportSubject::kAccuracy;
@@ -45,11 +52,7 @@ struct ReportOptions {
   OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
   ShadowSettings shadows;
   PixelSize size{512, 384};
-  /// Options that only one subject takes; owned by the program.
-  std::vector<const CLI::Option*> accuracy_only;
-  std::vector<const CLI::Option*> cost_only;
-  std::vector<const CLI::Option*> order_only;
-  std::vector<const CLI::Option*> shadows_only;
+  std::vector<SubjectOptions> only;          ///< One for each subject that has options of its own.
   const CLI::Option* size_option = nullptr;  ///< For subjects with pictures.
 };
 

@@ -1,13 +1,11 @@
-#include "base/json.h"
-#include "report/accuracy/show_accuracy.h"
-#include "report/page/plot.h"
-#include "report/page/report_heading.h"
+#include "report/accuracy/accuracy_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -25,7 +23,7 @@ bool is_runtime(const std::string& solver) {
 
 /// The same solver has the same colour in every plot of a report.
 unsigned color_of(const AccuracyReport& report, const std::string& solver) {
-  const auto solvers = solvers_of(report);
+  const auto solvers = names_of(report.rows, &AccuracyRow::solver);
   return unsigned(std::ranges::find(solvers, solver) - solvers.begin());
 }
 
@@ -41,7 +39,7 @@ std::uint32_t fewest_substeps(const AccuracyReport& report, const std::string& s
 std::vector<std::string> solvers_shown(const AccuracyReport& report) {
   std::vector<std::string> shown, others;
   std::map<std::string, double> errors;
-  for (const SettingMean& mean : means_over_motions(report, main_frame_rate(report))) {
+  for (const AccuracyRow& mean : means_over_motions(report, main_frame_rate(report))) {
     if (mean.substeps != fewest_substeps(report, mean.solver)) continue;
     errors[mean.solver] = std::isfinite(mean.rms_error_pct) ? mean.rms_error_pct : HUGE_VAL;
     (is_runtime(mean.solver) ? shown : others).push_back(mean.solver);
@@ -62,19 +60,15 @@ std::vector<double> frame_rates(const AccuracyReport& report) {
 
 void sort_by_x(std::vector<PlotPoint>& points) { std::ranges::stable_sort(points, {}, &PlotPoint::x); }
 
-/// Removes points above the scale; true where there were any.
-bool drop_off_the_scale(Plot& plot) {
-  bool dropped = false;
-  for (PlotSeries& series : plot.series) {
-    const auto above = [](const PlotPoint& point) { return point.y > kOffTheScalePct; };
-    dropped |= std::erase_if(series.points, above) > 0;
+/// Removes points above the scale, and says so in the caption where there were any.
+void leave_out_off_the_scale(Figure& figure) {
+  const auto above = [](const PlotPoint& point) { return point.y > kOffTheScalePct; };
+  std::size_t removed = 0;
+  for (PlotSeries& series : figure.plot.series) {
+    removed += std::erase_if(series.points, above);
     std::erase_if(series.marked, above);
   }
-  return dropped;
-}
-
-void finish(Figure& figure) {
-  if (drop_off_the_scale(figure.plot)) figure.caption += kOffTheScaleNote;
+  if (removed > 0) figure.caption += kOffTheScaleNote;
 }
 
 /// Over frame rates, from rows that `wanted` takes; of several at one rate the worst counts.
@@ -92,15 +86,12 @@ std::vector<PlotPoint> over_frame_rates(const AccuracyReport& report, double Acc
   return points;
 }
 
-PlotSeries front_of(const std::vector<SettingMean>& means) {
-  PlotSeries front;
-  front.name = "Pareto front";
-  front.style = PlotSeries::Style::kDashedLine;
-  for (const SettingMean& mean : means) {
+void add_front(const std::vector<AccuracyRow>& means, Plot& plot) {
+  PlotSeries& front = plot.add("Pareto front", {}, PlotSeries::Style::kDashedLine);
+  for (const AccuracyRow& mean : means) {
     if (mean.pareto) front.points.push_back({mean.ns_per_bone_frame, mean.rms_error_pct});
   }
   sort_by_x(front.points);
-  return front;
 }
 
 /// Where the reference's own doubt matters for what is drawn.
@@ -119,12 +110,21 @@ void mark_self_difference(const AccuracyReport& report, const std::string& motio
   }
 }
 
-Plot frame_rate_plot(const AccuracyReport& report) {
-  Plot plot;
-  plot.x_label = "frames per second";
-  plot.log_x = true;
-  plot.x_ticks = frame_rates(report);
-  return plot;
+/// With an axis of frame rates.
+Figure over_rates(const AccuracyReport& report, std::string title, std::string caption) {
+  Figure figure{{.title = std::move(title), .x_label = "frames per second", .log_x = true}, std::move(caption)};
+  figure.plot.x_ticks = frame_rates(report);
+  return figure;
+}
+
+/// A curve of a solver's figure with its fewest sub-steps over frame rates, in one motion or (null) the worst of all.
+void add_solver(const AccuracyReport& report, const std::string& solver, double AccuracyRow::*value,
+                const std::string* motion, Plot& plot) {
+  const std::uint32_t substeps = fewest_substeps(report, solver);
+  auto points = over_frame_rates(report, value, [&](const AccuracyRow& row) {
+    return row.solver == solver && row.substeps == substeps && (motion == nullptr || row.motion == *motion);
+  });
+  plot.add(setting_text(solver, substeps), std::move(points)).color = color_of(report, solver);
 }
 
 }  // namespace
@@ -132,144 +132,110 @@ Plot frame_rate_plot(const AccuracyReport& report) {
 Figure work_precision_figure(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const auto means = means_over_motions(report, fps);
-  Figure figure;
-  Plot& plot = figure.plot;
-  plot.title = fmt::format("Error against cost at {} frames per second", fps);
-  plot.x_label = "ns per bone and frame, one core";
-  plot.y_label = "RMS error, % of the chain's length";
-  plot.log_x = plot.log_y = true;
-  for (const std::string& solver : solvers_of(report)) {
-    PlotSeries series;
-    series.name = solver;
-    series.color = color_of(report, solver);
-    for (const SettingMean& mean : means) {
+  Figure figure{{.title = fmt::format("Error against cost at {} frames per second", fps),
+                 .x_label = "ns per bone and frame, one core",
+                 .y_label = "RMS error, % of the chain's length",
+                 .log_x = true,
+                 .log_y = true},
+                "Every point is one solver with one number of sub-steps or iterations, over all motions; further left "
+                "is cheaper, further down more exact. Ringed points are the Pareto front: whatever is not on it is "
+                "beaten in both by something that is."};
+  for (const std::string& solver : names_of(report.rows, &AccuracyRow::solver)) {
+    PlotSeries& series = figure.plot.add(solver);
+    for (const AccuracyRow& mean : means) {
       if (mean.solver != solver) continue;
       series.points.push_back({mean.ns_per_bone_frame, mean.rms_error_pct});
       if (mean.pareto) series.marked.push_back(series.points.back());
     }
     sort_by_x(series.points);
-    plot.series.push_back(series);
   }
-  plot.series.push_back(front_of(means));
-  if (std::isfinite(report.budget_rms_pct)) {
-    plot.markers.push_back({false, report.budget_rms_pct, "budget"});
-  }
-  figure.caption =
-      "Every point is one solver with one number of sub-steps or iterations, over all motions; further left is "
-      "cheaper, further down "
-      "more exact. Ringed points are the Pareto front: whatever is not on it is beaten in both by something that is.";
-  finish(figure);
+  add_front(means, figure.plot);
+  if (std::isfinite(report.budget_rms_pct)) figure.plot.markers.push_back({false, report.budget_rms_pct, "budget"});
+  leave_out_off_the_scale(figure);
   return figure;
 }
 
 Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion) {
-  Figure figure{frame_rate_plot(report), ""};
-  Plot& plot = figure.plot;
-  plot.title = "Error against frame rate: " + motion;
-  plot.y_label = "RMS error, % of the chain's length";
-  plot.log_y = true;
+  Figure figure = over_rates(
+      report, "Error against frame rate: " + motion,
+      fmt::format("{}: how far the tips are from the exact motion, one step a frame where possible.", motion));
+  figure.plot.y_label = "RMS error, % of the chain's length";
+  figure.plot.log_y = true;
   for (const std::string& solver : solvers_shown(report)) {
-    const std::uint32_t substeps = fewest_substeps(report, solver);
-    PlotSeries series;
-    series.name = setting_text(solver, substeps);
-    series.color = color_of(report, solver);
-    series.points = over_frame_rates(report, &AccuracyRow::rms_error_pct, [&](const AccuracyRow& row) {
-      return row.motion == motion && row.solver == solver && row.substeps == substeps;
-    });
-    plot.series.push_back(series);
+    add_solver(report, solver, &AccuracyRow::rms_error_pct, &motion, figure.plot);
   }
-  mark_self_difference(report, motion, plot);
-  figure.caption =
-      fmt::format("{}: how far the tips are from the exact motion, one step a frame where possible.", motion);
-  finish(figure);
+  mark_self_difference(report, motion, figure.plot);
+  leave_out_off_the_scale(figure);
   return figure;
 }
 
 Figure stretch_figure(const AccuracyReport& report) {
-  Figure figure{frame_rate_plot(report), ""};
-  Plot& plot = figure.plot;
-  plot.title = "Worst stretch against frame rate, all motions";
-  plot.y_label = "stretch of a bone, % of its length";
-  for (const std::string& solver : solvers_of(report)) {
-    const std::uint32_t substeps = fewest_substeps(report, solver);
-    PlotSeries series;
-    series.name = setting_text(solver, substeps);
-    series.color = color_of(report, solver);
-    series.points = over_frame_rates(report, &AccuracyRow::stretch_max_pct, [&](const AccuracyRow& row) {
-      return row.solver == solver && row.substeps == substeps;
-    });
-    plot.series.push_back(series);
+  Figure figure = over_rates(report, "Worst stretch against frame rate, all motions",
+                             "Hair that stretches shows as rubber; 0 is a bone that keeps its length.");
+  figure.plot.y_label = "stretch of a bone, % of its length";
+  for (const std::string& solver : names_of(report.rows, &AccuracyRow::solver)) {
+    add_solver(report, solver, &AccuracyRow::stretch_max_pct, nullptr, figure.plot);
   }
-  figure.caption = "Hair that stretches shows as rubber; 0 is a bone that keeps its length.";
-  finish(figure);
+  leave_out_off_the_scale(figure);
   return figure;
 }
 
-namespace {
+Table settings_table(const AccuracyReport& report) {
+  return page_table(without(accuracy_columns(report.budget_rms_pct), {"motion", "fps"}),
+                    means_over_motions(report, main_frame_rate(report)));
+}
 
-class AccuracyPage {
- public:
-  AccuracyPage(const ReportHeading& heading, const AccuracyReport& report, const Plotter& plotter)
-      : report_(report), page_("Error against run time: " + heading.asset, plotter) {
-    page_.paragraph(heading_text(heading));
-    page_.summary(accuracy_summary(report));
+Table spread_table(const AccuracyReport& report) {
+  const CellFormat format = against_budget(report.budget_rms_pct);
+  Table table{{{"solver"}}, {}};
+  const std::vector<std::string> motions = names_of(report.spread, &SpreadRow::motion);
+  for (const std::string& motion : motions) table.columns.push_back({motion, Column::Kind::kNumbers});
+  for (const SpreadRow& row : report.spread) {
+    const std::string setting = setting_text(row.solver, row.substeps);
+    auto cells = std::ranges::find_if(table.rows, [&](const auto& line) { return line[0].text == setting; });
+    if (cells == table.rows.end()) {
+      table.rows.push_back({{setting}});
+      cells = table.rows.end() - 1;
+    }
+    const auto column = std::size_t(std::ranges::find(motions, row.motion) - motions.begin()) + 1;
+    if (cells->size() <= column) cells->resize(column + 1, {"-"});
+    (*cells)[column] = format(row.frame_rate_spread_pct);
   }
+  return table;
+}
 
-  void add_comparison() {
-    page_.heading("What each solver costs and gets right");
-    page_.plot(work_precision_figure(report_));
-    page_.table(settings_table(report_));
-    page_.paragraph(fmt::format(
-        "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat "
-        "their constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
-        "length; stretch is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of "
-        "the "
-        "collider's radius, and beside it the same of whole bones. Time is of one core.",
-        main_frame_rate(report_)));
-  }
-
-  void add_frame_rates() {
-    page_.heading("Does it look the same at every frame rate?");
-    page_.paragraph(
-        "A solver whose error is large and changes with the frame rate makes hair that looks different on every "
-        "machine; one whose error is small everywhere looks the same everywhere.");
-    for (const std::string& motion : motions_of(report_)) page_.plot(frame_rate_figure(report_, motion));
-    page_.plot(stretch_figure(report_));
-    page_.paragraph("Frame-rate spread: the largest RMS difference between any two frame rates, in % of the length.");
-    page_.table(spread_table(report_));
-  }
-
-  void add_reference() {
-    page_.heading("How exact is the reference?");
-    page_.paragraph(reference_summary(report_));
-    page_.table(reference_table(report_));
-    page_.heading("Where does the hair come to rest?");
-    page_.paragraph("RMS distance of the tips under a still head to the reference's rest, in % of the length.");
-    page_.table(settle_table(report_));
-  }
-
-  void add_rows() {
-    page_.heading("Every measurement");
-    page_.table(rows_table(report_));
-  }
-
-  [[nodiscard]] tl::expected<std::string, ToolError> finish() const { return page_.finish(); }
-
- private:
-  const AccuracyReport& report_;
-  PlottedPage page_;
-};
-
-}  // namespace
-
-tl::expected<std::string, ToolError> accuracy_page(const ReportHeading& heading, const AccuracyReport& report,
-                                                   const Plotter& plotter) {
-  AccuracyPage page(heading, report, plotter);
-  page.add_comparison();
-  page.add_frame_rates();
-  page.add_reference();
-  page.add_rows();
-  return page.finish();
+std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report) {
+  HtmlPage page = report_page("Error against run time", heading, accuracy_summary(report));
+  page.heading("What each solver costs and gets right");
+  page.figure(work_precision_figure(report));
+  page.table(settings_table(report));
+  page.paragraph(
+      fmt::format("All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that "
+                  "repeat their "
+                  "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
+                  "length; stretch "
+                  "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the "
+                  "collider's radius, "
+                  "and beside it the same of whole bones. Time is of one core.",
+                  main_frame_rate(report)));
+  page.heading("Does it look the same at every frame rate?");
+  page.paragraph(
+      "A solver whose error is large and changes with the frame rate makes hair that looks different on every machine; "
+      "one whose error is small everywhere looks the same everywhere.");
+  for (const std::string& motion : names_of(report.rows, &AccuracyRow::motion))
+    page.figure(frame_rate_figure(report, motion));
+  page.figure(stretch_figure(report));
+  page.paragraph("Frame-rate spread: the largest RMS difference between any two frame rates, in % of the length.");
+  page.table(spread_table(report));
+  page.heading("How exact is the reference?");
+  page.paragraph(reference_summary(report));
+  page.table(page_table(reference_columns(report.budget_rms_pct), report.reference));
+  page.heading("Where does the hair come to rest?");
+  page.paragraph("RMS distance of the tips under a still head to the reference's rest, in % of the length.");
+  page.table(page_table(settle_columns(report.budget_rms_pct), report.settle));
+  page.heading("Every measurement");
+  page.table(page_table(accuracy_columns(report.budget_rms_pct), report.rows));
+  return page.text();
 }
 
 }  // namespace coif

@@ -1,19 +1,21 @@
 #pragma once
 
-// What `coif report accuracy` found, as data: measured by measure_accuracy(), shown by the renderers of report/page.
-// Every percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite
-// numbers has no error, an asset without head colliders no penetration. It is printed as "-" and is null in JSON.
+// What `coif report accuracy` finds: records, measured by measure_accuracy(), and the columns that show them. Every
+// percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has no
+// error, an asset without head colliders no penetration.
 
-#include "report/page/report_heading.h"
+#include "report/page/report_columns.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace coif {
 
-/// One solver with one setting, run through one motion at one frame rate.
+/// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time is
+/// their mean, the RMS error the root of the mean square, the others the worst; what one of them has not is missing.
 struct AccuracyRow {
   std::string motion;
   std::string solver;
@@ -31,6 +33,26 @@ struct AccuracyRow {
   bool pareto = false;
 };
 
+/// number_text(), coloured against the error budget, %; plain where that is NaN.
+[[nodiscard]] CellFormat against_budget(double budget_pct);
+
+[[nodiscard]] inline Columns<AccuracyRow> accuracy_columns(double budget_pct) {
+  using Row = AccuracyRow;
+  return {{"motion", &Row::motion, {"motion"}},
+          {"solver", &Row::solver, {"solver"}, {"solver", -14}},
+          {"fps", &Row::fps, {"fps", "{}"}},
+          {"substeps", &Row::substeps, {"steps"}, {"steps", 10}},
+          {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"ns/bone"}, {"ns/bone", 10}},
+          {"rms_error_pct", &Row::rms_error_pct, {"RMS error %", against_budget(budget_pct)}, {"rms %", 9}},
+          {"max_error_pct", &Row::max_error_pct, {"max error %"}, {"max %", 9}},
+          {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}, {"stretch %", 11}},
+          {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}, {"penetration %", 15}},
+          {"segment_penetration_max_pct", &Row::segment_penetration_max_pct, {"between ends %"}},
+          {"pareto", &Row::pareto},
+          {kNoKey, [](const Row& row) { return row.pareto ? "front" : ""; }, {"Pareto"}},
+          {kNoKey, [](const Row& row) { return row.pareto ? "  *" : ""; }, {}, {""}}};
+}
+
 /// How much the look depends on the frame rate.
 struct SpreadRow {
   std::string motion;
@@ -39,6 +61,13 @@ struct SpreadRow {
   double frame_rate_spread_pct = kNoNumber;  ///< Largest RMS difference between any two of the frame rates.
 };
 
+[[nodiscard]] inline Columns<SpreadRow> spread_columns() {
+  return {{"motion", &SpreadRow::motion},
+          {"solver", &SpreadRow::solver},
+          {"substeps", &SpreadRow::substeps},
+          {"frame_rate_spread_pct", &SpreadRow::frame_rate_spread_pct}};
+}
+
 /// How well the reference is known: two runs of it, one with steps of twice the length of the other's.
 struct ReferenceRow {
   std::string motion;
@@ -46,11 +75,24 @@ struct ReferenceRow {
   double steps_per_second = kNoNumber;     ///< Of the finer run.
 };
 
+[[nodiscard]] inline Columns<ReferenceRow> reference_columns(double budget_pct) {
+  return {
+      {"motion", &ReferenceRow::motion, {"motion"}},
+      {"self_difference_pct", &ReferenceRow::self_difference_pct, {"self-difference %", against_budget(budget_pct)}},
+      {"steps_per_second", &ReferenceRow::steps_per_second, {"steps per second"}}};
+}
+
 /// Where the hair comes to rest under a still head.
 struct SettleRow {
   std::string solver;
   double settle_error_pct = kNoNumber;  ///< RMS distance to the reference's rest, in % of the chain's length.
 };
+
+[[nodiscard]] inline Columns<SettleRow> settle_columns(double budget_pct) {
+  return {
+      {"solver", &SettleRow::solver, {"solver"}},
+      {"settle_error_pct", &SettleRow::settle_error_pct, {"distance to the exact rest %", against_budget(budget_pct)}}};
+}
 
 /// The cheapest setting under the error budget; its figures are means over the motions.
 struct ChosenSolver {
@@ -60,6 +102,13 @@ struct ChosenSolver {
   double ns_per_bone_frame = kNoNumber;
 };
 
+[[nodiscard]] inline Columns<ChosenSolver> chosen_columns() {
+  return {{"solver", &ChosenSolver::solver},
+          {"substeps", &ChosenSolver::substeps},
+          {"rms_error_pct", &ChosenSolver::rms_error_pct},
+          {"ns_per_bone_frame", &ChosenSolver::ns_per_bone_frame}};
+}
+
 struct AccuracyReport {
   std::vector<AccuracyRow> rows;
   std::vector<SpreadRow> spread;
@@ -68,5 +117,49 @@ struct AccuracyReport {
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
+
+/// Sets AccuracyRow::pareto.
+void mark_fronts(std::span<AccuracyRow> rows);
+
+/// The frame rate to compare solvers at: 60, or else the measured one next to it. NaN for an empty report.
+[[nodiscard]] double main_frame_rate(const AccuracyReport& report);
+
+/// Every solver and setting at one frame rate over all motions, in the order in which they first occur.
+[[nodiscard]] std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double fps);
+
+/// "coif", or "coif x2" for two sub-steps or iterations of a frame.
+[[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
+
+/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, settle and chosen, which is null
+/// where no setting meets the budget. The keys are those of the columns.
+[[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
+
+/// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.
+[[nodiscard]] std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report);
+
+/// `coif report accuracy` as one HTML document.
+[[nodiscard]] std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report);
+
+/// What to use and what it costs, in sentences for who sets up hair and has never heard of an integrator.
+[[nodiscard]] std::string accuracy_summary(const AccuracyReport& report);
+
+/// How far the reference can be trusted, as a sentence.
+[[nodiscard]] std::string reference_summary(const AccuracyReport& report);
+
+/// Error against cost, one curve a solver, with the Pareto front.
+[[nodiscard]] Figure work_precision_figure(const AccuracyReport& report);
+
+/// Error against frame rate in one motion: the runtime's solvers and the best of the others, each with its fewest
+/// sub-steps, which is how they are run where nobody asks for more.
+[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion);
+
+/// Worst stretch over the motions against frame rate, every solver with its fewest sub-steps.
+[[nodiscard]] Figure stretch_figure(const AccuracyReport& report);
+
+/// Every solver and setting at one frame rate, over all motions.
+[[nodiscard]] Table settings_table(const AccuracyReport& report);
+
+/// Frame-rate spread: a row for each setting, a column for each motion.
+[[nodiscard]] Table spread_table(const AccuracyReport& report);
 
 }  // namespace coif

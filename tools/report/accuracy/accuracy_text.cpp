@@ -1,74 +1,25 @@
-#include "base/json.h"
-#include "report/accuracy/show_accuracy.h"
-#include "report/page/report_heading.h"
+#include "report/accuracy/accuracy_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace coif {
-namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json to_json(const AccuracyRow& row) {
-  return {{"motion", row.motion},
-          {"solver", row.solver},
-          {"fps", row.fps},
-          {"substeps", row.substeps},
-          {"ns_per_bone_frame", number_json(row.ns_per_bone_frame)},
-          {"rms_error_pct", number_json(row.rms_error_pct)},
-          {"max_error_pct", number_json(row.max_error_pct)},
-          {"stretch_max_pct", number_json(row.stretch_max_pct)},
-          {"penetration_max_pct", number_json(row.penetration_max_pct)},
-          {"segment_penetration_max_pct", number_json(row.segment_penetration_max_pct)},
-          {"pareto", row.pareto}};
-}
-
-ordered_json to_json(const SpreadRow& row) {
-  return {{"motion", row.motion},
-          {"solver", row.solver},
-          {"substeps", row.substeps},
-          {"frame_rate_spread_pct", number_json(row.frame_rate_spread_pct)}};
-}
-
-ordered_json to_json(const ReferenceRow& row) {
-  return {{"motion", row.motion},
-          {"self_difference_pct", number_json(row.self_difference_pct)},
-          {"steps_per_second", number_json(row.steps_per_second)}};
-}
-
-ordered_json to_json(const SettleRow& row) {
-  return {{"solver", row.solver}, {"settle_error_pct", number_json(row.settle_error_pct)}};
-}
-
-ordered_json to_json(const std::optional<ChosenSolver>& chosen) {
-  if (!chosen) return nullptr;
-  return {{"solver", chosen->solver},
-          {"substeps", chosen->substeps},
-          {"rms_error_pct", number_json(chosen->rms_error_pct)},
-          {"ns_per_bone_frame", number_json(chosen->ns_per_bone_frame)}};
-}
-
-template <typename Row>
-ordered_json list(const std::vector<Row>& rows) {
-  ordered_json array = ordered_json::array();
-  for (const Row& row : rows) array.push_back(to_json(row));
-  return array;
-}
-
-}  // namespace
-
 ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report) {
+  const double budget = report.budget_rms_pct;
   ordered_json json = heading_json(heading);
-  json["rows"] = list(report.rows);
-  json["spread"] = list(report.spread);
-  json["reference"] = list(report.reference);
-  json["settle"] = list(report.settle);
-  json["budget_rms_pct"] = number_json(report.budget_rms_pct);
-  json["chosen"] = to_json(report.chosen);
+  json["rows"] = json_list(accuracy_columns(budget), report.rows);
+  json["spread"] = json_list(spread_columns(), report.spread);
+  json["reference"] = json_list(reference_columns(budget), report.reference);
+  json["settle"] = json_list(settle_columns(budget), report.settle);
+  json["budget_rms_pct"] = number_json(budget);
+  json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
   return json;
 }
 
@@ -76,9 +27,9 @@ namespace {
 
 constexpr const char* kPublished = "thesis";
 
-const SettingMean* least_wrong(const std::vector<SettingMean>& means) {
-  const SettingMean* best = nullptr;
-  for (const SettingMean& mean : means) {
+const AccuracyRow* least_wrong(const std::vector<AccuracyRow>& means) {
+  const AccuracyRow* best = nullptr;
+  for (const AccuracyRow& mean : means) {
     if (!std::isfinite(mean.rms_error_pct)) continue;
     if (best == nullptr || mean.rms_error_pct < best->rms_error_pct) best = &mean;
   }
@@ -103,7 +54,7 @@ std::string chosen_sentence(const AccuracyReport& report) {
       number_text(chosen.ns_per_bone_frame));
 }
 
-std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingMean* best, double fps) {
+std::string nothing_chosen_sentence(const AccuracyReport& report, const AccuracyRow* best, double fps) {
   const std::string nothing =
       std::isfinite(report.budget_rms_pct)
           ? fmt::format("No setting stays within {} of the exact motion.", budget_text(report.budget_rms_pct))
@@ -113,9 +64,9 @@ std::string nothing_chosen_sentence(const AccuracyReport& report, const SettingM
                      fps, best->solver, steps_text(best->substeps), percent_text(best->rms_error_pct));
 }
 
-std::string published_sentence(const std::vector<SettingMean>& means, double fps) {
+std::string published_sentence(const std::vector<AccuracyRow>& means, double fps) {
   const auto published = std::ranges::find_if(
-      means, [](const SettingMean& mean) { return mean.solver == kPublished && mean.substeps == 1; });
+      means, [](const AccuracyRow& mean) { return mean.solver == kPublished && mean.substeps == 1; });
   if (published == means.end()) return "";
   if (!std::isfinite(published->rms_error_pct)) return " The method as published in 2011 breaks down.";
   return fmt::format(" The method as published in 2011 is {} away at {} frames per second, for {} ns.",
@@ -126,8 +77,8 @@ std::string published_sentence(const std::vector<SettingMean>& means, double fps
 
 std::string accuracy_summary(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
-  const std::vector<SettingMean> means = means_over_motions(report, fps);
-  const SettingMean* const best = least_wrong(means);
+  const std::vector<AccuracyRow> means = means_over_motions(report, fps);
+  const AccuracyRow* const best = least_wrong(means);
   const std::string first = report.chosen ? chosen_sentence(report) : nothing_chosen_sentence(report, best, fps);
   const bool is_published = report.chosen && report.chosen->solver == kPublished;
   return is_published ? first : first + published_sentence(means, fps);
@@ -147,10 +98,8 @@ std::string reference_summary(const AccuracyReport& report) {
     return fmt::format(
         "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
         "it agrees with itself to {} in every motion; errors above that are the solvers'. In that model bones do not "
-        "pull "
-        "on their parents; the methods whose bones do (all but coif and projective) solve another equation, and a part "
-        "of "
-        "their distance is that difference, whatever their steps.",
+        "pull on their parents; the methods whose bones do (all but coif and projective) solve another equation, and a "
+        "part of their distance is that difference, whatever their steps.",
         percent_text(worst));
   }
   return fmt::format(
@@ -160,35 +109,21 @@ std::string reference_summary(const AccuracyReport& report) {
       fmt::join(unsure, ", "), budget_text(limit));
 }
 
-namespace {
-
-bool is_least_wrong(const SettingMean& mean, const std::vector<SettingMean>& means) {
-  return std::ranges::none_of(means, [&mean](const SettingMean& other) {
-    return other.solver == mean.solver && other.rms_error_pct < mean.rms_error_pct;
-  });
-}
-
-std::string line(const SettingMean& mean) {
-  return fmt::format("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>11}{:>15}{}\n", mean.solver, mean.substeps,
-                     number_text(mean.ns_per_bone_frame), number_text(mean.rms_error_pct),
-                     number_text(mean.max_error_pct), number_text(mean.stretch_max_pct),
-                     number_text(mean.penetration_max_pct), mean.pareto ? "  *" : "");
-}
-
-}  // namespace
-
 std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
-  const std::vector<SettingMean> means = means_over_motions(report, fps);
-  std::string text = heading_text(heading) + "\n";
-  text += fmt::format("  {:<14}{:>10}{:>10}{:>9}{:>9}{:>11}{:>15}\n", "solver", "steps", "ns/bone", "rms %", "max %",
-                      "stretch %", "penetration %");
-  for (const SettingMean& mean : means) {
-    if (mean.pareto || is_least_wrong(mean, means)) text += line(mean);
-  }
-  text += fmt::format("  at {} per second, over {} motion{}; *: nothing is both cheaper and more exact\n", fps,
-                      motions_of(report).size(), motions_of(report).size() == 1 ? "" : "s");
-  return text + accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
+  const std::vector<AccuracyRow> means = means_over_motions(report, fps);
+  std::vector<AccuracyRow> shown;
+  std::ranges::copy_if(means, std::back_inserter(shown), [&means](const AccuracyRow& mean) {
+    return mean.pareto || std::ranges::none_of(means, [&mean](const AccuracyRow& other) {
+             return other.solver == mean.solver && other.rms_error_pct < mean.rms_error_pct;
+           });
+  });
+  const auto columns = accuracy_columns(report.budget_rms_pct);
+  const std::size_t motions = names_of(report.rows, &AccuracyRow::motion).size();
+  return heading_text(heading) + "\n" + text_heading(columns) + text_lines(columns, shown) +
+         fmt::format("  at {} per second, over {}; *: nothing is both cheaper and more exact\n", fps,
+                     counted(motions, "motion", "motions")) +
+         accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
 }
 
 }  // namespace coif

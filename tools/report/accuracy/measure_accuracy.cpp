@@ -2,7 +2,6 @@
 
 #include "base/parallel_for.h"
 #include "lab/reference_solver.h"
-#include "report/accuracy/show_accuracy.h"
 
 #include <coif/hair.h>
 
@@ -53,7 +52,7 @@ class AccuracyMeasurement {
       tell(fmt::format("{}, {}", solver->name, motion.name));
       for (const int effort : efforts_of(*solver)) measure_setting(motion.name, *solver, effort, frames, reference);
     }
-    mark_fronts(first_row);
+    mark_fronts(std::span(report_.rows).subspan(first_row));
   }
 
   void measure_setting(const std::string& motion, const MeasuredSolver& solver, int effort,
@@ -91,20 +90,6 @@ class AccuracyMeasurement {
     return widest;
   }
 
-  /// Rows from `first` are one motion's.
-  void mark_fronts(std::size_t first) {
-    const std::span<AccuracyRow> rows = std::span(report_.rows).subspan(first);
-    const auto beats = [](const AccuracyRow& a, const AccuracyRow& b) {
-      const bool as_good = a.rms_error_pct <= b.rms_error_pct && a.ns_per_bone_frame <= b.ns_per_bone_frame;
-      return as_good && (a.rms_error_pct < b.rms_error_pct || a.ns_per_bone_frame < b.ns_per_bone_frame);
-    };
-    for (AccuracyRow& row : rows) {
-      row.pareto = std::isfinite(row.rms_error_pct) && std::isfinite(row.ns_per_bone_frame) &&
-                   std::ranges::none_of(
-                       rows, [&](const AccuracyRow& other) { return other.fps == row.fps && beats(other, row); });
-    }
-  }
-
   /// Tips at rest: in closed form, and by the reference where they lie on something.
   [[nodiscard]] std::vector<Vector3d> resting_tips() const {
     const StaticPose pose = static_pose(sample_.rig, scene_);
@@ -138,7 +123,7 @@ class AccuracyMeasurement {
   /// Among what games can run.
   void choose() {
     report_.budget_rms_pct = settings_.budget_rms_pct;
-    for (const SettingMean& mean : means_over_motions(report_, main_frame_rate(report_))) {
+    for (const AccuracyRow& mean : means_over_motions(report_, main_frame_rate(report_))) {
       const bool fits = mean.rms_error_pct <= settings_.budget_rms_pct;
       if (!fits || !find_measured_solver(mean.solver)->is_runtime) continue;
       if (report_.chosen && report_.chosen->ns_per_bone_frame <= mean.ns_per_bone_frame) continue;

@@ -1,63 +1,20 @@
 #pragma once
 
-// Table 1 of the thesis (6. Results): what a crowd costs to simulate and draw, each with and without.
+// What `coif report cost` finds: records, measured by measure_cost(), and the columns that show them. Times are medians;
+// the spread beside each is the width of the middle half of its samples, in % of the median.
+
+#include "report/cost/drawing_cost.h"
+#include "report/page/report_columns.h"
 
 #include <coif/chunks.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace coif {
-
-inline constexpr std::uint32_t kThesisTableWidth = 1024, kThesisTableHeight = 768;  ///< Pixels.
-inline constexpr const char* kThesisTableDevice = "NVIDIA GeForce GTX 470, 2011";
-
-/// One row of the table as published. Simulation made no difference there.
-struct PublishedFrameRate {
-  std::uint32_t heads = 0;
-  double transparent_fps = 0;  ///< Frames per second, whole ones, of a game with all that it draws beside hair.
-  double opaque_fps = 0;
-};
-inline constexpr std::array<PublishedFrameRate, 4> kPublishedFrameRates{
-    {{20, 53, 58}, {50, 27, 30}, {100, 14, 16}, {200, 7, 8}}};
-
-/// One cell, measured here. Heads are as large in every row: all of the largest crowd fit into the picture.
-struct ThesisTableRow {
-  std::uint32_t heads = 0;
-  bool transparency = true;                  ///< The four passes; without, one that cuts off.
-  bool simulation = true;                    ///< The crowd is stepped before it is drawn, on the same thread.
-  double ms_per_frame = 0;                   ///< Wall time until the device has finished; median.
-  double spread_pct = 0;                     ///< Width of the middle half of the frames, % of the median.
-  std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself.
-};
-
-[[nodiscard]] double frames_per_second(const ThesisTableRow& row);
-/// What the thesis has in this row's place; nothing for crowds that it did not measure.
-[[nodiscard]] std::optional<double> published_frames_per_second(const ThesisTableRow& row);
-
-/// How much longer a frame takes with something than without.
-struct ThesisTableRatio {
-  std::uint32_t heads = 0;
-  double transparency_on_off = 1;  ///< Time of both ways with / time of both without.
-  double simulation_on_off = 1;
-  std::optional<double> published_transparency{};  ///< From whole frames per second, so some percent off.
-  std::optional<double> published_simulation{};
-};
-
-struct ThesisTable {
-  std::uint32_t width = 0, height = 0;  ///< Pixels.
-  std::vector<ThesisTableRow> rows;     ///< Empty where it was not asked for.
-};
-
-/// One for each crowd of which all four ways are there, in order of their first rows.
-[[nodiscard]] std::vector<ThesisTableRatio> ratios_of(const ThesisTable& table);
-
-// What `coif report cost` found, as data: measured by measure_cost(), and for the pictures by measure_drawing(); shown by
-// the renderers of report/page. Times are medians; the spread beside each is the width of the middle half of its
-// samples, in % of the median.
 
 /// A crowd of heads that all move, one frame of 1/60 s: poses handed over, hair stepped, bone matrices made.
 struct SimulationCostRow {
@@ -71,16 +28,55 @@ struct SimulationCostRow {
   double bytes_per_head = 0;  ///< bytes / heads.
 };
 
+[[nodiscard]] inline Columns<SimulationCostRow> simulation_columns() {
+  using Row = SimulationCostRow;
+  const auto in_1_ms = [](const Row& row) { return std::floor(1e3 * row.heads / row.us_per_frame); };
+  return {{"heads", &Row::heads, {"heads"}, {"heads", 8}},
+          {"solver", &Row::solver, {"solver", {}, -1}, {"solver", -8, {}, -1}},
+          {"substeps", &Row::substeps, {"steps", {}, -1}, {"steps", 6, {}, -1}},
+          {"us_per_frame", &Row::us_per_frame, {"time a frame", microseconds_text}, {"us/frame", 14}},
+          {kNoKey, [](const Row& row) { return row.us_per_frame / row.heads; }, {}, {"us/head", 12}},
+          {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"a bone", time_text, 2}, {"ns/bone", 12}},
+          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"spread", 9, percent_text}},
+          {"bytes", &Row::bytes},
+          {"bytes_per_head", &Row::bytes_per_head},
+          {kNoKey, [](const Row& row) { return 1e3 * row.us_per_frame / row.heads; }, {"a head", time_text, 1}},
+          {kNoKey, in_1_ms, {"heads in 1 ms", "{:.0f}", 3}}};
+}
+
+[[nodiscard]] inline Columns<SimulationCostRow> memory_columns() {
+  return {{kNoKey, &SimulationCostRow::heads, {"heads"}},
+          {kNoKey, &SimulationCostRow::bytes, {"memory of the crowd", bytes_text}},
+          {kNoKey, &SimulationCostRow::bytes_per_head, {"a head", bytes_text}}};
+}
+
+inline constexpr const char* kAsCooked = "as-cooked";
+
 /// The same crowd with one thing changed.
 struct FeatureCostRow {
-  std::string feature;      ///< Short, unique: "no-colliders". The first is "as-cooked".
+  std::string feature;      ///< Short, unique: "no-colliders". The first is kAsCooked.
   std::string description;  ///< One line for people.
   std::uint32_t heads = 0;
   double us_per_frame = 0;
   double ns_per_bone_frame = 0;
   double spread_pct = 0;
-  double change_pct = 0;  ///< Of the time, against "as-cooked".
+  double change_pct = 0;  ///< Of the time, against kAsCooked.
 };
+
+[[nodiscard]] inline Columns<FeatureCostRow> feature_columns() {
+  using Row = FeatureCostRow;
+  const auto change = [](const Row& row) { return row.feature == kAsCooked ? kNoNumber : row.change_pct; };
+  return {{"feature", &Row::feature, {"feature"}, {"", -22}},
+          {"description", &Row::description, {"what is different", {}, 0, true}},
+          {"heads", &Row::heads},
+          {"us_per_frame", &Row::us_per_frame, {"time a frame", microseconds_text}, {"", 14}},
+          {kNoKey, [](const Row& row) { return row.us_per_frame / row.heads; }, {}, {"", 12}},
+          {"ns_per_bone_frame", &Row::ns_per_bone_frame},
+          {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"", 9, percent_text, 1}},
+          {"change_pct", &Row::change_pct, {}, {"", 13, "{:+.0f} %"}},
+          {kNoKey, [](const Row& row) { return 1e3 * row.us_per_frame / row.heads; }, {"a head", time_text}},
+          {kNoKey, change, {"change", {"{:+.0f} %", ""}}}};
+}
 
 inline constexpr const char* kDrawnCrowd = "drawing";
 inline constexpr const char* kDistances = "distance";
@@ -93,11 +89,19 @@ struct CostLeftOut {
   std::string why;
 };
 
+[[nodiscard]] inline Columns<CostLeftOut> cost_left_out_columns() {
+  return {{"heads", &CostLeftOut::heads}, {"what", &CostLeftOut::what}, {"why", &CostLeftOut::why}};
+}
+
 /// Memory of a crowd of n heads, where n is large: bytes_shared + n * bytes_per_head.
 struct CrowdMemory {
   double bytes_per_head = 0;
   double bytes_shared = 0;
 };
+
+[[nodiscard]] inline Columns<CrowdMemory> crowd_memory_columns() {
+  return {{"bytes_per_head", &CrowdMemory::bytes_per_head}, {"bytes_shared", &CrowdMemory::bytes_shared}};
+}
 
 /// "simulation", "drawing", "tools".
 [[nodiscard]] constexpr const char* name_of(ChunkUse use) {
@@ -111,52 +115,27 @@ struct CrowdMemory {
 }
 
 struct ChunkBytes {
-  std::string id;    ///< As in the file: "BONE".
+  std::string id;    ///< As in the file: "BONE"; empty for sums, which are for nothing.
   std::string what;  ///< In words; empty for what this version does not know.
   std::uint64_t bytes = 0;
   ChunkUse use = ChunkUse::kTools;
 };
 
+/// `total`: bytes of the file.
+[[nodiscard]] inline Columns<ChunkBytes> chunk_columns(std::uint64_t total) {
+  using Row = ChunkBytes;
+  const auto share = [total](const Row& row) { return 100 * double(row.bytes) / double(total); };
+  return {{"id", &Row::id, {"part of the file"}},
+          {"what", &Row::what, {"what"}},
+          {"bytes", &Row::bytes, {"bytes"}},
+          {kNoKey, share, {"share", "{:.2f} %"}},
+          {"use", [](const Row& row) { return row.id.empty() ? "" : name_of(row.use); }, {"is for"}}};
+}
+
 struct AssetBytes {
   std::uint64_t total = 0;  ///< Of the file: the chunks and `framing`.
   std::vector<ChunkBytes> chunks;
   std::uint64_t framing = 0;  ///< Header, table of chunks, padding between them.
-};
-
-/// One frame of a crowd that fills the picture.
-struct RenderingCostRow {
-  std::uint32_t heads = 0;
-  std::string transparency;   ///< As the command line calls it: "blend": four passes; "opaque": one.
-  std::uint32_t samples = 1;  ///< Of a pixel.
-  std::uint32_t lod = 0;
-  bool simulation = false;      ///< The crowd is also simulated, on the same thread, before it is drawn.
-  std::uint64_t triangles = 0;  ///< Of all heads; each is drawn once a pass.
-  double ms_per_frame = 0;      ///< Wall time until the device has finished.
-  double spread_pct = 0;
-  std::optional<double> gpu_ms_per_frame{};  ///< What the device says that it took itself; nothing where it does not.
-};
-
-/// A crowd near and far, each head with the level of detail that choose_lod() gives it.
-struct DistanceCostRow {
-  std::uint32_t heads = 0;
-  double times_as_far = 1;  ///< As where the crowd fills the picture.
-  double screen_share = 0;  ///< Of the picture's height, that of a head.
-  std::uint32_t lod = 0;
-  std::uint64_t triangles_per_head = 0;
-  double covered_pixels_per_head = 0;  ///< Pixels that hair touches / heads.
-  double ms_per_head = 0;              ///< Wall time of a frame / heads.
-  double spread_pct = 0;
-  double finest_ms_per_head = 0;  ///< The same crowd with level 0.
-  std::optional<double> gpu_ms_per_head{};
-};
-
-struct RenderingCost {
-  std::string device;                   ///< What OpenGL calls itself; empty where nothing was drawn.
-  std::uint32_t width = 0, height = 0;  ///< Pixels, but for the thesis's table.
-  std::vector<RenderingCostRow> rows;
-  std::vector<DistanceCostRow> distances;
-  ThesisTable thesis_table;
-  std::string note;  ///< Why there are no rows; empty where there are.
 };
 
 struct CostReport {
@@ -168,5 +147,59 @@ struct CostReport {
   AssetBytes asset;
   RenderingCost rendering;
 };
+
+// Which rows belong together.
+
+/// Crowds of one solver with the sub-steps that the asset asks for, as the smallest crowd has.
+[[nodiscard]] std::vector<SimulationCostRow> scaling_of(const CostReport& report, const std::string& solver);
+
+/// One solver with several numbers of sub-steps, all with the crowd that features are measured with.
+[[nodiscard]] std::vector<SimulationCostRow> substeps_of(const CostReport& report, const std::string& solver);
+
+/// Crowds drawn one way with the finest level of detail and one sample a pixel.
+[[nodiscard]] std::vector<RenderingCostRow> drawings_of(const CostReport& report, const std::string& transparency,
+                                                        bool simulation);
+
+/// `coif report cost` for other programs: the heading, then
+/// - `instruction_set`: what the simulation was run with, "" where there was none
+/// - `simulation`, `features`, `left_out`
+/// - `memory`: of n heads, n large, bytes_shared + n * bytes_per_head
+/// - `file{bytes, chunks, framing_bytes}`; the chunks and the framing add up to the file
+/// - `rendering`, `distances`; `table_1`, `table_1_ratios`: empty unless they were asked for
+/// - `rendering_note`: why `rendering` is empty, or null
+///
+/// The keys within are those of the columns above and in drawing_cost.h.
+[[nodiscard]] nlohmann::ordered_json cost_json(const ReportHeading& heading, const CostReport& report);
+
+/// `coif report cost` for a terminal: the rows, what was left out and the summary.
+[[nodiscard]] std::string cost_text(const ReportHeading& heading, const CostReport& report);
+
+/// `coif report cost` as one HTML document.
+[[nodiscard]] std::string cost_page(const ReportHeading& heading, const CostReport& report);
+
+/// What one head costs and what a crowd does, in a few sentences.
+[[nodiscard]] std::string cost_summary(const CostReport& report);
+
+/// Which crowds of `what`, as in CostLeftOut, were not measured, and why the first of them was not; empty where all were.
+[[nodiscard]] std::string left_out_text(const CostReport& report, const std::string& what);
+
+/// Where the times on the device itself come from, or why there are none.
+[[nodiscard]] std::string device_time_text(const RenderingCost& rendering);
+
+/// Time of a frame against the size of the crowd, one curve a solver.
+[[nodiscard]] Figure crowd_time_figure(const CostReport& report);
+/// Time of one bone against the size of the crowd.
+[[nodiscard]] Figure bone_time_figure(const CostReport& report);
+/// Time of one head against the number of sub-steps.
+[[nodiscard]] Figure substeps_figure(const CostReport& report);
+/// Time of a drawn frame against the size of the crowd, one curve a way to draw.
+[[nodiscard]] Figure drawing_figure(const CostReport& report);
+/// Frames per second against the size of the crowd, here and in the thesis's Table 1.
+[[nodiscard]] Figure thesis_table_figure(const ThesisTable& measured);
+/// Time of a head against its size on the screen, with and without levels of detail.
+[[nodiscard]] Figure distances_figure(const RenderingCost& rendering);
+
+/// What drawing costs, the thesis's table where it was measured, and what distance spares; or why nothing was drawn.
+void add_drawing_section(const CostReport& report, HtmlPage& page);
 
 }  // namespace coif

@@ -1,243 +1,153 @@
-#include "base/json.h"
 #include "report/cost/cost_report.h"
-#include "report/cost/show_cost.h"
-#include "report/page/report_heading.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <optional>
 
 namespace coif {
-namespace {
-
-const PublishedFrameRate* find_published(std::uint32_t heads) {
-  const auto found = std::ranges::find(kPublishedFrameRates, heads, &PublishedFrameRate::heads);
-  return found == kPublishedFrameRates.end() ? nullptr : &*found;
-}
-
-/// Times of one crowd: [transparency][simulation].
-struct FourWays {
-  double ms[2][2] = {};
-  unsigned count = 0;
-};
-
-FourWays ways_of(const ThesisTable& table, std::uint32_t heads) {
-  FourWays ways;
-  for (const ThesisTableRow& row : table.rows) {
-    if (row.heads != heads) continue;
-    ways.ms[row.transparency][row.simulation] = row.ms_per_frame;
-    ++ways.count;
-  }
-  return ways;
-}
-
-}  // namespace
-
-double frames_per_second(const ThesisTableRow& row) { return 1e3 / row.ms_per_frame; }
-
-std::optional<double> published_frames_per_second(const ThesisTableRow& row) {
-  const PublishedFrameRate* published = find_published(row.heads);
-  if (published == nullptr) return {};
-  return row.transparency ? published->transparent_fps : published->opaque_fps;
-}
-
-std::vector<ThesisTableRatio> ratios_of(const ThesisTable& table) {
-  std::vector<ThesisTableRatio> ratios;
-  for (const ThesisTableRow& row : table.rows) {
-    if (std::ranges::find(ratios, row.heads, &ThesisTableRatio::heads) != ratios.end()) continue;
-    const auto [ms, count] = ways_of(table, row.heads);
-    if (count != 4) continue;
-    ThesisTableRatio ratio{.heads = row.heads};
-    ratio.transparency_on_off = (ms[1][0] + ms[1][1]) / (ms[0][0] + ms[0][1]);
-    ratio.simulation_on_off = (ms[0][1] + ms[1][1]) / (ms[0][0] + ms[1][0]);
-    if (const PublishedFrameRate* published = find_published(row.heads)) {
-      ratio.published_transparency = published->opaque_fps / published->transparent_fps;
-      ratio.published_simulation = 1;
-    }
-    ratios.push_back(ratio);
-  }
-  return ratios;
-}
-
-namespace {
-
-}  // namespace
-
-std::vector<std::string> solvers_of(const CostReport& report) {
-  std::vector<std::string> solvers;
-  for (const SimulationCostRow& row : report.simulation) {
-    if (std::ranges::find(solvers, row.solver) == solvers.end()) solvers.push_back(row.solver);
-  }
-  return solvers;
-}
-
-std::vector<SimulationCostRow> scaling_of(const CostReport& report, const std::string& solver) {
-  std::vector<SimulationCostRow> rows;
-  for (const SimulationCostRow& row : report.simulation) {
-    if (row.solver == solver && (rows.empty() || row.substeps == rows.front().substeps)) rows.push_back(row);
-  }
-  std::ranges::stable_sort(rows, {}, &SimulationCostRow::heads);
-  return rows;
-}
-
-std::vector<SimulationCostRow> substeps_of(const CostReport& report, const std::string& solver) {
-  std::vector<SimulationCostRow> rows;
-  if (report.features.empty()) return rows;
-  std::ranges::copy_if(report.simulation, std::back_inserter(rows), [&](const SimulationCostRow& row) {
-    return row.solver == solver && row.heads == report.features.front().heads;
-  });
-  std::ranges::stable_sort(rows, {}, &SimulationCostRow::substeps);
-  return rows;
-}
-
-std::vector<RenderingCostRow> drawings_of(const CostReport& report, const std::string& transparency, bool simulation) {
-  std::vector<RenderingCostRow> rows;
-  std::ranges::copy_if(report.rendering.rows, std::back_inserter(rows), [&](const RenderingCostRow& row) {
-    return row.transparency == transparency && row.simulation == simulation && row.lod == 0 && row.samples == 1;
-  });
-  std::ranges::stable_sort(rows, {}, &RenderingCostRow::heads);
-  return rows;
-}
-
-double saved_pct(const DistanceCostRow& row) { return 100 * (1 - row.ms_per_head / row.finest_ms_per_head); }
-
-namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json to_json(const SimulationCostRow& row) {
-  return {{"heads", row.heads},
-          {"solver", row.solver},
-          {"substeps", row.substeps},
-          {"us_per_frame", number_json(row.us_per_frame)},
-          {"ns_per_bone_frame", number_json(row.ns_per_bone_frame)},
-          {"spread_pct", number_json(row.spread_pct)},
-          {"bytes", row.bytes},
-          {"bytes_per_head", number_json(row.bytes_per_head)}};
+ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
+  const RenderingCost& rendering = report.rendering;
+  const ThesisTable& thesis = rendering.thesis_table;
+  ordered_json json = heading_json(heading);
+  json["instruction_set"] = report.instruction_set;
+  json["simulation"] = json_list(simulation_columns(), report.simulation);
+  json["features"] = json_list(feature_columns(), report.features);
+  json["left_out"] = json_list(cost_left_out_columns(), report.left_out);
+  json["memory"] = json_of(crowd_memory_columns(), report.memory);
+  json["file"] = {{"bytes", report.asset.total},
+                  {"chunks", json_list(chunk_columns(report.asset.total), report.asset.chunks)},
+                  {"framing_bytes", report.asset.framing}};
+  json["rendering"] = json_list(rendering_columns(rendering.device, rendering.rows), rendering.rows);
+  json["distances"] = json_list(cost_distance_columns(rendering.distances), rendering.distances);
+  json["table_1"] = json_list(thesis_columns(rendering.device, thesis.rows), thesis.rows);
+  json["table_1_ratios"] = json_list(ratio_columns(), ratios_of(thesis));
+  json["rendering_note"] = rendering.note.empty() ? ordered_json(nullptr) : ordered_json(rendering.note);
+  return json;
 }
 
-ordered_json to_json(const FeatureCostRow& row) {
-  return {{"feature", row.feature},
-          {"description", row.description},
-          {"heads", row.heads},
-          {"us_per_frame", number_json(row.us_per_frame)},
-          {"ns_per_bone_frame", number_json(row.ns_per_bone_frame)},
-          {"spread_pct", number_json(row.spread_pct)},
-          {"change_pct", number_json(row.change_pct)}};
+namespace {
+
+std::string heads_text(std::uint32_t heads) { return heads == 1 ? "one head" : fmt::format("{} heads", heads); }
+
+std::string simulation_sentences(const CostReport& report) {
+  if (report.simulation.empty()) return "The hair is rigid: simulating it costs nothing.";
+  const std::string solver = report.simulation.front().solver;
+  const auto rows = scaling_of(report, solver);
+  const SimulationCostRow &least = rows.front(), &most = rows.back();
+  std::string text = fmt::format("Simulating {} takes {} of one core a frame ({} with {} step{}, {} a bone)",
+                                 heads_text(least.heads), microseconds_text(least.us_per_frame), solver, least.substeps,
+                                 least.substeps == 1 ? "" : "s", time_text(least.ns_per_bone_frame));
+  if (most.heads != least.heads) {
+    text += fmt::format("; {} take {} ({} a bone)", heads_text(most.heads), microseconds_text(most.us_per_frame),
+                        time_text(most.ns_per_bone_frame));
+  }
+  return text + fmt::format(". Each head of a large crowd takes {} of memory beside the asset.",
+                            bytes_text(report.memory.bytes_per_head));
 }
 
-ordered_json to_json(const CostLeftOut& crowd) {
-  return {{"heads", crowd.heads}, {"what", crowd.what}, {"why", crowd.why}};
+std::string drawing_sentence(const CostReport& report) {
+  const auto rows = drawings_of(report, "blend", false);
+  if (rows.empty()) return "";
+  const RenderingCostRow &least = rows.front(), &most = rows.back();
+  std::string text = fmt::format(" Drawing {} at {} x {} takes {}", heads_text(least.heads), report.rendering.width,
+                                 report.rendering.height, milliseconds_text(least.ms_per_frame));
+  if (most.heads != least.heads) {
+    text += fmt::format(", {} {}", heads_text(most.heads), milliseconds_text(most.ms_per_frame));
+  }
+  return text + ", on " + device_text(report.rendering.device) + ".";
 }
 
-ordered_json to_json(const ChunkBytes& chunk) {
-  return {{"id", chunk.id}, {"what", chunk.what}, {"bytes", chunk.bytes}, {"use", name_of(chunk.use)}};
+std::string range_text(double least, double most) {
+  const std::string from = fmt::format("{:.2f}", least), to = fmt::format("{:.2f}", most);
+  return from == to ? from : from + " to " + to;
 }
 
-ordered_json optional_json(std::optional<double> number) {
-  return number ? number_json(*number) : ordered_json(nullptr);
-}
-
-ordered_json to_json(const RenderingCostRow& row, const std::string& device) {
-  return {{"heads", row.heads},
-          {"transparency", row.transparency},
-          {"samples", row.samples},
-          {"lod", row.lod},
-          {"simulation", row.simulation},
-          {"triangles", row.triangles},
-          {"ms_per_frame", number_json(row.ms_per_frame)},
-          {"spread_pct", number_json(row.spread_pct)},
-          {"gpu_ms_per_frame", optional_json(row.gpu_ms_per_frame)},
-          {"device", device}};
-}
-
-ordered_json to_json(const DistanceCostRow& row) {
-  return {{"heads", row.heads},
-          {"times_as_far", number_json(row.times_as_far)},
-          {"screen_share", number_json(row.screen_share)},
-          {"lod", row.lod},
-          {"triangles_per_head", row.triangles_per_head},
-          {"covered_pixels_per_head", number_json(row.covered_pixels_per_head)},
-          {"ms_per_head", number_json(row.ms_per_head)},
-          {"spread_pct", number_json(row.spread_pct)},
-          {"gpu_ms_per_head", optional_json(row.gpu_ms_per_head)},
-          {"finest_ms_per_head", number_json(row.finest_ms_per_head)},
-          {"saved_pct", number_json(saved_pct(row))}};
-}
-
-ordered_json to_json(const ThesisTableRow& row, const std::string& device) {
-  return {{"heads", row.heads},
-          {"transparency", row.transparency ? "blend" : "opaque"},
-          {"simulation", row.simulation},
-          {"ms_per_frame", number_json(row.ms_per_frame)},
-          {"spread_pct", number_json(row.spread_pct)},
-          {"gpu_ms_per_frame", optional_json(row.gpu_ms_per_frame)},
-          {"fps", number_json(frames_per_second(row))},
-          {"thesis_fps", optional_json(published_frames_per_second(row))},
-          {"device", device}};
-}
-
-ordered_json to_json(const ThesisTableRatio& ratio) {
-  return {{"heads", ratio.heads},
-          {"transparency_on_off", number_json(ratio.transparency_on_off)},
-          {"thesis_transparency_on_off", optional_json(ratio.published_transparency)},
-          {"simulation_on_off", number_json(ratio.simulation_on_off)},
-          {"thesis_simulation_on_off", optional_json(ratio.published_simulation)}};
-}
-
-template <typename Row, typename... More>
-ordered_json list(const std::vector<Row>& rows, const More&... more) {
-  ordered_json array = ordered_json::array();
-  for (const Row& row : rows) array.push_back(to_json(row, more...));
-  return array;
+std::string thesis_sentence(const CostReport& report) {
+  const auto ratios = ratios_of(report.rendering.thesis_table);
+  if (ratios.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(ratios, {}, &ThesisTableRatio::transparency_on_off);
+  const auto [still, moved] = std::ranges::minmax(ratios, {}, &ThesisTableRatio::simulation_on_off);
+  return fmt::format(
+      " Table 1 of the thesis: frames with transparency take {} times as long as without (there 1.09 to 1.14, with all "
+      "that a game draws), frames with simulation {} times (there 1).",
+      range_text(least.transparency_on_off, most.transparency_on_off),
+      range_text(still.simulation_on_off, moved.simulation_on_off));
 }
 
 }  // namespace
 
-ordered_json cost_json(const ReportHeading& heading, const CostReport& report) {
-  ordered_json json = heading_json(heading);
-  json["instruction_set"] = report.instruction_set;
-  json["simulation"] = list(report.simulation);
-  json["features"] = list(report.features);
-  json["left_out"] = list(report.left_out);
-  json["memory"] = {{"bytes_per_head", number_json(report.memory.bytes_per_head)},
-                    {"bytes_shared", number_json(report.memory.bytes_shared)}};
-  json["file"] = {
-      {"bytes", report.asset.total}, {"chunks", list(report.asset.chunks)}, {"framing_bytes", report.asset.framing}};
-  json["rendering"] = list(report.rendering.rows, report.rendering.device);
-  json["distances"] = list(report.rendering.distances);
-  json["table_1"] = list(report.rendering.thesis_table.rows, report.rendering.device);
-  json["table_1_ratios"] = list(ratios_of(report.rendering.thesis_table));
-  const std::string& note = report.rendering.note;
-  json["rendering_note"] = note.empty() ? ordered_json(nullptr) : ordered_json(note);
-  return json;
+std::string cost_summary(const CostReport& report) {
+  return simulation_sentences(report) + drawing_sentence(report) + thesis_sentence(report);
+}
+
+std::string device_time_text(const RenderingCost& rendering) {
+  if (has_device_times(rendering.rows, &RenderingCostRow::gpu_ms_per_frame)) {
+    return "On the device: what it says that it took itself, its waiting left out.";
+  }
+  return fmt::format(
+      "Time on the device itself: {}; it has no timer (GL_EXT_disjoint_timer_query) that tells the truth.",
+      kNotMeasured);
+}
+
+std::string left_out_text(const CostReport& report, const std::string& what) {
+  std::vector<std::uint32_t> sizes;
+  std::string why;
+  for (const CostLeftOut& crowd : report.left_out) {
+    if (crowd.what != what) continue;
+    if (sizes.empty()) why = crowd.why;
+    if (sizes.empty() || sizes.back() != crowd.heads) sizes.push_back(crowd.heads);
+  }
+  if (sizes.empty()) return "";
+  const bool is_simulated = what != kDrawnCrowd && what != kDistances && what != kThesisTable;
+  const bool time_helps = what == kDrawnCrowd || what == kDistances;
+  return fmt::format("Not measured: {} {} {} heads; {}.{}", what, is_simulated ? "with" : "of", fmt::join(sizes, ", "),
+                     why, time_helps ? " More --time takes in more." : "");
 }
 
 namespace {
 
 std::string simulation_text(const CostReport& report) {
   if (report.simulation.empty()) return "";
-  std::string text = fmt::format("  {:<8}{:>6}{:>8}{:>14}{:>12}{:>12}{:>9}\n", "solver", "steps", "heads", "us/frame",
-                                 "us/head", "ns/bone", "spread");
-  for (const SimulationCostRow& row : report.simulation) {
-    text += fmt::format("  {:<8}{:>6}{:>8}{:>14}{:>12}{:>12}{:>7} %\n", row.solver, row.substeps, row.heads,
-                        number_text(row.us_per_frame), number_text(row.us_per_frame / row.heads),
-                        number_text(row.ns_per_bone_frame), number_text(row.spread_pct));
-  }
-  text += fmt::format("  features, {} heads\n", report.features.front().heads);
-  for (const FeatureCostRow& row : report.features) {
-    text += fmt::format("  {:<22}{:>14}{:>12}{:>+11.0f} %{:>7} %\n", row.feature, number_text(row.us_per_frame),
-                        number_text(row.us_per_frame / row.heads), row.change_pct, number_text(row.spread_pct));
+  return text_table(simulation_columns(), report.simulation) +
+         fmt::format("  features, {} heads\n", report.features.front().heads) +
+         text_lines(feature_columns(), report.features);
+}
+
+std::string thesis_table_text(const RenderingCost& rendering) {
+  const ThesisTable& measured = rendering.thesis_table;
+  if (measured.rows.empty()) return "";
+  std::string text = fmt::format("  Table 1 of the thesis, {} x {} (there on {})\n", measured.width, measured.height,
+                                 kThesisTableDevice);
+  text += text_table(thesis_columns(rendering.device, measured.rows), measured.rows);
+  for (const ThesisTableRatio& ratio : ratios_of(measured)) {
+    text +=
+        fmt::format("  {:>6} heads: with transparency {:.2f} times as long", ratio.heads, ratio.transparency_on_off);
+    if (ratio.published_transparency) text += fmt::format(" (thesis {:.2f})", *ratio.published_transparency);
+    text += fmt::format(", with simulation {:.2f} times", ratio.simulation_on_off);
+    if (ratio.published_simulation) text += fmt::format(" (thesis {:.2f})", *ratio.published_simulation);
+    text += "\n";
   }
   return text;
+}
+
+/// A line for every row, or why there are none.
+std::string drawing_text(const RenderingCost& rendering) {
+  if (rendering.rows.empty()) return rendering.note.empty() ? "" : "  not drawn: " + rendering.note + "\n";
+  return fmt::format("  {}, {} x {}\n", device_text(rendering.device), rendering.width, rendering.height) +
+         text_table(rendering_columns(rendering.device, rendering.rows), rendering.rows) +
+         text_table(cost_distance_columns(rendering.distances), rendering.distances) + thesis_table_text(rendering);
 }
 
 }  // namespace
 
 std::string cost_text(const ReportHeading& heading, const CostReport& report) {
   std::string text = heading_text(heading) + "\n" + simulation_text(report) + drawing_text(report.rendering);
-  std::vector<std::string> subjects = solvers_of(report);
+  std::vector<std::string> subjects = names_of(report.simulation, &SimulationCostRow::solver);
   subjects.insert(subjects.end(), {kDrawnCrowd, kDistances, kThesisTable});
   for (const std::string& subject : subjects) {
     const std::string left_out = left_out_text(report, subject);

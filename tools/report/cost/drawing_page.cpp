@@ -1,4 +1,4 @@
-#include "report/cost/show_cost.h"
+#include "report/cost/cost_report.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,11 @@
 namespace coif {
 namespace {
 
-void add_crowds(const CostReport& report, PlottedPage& page) {
+void add_crowds(const CostReport& report, HtmlPage& page) {
   const RenderingCost& rendering = report.rendering;
-  if (drawings_of(report, "blend", false).size() > 1) page.plot(drawing_figure(report));
-  page.table(rendering_table(rendering));
-  const std::string left_out = left_out_text(report, kDrawnCrowd);
-  if (!left_out.empty()) page.paragraph(left_out);
+  if (drawings_of(report, "blend", false).size() > 1) page.figure(drawing_figure(report));
+  page.table(page_table(rendering_columns(rendering.device, rendering.rows), rendering.rows));
+  page.paragraph(left_out_text(report, kDrawnCrowd));
   page.paragraph(fmt::format(
       "Device: {}, {} x {} pixels, three lights, hair alone; time until the device has finished. Blend is the four "
       "passes with soft edges; opaque draws once and cuts off; coverage, screendoor and hashed draw once with softer "
@@ -23,34 +22,31 @@ void add_crowds(const CostReport& report, PlottedPage& page) {
   page.paragraph(device_time_text(rendering));
 }
 
-void add_distances(const CostReport& report, PlottedPage& page) {
+void add_distances(const CostReport& report, HtmlPage& page) {
+  const auto& rows = report.rendering.distances;
   page.heading("What does distance spare?");
-  if (report.rendering.distances.size() > 1) page.plot(distances_figure(report.rendering));
-  page.table(distances_table(report.rendering));
-  const std::string left_out = left_out_text(report, kDistances);
-  if (!left_out.empty()) page.paragraph(left_out);
+  if (rows.size() > 1) page.figure(distances_figure(report.rendering));
+  page.table(page_table(cost_distance_columns(rows), rows));
+  page.paragraph(left_out_text(report, kDistances));
   page.paragraph(
       "Crowds that fill the picture, and the last one further and further away, drawn with blend. Each head has the "
-      "level "
-      "of detail that choose_lod() gives it for its share of the picture's height; the hair's own height is more than "
-      "the "
-      "head's. A pixel is counted once, however many strands lie on it.");
+      "level of detail that choose_lod() gives it for its share of the picture's height; the hair's own height is more "
+      "than the head's. A pixel is counted once, however many strands lie on it.");
 }
 
-void add_thesis_table(const CostReport& report, PlottedPage& page) {
+void add_thesis_table(const CostReport& report, HtmlPage& page) {
   const ThesisTable& measured = report.rendering.thesis_table;
   page.heading("Table 1 of the thesis");
   if (!measured.rows.empty()) {
-    page.plot(thesis_table_figure(measured));
-    page.table(thesis_table(measured));
-    page.table(thesis_ratios_table(measured));
+    page.figure(thesis_table_figure(measured));
+    page.table(page_table(thesis_columns(report.rendering.device, measured.rows), measured.rows));
+    page.table(page_table(ratio_columns(), ratios_of(measured)));
   }
-  const std::string left_out = left_out_text(report, kThesisTable);
-  if (!left_out.empty()) page.paragraph(left_out);
+  page.paragraph(left_out_text(report, kThesisTable));
   page.paragraph(fmt::format(
       "Here: {}, {} x {} pixels, hair alone, heads of one size, all of them in the picture. Thesis: {}, {} x {} "
-      "pixels, "
-      "frames of a whole game. A ratio is how many times as long a frame takes with as without: of both frames that "
+      "pixels, frames of a whole game. A ratio is how many times as long a frame takes with as without: of both frames "
+      "that "
       "are simulated and not, or transparent and not. The thesis's come from whole frames a second, and what else its "
       "game draws takes part of every frame, so that transparency weighs less there.",
       device_text(report.rendering.device), measured.width, measured.height, kThesisTableDevice, kThesisTableWidth,
@@ -59,7 +55,7 @@ void add_thesis_table(const CostReport& report, PlottedPage& page) {
 
 }  // namespace
 
-void add_drawing_section(const CostReport& report, PlottedPage& page) {
+void add_drawing_section(const CostReport& report, HtmlPage& page) {
   const RenderingCost& rendering = report.rendering;
   page.heading("What does drawing cost?");
   if (rendering.rows.empty()) {
@@ -84,14 +80,6 @@ constexpr WayToDraw kWaysToDraw[] = {{"four passes, simulated", "blend", true},
                                      {"opaque, simulated", "opaque", true},
                                      {"opaque", "opaque", false}};
 
-void add_series(std::string name, std::vector<PlotPoint> points, Plot& plot) {
-  PlotSeries series;
-  series.name = std::move(name);
-  series.points = std::move(points);
-  series.color = unsigned(plot.series.size());
-  plot.series.push_back(std::move(series));
-}
-
 /// Simulated rows alone: the thesis has the same figures with and without, and so have most machines.
 std::vector<PlotPoint> rates_measured(const ThesisTable& measured, bool transparency) {
   std::vector<PlotPoint> points;
@@ -113,55 +101,51 @@ std::vector<PlotPoint> rates_published(bool transparency) {
 }  // namespace
 
 Figure drawing_figure(const CostReport& report) {
-  Figure figure;
-  Plot& plot = figure.plot;
-  plot.title = "Drawing against the size of the crowd";
-  plot.x_label = "heads";
-  plot.y_label = "milliseconds a frame";
-  plot.log_x = plot.log_y = true;
+  Figure figure{{.title = "Drawing against the size of the crowd",
+                 .x_label = "heads",
+                 .y_label = "milliseconds a frame",
+                 .log_x = true,
+                 .log_y = true},
+                "The crowd fills the picture whatever its size, so that more heads are smaller heads."};
   for (const WayToDraw& way : kWaysToDraw) {
-    std::vector<PlotPoint> points;
+    PlotSeries& series = figure.plot.add(way.name);
     for (const RenderingCostRow& row : drawings_of(report, way.transparency, way.simulation)) {
-      points.push_back({double(row.heads), row.ms_per_frame});
+      series.points.push_back({double(row.heads), row.ms_per_frame});
     }
-    add_series(way.name, std::move(points), plot);
   }
-  figure.caption = "The crowd fills the picture whatever its size, so that more heads are smaller heads.";
   return figure;
 }
 
 Figure thesis_table_figure(const ThesisTable& measured) {
-  Figure figure;
-  Plot& plot = figure.plot;
-  plot.title = "Frames a second, here and in the thesis";
-  plot.x_label = "heads";
-  plot.y_label = "frames a second, simulated";
-  plot.log_x = plot.log_y = true;
-  for (const PublishedFrameRate& row : kPublishedFrameRates) plot.x_ticks.push_back(row.heads);
-  add_series("here: transparency", rates_measured(measured, true), plot);
-  add_series("here: none", rates_measured(measured, false), plot);
-  add_series("thesis: transparency", rates_published(true), plot);
-  add_series("thesis: none", rates_published(false), plot);
-  figure.caption =
-      "How far two curves of one device are apart is what transparency costs; the devices themselves do not compare.";
+  Figure figure{{.title = "Frames a second, here and in the thesis",
+                 .x_label = "heads",
+                 .y_label = "frames a second, simulated",
+                 .log_x = true,
+                 .log_y = true},
+                "How far two curves of one device are apart is what transparency costs; the devices themselves do not "
+                "compare."};
+  for (const PublishedFrameRate& row : kPublishedFrameRates) figure.plot.x_ticks.push_back(row.heads);
+  figure.plot.add("here: transparency", rates_measured(measured, true));
+  figure.plot.add("here: none", rates_measured(measured, false));
+  figure.plot.add("thesis: transparency", rates_published(true));
+  figure.plot.add("thesis: none", rates_published(false));
   return figure;
 }
 
 Figure distances_figure(const RenderingCost& rendering) {
-  Figure figure;
-  Plot& plot = figure.plot;
-  plot.title = "One head of a crowd against its size on the screen";
-  plot.x_label = "head's share of the picture's height, %";
-  plot.y_label = "milliseconds a head";
-  plot.log_x = plot.log_y = true;
+  Figure figure{{.title = "One head of a crowd against its size on the screen",
+                 .x_label = "head's share of the picture's height, %",
+                 .y_label = "milliseconds a head",
+                 .log_x = true,
+                 .log_y = true},
+                "Where the curves part, levels of detail spare time; what is left at the left end no level spares."};
   std::vector<PlotPoint> finest, chosen;
   for (const DistanceCostRow& row : rendering.distances) {
     finest.push_back({100 * row.screen_share, row.finest_ms_per_head});
     chosen.push_back({100 * row.screen_share, row.ms_per_head});
   }
-  add_series("finest level", std::move(finest), plot);
-  add_series("level that suits", std::move(chosen), plot);
-  figure.caption = "Where the curves part, levels of detail spare time; what is left at the left end no level spares.";
+  figure.plot.add("finest level", std::move(finest));
+  figure.plot.add("level that suits", std::move(chosen));
   return figure;
 }
 

@@ -172,7 +172,7 @@ void add_instruction_sets(const CrowdSettings& usual, std::vector<CrowdFeature>&
 }  // namespace
 
 std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings& usual) {
-  std::vector<CrowdFeature> features{{"as-cooked", "all heads run", usual}};
+  std::vector<CrowdFeature> features{{kAsCooked, "all heads run", usual}};
   if (touches_colliders(asset)) {
     features.push_back({"no-colliders", "the hair touches nothing", usual});
     features.back().touches_colliders = false;

@@ -3,8 +3,8 @@
 #include "base/hair_runtime.h"
 #include "base/timing.h"
 #include "base/tool_error.h"
-#include "report/page/report_heading.h"
 #include "report/cost/cost_report.h"
+#include "report/page/report_heading.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -77,7 +77,7 @@ struct CrowdFeature {
   bool steps = true;              ///< False: only the poses are handed over.
 };
 
-/// All that `asset` and this processor have; the first, "as-cooked", is `usual` itself.
+/// All that `asset` and this processor have; the first, kAsCooked, is `usual` itself.
 [[nodiscard]] std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings& usual);
 
 /// Crowds that are timed beside each other. All live at once, so that a slow moment of the machine hits all.

@@ -1,10 +1,12 @@
 #pragma once
 
-// What `coif report order` found, as data: measured by measure_order(), shown by the renderers of report/page.
+// What `coif report order` finds: records, measured by measure_order(), and the columns that show them.
 //
 // A picture's error is its difference from the exact one, in which every pixel's layers are sorted by depth and every alpha
 // counts as it is: over the pixels that hair covers there, in sRGB-encoded values of 0..1, as a screen shows them. 8-bit
 // pictures that are equal have kEqualDb.
+
+#include "report/page/report_columns.h"
 
 #include <cstdint>
 #include <optional>
@@ -26,6 +28,43 @@ struct OrderError {
   std::vector<double> view_psnr_db;  ///< One per view, in OrderReport::directions' order.
 };
 
+/// The eye finds no difference from some 40 dB on, and plain ones below some 30.
+[[nodiscard]] Cell decibel_cell(double db);
+
+/// What a record's `error` has: PSNR to bad pixels, and the median view, which JSON has last.
+template <typename Row>
+[[nodiscard]] Columns<Row> error_columns() {
+  return {{"psnr_db", [](const Row& row) { return row.error.psnr_db; }, {"PSNR", decibel_cell}, {"dB", 8, "{:.1f}"}},
+          {"rmse", [](const Row& row) { return row.error.rmse; }, {"RMS error", {}, 3}, {"rmse", 9, {}, 3}},
+          {"worst_psnr_db",
+           [](const Row& row) { return row.error.worst_psnr_db; },
+           {"worst view", decibel_cell, 2},
+           {"worst", 8, "{:.1f}", 2}},
+          {"bad_pixels_pct",
+           [](const Row& row) { return row.error.bad_pixels_pct; },
+           {"pixels off by > 0.1", percent_text, 3},
+           {"bad %", 8, {}, 3}}};
+}
+
+template <typename Row>
+[[nodiscard]] ReportColumn<Row> median_column() {
+  return {"median_psnr_db",
+          [](const Row& row) { return row.error.median_psnr_db; },
+          {"median view", decibel_cell, 1},
+          {"median", 8, "{:.1f}", 1}};
+}
+
+/// error_columns() of a way to draw, with what else is measured of it.
+template <typename Row>
+[[nodiscard]] Columns<Row> way_columns() {
+  Columns<Row> columns = error_columns<Row>();
+  append(columns,
+         {{"popping", &Row::popping, {"popping", {}, 4}, {"popping", 10, {}, 4}},
+          median_column<Row>(),
+          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text, 4}, {"ms/frame", 10, {}, 4}}});
+  return columns;
+}
+
 /// A draw order in one pose.
 struct OrderRow {
   std::string order;  ///< file, head, best, view, bones, triangles.
@@ -38,6 +77,16 @@ struct OrderRow {
   std::uint64_t bytes = 0;  ///< Of indices on the device.
 };
 
+[[nodiscard]] inline Columns<OrderRow> order_columns() {
+  using Row = OrderRow;
+  Columns<Row> columns{{"order", &Row::order, {"order"}, {"order", -12}},
+                       {"pose", &Row::pose, {"pose", {}, -1}, {"pose", -8, {}, -1}},
+                       {"faces", [](const Row& row) { return row.faces_together ? "together" : "apart"; }, {"faces"}}};
+  append(columns, way_columns<Row>());
+  columns.push_back({"bytes", &Row::bytes, {"indices", bytes_text, 4}});
+  return columns;
+}
+
 /// A way to draw transparent hair, with the asset's orders, in one pose.
 struct OrderModeRow {
   std::string transparency;  ///< As the command line calls it.
@@ -48,12 +97,32 @@ struct OrderModeRow {
   double ms_per_frame = 0;
 };
 
+[[nodiscard]] inline Columns<OrderModeRow> mode_columns() {
+  using Row = OrderModeRow;
+  Columns<Row> columns{{"transparency", &Row::transparency, {"transparency"}, {"mode", -12}},
+                       {"samples", &Row::samples, {"samples"}},
+                       {"pose", &Row::pose, {"pose", {}, -1}, {"pose", -8, {}, -1}}};
+  append(columns, way_columns<Row>());
+  return columns;
+}
+
 /// The asset's orders with another opaque threshold than its own, at rest.
 struct ThresholdRow {
   double opaque_threshold = 0;
   bool is_own = false;  ///< It is the asset's.
   OrderError error;
 };
+
+[[nodiscard]] inline Columns<ThresholdRow> threshold_columns() {
+  using Row = ThresholdRow;
+  Columns<Row> columns{{"opaque_threshold", &Row::opaque_threshold, {"opaque from", "{:.3f}"}, {"", -20, "{:.3f}"}},
+                       {"is_own", &Row::is_own},
+                       {kNoKey, [](const Row& row) { return row.is_own ? "the asset's" : ""; }, {""}}};
+  append(columns, error_columns<Row>());
+  columns.push_back(median_column<Row>());
+  columns.push_back({kNoKey, [](const Row& row) { return row.is_own ? "  the asset's" : ""; }, {}, {"", 0, {}, 4}});
+  return columns;
+}
 
 /// How much hair is left where the head is drawn small, at rest.
 struct DistanceRow {
@@ -62,6 +131,17 @@ struct DistanceRow {
   std::uint32_t lod = 0;        ///< What a game would draw at this size,
   double lod_coverage_pct = 0;  ///< and how much that covers.
 };
+
+[[nodiscard]] inline Columns<DistanceRow> order_distance_columns() {
+  const CellFormat percent = "{:.1f} %";
+  return {{"pixels", &DistanceRow::pixels, {"height in pixels"}, {"pixels high", 11}},
+          {"coverage_pct",
+           &DistanceRow::coverage_pct,
+           {"covers, finest level", percent},
+           {"covered, finest level", 24, percent}},
+          {"lod", &DistanceRow::lod, {"level a game draws"}, {"level drawn", 14}},
+          {"lod_coverage_pct", &DistanceRow::lod_coverage_pct, {"covers", percent}, {"covered", 10, percent}}};
+}
 
 /// What a way to draw looks like where it is worst.
 struct WorstPicture {
@@ -72,12 +152,26 @@ struct WorstPicture {
   std::vector<std::uint8_t> png;  ///< Side by side: exact, this, four times the difference.
 };
 
+[[nodiscard]] inline Columns<WorstPicture> worst_columns() {
+  return {{"name", &WorstPicture::name},
+          {"pose", &WorstPicture::pose},
+          {"yaw", &WorstPicture::yaw_degrees},
+          {"pitch", &WorstPicture::pitch_degrees},
+          {"psnr_db", &WorstPicture::psnr_db}};
+}
+
 /// Of the exact picture from itself, over a few views: the floor below which no error means anything.
 struct SelfDifferenceRow {
   std::string against;  ///< "again": the same taken twice.
   double psnr_db = kEqualDb;
   double max_difference = 0;  ///< Of any channel, 0..1.
 };
+
+[[nodiscard]] inline Columns<SelfDifferenceRow> self_difference_columns() {
+  return {{"against", &SelfDifferenceRow::against, {"exact picture against"}},
+          {"psnr_db", &SelfDifferenceRow::psnr_db, {"PSNR", decibel_cell}},
+          {"max_difference", &SelfDifferenceRow::max_difference, {"largest difference"}}};
+}
 
 struct ViewAngle {
   double yaw_degrees = 0, pitch_degrees = 0;
@@ -93,6 +187,10 @@ struct OrderLeftOut {
   std::string what;  ///< An order or a mode.
   std::string why;
 };
+
+[[nodiscard]] inline Columns<OrderLeftOut> order_left_out_columns() {
+  return {{"what", &OrderLeftOut::what}, {"why", &OrderLeftOut::why}};
+}
 
 struct OrderReport {
   std::string device;                   ///< GL_RENDERER.
@@ -110,5 +208,34 @@ struct OrderReport {
   std::vector<OrderLeftOut> left_out;
   std::vector<WorstPicture> worst;
 };
+
+/// `coif report order` for other programs: the heading, then
+/// - `device`, `width`, `height`, `opaque_threshold`, `orders`: how many the asset has
+/// - `views`: how many directions each figure is of, `orbit_frames` those of popping
+/// - `rows`, `modes`
+/// - `gain_over_head_db{rest, turn, charge}`: of the asset's own orders, one per pose
+/// - `thresholds`, `distance`, `reference`: of exact pictures from each other, `worst`, `left_out`
+///
+/// The keys within are those of the columns above.
+[[nodiscard]] nlohmann::ordered_json order_json(const ReportHeading& heading, const OrderReport& report);
+
+/// `coif report order` for a terminal.
+[[nodiscard]] std::string order_text(const ReportHeading& heading, const OrderReport& report);
+
+/// `coif report order` as one HTML document, its pictures inside.
+[[nodiscard]] std::string order_page(const ReportHeading& heading, const OrderReport& report);
+
+/// What a hurried reader should know, in a few sentences.
+[[nodiscard]] std::string order_summary(const OrderReport& report);
+
+/// How the pictures were taken.
+[[nodiscard]] std::string order_method(const OrderReport& report);
+
+/// PSNR of each order over its views, best first.
+[[nodiscard]] Figure order_views_figure(const OrderReport& report, const std::string& pose);
+/// Error of each way to draw against what it costs, at rest.
+[[nodiscard]] Figure order_cost_figure(const OrderReport& report);
+[[nodiscard]] Figure thresholds_figure(const OrderReport& report);
+[[nodiscard]] Figure order_distances_figure(const OrderReport& report);
 
 }  // namespace coif

@@ -2,18 +2,14 @@
 
 #include "base/encodings.h"
 #include "base/text.h"
-#include "report/page/page_style.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 
 namespace coif {
-namespace {
 
-std::string escaped(std::string_view text) {
+std::string markup_text(std::string_view text) {
   std::string result;
   for (const char c : clean_text(text)) {
     switch (c) {
@@ -27,6 +23,57 @@ std::string escaped(std::string_view text) {
   }
   return result;
 }
+
+namespace {
+
+/// Style sheet of every page. Wide tables scroll in their own frame so that their header can stay in sight; on paper
+/// they run on, the header repeats on every sheet and the colours are printed.
+constexpr char kPageStyle[] = R"(:root {
+  color-scheme: light dark;
+  --text: #1d2228; --ground: #ffffff; --raised: #f1f3f5; --line: #cfd4da;
+  --good: #cdeccf; --neutral: #e2e5e9; --warning: #fbe3ad; --bad: #f7c4c0;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --text: #e3e6ea; --ground: #16191d; --raised: #22272d; --line: #3d444c;
+    --good: #1f4d2a; --neutral: #363c44; --warning: #5f4a12; --bad: #6b2723;
+  }
+}
+body { color: var(--text); background: var(--ground); font: 15px/1.5 system-ui, sans-serif;
+  max-width: 82rem; margin: 2rem auto; padding: 0 1.5rem; }
+h1 { font-size: 1.6rem; }
+h2 { font-size: 1.2rem; margin-top: 2.2rem; break-after: avoid; border-bottom: 1px solid var(--line); }
+p { max-width: 52rem; }
+.summary { font-size: 1.1rem; background: var(--raised); border-left: 4px solid #2f8fd8; padding: 0.7rem 1rem; }
+.table { overflow: auto; max-height: 90vh; margin: 1rem 0; }
+table { border-collapse: collapse; }
+th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top;
+  white-space: nowrap; }
+th { position: sticky; top: 0; background: var(--raised); }
+.prose { white-space: normal; min-width: 11rem; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+.good { background: var(--good); }
+.neutral { background: var(--neutral); }
+.warning { background: var(--warning); }
+.bad { background: var(--bad); }
+figure { margin: 1.5rem 0; break-inside: avoid; }
+figure svg { width: 100%; max-width: 60rem; height: auto; }
+figure img { max-width: 100%; }
+figcaption { font-size: 0.9rem; max-width: 52rem; }
+@media print {
+  :root { --text: #000000; --ground: #ffffff; --raised: #f1f3f5; --line: #cfd4da;
+    --good: #cdeccf; --neutral: #e2e5e9; --warning: #fbe3ad; --bad: #f7c4c0; }
+  body { max-width: none; margin: 0; font-size: 10pt; }
+  .table { overflow: visible; max-height: none; }
+  th { position: static; }
+  thead { display: table-header-group; }
+  tr { break-inside: avoid; }
+  table { font-size: 8pt; }
+  th { white-space: normal; }
+  th, td { padding: 0.1rem 0.4rem; print-color-adjust: exact; }
+  .prose { min-width: 6rem; }
+}
+)";
 
 const char* class_of(CellLook look) {
   switch (look) {
@@ -57,7 +104,7 @@ std::string escaped_lines(std::string_view text) {
   std::string html;
   for (;;) {
     const std::size_t end = text.find('\n');
-    html += escaped(text.substr(0, end));
+    html += markup_text(text.substr(0, end));
     if (end == std::string_view::npos) return html;
     html += "<br>";
     text.remove_prefix(end + 1);
@@ -67,13 +114,14 @@ std::string escaped_lines(std::string_view text) {
 std::string head_row(const std::vector<Column>& columns) {
   std::string html = "<tr>";
   for (const Column& column : columns) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(class_of(column.kind)), escaped(column.title));
+    html +=
+        fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(class_of(column.kind)), markup_text(column.title));
   }
   return html + "</tr>";
 }
 
 std::string image(std::span<const std::uint8_t> png, std::string_view meaning) {
-  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(meaning), base64(png));
+  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", markup_text(meaning), base64(png));
 }
 
 std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>& cells) {
@@ -88,25 +136,18 @@ std::string body_row(const std::vector<Column>& columns, const std::vector<Cell>
 
 }  // namespace
 
-Cell count_cell(std::uint64_t count) { return {std::to_string(count)}; }
-
-Cell spread_cell(double spread_pct) {
-  // Samples that differ by a quarter are of a machine that had other work.
-  constexpr double kUnsteadyPct = 25;
-  const std::string text = fmt::format("\u00b1{:.1f} %", spread_pct / 2);
-  return {text, spread_pct > kUnsteadyPct ? CellLook::kWarning : CellLook::kPlain};
-}
-
-HtmlPage::HtmlPage(std::string_view title) : title_(escaped(title)) {}
+HtmlPage::HtmlPage(std::string_view title) : title_(markup_text(title)) {}
 
 void HtmlPage::element(std::string_view tag, std::string_view text) {
   const std::string_view name = tag.substr(0, tag.find(' '));
-  body_ += fmt::format("<{}>{}</{}>\n", tag, escaped(text), name);
+  body_ += fmt::format("<{}>{}</{}>\n", tag, markup_text(text), name);
 }
 
 void HtmlPage::heading(std::string_view text) { element("h2", text); }
 void HtmlPage::summary(std::string_view text) { element("p class=\"summary\"", text); }
-void HtmlPage::paragraph(std::string_view text) { element("p", text); }
+void HtmlPage::paragraph(std::string_view text) {
+  if (!text.empty()) element("p", text);
+}
 
 void HtmlPage::table(const Table& table) {
   body_ += "<div class=\"table\"><table>\n<thead>" + head_row(table.columns) + "</thead>\n<tbody>\n";
@@ -114,10 +155,9 @@ void HtmlPage::table(const Table& table) {
   body_ += "</tbody></table></div>\n";
 }
 
-void HtmlPage::figure(std::string_view svg, std::string_view caption) {
-  body_ += "<figure>\n" + scope_svg_ids(svg, fmt::format("figure{}_", ++figures_));
-  body_ += "\n";
-  element("figcaption", caption);
+void HtmlPage::figure(const Figure& figure) {
+  body_ += fmt::format("<figure>\n{}\n", draw(figure.plot, fmt::format("figure{}_", ++figures_)));
+  element("figcaption", figure.caption);
   body_ += "</figure>\n";
 }
 
@@ -135,41 +175,6 @@ std::string HtmlPage::text() const {
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
       "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
       title_, kPageStyle, body_);
-}
-
-namespace {
-
-// What an id stands behind, as gnuplot and most others write it.
-constexpr std::string_view kBeforeId[] = {" id='",     " id=\"",   "xlink:href='#", "xlink:href=\"#",
-                                          " href=\"#", " href='#", "url(#"};
-
-std::string scoped_tag(std::string_view tag, std::string_view prefix) {
-  std::string result;
-  while (!tag.empty()) {
-    const auto* const found =
-        std::ranges::find_if(kBeforeId, [tag](std::string_view before) { return tag.starts_with(before); });
-    const bool hit = found != std::end(kBeforeId);
-    const std::size_t length = hit ? found->size() : 1;
-    result += tag.substr(0, length);
-    if (hit) result += prefix;
-    tag.remove_prefix(length);
-  }
-  return result;
-}
-
-}  // namespace
-
-std::string scope_svg_ids(std::string_view svg, std::string_view prefix) {
-  std::string result;
-  while (!svg.empty()) {
-    const std::size_t open = std::min(svg.find('<'), svg.size());
-    result += svg.substr(0, open);
-    svg.remove_prefix(open);
-    const std::size_t close = std::min(svg.find('>'), svg.size());
-    result += scoped_tag(svg.substr(0, close), prefix);
-    svg.remove_prefix(close);
-  }
-  return result;
 }
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "report/page/plot.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -32,11 +34,8 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  ///< Short rows are filled up with empty cells.
 };
 
-[[nodiscard]] Cell count_cell(std::uint64_t count);
-
-/// Half the width of the middle half of samples, which `spread_pct` is, in % of their median; stands out where the
-/// machine was not steady.
-[[nodiscard]] Cell spread_cell(double spread_pct);
+/// Text as HTML and XML take it between tags and within quotes.
+[[nodiscard]] std::string markup_text(std::string_view text);
 
 /// One HTML document that needs nothing but itself: no script, no file beside it, no network; its own policy forbids a
 /// browser to fetch any. Readable on light and dark screens and on paper. Every text that comes in is escaped.
@@ -47,10 +46,10 @@ class HtmlPage {
   void heading(std::string_view text);
   /// The sentence that a hurried reader should see.
   void summary(std::string_view text);
+  /// Nothing for an empty text.
   void paragraph(std::string_view text);
   void table(const Table& table);
-  /// `svg`: an element as draw() returns it, put in as it is but for its ids, which become unique in this page.
-  void figure(std::string_view svg, std::string_view caption);
+  void figure(const Figure& figure);
   /// Bytes of a PNG file, put into the page.
   void picture(std::span<const std::uint8_t> png, std::string_view caption);
 
@@ -64,9 +63,5 @@ class HtmlPage {
   std::string body_;
   unsigned figures_ = 0;
 };
-
-/// Puts `prefix` before every id of an SVG element and before every reference to one, so that several can stand in one
-/// document. Text between tags stays as it is.
-[[nodiscard]] std::string scope_svg_ids(std::string_view svg, std::string_view prefix);
 
 }  // namespace coif

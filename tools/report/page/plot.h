@@ -1,11 +1,5 @@
 #pragma once
 
-#include "base/tool_error.h"
-#include "report/page/html_page.h"
-
-#include <tl/expected.hpp>
-
-#include <chrono>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,14 +35,18 @@ struct PlotMarker {
 
 /// A diagram as data. Points that an axis cannot show (not finite, or not above zero on a logarithmic one) are left out.
 struct Plot {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
+  std::string title{};
+  std::string x_label{};
+  std::string y_label{};
   bool log_x = false;
   bool log_y = false;
-  std::vector<double> x_ticks;  ///< Empty: chosen by the range.
-  std::vector<PlotSeries> series;
-  std::vector<PlotMarker> markers;
+  std::vector<double> x_ticks{};  ///< Empty: chosen by the range.
+  std::vector<PlotSeries> series{};
+  std::vector<PlotMarker> markers{};
+
+  /// Adds a series in the next colour. The reference holds until the next is added.
+  PlotSeries& add(std::string name, std::vector<PlotPoint> points = {},
+                  PlotSeries::Style style = PlotSeries::Style::kLinePoints);
 };
 
 /// A diagram and what is to be seen in it.
@@ -57,38 +55,8 @@ struct Figure {
   std::string caption;
 };
 
-/// The plot as a gnuplot 5 script that writes SVG to its standard output. The data are in it; texts are quoted so that
-/// gnuplot expands nothing in them.
-[[nodiscard]] std::string plot_script(const Plot& plot);
-
-/// The program that draws.
-struct Plotter {
-  std::string program = "gnuplot";                                ///< A name in PATH, or a path.
-  std::chrono::milliseconds patience = std::chrono::seconds(20);  ///< Per plot; then it is killed.
-};
-
-/// Draws by gnuplot in a child process that reads its script and writes its picture through pipes and can write no
-/// file. Returns an <svg> element for HtmlPage::figure(); its lines and letters take the page's colour. Errors:
-/// kUnsupported with the cure where gnuplot is not installed, kInternal where it fails or takes too long.
-tl::expected<std::string, ToolError> draw(const Plot& plot, const Plotter& plotter = {});
-
-/// Tells before long work whether draw() will find its program. Errors: those of draw().
-tl::expected<void, ToolError> check_plotter(const Plotter& plotter = {});
-
-/// A page under way whose figures gnuplot draws. After the first that fails the rest is skipped, and there is no page.
-class PlottedPage : public HtmlPage {
- public:
-  /// `plotter` must outlive this object.
-  PlottedPage(std::string_view title, const Plotter& plotter) : HtmlPage(title), plotter_(plotter) {}
-
-  void plot(const Figure& figure);
-
-  /// The whole document. Errors: those of draw().
-  [[nodiscard]] tl::expected<std::string, ToolError> finish() const;
-
- private:
-  const Plotter& plotter_;
-  tl::expected<void, ToolError> drawn_;
-};
+/// The plot as an <svg> element, well-formed as XML; its lines and letters take the page's colour. `prefix` goes before
+/// its ids, so that several can stand in one document.
+[[nodiscard]] std::string draw(const Plot& plot, std::string_view prefix = "");
 
 }  // namespace coif

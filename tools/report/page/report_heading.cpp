@@ -85,6 +85,13 @@ nlohmann::ordered_json heading_json(const ReportHeading& heading) {
       {"seconds_taken", heading.seconds_taken}};
 }
 
+HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary) {
+  HtmlPage page(title + ": " + heading.asset);
+  page.paragraph(heading_text(heading));
+  page.summary(summary);
+  return page;
+}
+
 std::string device_text(const std::string& device) {
   return device.starts_with("llvmpipe") ? device + ", which draws on the processor, not on a graphics card" : device;
 }

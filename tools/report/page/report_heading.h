@@ -3,13 +3,17 @@
 // What the reports have in common.
 
 #include "base/json.h"
+#include "report/page/html_page.h"
 
 #include <coif/asset.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace coif {
 
@@ -42,6 +46,19 @@ struct ReportHeading {
 
 /// The keys that every report begins with.
 [[nodiscard]] nlohmann::ordered_json heading_json(const ReportHeading& heading);
+
+/// A page that begins with them, and with the sentences that a hurried reader should see.
+[[nodiscard]] HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary);
+
+/// The names in one member of the records, each once, in the order in which they first occur.
+template <typename Record>
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Record>& records, std::string Record::*name) {
+  std::vector<std::string> names;
+  for (const Record& record : records) {
+    if (std::ranges::find(names, record.*name) == names.end()) names.push_back(record.*name);
+  }
+  return names;
+}
 
 /// The device's name, and that it is none where the processor draws.
 [[nodiscard]] std::string device_text(const std::string& device);

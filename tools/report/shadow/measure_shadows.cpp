@@ -6,11 +6,10 @@
 #include "render/egl_context.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
-#include "report/shadow/shadow_totals.h"
 
-#include <Eigen/Geometry>
 #include <GLES3/gl3.h>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <chrono>

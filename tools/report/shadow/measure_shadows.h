@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/tool_error.h"
-#include "report/page/report_heading.h"
 #include "report/shadow/shadow_report.h"
 #include "visibility/fragment_view.h"
 
@@ -47,6 +46,12 @@ class ShadowProbe {
   const HairShadow* shadow_;
   unsigned program_ = 0;
 };
+
+/// `light`: one per point, what a technique says. Over the points of the head, or of the hair.
+[[nodiscard]] ShadowError shadow_error(std::span<const ShadowPoint> points, std::span<const float> light, bool of_head);
+
+/// Each technique over its rows, which count alike: the root of the mean of squared errors, the mean of biases. Bytes are 0.
+[[nodiscard]] std::vector<ShadowTotal> shadow_totals(std::span<const ShadowRow> rows);
 
 struct ShadowSettings {
   std::vector<std::uint32_t> sizes{256, 512, 1024};  ///< Of the maps, 16..4096, not empty.

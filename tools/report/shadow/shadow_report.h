@@ -1,12 +1,13 @@
 #pragma once
 
-// What `coif report shadows` found, as data: measured by measure_shadows(), shown by the renderers of report/page.
+// What `coif report shadows` finds: records, measured by measure_shadows(), and the columns that show them.
 //
 // A light's transmittance at a point is the share of it that neither head nor hair keep from there, 0..1. An error is a
 // technique's transmittance less the exact one, the product of 1 - alpha of all that lies between.
 
+#include "report/page/report_columns.h"
+
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,33 @@ namespace coif {
 
 /// Of a technique's transmittance over many points.
 struct ShadowError {
-  double rmse = std::numeric_limits<double>::quiet_NaN();  ///< NaN: there are no such points.
-  double bias = std::numeric_limits<double>::quiet_NaN();  ///< Mean; positive: too much light comes through.
+  double rmse = kNoNumber;  ///< NaN: there are no such points.
+  double bias = kNoNumber;  ///< Mean; positive: too much light comes through.
 };
+
+/// "deep, 4 layers, 512".
+[[nodiscard]] std::string technique_text(const std::string& technique, std::uint32_t layers, std::uint32_t size);
+
+/// What a record's technique is called in a table, and its keys.
+template <typename Row>
+[[nodiscard]] Columns<Row> technique_columns() {
+  return {{kNoKey,
+           [](const Row& row) { return technique_text(row.technique, row.layers, row.size); },
+           {"technique"},
+           {"technique", -22}},
+          {"technique", &Row::technique},
+          {"layers", &Row::layers},
+          {"size", &Row::size}};
+}
+
+/// What a record's `hair` and `head` have.
+template <typename Row>
+[[nodiscard]] Columns<Row> shadow_error_columns() {
+  return {{"rmse", [](const Row& row) { return row.hair.rmse; }, {"RMS, hair"}, {"hair rms", 9}},
+          {"bias", [](const Row& row) { return row.hair.bias; }, {"bias, hair"}, {"bias", 9}},
+          {"head_rmse", [](const Row& row) { return row.head.rmse; }, {"RMS, head"}, {"head rms", 11}},
+          {"head_bias", [](const Row& row) { return row.head.bias; }, {"bias, head"}, {"bias", 11}}};
+}
 
 /// One technique under one light in one pose.
 struct ShadowRow {
@@ -29,6 +54,16 @@ struct ShadowRow {
   ShadowError head{};        ///< Over the side of the head that is turned to the light.
   double ms = 0;             ///< Wall time of drawing the map, until the device has finished, median.
 };
+
+[[nodiscard]] inline Columns<ShadowRow> shadow_columns() {
+  using Row = ShadowRow;
+  Columns<Row> columns = technique_columns<Row>();
+  append(columns, {{"light", &Row::light, {"light"}}, {"pose", &Row::pose, {"pose"}}});
+  append(columns, shadow_error_columns<Row>());
+  append(columns,
+         {{"ms", &Row::ms}, {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}}});
+  return columns;
+}
 
 /// One technique over all lights and poses.
 struct ShadowTotal {
@@ -43,11 +78,39 @@ struct ShadowTotal {
   std::uint64_t bytes = 0;  ///< Of the map's textures.
 };
 
+[[nodiscard]] inline Columns<ShadowTotal> shadow_total_columns() {
+  using Total = ShadowTotal;
+  // What no map draws takes neither time nor memory.
+  const auto kibibytes = [](const Total& total) { return total.size > 0 ? double(total.bytes / 1024) : kNoNumber; };
+  const auto worst = [](const Total& total) {
+    return "   " + number_text(total.worst_rmse) + " (" + total.worst_light + ", " + total.worst_pose + ")";
+  };
+  Columns<Total> columns = technique_columns<Total>();
+  append(columns, shadow_error_columns<Total>());
+  append(columns,
+         {{"worst_light", &Total::worst_light},
+          {"worst_pose", &Total::worst_pose},
+          {kNoKey, [](const Total& total) { return total.worst_light + ", " + total.worst_pose; }, {"worst light"}},
+          {"worst_rmse", &Total::worst_rmse, {"its RMS"}},
+          {kNoKey, worst, {}, {"   worst light of hair", -27}},
+          {"ms", &Total::ms},
+          {"bytes", &Total::bytes},
+          {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {"ms"}, {"ms", 8}},
+          {kNoKey, kibibytes, {"KiB", {"{:.0f}", "-"}}, {"KiB", 8, {"{:.0f}", "-"}}}});
+  return columns;
+}
+
 /// A direction that light comes from, in degrees as of a camera: yaw 0 is before the face, positive to the model's left.
 struct ShadowLight {
   std::string name;
   double yaw_degrees = 0, pitch_degrees = 0;
 };
+
+[[nodiscard]] inline Columns<ShadowLight> light_columns() {
+  return {{"light", &ShadowLight::name, {"light"}},
+          {"yaw", &ShadowLight::yaw_degrees, {"yaw, degrees", "{:.0f}"}},
+          {"pitch", &ShadowLight::pitch_degrees, {"pitch, degrees", "{:.0f}"}}};
+}
 
 struct ShadowReport {
   std::string device;                              ///< GL_RENDERER.
@@ -57,5 +120,21 @@ struct ShadowReport {
   std::vector<ShadowRow> rows;
   std::vector<ShadowTotal> totals;  ///< In the order in which they first occur in `rows`.
 };
+
+/// `coif report shadows` for other programs: the heading, then `device`, `spacing` (metres between the lines of the exact
+/// reference), `hair_points`, `head_points`, and `lights`, `rows` and `totals` with the keys of their columns.
+[[nodiscard]] nlohmann::ordered_json shadow_json(const ReportHeading& heading, const ShadowReport& report);
+
+/// `coif report shadows` for a terminal: each technique over all lights and poses, and the summary.
+[[nodiscard]] std::string shadow_text(const ReportHeading& heading, const ShadowReport& report);
+
+/// `coif report shadows` as one HTML document.
+[[nodiscard]] std::string shadow_page(const ReportHeading& heading, const ShadowReport& report);
+
+/// Which technique is nearest to the truth, and which costs least within half as much again, in a sentence.
+[[nodiscard]] std::string shadow_summary(const ShadowReport& report);
+
+/// What was compared with what, in a sentence.
+[[nodiscard]] std::string shadow_method(const ShadowReport& report);
 
 }  // namespace coif

@@ -1,4 +1,4 @@
-#include "report/shadow/shadow_totals.h"
+#include "report/shadow/measure_shadows.h"
 
 #include "base/timing.h"
 

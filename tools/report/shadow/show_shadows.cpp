@@ -1,10 +1,8 @@
-#include "report/shadow/show_shadows.h"
-
-#include "base/json.h"
-#include "report/page/report_heading.h"
+#include "report/shadow/shadow_report.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coif {
@@ -58,92 +56,85 @@ std::string shadow_summary(const ShadowReport& report) {
 std::string shadow_method(const ShadowReport& report) {
   return fmt::format(
       "The share of a light that reaches a point, 0 to 1, at {} points of hair and {} of the head, under {} lights, "
-      "against "
-      "the product of 1 - alpha of all that lies between, along lines {:.1f} mm apart.",
+      "against the product of 1 - alpha of all that lies between, along lines {:.1f} mm apart.",
       report.hair_points, report.head_points, report.lights.size(), 1000 * report.spacing);
 }
 
-namespace {
-
-using nlohmann::ordered_json;
-
-void add_errors(const ShadowError& hair, const ShadowError& head, ordered_json& json) {
-  json["rmse"] = number_json(hair.rmse);
-  json["bias"] = number_json(hair.bias);
-  json["head_rmse"] = number_json(head.rmse);
-  json["head_bias"] = number_json(head.bias);
-}
-
-ordered_json to_json(const ShadowLight& light) {
-  return {{"light", light.name}, {"yaw", number_json(light.yaw_degrees)}, {"pitch", number_json(light.pitch_degrees)}};
-}
-
-ordered_json to_json(const ShadowRow& row) {
-  ordered_json json = {{"technique", row.technique},
-                       {"layers", row.layers},
-                       {"size", row.size},
-                       {"light", row.light},
-                       {"pose", row.pose}};
-  add_errors(row.hair, row.head, json);
-  json["ms"] = number_json(row.ms);
-  return json;
-}
-
-ordered_json to_json(const ShadowTotal& total) {
-  ordered_json json = {{"technique", total.technique}, {"layers", total.layers}, {"size", total.size}};
-  add_errors(total.hair, total.head, json);
-  json["worst_light"] = total.worst_light;
-  json["worst_pose"] = total.worst_pose;
-  json["worst_rmse"] = number_json(total.worst_rmse);
-  json["ms"] = number_json(total.ms);
-  json["bytes"] = total.bytes;
-  return json;
-}
-
-template <typename Row>
-ordered_json list(const std::vector<Row>& rows) {
-  ordered_json array = ordered_json::array();
-  for (const Row& row : rows) array.push_back(to_json(row));
-  return array;
-}
-
-}  // namespace
-
-ordered_json shadow_json(const ReportHeading& heading, const ShadowReport& report) {
-  ordered_json json = heading_json(heading);
+nlohmann::ordered_json shadow_json(const ReportHeading& heading, const ShadowReport& report) {
+  nlohmann::ordered_json json = heading_json(heading);
   json["device"] = report.device;
   json["spacing"] = number_json(report.spacing);
   json["hair_points"] = report.hair_points;
   json["head_points"] = report.head_points;
-  json["lights"] = list(report.lights);
-  json["rows"] = list(report.rows);
-  json["totals"] = list(report.totals);
+  json["lights"] = json_list(light_columns(), report.lights);
+  json["rows"] = json_list(shadow_columns(), report.rows);
+  json["totals"] = json_list(shadow_total_columns(), report.totals);
   return json;
+}
+
+std::string shadow_text(const ReportHeading& heading, const ShadowReport& report) {
+  return heading_text(heading) + "\n  " + shadow_method(report) + " Drawn by " + report.device + ".\n" +
+         text_heading(shadow_total_columns()) + text_lines(shadow_total_columns(), report.totals) +
+         shadow_summary(report) + "\n";
 }
 
 namespace {
 
-std::string worst_text(const ShadowTotal& total) {
-  return fmt::format("{} ({}, {})", number_text(total.worst_rmse), total.worst_light, total.worst_pose);
+/// One line per technique and number of layers, over the sizes of its map.
+Figure sizes_figure(const ShadowReport& report) {
+  Figure figure{{.title = "Error over the size of the map",
+                 .x_label = "texels each way",
+                 .y_label = "RMS error of the light that reaches hair",
+                 .log_x = true},
+                "Lower is better. Of 1, which is all of the light; mean over lights and poses."};
+  Plot& plot = figure.plot;
+  for (const ShadowTotal& total : report.totals) {
+    if (total.size == 0) {
+      plot.markers.push_back({false, total.hair.rmse, "without shadows"});
+      continue;
+    }
+    const std::string name = technique_text(total.technique, total.layers, 0);
+    const auto found = std::ranges::find(plot.series, name, &PlotSeries::name);
+    PlotSeries& series = found == plot.series.end() ? plot.add(name) : *found;
+    series.points.push_back({double(total.size), total.hair.rmse});
+    if (plot.series.size() == 1) plot.x_ticks.push_back(double(total.size));
+  }
+  return figure;
 }
 
-std::string total_line(const ShadowTotal& total) {
-  const bool is_map = total.size > 0;
-  return fmt::format("  {:<22}{:>9}{:>9}{:>11}{:>11}   {:<24}{:>8}{:>8}\n",
-                     technique_text(total.technique, total.layers, total.size), number_text(total.hair.rmse),
-                     number_text(total.hair.bias), number_text(total.head.rmse), number_text(total.head.bias),
-                     worst_text(total), is_map ? number_text(total.ms) : "-",
-                     is_map ? std::to_string(total.bytes / 1024) : "-");
+Figure cost_figure(const ShadowReport& report) {
+  Figure figure{{.title = "Error against cost",
+                 .x_label = "milliseconds to draw the map",
+                 .y_label = "RMS error of the light that reaches hair"},
+                "Lower is better, further left is cheaper. Drawn by " + report.device + "."};
+  for (const ShadowTotal& total : report.totals) {
+    if (total.size == 0) continue;
+    figure.plot.add(technique_text(total.technique, total.layers, total.size), {{total.ms, total.hair.rmse}},
+                    PlotSeries::Style::kPoints);
+  }
+  return figure;
 }
 
 }  // namespace
 
-std::string shadow_text(const ReportHeading& heading, const ShadowReport& report) {
-  std::string text = heading_text(heading) + "\n  " + shadow_method(report) + " Drawn by " + report.device + ".\n";
-  text += fmt::format("  {:<22}{:>9}{:>9}{:>11}{:>11}   {:<24}{:>8}{:>8}\n", "technique", "hair rms", "bias",
-                      "head rms", "bias", "worst light of hair", "ms", "KiB");
-  for (const ShadowTotal& total : report.totals) text += total_line(total);
-  return text + shadow_summary(report) + "\n";
+std::string shadow_page(const ReportHeading& heading, const ShadowReport& report) {
+  HtmlPage page = report_page("What shadows get wrong", heading, shadow_summary(report));
+  page.paragraph(shadow_method(report));
+  page.table(page_table(shadow_total_columns(), report.totals));
+  page.paragraph(
+      "plain: a depth map, in which hair is solid or not there. deep: deep opacity maps, which count how much hair "
+      "lies "
+      "in each of their layers. A positive bias is light that leaks through, a negative one is light that is lost. "
+      "Hair "
+      "counts by its alpha, as far as the head leaves it in the light; of the head, the side that is turned to the "
+      "light.");
+  page.figure(sizes_figure(report));
+  page.figure(cost_figure(report));
+  page.heading("The lights");
+  page.table(page_table(light_columns(), report.lights));
+  page.heading("Every measurement");
+  page.table(page_table(shadow_columns(), report.rows));
+  return page.text();
 }
 
 }  // namespace coif

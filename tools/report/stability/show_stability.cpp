@@ -1,8 +1,4 @@
-#include "report/stability/show_stability.h"
-
-#include "base/json.h"
-#include "report/page/html_page.h"
-#include "report/page/report_heading.h"
+#include "report/stability/stability_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,14 +34,11 @@ std::string list(const std::vector<std::string>& words) {
 
 std::vector<StabilityTotal> stability_totals(const StabilityReport& report) {
   std::vector<StabilityTotal> totals;
-  for (const StabilityRow& row : report.rows) {
-    auto found = std::ranges::find(totals, row.solver, &StabilityTotal::solver);
-    if (found == totals.end()) {
-      totals.emplace_back();
-      totals.back().solver = row.solver;
-      found = totals.end() - 1;
+  for (const std::string& solver : names_of(report.rows, &StabilityRow::solver)) {
+    StabilityTotal& total = totals.emplace_back(StabilityTotal{.solver = solver});
+    for (const StabilityRow& row : report.rows) {
+      if (row.solver == solver) add(total, row);
     }
-    add(*found, row);
   }
   return totals;
 }
@@ -72,139 +65,70 @@ std::string stability_summary(const StabilityReport& report) {
                      list(broken));
 }
 
-namespace {
-
-using nlohmann::ordered_json;
-
-ordered_json to_json(const StabilityRow& row) {
-  return {{"case", row.stress_case},
-          {"solver", row.solver},
-          {"outcome", name_of(row.outcome)},
-          {"stretch_max_pct", number_json(row.stretch_max_pct)},
-          {"penetration_max_pct", number_json(row.penetration_max_pct)},
-          {"max_speed", number_json(row.max_speed)},
-          {"settle_error_pct", number_json(row.settle_error_pct)}};
+Cell outcome_cell(Outcome outcome) {
+  constexpr CellLook kLooks[] = {CellLook::kGood, CellLook::kNeutral, CellLook::kWarning, CellLook::kBad};
+  return {name_of(outcome), kLooks[std::size_t(outcome)]};
 }
 
-}  // namespace
-
-ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report) {
-  ordered_json cases = ordered_json::array(), descriptions = ordered_json::array();
-  for (const StabilityRow& row : report.rows) cases.push_back(to_json(row));
-  for (const StressCase& stress : report.stress_cases) {
-    descriptions.push_back({{"case", stress.name}, {"description", stress.description}});
+Columns<StabilityTotal> stability_total_columns() {
+  using Total = StabilityTotal;
+  Columns<Total> columns{{kNoKey, &Total::solver, {"solver"}, {"solver", -14}}};
+  for (const Outcome outcome : kOutcomes) {
+    columns.emplace_back(
+        kNoKey, [outcome](const Total& total) { return total.count[std::size_t(outcome)]; },
+        PageColumn{name_of(outcome),
+                   [outcome](double count) {
+                     const CellLook look = count > 0 ? outcome_cell(outcome).look : CellLook::kPlain;
+                     return Cell{fmt::format("{}", count), look};
+                   }},
+        TextColumn{name_of(outcome), 10});
   }
-  ordered_json json = heading_json(heading);
-  json["cases"] = cases;
-  json["descriptions"] = descriptions;
+  append(columns, {{kNoKey, &Total::stretch_max_pct, {"worst stretch", percent_text}, {"stretch %", 12}},
+                   {kNoKey, &Total::penetration_max_pct, {"worst penetration", percent_text}, {"penetration %", 15}},
+                   {kNoKey, &Total::settle_error_pct, {"worst settle error", percent_text}, {"settle %", 10}}});
+  return columns;
+}
+
+nlohmann::ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report) {
+  nlohmann::ordered_json json = heading_json(heading);
+  json["cases"] = json_list(stability_columns(), report.rows);
+  json["descriptions"] = json_list(stress_case_columns(), report.stress_cases);
   return json;
 }
 
 std::string stability_text(const ReportHeading& heading, const StabilityReport& report) {
-  std::string text = heading_text(heading) + "\n";
-  text += fmt::format("  {:<14}", "solver");
-  for (const Outcome outcome : kOutcomes) text += fmt::format("{:>10}", name_of(outcome));
-  text += fmt::format("{:>12}{:>15}{:>10}\n", "stretch %", "penetration %", "settle %");
-  for (const StabilityTotal& total : stability_totals(report)) {
-    text += fmt::format("  {:<14}", total.solver);
-    for (const unsigned count : total.count) text += fmt::format("{:>10}", count);
-    text += fmt::format("{:>12}{:>15}{:>10}\n", number_text(total.stretch_max_pct),
-                        number_text(total.penetration_max_pct), number_text(total.settle_error_pct));
-  }
-  return text + "  stretch, penetration and settle error: the worst of the cases that ended well\n" +
+  return heading_text(heading) + "\n" + text_heading(stability_total_columns()) +
+         text_lines(stability_total_columns(), stability_totals(report)) +
+         "  stretch, penetration and settle error: the worst of the cases that ended well\n" +
          stability_summary(report) + "\n";
 }
 
 namespace {
 
-constexpr auto kNumbers = Column::Kind::kNumbers;
-
-CellLook look_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kOk: return CellLook::kGood;
-    case Outcome::kRejected: return CellLook::kNeutral;
-    case Outcome::kDiverged: return CellLook::kWarning;
-    case Outcome::kNan: return CellLook::kBad;
-  }
-  return CellLook::kPlain;
-}
-
-Table totals_table(const StabilityReport& report) {
-  Table table;
-  table.columns = {{"solver"}};
-  for (const Outcome outcome : kOutcomes) table.columns.push_back({name_of(outcome), kNumbers});
-  for (const char* title : {"worst stretch", "worst penetration", "worst settle error"}) {
-    table.columns.push_back({title, kNumbers});
-  }
-  for (const StabilityTotal& total : stability_totals(report)) {
-    std::vector<Cell> cells{{total.solver}};
-    for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-      const bool counts = total.count[i] > 0;
-      cells.push_back({std::to_string(total.count[i]), counts ? look_of(kOutcomes[i]) : CellLook::kPlain});
-    }
-    for (const double worst : {total.stretch_max_pct, total.penetration_max_pct, total.settle_error_pct}) {
-      cells.push_back({percent_text(worst)});
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
-
 Table legend_table() {
   Table table{{{"outcome"}, {"the solver ..."}}, {}};
-  for (const Outcome outcome : kOutcomes) {
-    table.rows.push_back({{name_of(outcome), look_of(outcome)}, {describe(outcome)}});
-  }
+  for (const Outcome outcome : kOutcomes) table.rows.push_back({outcome_cell(outcome), {describe(outcome)}});
   return table;
 }
 
-Cell outcome_cell(const StabilityRow& row) {
-  std::string text = name_of(row.outcome);
-  if (std::isfinite(row.stretch_max_pct)) text += "\nstretch " + percent_text(row.stretch_max_pct);
-  if (std::isfinite(row.penetration_max_pct)) text += "\ninside " + percent_text(row.penetration_max_pct);
-  return {text, look_of(row.outcome)};
+Cell case_cell(const StabilityReport& report, const std::string& stress_case, const std::string& solver) {
+  const auto row = std::ranges::find_if(
+      report.rows, [&](const StabilityRow& one) { return one.stress_case == stress_case && one.solver == solver; });
+  if (row == report.rows.end()) return {"-"};
+  Cell cell = outcome_cell(row->outcome);
+  if (std::isfinite(row->stretch_max_pct)) cell.text += "\nstretch " + percent_text(row->stretch_max_pct);
+  if (std::isfinite(row->penetration_max_pct)) cell.text += "\ninside " + percent_text(row->penetration_max_pct);
+  return cell;
 }
 
-const StabilityRow* find(const StabilityReport& report, const std::string& stress_case, const std::string& solver) {
-  for (const StabilityRow& row : report.rows) {
-    if (row.stress_case == stress_case && row.solver == solver) return &row;
-  }
-  return nullptr;
-}
-
+/// A row for each case, a column for each solver.
 Table cases_table(const StabilityReport& report) {
-  const std::vector<StabilityTotal> totals = stability_totals(report);
-  Table table;
-  table.columns = {{"case"}, {"what happens", Column::Kind::kProse}};
-  for (const StabilityTotal& total : totals) table.columns.push_back({total.solver});
+  const std::vector<std::string> solvers = names_of(report.rows, &StabilityRow::solver);
+  Table table{{{"case"}, {"what happens", Column::Kind::kProse}}, {}};
+  for (const std::string& solver : solvers) table.columns.push_back({solver});
   for (const StressCase& stress : report.stress_cases) {
-    std::vector<Cell> cells{{stress.name}, {stress.description}};
-    for (const StabilityTotal& total : totals) {
-      const StabilityRow* const row = find(report, stress.name, total.solver);
-      cells.push_back(row != nullptr ? outcome_cell(*row) : Cell{"-"});
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
-
-Table rows_table(const StabilityReport& report) {
-  Table table;
-  table.columns = {{"case"},
-                   {"solver"},
-                   {"outcome"},
-                   {"stretch %", kNumbers},
-                   {"penetration %", kNumbers},
-                   {"fastest m/s", kNumbers},
-                   {"settle error %", kNumbers}};
-  for (const StabilityRow& row : report.rows) {
-    table.rows.push_back({{row.stress_case},
-                          {row.solver},
-                          {name_of(row.outcome), look_of(row.outcome)},
-                          {number_text(row.stretch_max_pct)},
-                          {number_text(row.penetration_max_pct)},
-                          {number_text(row.max_speed)},
-                          {number_text(row.settle_error_pct)}});
+    auto& cells = table.rows.emplace_back(std::vector<Cell>{{stress.name}, {stress.description}});
+    for (const std::string& solver : solvers) cells.push_back(case_cell(report, stress.name, solver));
   }
   return table;
 }
@@ -212,10 +136,8 @@ Table rows_table(const StabilityReport& report) {
 }  // namespace
 
 std::string stability_page(const ReportHeading& heading, const StabilityReport& report) {
-  HtmlPage page("Stability under stress: " + heading.asset);
-  page.paragraph(heading_text(heading));
-  page.summary(stability_summary(report));
-  page.table(totals_table(report));
+  HtmlPage page = report_page("Stability under stress", heading, stability_summary(report));
+  page.table(page_table(stability_total_columns(), stability_totals(report)));
   page.table(legend_table());
   page.heading("Case by case");
   page.paragraph(
@@ -226,7 +148,7 @@ std::string stability_page(const ReportHeading& heading, const StabilityReport& 
   page.paragraph(
       "Settle error: RMS distance of the tips to the settled hair after the stress has ended, in % of the chain's "
       "length. A solver that does not find back stays deformed in the game, too.");
-  page.table(rows_table(report));
+  page.table(page_table(stability_columns(), report.rows));
   return page.text();
 }
 

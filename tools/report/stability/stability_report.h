@@ -1,11 +1,11 @@
 #pragma once
 
-// What `coif report stability` found, as data: measured by measure_stability(), shown by the renderers of report/page.
-// Every percentage is already times 100. NaN stands for a number that does not exist; it is printed as "-" and is null
-// in JSON.
+// What `coif report stability` finds: records, measured by measure_stability(), and the columns that show them. Every
+// percentage is already times 100. NaN stands for a number that does not exist.
 
-#include "report/page/report_heading.h"
+#include "report/page/report_columns.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,11 +29,20 @@ enum class Outcome {
   return "";
 }
 
+inline constexpr std::array kOutcomes{Outcome::kOk, Outcome::kRejected, Outcome::kDiverged, Outcome::kNan};
+
+/// Its name, coloured.
+[[nodiscard]] Cell outcome_cell(Outcome outcome);
+
 /// A way to put a solver under stress.
 struct StressCase {
   std::string name;         ///< Short, unique: "turn_10fps".
   std::string description;  ///< One line for people: "head shaken at 10 frames per second". May be empty.
 };
+
+[[nodiscard]] inline Columns<StressCase> stress_case_columns() {
+  return {{"case", &StressCase::name}, {"description", &StressCase::description}};
+}
 
 /// One solver in one case.
 struct StabilityRow {
@@ -47,9 +56,51 @@ struct StabilityRow {
   double settle_error_pct = kNoNumber;
 };
 
+[[nodiscard]] inline Columns<StabilityRow> stability_columns() {
+  using Row = StabilityRow;
+  return {{"case", &Row::stress_case, {"case"}},
+          {"solver", &Row::solver, {"solver"}},
+          {"outcome", [](const Row& row) { return outcome_cell(row.outcome); }, {"outcome"}},
+          {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}},
+          {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}},
+          {"max_speed", &Row::max_speed, {"fastest m/s"}},
+          {"settle_error_pct", &Row::settle_error_pct, {"settle error %"}}};
+}
+
+/// All cases of one solver.
+struct StabilityTotal {
+  std::string solver;
+  std::array<unsigned, kOutcomes.size()> count{};  ///< Cases by outcome.
+  /// Worst of the cases that ended well; NaN where none has such a number.
+  double stretch_max_pct = kNoNumber;
+  double penetration_max_pct = kNoNumber;
+  double settle_error_pct = kNoNumber;
+};
+
+/// Cells of outcomes that occur are coloured.
+[[nodiscard]] Columns<StabilityTotal> stability_total_columns();
+
 struct StabilityReport {
   std::vector<StressCase> stress_cases;  ///< In the order of the rows of the page.
   std::vector<StabilityRow> rows;        ///< JSON key "cases".
 };
+
+/// `coif report stability` for other programs: the heading, then cases, and what each of them does.
+[[nodiscard]] nlohmann::ordered_json stability_json(const ReportHeading& heading, const StabilityReport& report);
+
+/// `coif report stability` as one HTML document: a row for each case, a column for each solver.
+[[nodiscard]] std::string stability_page(const ReportHeading& heading, const StabilityReport& report);
+
+/// `coif report stability` for a terminal: totals of each solver and the summary.
+[[nodiscard]] std::string stability_text(const ReportHeading& heading, const StabilityReport& report);
+
+/// One per solver, in the order in which they first occur.
+[[nodiscard]] std::vector<StabilityTotal> stability_totals(const StabilityReport& report);
+
+/// What the outcome means, for people.
+[[nodiscard]] const char* describe(Outcome outcome);
+
+/// Which solvers came through everything, as a sentence.
+[[nodiscard]] std::string stability_summary(const StabilityReport& report);
 
 }  // namespace coif
