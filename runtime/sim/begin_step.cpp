@@ -1,5 +1,5 @@
 #include "crowd_step.h"
-#include "treatment.h"
+#include "vector_math.h"
 
 #include <bit>
 #include <cmath>
@@ -7,6 +7,16 @@
 
 namespace coif {
 namespace {
+
+bool is_within(float value, float low, float high) { return value >= low && value <= high; }
+
+Status check_environment(const Environment& environment) {
+  if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
+  return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
+}
+
+/// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
+constexpr float kMostScale = 1e6f;
 
 bool same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
@@ -134,6 +144,19 @@ void choose_blocks(CrowdState& crowd) {
 }
 
 }  // namespace
+
+Status check_settings(const StepSettings& settings) {
+  if (!(settings.dt > 0.0f && settings.dt <= kMaxTimeStep)) return Status::kBadTimeStep;
+  if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
+  if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
+  const DynamicsScale& scale = settings.dynamics;
+  const bool scales_fit = is_within(scale.stiffness, 0.0f, kMostScale) && is_within(scale.damping, 0.0f, kMostScale) &&
+                          is_within(scale.friction, 0.0f, kMostScale);
+  if (!scales_fit || !is_within(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
+  if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
+  if (!(settings.sleep_after >= 0.0f && settings.sleep_speed >= 0.0f)) return Status::kBadArgument;
+  return check_environment(settings.environment);
+}
 
 std::uint32_t tuned_substeps(const Asset& asset, float dt) { return in_range(parts_of_tuning(asset, dt)); }
 

@@ -1,4 +1,3 @@
-#include "pose_response.h"
 #include "solver.h"
 #include "vector_math.h"
 

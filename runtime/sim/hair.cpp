@@ -1,11 +1,7 @@
 #include <coif/hair.h>
 
-#include "crowd.h"
 #include "crowd_step.h"
-#include "head_pose.h"
 #include "memory_carver.h"
-#include "step_settings.h"
-#include "treatment.h"
 #include "vector_math.h"
 
 #include <cstdint>

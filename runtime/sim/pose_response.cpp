@@ -1,6 +1,5 @@
-#include "pose_response.h"
-
-#include "plain_math.h"
+#include "solver.h"
+#include "vector_math.h"
 
 #include <cmath>
 

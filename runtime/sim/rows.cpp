@@ -1,6 +1,6 @@
 #include "rows.h"
 
-#include "plain_math.h"
+#include "vector_math.h"
 
 namespace coif {
 namespace {

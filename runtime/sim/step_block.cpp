@@ -1,6 +1,4 @@
 #include "crowd_step.h"
-#include "head_jump.h"
-#include "treatment.h"
 #include "vector_math.h"
 
 namespace coif {

@@ -1,4 +1,3 @@
-#include "plain_math.h"
 #include "solver.h"
 #include "vector_math.h"
 

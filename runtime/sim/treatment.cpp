@@ -1,21 +1,16 @@
-#include "treatment.h"
+#include "crowd_step.h"
 
 #include <bit>
+#include <utility>
 
 namespace coif {
 namespace {
-
-void swap(float& a, float& b) {
-  const float kept = a;
-  a = b;
-  b = kept;
-}
 
 /// Swaps lane `i` of `a` with lane `k` of `b`, in `bytes` bytes of Lanes each.
 void swap_lanes(void* a, std::uint32_t i, void* b, std::uint32_t k, std::size_t bytes) {
   Lanes* const from = static_cast<Lanes*>(a);
   Lanes* const to = static_cast<Lanes*>(b);
-  for (std::size_t n = 0; n < bytes / sizeof(Lanes); ++n) swap(from[n].v[i], to[n].v[k]);
+  for (std::size_t n = 0; n < bytes / sizeof(Lanes); ++n) std::swap(from[n].v[i], to[n].v[k]);
 }
 
 void swap_bits(std::uint16_t& a, std::uint32_t i, std::uint16_t& b, std::uint32_t k) {
@@ -27,17 +22,11 @@ void swap_bits(std::uint16_t& a, std::uint32_t i, std::uint16_t& b, std::uint32_
 void swap_heads(Block& a, std::uint32_t i, Block& b, std::uint32_t k) {
   constexpr std::size_t kFloats = offsetof(HeadLanes, next_position);
   swap_lanes(&a.heads, i, &b.heads, k, kFloats);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double kept = a.heads.next_position[axis][i];
-    a.heads.next_position[axis][i] = b.heads.next_position[axis][k];
-    b.heads.next_position[axis][k] = kept;
-  }
+  for (int axis = 0; axis < 3; ++axis) std::swap(a.heads.next_position[axis][i], b.heads.next_position[axis][k]);
   swap_bits(a.teleports, i, b.teleports, k);
   swap_bits(a.is_lost, i, b.is_lost, k);
   swap_bits(a.may_sleep, i, b.may_sleep, k);
-  const std::uint32_t kept = a.instance[i];
-  a.instance[i] = b.instance[k];
-  b.instance[k] = kept;
+  std::swap(a.instance[i], b.instance[k]);
 }
 
 /// For kChains there is nothing to do: an instance's rows stay where they are.

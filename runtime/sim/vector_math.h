@@ -1,7 +1,8 @@
 #pragma once
-// Arithmetic on the plain types of coif/math.h, for the simulation's own files.
+// Arithmetic on the plain types of coif/math.h, for the simulation's own files: once per step or per head, not per lane.
 
 #include <coif/math.h>
+#include <coif/status.h>
 
 #include <cmath>
 
@@ -42,5 +43,47 @@ constexpr Vec3 rotate(const Quat& q, const Vec3& v) {
   const Vec3 twice = cross(axis, v) * 2.0f;
   return v + twice * q.w + cross(axis, twice);
 }
+
+// Functions that a maths library would give, in nothing but additions and products: libraries differ from machine to
+// machine in the last bit, and the same hair has to move the same way on all of them.
+namespace plain {
+
+/// exp(x) to about 1e-15 of it; 0 below -708, the largest finite number's neighbourhood above 708.
+[[nodiscard]] double exp(double x);
+
+/// exp(x) - 1 without cancellation.
+[[nodiscard]] double expm1(double x);
+
+struct SineCosine {
+  double sine, cosine;
+};
+
+/// To about 1e-15; |x| below 1e6.
+[[nodiscard]] SineCosine sine_cosine(double x);
+
+}  // namespace plain
+
+// Rotations as vectors: axis times angle, the space in which paths of rotations are interpolated.
+
+/// The rotation about `v` by its length, radians.
+inline Quat rotation_by(const Vec3& v) {
+  const float angle = length(v);
+  // sin(x/2)/x: below a milliradian its series is exact in single precision.
+  const plain::SineCosine half = plain::sine_cosine(0.5 * double(angle));
+  const float scale = angle > 1e-3f ? float(half.sine) / angle : 0.5f - angle * angle * (1.0f / 48.0f);
+  return {v.x * scale, v.y * scale, v.z * scale, float(half.cosine)};
+}
+
+/// Length one again after several products.
+inline Quat renormalised(const Quat& q) {
+  const float scale = 1.0f / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
+}
+
+/// Copies `pose` to `unit` with its rotation normalised; kBadPose, with `unit` untouched, where coif/hair.h says so.
+Status normalise_pose(const HeadPose& pose, HeadPose& unit);
+
+/// The way from one position to another, metres. False where it is too far to be a movement in single precision.
+[[nodiscard]] bool displacement(const HeadPose& from, const HeadPose& to, Vec3& way);
 
 }  // namespace coif

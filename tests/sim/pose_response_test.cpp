@@ -1,6 +1,6 @@
 // The oscillator's exact answers against an integration of its equation in small steps.
 
-#include "sim/pose_response.h"
+#include "sim/solver.h"
 
 #include <gtest/gtest.h>
 

@@ -71,8 +71,6 @@ HeadCode follow_heads_singly() { return code_of<Single>(); }
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "dispatch.h"
-
 namespace coif {
 namespace {
 COIF_CHOOSE(choose_code, follow_heads)

@@ -191,6 +191,14 @@ HWY_INLINE V3<D> any_perpendicular(D d, const V3<D>& v) {
   return direction_or(d, choose<D>(is_flat, by_x, by_y), v);
 }
 
+/// The lanes of a set of colliders that have one of them.
+template <class D>
+HWY_INLINE hn::Mask<D> lanes_with(D d, const BoneLanes& bone, std::size_t lane, std::uint32_t collider) {
+  const hn::RebindToUnsigned<D> du;
+  const auto sets = hn::Load(du, bone.colliders + lane);
+  return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << collider)));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace coif
 HWY_AFTER_NAMESPACE();

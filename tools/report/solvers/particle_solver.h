@@ -134,7 +134,7 @@ inline constexpr double kSpringStretch = 0.01;
 
 /// `position` (metres from the head, world axes) moved to where bone `i` keeps its hit radius from every collider it may
 /// touch, one collider after another, the short way. Shapes and limits are the runtime's
-/// (runtime/sim/lanes/particle_contact-inl.h), in double precision: on overlapping colliders the last has its way, and an
+/// (runtime/sim/lanes/solids-inl.h), in double precision: on overlapping colliders the last has its way, and an
 /// ellipsoid is left along the radius of the space where it is a unit sphere.
 [[nodiscard]] Eigen::Vector3d clear_of_colliders(const Rig& rig, std::size_t i, const Eigen::Quaterniond& head_rotation,
                                                  const Eigen::Vector3d& position);

@@ -1,9 +1,10 @@
-#include "plain_math.h"
+#include "vector_math.h"
 
 #include <bit>
 #include <cstdint>
 
-namespace coif::plain {
+namespace coif {
+namespace plain {
 namespace {
 
 /// Nearest whole number; |x| below 2^62.
@@ -29,7 +30,6 @@ double exp(double x) {
   return exponential_tail(rest, 0) * std::bit_cast<double>(std::uint64_t(std::int64_t(power) + 1023) << 52);
 }
 
-/// exp(x) - 1 without cancellation.
 double expm1(double x) { return x > -0.5 && x < 0.5 ? x * exponential_tail(x, 1) : exp(x) - 1; }
 
 SineCosine sine_cosine(double x) {
@@ -52,4 +52,46 @@ SineCosine sine_cosine(double x) {
   }
 }
 
-}  // namespace coif::plain
+}  // namespace plain
+
+namespace {
+
+/// How far the length of a host's quaternion may be from one.
+constexpr float kUnitTolerance = 1e-3f;
+
+/// Metres in one step. Far beyond any game, and its square still fits a float.
+constexpr double kFarthestMove = 1e15;
+
+double norm(const Quat& q) {
+  const double x = q.x, y = q.y, z = q.z, w = q.w;
+  return std::sqrt(x * x + y * y + z * z + w * w);
+}
+
+/// False for anything with a NaN or an infinity.
+bool is_unit(const Quat& rotation) { return std::fabs(norm(rotation) - 1.0) <= kUnitTolerance; }
+
+}  // namespace
+
+Status normalise_pose(const HeadPose& pose, HeadPose& unit) {
+  for (const double metres : pose.position) {
+    if (!std::isfinite(metres)) return Status::kBadPose;
+  }
+  if (!is_unit(pose.rotation)) return Status::kBadPose;
+  const double scale = 1.0 / norm(pose.rotation);
+  const Quat& q = pose.rotation;
+  unit = pose;
+  unit.rotation = {float(q.x * scale), float(q.y * scale), float(q.z * scale), float(q.w * scale)};
+  return Status::kOk;
+}
+
+bool displacement(const HeadPose& from, const HeadPose& to, Vec3& way) {
+  double metres[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    metres[axis] = to.position[axis] - from.position[axis];
+    if (!(std::fabs(metres[axis]) <= kFarthestMove)) return false;
+  }
+  way = {float(metres[0]), float(metres[1]), float(metres[2])};
+  return true;
+}
+
+}  // namespace coif
