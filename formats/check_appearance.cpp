@@ -1,5 +1,7 @@
 #include "chunk_checks.h"
 
+#include <coif/shading_models.h>
+
 #include <bit>
 
 namespace coif {
@@ -7,12 +9,6 @@ namespace {
 
 constexpr std::uint32_t kMaxTextureSize = 16384;
 constexpr float kMaxColor = 1.0e3f;
-
-bool shading_fits(const MaterialRecord& m) {
-  const float least_roughness = m.shading == ShadingModel::kMarschner ? kLeastRoughness : 0.0f;
-  return in_range(m.tilt, -kMostTilt, kMostTilt) && in_range(m.roughness, least_roughness, kMostRoughness) &&
-         in_range(m.scatter, 0.0f, 1.0f) && in_range(m.light_cut, 0.0f, 1.0f);
-}
 
 bool format_fits(const TextureRecord& t) {
   switch (t.role) {
@@ -41,14 +37,14 @@ LoadStatus check_material(const Asset& asset) {
   if (m == nullptr) return {};
   const std::uint32_t reserved = m->reserved[0] | m->reserved[1] | m->reserved[2];
   if ((m->flags & ~kMaterialFlags) != 0 || reserved != 0) return {LoadCode::kReserved, chunk::kMaterial};
-  if (m->shading > ShadingModel::kMarschner) return {LoadCode::kEnumerator, chunk::kMaterial};
+  if (static_cast<std::uint32_t>(m->shading) >= kShadingModelCount) return {LoadCode::kEnumerator, chunk::kMaterial};
   const bool good =
       all_in_range(m->base_color, 0.0f, kMaxColor) && all_in_range(m->ambient, 0.0f, kMaxColor) &&
       all_in_range(m->primary_color, 0.0f, kMaxColor) && all_in_range(m->secondary_color, 0.0f, kMaxColor) &&
       in_range(m->primary_exponent, 1.0e-3f, kMaxCoordinate) &&
       in_range(m->secondary_exponent, 1.0e-3f, kMaxCoordinate) && in_range(m->primary_shift, -10.0f, 10.0f) &&
       in_range(m->secondary_shift, -10.0f, 10.0f) && in_range(m->opaque_threshold, 0.0f, 1.0f) &&
-      in_range(m->discard_threshold, 0.0f, 1.0f) && shading_fits(*m);
+      in_range(m->discard_threshold, 0.0f, 1.0f) && is_shading_valid(*m);
   return good ? LoadStatus{} : LoadStatus{LoadCode::kNotFinite, chunk::kMaterial};
 }
 

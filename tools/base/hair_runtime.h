@@ -2,9 +2,10 @@
 
 // What tools need beside the runtime's own interface: memory for its hair, and what people call its shading models.
 
-#include <coif/asset_records.h>
 #include <coif/hair.h>
+#include <coif/shading_models.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -23,18 +24,26 @@ using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
   return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
 }
 
-/// As recipes and the command line call the shading models, in the order of ShadingModel.
-inline constexpr const char* kShadingNames[] = {"thesis", "kajiya-kay", "marschner"};
-
 /// Of an open asset's material.
-[[nodiscard]] constexpr const char* name_of(ShadingModel model) { return kShadingNames[std::size_t(model)]; }
+[[nodiscard]] constexpr const char* name_of(ShadingModel model) { return kShadingModels[std::size_t(model)].name; }
 
 /// None for a word that is no model's name.
 [[nodiscard]] constexpr std::optional<ShadingModel> shading_model(std::string_view name) {
-  for (std::uint32_t i = 0; i < std::size(kShadingNames); ++i) {
-    if (name == kShadingNames[i]) return ShadingModel(i);
+  for (std::uint32_t i = 0; i < kShadingModelCount; ++i) {
+    if (name == kShadingModels[i].name) return ShadingModel(i);
   }
   return std::nullopt;
 }
+
+/// All names as recipe keys have their words: "thesis|kajiya-kay|marschner", ended by a zero byte.
+inline constexpr auto kShadingWords = [] {
+  std::array<char, 256> words{};
+  std::size_t end = 0;
+  for (const ShadingTraits& model : kShadingModels) {
+    if (end > 0) words[end++] = '|';
+    for (const char c : std::string_view(model.name)) words[end++] = c;
+  }
+  return words;
+}();
 
 }  // namespace coif

@@ -152,7 +152,7 @@ void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
 void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
   static const auto choices = [] {
     std::vector<Choice<std::optional<ShadingModel>>> all;
-    for (const char* name : kShadingNames) all.push_back({name, shading_model(name)});
+    for (const ShadingTraits& model : kShadingModels) all.push_back({model.name, shading_model(model.name)});
     return all;
   }();
   add_choice<std::optional<ShadingModel>>(app, "--shading", choice, choices,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace coif {
@@ -65,24 +66,29 @@ double thesis_lobe(double exponent) { return 8 / kPi * sine_integral(exponent + 
 
 double mirror_cone_lobe(double exponent) { return 2 * sine_integral(exponent + 1); }
 
-/// What lights add in one channel, of a base colour of 1.
 double thesis_bound(const MaterialRecord& m, int channel) {
-  return 2 + double(m.primary_color[channel]) * thesis_lobe(m.primary_exponent) +
-         double(m.secondary_color[channel]) * thesis_lobe(m.secondary_exponent);
+  return double(m.base_color[channel]) * (2 + double(m.primary_color[channel]) * thesis_lobe(m.primary_exponent) +
+                                          double(m.secondary_color[channel]) * thesis_lobe(m.secondary_exponent));
 }
 
 double kajiya_kay_bound(const MaterialRecord& m, int channel) {
-  return kPi + double(m.primary_color[channel]) * mirror_cone_lobe(m.primary_exponent);
+  return double(m.base_color[channel]) *
+         (kPi + double(m.primary_color[channel]) * mirror_cone_lobe(m.primary_exponent));
 }
+
+/// A fibre parts the light that it gets, whatever its colour.
+double marschner_bound(const MaterialRecord&, int) { return 1; }
+
+/// What lights add in one channel, in the order of ShadingModel.
+constexpr double (*kBounds[])(const MaterialRecord& material, int channel) = {thesis_bound, kajiya_kay_bound,
+                                                                             marschner_bound};
+static_assert(std::size(kBounds) == kShadingModelCount);
 
 }  // namespace
 
 double furnace_bound(const MaterialRecord& material) {
-  // A fibre parts the light that it gets, whatever its colour.
-  if (material.shading == ShadingModel::kMarschner) return 1;
-  const auto bound = material.shading == ShadingModel::kThesis ? thesis_bound : kajiya_kay_bound;
   double most = 0;
-  for (int k = 0; k < 3; ++k) most = std::max(most, double(material.base_color[k]) * bound(material, k));
+  for (int k = 0; k < 3; ++k) most = std::max(most, kBounds[std::size_t(material.shading)](material, k));
   return most;
 }
 

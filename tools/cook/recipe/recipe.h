@@ -112,7 +112,7 @@ struct Recipe {
   std::array<double, 3> secondary_color{};
   double secondary_exponent = 0;
   double secondary_shift = 0;
-  std::string shading;   ///< "thesis", "kajiya-kay" or "marschner".
+  std::string shading;   ///< A shading model's name.
   double tilt = 0;       ///< Degrees.
   double roughness = 0;  ///< Degrees.
   double scatter = 0;

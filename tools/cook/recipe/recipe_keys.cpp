@@ -1,5 +1,7 @@
 #include "cook/recipe/recipe_keys.h"
 
+#include "base/shading_names.h"
+
 namespace coif {
 namespace {
 
@@ -168,7 +170,7 @@ const RecipeKey kKeys[] = {
    "sharpness of the secondary highlight"},
   {"material", "secondary_shift", &R::secondary_shift, "0.5", -10, 10, nullptr, "",
    "how far the normal moves the secondary highlight"},
-  {"material", "shading", &R::shading, "\"thesis\"", 0, 0, "thesis|kajiya-kay|marschner", "",
+  {"material", "shading", &R::shading, "\"thesis\"", 0, 0, kShadingWords.data(), "",
    "how strands reflect light: the thesis's Algorithm 3; Kajiya-Kay with the primary highlight alone; or light through"
    " a fibre (Marschner), which takes its highlights from the base colour and the next three numbers"},
   {"material", "tilt", &R::tilt, "3", -20, 20, nullptr, "degrees",
