@@ -1,5 +1,6 @@
 #include "cli/asset_summary.h"
 
+#include "base/collider_shapes.h"
 #include "base/hair_runtime.h"
 #include "base/json.h"
 #include "cook/texture/alpha.h"
@@ -101,15 +102,12 @@ ordered_json lod_list(const Asset& asset) {
   return list;
 }
 
-constexpr const char* kColliderShapes[] = {"spheres", "ellipsoids", "capsules", "planes",
-                                           "tapered_capsules"};  // as ColliderShape
-
 /// Shapes that occur, each with its count; those that keep hair inside are counted once more under that name.
 ordered_json collider_shapes(const Asset& asset) {
   ordered_json shapes = ordered_json::object();
   for (const ColliderRecord& collider : asset.colliders()) {
     const auto count = [&shapes](const char* name) { shapes[name] = shapes.value(name, 0) + 1; };
-    count(kColliderShapes[std::size_t(collider.shape)]);
+    count(plural_of(collider.shape));
     if ((collider.flags & kColliderKeepsInside) != 0) count("keep_inside");
   }
   return shapes;

@@ -1,5 +1,6 @@
 #include "render/draw_cost.h"
 
+#include "base/collider_shapes.h"
 #include "render/picture.h"
 
 #include <coif/lod.h>
@@ -132,8 +133,7 @@ double height_of_hair(const Asset& asset) {
 double head_height(const Asset& asset) {
   double height = 0;
   for (const ColliderRecord& collider : asset.colliders()) {
-    const bool keeps_out = (collider.flags & kColliderKeepsInside) == 0 && collider.shape != ColliderShape::kPlane;
-    if (keeps_out) height = std::max(height, 2.0 * double(collider.radii[1]));
+    if (is_solid(collider)) height = std::max(height, 2.0 * double(collider.radii[1]));
   }
   return height > 0 ? height : height_of_hair(asset);
 }

@@ -1,5 +1,6 @@
 #include "render/stage_renderer.h"
 
+#include "base/collider_shapes.h"
 #include "base/geometry.h"
 
 #include <coif/skinning.h>
@@ -80,9 +81,8 @@ std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> collider
   std::vector<SolidMesh> meshes;
   for (const ColliderRecord& collider : colliders) {
     // A ball of a metre stands for a floor or a wall, not for anything to look at.
-    const bool seen = collider.shape != ColliderShape::kPlane && (collider.flags & kColliderKeepsInside) == 0 &&
-                      *std::ranges::max_element(collider.radii) < kLargestHead;
-    if (seen) meshes.push_back(mannequin_mesh(collider));
+    const bool is_seen = is_solid(collider) && *std::ranges::max_element(collider.radii) < kLargestHead;
+    if (is_seen) meshes.push_back(mannequin_mesh(collider));
   }
   return meshes;
 }

@@ -1,6 +1,6 @@
 #include "cook/recipe/recipe_keys.h"
 
-#include "base/shading_names.h"
+#include "base/hair_runtime.h"
 
 namespace coif {
 namespace {

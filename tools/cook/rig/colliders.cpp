@@ -63,31 +63,10 @@ HeadCollider upright_capsule(const Vector3d& center, const Vector3d& radii) {
   return shape;
 }
 
-/// Distance of `point` from the surface of a sphere around all of the shape; a plane has none.
-double distance_at_least(const HeadCollider& shape, const Vector3d& point) {
-  switch (shape.shape) {
-    case ColliderShape::kSphere:
-    case ColliderShape::kEllipsoid: return (point - shape.center).norm() - shape.radii.maxCoeff();
-    case ColliderShape::kCapsule:
-    case ColliderShape::kTaperedCapsule: {
-      const double along = (point - shape.center).dot(shape.axis) / shape.axis.squaredNorm();
-      return (point - shape.center - shape.axis * std::clamp(along, 0.0, 1.0)).norm() - shape.radii.maxCoeff();
-    }
-    case ColliderShape::kPlane: return (point - shape.center).dot(shape.axis);
-  }
-  return 0;
-}
-
-/// How deep a particle with this hit radius is in the shape, metres; negative or zero outside of it.
+/// How deep a particle with this hit radius is in the shape, metres; negative or zero where it may be.
 double depth_inside(const HeadCollider& shape, const Vector3d& particle, double radius) {
-  if (shape.shape == ColliderShape::kEllipsoid) {
-    const Vector3d radii = shape.radii.array() + radius;
-    const Vector3d from = particle - shape.center;
-    const double scaled = from.cwiseQuotient(radii).norm();
-    return scaled > 0 ? from.norm() * (1 / scaled - 1) : radii.minCoeff();
-  }
-  const double distance = distance_at_least(shape, particle);
-  return shape.keeps_inside ? distance + radius : radius - distance;
+  if (shape.keeps_inside) return distance_at_least(shape, particle) + radius;
+  return coif::depth_inside(static_cast<const ColliderSize&>(shape), particle, radius);
 }
 
 bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "base/collider_shapes.h"
 #include "cook/recipe/findings.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 #include "write/asset_writer.h"
-
-#include <coif/asset_records.h>
 
 #include <string>
 #include <vector>
@@ -13,13 +12,9 @@
 namespace coif {
 
 /// A body that moves with a rigid bone. Model space, metres; the meaning of each field is ColliderRecord's.
-struct HeadCollider {
-  ColliderShape shape = ColliderShape::kSphere;
+struct HeadCollider : ColliderSize {
   std::uint32_t bone = 0;
   bool keeps_inside = false;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d radii = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
 /// What hair collides with, and which bones can.
