@@ -5,7 +5,6 @@
 //
 // host_context.* and host_frame.* stand for the engine. All that has to do with coif is here.
 
-#include "host_context.h"
 #include "host_frame.h"
 
 #include <coif/hair.h>

@@ -1,5 +1,8 @@
 #pragma once
-// Stands for the engine's renderer: a framebuffer of its own, a camera, and things that it draws itself.
+// Stands for the engine: its OpenGL ES context, and its renderer with a framebuffer of its own, a camera, and things that it
+// draws itself. Nothing here is about hair.
+
+#include <coif/renderer.h>
 
 #include <GLES3/gl3.h>
 
@@ -8,6 +11,25 @@
 #include <vector>
 
 namespace host {
+
+/// An OpenGL ES 3.0 context without a window, current until the program ends.
+class Context {
+ public:
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context();
+
+  /// False where there is no driver for it.
+  bool open();
+
+  /// How coif finds OpenGL's functions: by the host's own means, whatever they are.
+  static coif::GlLoader loader();
+
+ private:
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+};
 
 inline constexpr int kSize = 256;  // pixels each way
 
