@@ -1,6 +1,6 @@
 # What a game takes with it: shipped libraries, public headers, the CMake package; and the coif program for its build.
 include(CMakePackageConfigHelpers)
-set(shipped coif_formats coif_sim coif_skinning coif_c coif_shared)
+set(shipped coif_formats coif_sim coif_skinning coif_drawing coif_c coif_shared)
 if(COIF_GL)
   list(APPEND shipped coif_gl)
 endif()
@@ -16,7 +16,42 @@ install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif
   ${CMAKE_CURRENT_LIST_DIR}/coif_cook.cmake
   DESTINATION ${package_folder})
 
-include(${CMAKE_CURRENT_LIST_DIR}/pkgconfig.cmake)
+# Files for pkg-config, for games that are not built by CMake: one per library, and `coif` for the C interface's libcoif.so.
+# They find the installed tree from where they lie, wherever it is moved to.
+file(RELATIVE_PATH coif_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" coif_pc_up "${coif_pc_up}")
+
+# coif_pc(FILE LIBRARY DESCRIPTION REQUIRES)
+function(coif_pc file library description requires)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc @ONLY CONTENT [[prefix=${pcfiledir}/@coif_pc_up@
+libdir=${prefix}/@CMAKE_INSTALL_LIBDIR@
+includedir=${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
+
+Name: @file@
+Description: @description@
+Version: @PROJECT_VERSION@
+Requires: @requires@
+Cflags: -I${includedir}
+Libs: -L${libdir} -l@library@
+]])
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/${file}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# Archives say what they need themselves. The simulation needs Highway where it chooses its instruction set at run time; as
+# a shared library it finds it alone.
+set(coif_pc_simd "")
+if(COIF_SIMD STREQUAL "dispatch" AND NOT BUILD_SHARED_LIBS)
+  set(coif_pc_simd ", libhwy")
+endif()
+coif_pc(coif coif "Hair simulation for games, C interface" "")
+coif_pc(coif-formats coif_formats "Hair assets for games: the reader" "")
+coif_pc(coif-sim coif_sim "Hair simulation for games" "coif-formats${coif_pc_simd}")
+coif_pc(coif-skinning coif_skinning "Hair for games, skinned on the processor" "coif-formats")
+coif_pc(coif-drawing coif_drawing "What a renderer of hair computes, for any graphics interface" "coif-formats")
+coif_pc(coif-c coif_c "Hair simulation for games, C interface as an archive" "coif-sim")
+if(COIF_GL)
+  coif_pc(coif-gl coif_gl "Hair for games, drawn with OpenGL ES 3.0" "coif-drawing, coif-sim")
+endif()
 
 if(TARGET coif_cli)
   if(BUILD_SHARED_LIBS)

@@ -1,10 +1,11 @@
-# Writes shader files into one C++ header, each as a string constant kShader<Name>. Run by the build:
-#   cmake -D "FILES=a.vert;b.frag" -D OUT=header.h -P embed.cmake
-# hair_depth.frag becomes kShaderHairDepthFrag. Line numbers in a compiler's log are those of the file.
+# Writes shader files into one C++ header, each piece as a string constant kShader<Name>. Run by the build:
+#   cmake -D "FILES=a.vert;b.glsl" -D OUT=header.h -P embed.cmake
+# A line `//// keep_range.glsl` begins a piece of that name; what stands before the first such line is about the file. With
+# ` after NAME`, a piece above comes first in it. A file without such lines is one piece. hair_depth.frag becomes
+# kShaderHairDepthFrag. Line numbers in a compiler's log are counted from the first piece's first line.
 set(text "#pragma once\n// Generated from shaders/; do not edit.\n\nnamespace coif {\n")
-foreach(file IN LISTS FILES)
-  file(READ "${file}" source)
-  get_filename_component(name "${file}" NAME)
+
+function(write_piece name source)
   string(REGEX REPLACE "[_.]" ";" words "${name}")
   set(constant "")
   foreach(word IN LISTS words)
@@ -13,7 +14,34 @@ foreach(file IN LISTS FILES)
     string(TOUPPER "${first}" first)
     string(APPEND constant "${first}${rest}")
   endforeach()
-  string(APPEND text "\ninline constexpr char kShader${constant}[] = R\"glsl(${source})glsl\";\n")
+  set(text "${text}\ninline constexpr char kShader${constant}[] = R\"glsl(${source})glsl\";\n" PARENT_SCOPE)
+endfunction()
+
+foreach(file IN LISTS FILES)
+  file(READ "${file}" unread)
+  set(marker "\n//// ")
+  string(FIND "${unread}" "${marker}" begin)
+  if(begin EQUAL -1)
+    get_filename_component(name "${file}" NAME)
+    write_piece("${name}" "${unread}")
+  endif()
+  while(NOT begin EQUAL -1)
+    math(EXPR begin "${begin} + 6")
+    string(SUBSTRING "${unread}" ${begin} -1 unread)
+    string(FIND "${unread}" "\n" end)
+    string(SUBSTRING "${unread}" 0 ${end} title)
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${unread}" ${end} -1 unread)
+    string(FIND "${unread}" "${marker}" begin)
+    string(SUBSTRING "${unread}" 0 ${begin} source)  # the line before the next piece is empty
+    string(REGEX MATCH "^([a-z_.]+)( after ([a-z_.]+))?$" matched "${title}")
+    if(NOT matched OR (CMAKE_MATCH_3 AND NOT DEFINED "piece_${CMAKE_MATCH_3}"))
+      message(FATAL_ERROR "${file}: '${title}' is no name of a piece, or one that comes after nothing known")
+    endif()
+    set(name "${CMAKE_MATCH_1}")
+    set("piece_${name}" "${piece_${CMAKE_MATCH_3}}${source}")
+    write_piece("${name}" "${piece_${name}}")
+  endwhile()
 endforeach()
 string(APPEND text "\n}  // namespace coif\n")
 file(WRITE "${OUT}" "${text}")

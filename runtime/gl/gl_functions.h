@@ -67,16 +67,24 @@
   X(VertexAttribIPointer)    \
   X(VertexAttribPointer)
 
+/// Defines a struct of the functions in LIST, each with its exact type, and load(): fills it, and returns the name of the
+/// first function that the host does not find, null when all are there.
+#define COIF_GL_TABLE(Table, LIST)           \
+  struct Table {                             \
+    LIST(COIF_GL_MEMBER)                     \
+    const char* load(const GlLoader& loader) { \
+      LIST(COIF_GL_LOAD)                     \
+      return nullptr;                        \
+    }                                        \
+  }
+#define COIF_GL_MEMBER(name) decltype(&gl##name) name = nullptr;
+#define COIF_GL_LOAD(name)                                                           \
+  name = reinterpret_cast<decltype(name)>(loader.get_proc("gl" #name, loader.user)); \
+  if (name == nullptr) return "gl" #name;
+
 namespace coif {
 
-struct GlFunctions {
-#define COIF_GL_MEMBER(name) decltype(&gl##name) name = nullptr;
-  COIF_GL_FUNCTIONS(COIF_GL_MEMBER)
-#undef COIF_GL_MEMBER
-};
-
-/// Fills `functions`. Returns the name of the first function that the host does not find, null when all are there.
-const char* load_gl_functions(const GlLoader& loader, GlFunctions& functions);
+COIF_GL_TABLE(GlFunctions, COIF_GL_FUNCTIONS);
 
 void clear_errors(const GlFunctions& gl);
 

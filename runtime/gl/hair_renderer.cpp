@@ -1,8 +1,4 @@
-#include "gl/draw_block.h"
-#include "gl/gl_functions.h"
-#include "gl/stream_buffer.h"
-
-#include <coif/renderer.h>
+#include "gl/renderer_state.h"
 
 #include <cstdio>
 #include <new>
@@ -14,8 +10,8 @@ constexpr std::uint32_t kLeastStream = 1u << 20, kMostStream = 256u << 20;
 constexpr std::uint32_t kLeastLists = 64u << 10, kMostLists = 1u << 30;
 constexpr std::uint32_t kLeastBlock = 16u << 10, kMostBlock = 64u << 10;  // the least: what OpenGL ES 3.0 promises
 // A part of the smallest stream holds what is sent at once: a full block, or the matrices of the most bones.
-static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + kMostBlock + 512);
-static_assert(kLeastStream / StreamState::kParts >= sizeof(DrawBlock) + 512 + (kMaxBones + 1) * sizeof(Mat34));
+static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + kMostBlock + 512);
+static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + 512 + (kMaxBones + 1) * sizeof(Mat34));
 
 bool is_valid(const RendererDesc& desc) {
   return desc.stream_bytes >= kLeastStream && desc.stream_bytes <= kMostStream && desc.block_bytes >= kLeastBlock &&
@@ -33,53 +29,67 @@ std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major) {
 
 }  // namespace
 
-const GlFunctions& HairRenderer::functions() const {
-  static_assert(sizeof(GlFunctions) <= kFunctionBytes);
-  return *std::launder(reinterpret_cast<const GlFunctions*>(functions_));
+void clear_errors(const GlFunctions& gl) {
+  // A lost context may report an error for ever; there are fewer kinds than this.
+  for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) {
+  }
 }
 
 Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
+  static_assert(sizeof(RendererState) <= kStateBytes && alignof(RendererState) <= alignof(void*));
   if (loader.get_proc == nullptr || !is_valid(desc)) return Status::kBadArgument;
   destroy();
-  GlFunctions* gl = new (static_cast<void*>(functions_)) GlFunctions;
-  if (const char* missing = load_gl_functions(loader, *gl)) {
-    std::snprintf(failure_, sizeof failure_, "%s is missing; OpenGL ES 3.0 is needed", missing);
+  state_ = new (static_cast<void*>(room_)) RendererState;
+  RendererState& state = *state_;
+  const GlFunctions& gl = state.gl;
+  if (const char* missing = state.gl.load(loader)) {
+    std::snprintf(state.failure, sizeof state.failure, "%s is missing; OpenGL ES 3.0 is needed", missing);
     return Status::kDriver;
   }
   // Loaders such as glvnd's return a stub for any name, so finding the functions proves little.
   GLint major = 0;
-  gl->GetIntegerv(GL_MAJOR_VERSION, &major);
+  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   if (major < 3) {
-    std::snprintf(failure_, sizeof failure_, "the current context has version %d; OpenGL ES 3.0 is needed", major);
+    std::snprintf(state.failure, sizeof state.failure,
+                  "the current context has version %d; OpenGL ES 3.0 is needed", major);
     return Status::kDriver;
   }
-  storage_blocks_ = storage_blocks_of(*gl, major);
-  loader_ = loader;
-  list_bytes_ = desc.list_bytes;
+  state.storage_blocks = storage_blocks_of(gl, major);
+  state.loader = loader;
+  state.list_bytes = desc.list_bytes;
   GLint most = 0;
-  gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
+  gl.GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
   const auto offered = static_cast<std::uint32_t>(most);
-  block_bytes_ = (offered < desc.block_bytes ? offered : desc.block_bytes) / 16 * 16;
-  StreamBuffer stream(*gl, stream_);
-  if (!stream.create(desc.stream_bytes)) {
-    stream.destroy();
-    std::snprintf(failure_, sizeof failure_, "no memory for a stream of %u bytes", unsigned{desc.stream_bytes});
+  state.block_bytes = (offered < desc.block_bytes ? offered : desc.block_bytes) / 16 * 16;
+  if (!state.stream.create(gl, desc.stream_bytes)) {
+    state.stream.destroy(gl);
+    std::snprintf(state.failure, sizeof state.failure, "no memory for a stream of %u bytes",
+                  unsigned{desc.stream_bytes});
     return Status::kDriver;
   }
-  created_ = true;
+  state.is_created = true;
   return Status::kOk;
 }
 
 void HairRenderer::destroy() {
-  failure_[0] = '\0';
-  if (!created_) return;
-  const GlFunctions& gl = functions();
-  if (mode_memory_.release != nullptr) mode_memory_.release(gl, mode_memory_);
-  mode_memory_ = {};
-  for (const Program& program : std::span(programs_).first(program_count_)) gl.DeleteProgram(program.name);
-  program_count_ = 0;
-  StreamBuffer(gl, stream_).destroy();
-  created_ = false;
+  if (state_ == nullptr) return;
+  RendererState& state = *state_;
+  state.failure[0] = '\0';
+  if (!state.is_created) return;
+  if (state.mode_memory.release != nullptr) state.mode_memory.release(state.gl, state.mode_memory);
+  state.mode_memory = {};
+  for (const RendererState::Program& program : std::span(state.programs).first(state.program_count)) {
+    state.gl.DeleteProgram(program.name);
+  }
+  state.program_count = 0;
+  state.stream.destroy(state.gl);
+  state.is_created = false;
 }
+
+bool HairRenderer::is_created() const { return state_ != nullptr && state_->is_created; }
+
+std::uint32_t HairRenderer::program_count() const { return state_ == nullptr ? 0 : state_->program_count; }
+
+const char* HairRenderer::failure() const { return state_ == nullptr ? "" : state_->failure; }
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #include "gl/passes.h"
 
+#include <hair_shaders.h>
+
 namespace coif {
 namespace {
 
@@ -8,7 +10,15 @@ namespace {
 // would punch holes into smoke or glass behind them; higher, it would shine through hair that is nearly solid.
 constexpr float kDepthAlpha = 0.5f;
 
+void set_enabled(const GlFunctions& gl, GLenum capability, bool enabled) {
+  enabled ? gl.Enable(capability) : gl.Disable(capability);
+}
+
 }  // namespace
+
+const FragmentCode kRangeCode = {0, kShaderKeepRangeGlsl, kShaderHairOutputGlsl};
+
+const char* name_of(const TransparencyMode& transparency) { return transparency.name; }
 
 void PassList::add_for(const AlphaRange& alpha, Pass pass) {
   const bool is_empty =
@@ -69,6 +79,34 @@ Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code) {
   pass.solid_from = material.opaque_threshold;
   pass.code = &code;
   return pass;
+}
+
+void set_draw_state(const GlFunctions& gl) {
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied
+  gl.FrontFace(GL_CCW);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);  // of cards in one place the later, outer one wins
+}
+
+void set_pass_state(const GlFunctions& gl, const Pass& pass) {
+  set_enabled(gl, GL_BLEND, pass.blended);
+  set_enabled(gl, GL_CULL_FACE, pass.culled != GL_NONE);
+  if (pass.culled != GL_NONE) gl.CullFace(pass.culled);
+  gl.DepthMask(pass.writes_depth ? GL_TRUE : GL_FALSE);
+  const GLboolean color = pass.writes_color() ? GL_TRUE : GL_FALSE;
+  gl.ColorMask(color, color, color, color);
+}
+
+void leave_draw_state(const GlFunctions& gl) {
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ZERO);
+  gl.Disable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.DepthMask(GL_TRUE);
 }
 
 }  // namespace coif

@@ -1,18 +1,46 @@
 #pragma once
+// Ways to draw: of which passes each consists, and what its fragment shaders do otherwise than others'.
 
-#include "gl/alpha_range.h"
-#include "gl/fragment_code.h"
 #include "gl/gl_functions.h"
 
-#include <coif/asset_records.h>
+#include <coif/drawing.h>
+#include <coif/transparency.h>
 
 #include <cfloat>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace coif {
 
+class CrowdDraw;
+struct RendererState;
 struct ShadowLookup;
+
+/// The parts of a fragment shader in which ways to draw differ, as GLSL. A way's own live in its own file, so that a
+/// program which does not name it does not hold them.
+struct FragmentCode {
+  std::uint32_t id;    ///< Of the programs built from it, below kMaxFragmentCodes; no two codes share one.
+  const char* keep;    ///< `float keep(float alpha)`: discards, or tells how solid the texel is, 0..1.
+  const char* output;  ///< `void write_fragment(vec3 linear, float coverage)` and what it writes to.
+  /// Instead of shading and its output, where not null: a whole `main()` that writes something else than colour.
+  const char* other = nullptr;
+  const char* shared = "";  ///< Comes before all of these: what they have in common.
+  /// Lines before the vertex shader: which of its outputs `keep` reads, COIF_REST_PLACE or COIF_CORNER.
+  const char* vertex = "";
+  /// Further textures that the shader reads. Null: none.
+  struct Sampler {
+    const char* name = nullptr;
+    std::int32_t unit = 0;
+  } samplers[2] = {};
+  std::uint32_t storage_blocks = 0;  ///< Buffers that it writes to. Above 0 the program needs OpenGL ES 3.1.
+  bool thins = false;                ///< Drops some of the texels between Pass::alpha_min and solid_from.
+};
+
+inline constexpr std::uint32_t kMaxFragmentCodes = 16;
+
+/// Keeps a range of alpha (Pass::alpha_min to alpha_max) and writes premultiplied colour.
+extern const FragmentCode kRangeCode;
 
 inline constexpr float kNoAlphaLimit = FLT_MAX;
 
@@ -67,5 +95,38 @@ class PassList {
 
 /// Texels from the discard threshold on, those below the opaque one thinned by `code`, all sorted by the depth buffer.
 [[nodiscard]] Pass thinned_pass(const MaterialRecord& material, const FragmentCode& code);
+
+/// The passes of those modes that take one and do not blend.
+template <const FragmentCode& code>
+PassList plan_thinned(const MaterialRecord& material, const AlphaRange& texture) {
+  PassList drawn;
+  drawn.add_for(drawn_alpha(material, texture), thinned_pass(material, code));
+  return drawn;
+}
+
+/// What passes share: premultiplied blending, depth test, winding.
+void set_draw_state(const GlFunctions& gl);
+
+/// What this pass wants beside.
+void set_pass_state(const GlFunctions& gl, const Pass& pass);
+
+/// Everything that the two above set, at OpenGL's initial values.
+void leave_draw_state(const GlFunctions& gl);
+
+/// One call of HairRenderer::draw(): everything is checked, built and bound. The renderer is there for modes with objects of
+/// their own.
+struct ModeDraw {
+  RendererState& renderer;
+  CrowdDraw& crowd;
+  const PassList& passes;
+};
+
+struct TransparencyMode {
+  const char* name;
+  /// The passes that draw something of an asset whose texture's alpha lies in this range.
+  PassList (*plan_passes)(const MaterialRecord& material, const AlphaRange& texture);
+  /// Null: all passes, once. Leaves what it sets at OpenGL's initial values. False where the driver refuses.
+  bool (*draw)(const ModeDraw& draw) = nullptr;
+};
 
 }  // namespace coif

@@ -4,11 +4,28 @@
 #   cmake -D SOURCE=... ... instead of BUILD: build that source tree first, with as little as can be: no OpenGL, no tools.
 #   cmake -D EMBED=... ... instead of BUILD: install nothing; the game adds that source tree to its own build.
 #   cmake -D SHARE=... -D GL=ON|OFF ... instead of BUILD: shared libraries, as part of a game's build and installed.
+#   cmake -D PACK=... ... instead of BUILD: the Debian package of that build tree, unpacked somewhere.
 set(consumer ${CMAKE_CURRENT_LIST_DIR})
 set(prefix ${WORK}/installed)
 file(REMOVE_RECURSE ${WORK})
 
-include(${consumer}/run.cmake)
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE log ERROR_VARIABLE log)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}: exit code ${code}\n${log}")
+  endif()
+endfunction()
+
+# must_fail(MATCHES regex COMMAND...): the command fails, and says why.
+function(must_fail MATCHES regex)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE log ERROR_VARIABLE log)
+  string(REGEX REPLACE "[ \n]+" " " log "${log}")
+  if(code EQUAL 0 OR NOT log MATCHES "${regex}")
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}: exit code ${code}, without '${regex}':\n${log}")
+  endif()
+endfunction()
 
 set(configure_game ${CMAKE_COMMAND} -G Ninja -S ${consumer} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix})
 set(without_highway -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON)
@@ -24,12 +41,184 @@ function(build_game folder programs)
   endforeach()
 endfunction()
 
+# compile(PACKAGE PROGRAM COMMAND...): one source file, linked with that package, and run.
+function(compile package program)
+  execute_process(COMMAND pkg-config --cflags --libs ${package} RESULT_VARIABLE code OUTPUT_VARIABLE flags ERROR_VARIABLE log)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "pkg-config ${package}: ${log}")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${ARGN} -o ${WORK}/${program} ${flags} -lm -Wl,-rpath,${libraries})
+  run(${WORK}/${program} ${ASSET})
+endfunction()
+
+# compile_by_hand(): games built with what pkg-config says of an installed tree that was moved since. Sets `libraries`.
+macro(compile_by_hand)
+  set(moved ${WORK}/moved)
+  file(COPY ${prefix}/ DESTINATION ${moved})
+  file(GLOB_RECURSE description ${moved}/*/coif.pc)
+  cmake_path(GET description PARENT_PATH descriptions)
+  cmake_path(GET descriptions PARENT_PATH libraries)
+  set(ENV{PKG_CONFIG_PATH} ${descriptions})
+  find_program(C_COMPILER NAMES cc gcc REQUIRED)
+  find_program(CXX_COMPILER NAMES c++ g++ REQUIRED)
+
+  set(cxx ${CXX_COMPILER} -std=c++20 -Wall -Wextra -Werror -Wno-missing-field-initializers)
+  compile(coif-formats pkg_only_open ${cxx} -DGAME_only_open ${consumer}/games.cpp)
+  compile(coif-sim pkg_load_and_step ${cxx} ${consumer}/load_and_step.cpp)
+  compile(coif-skinning pkg_only_skin ${cxx} -DGAME_only_skin ${consumer}/games.cpp)
+  compile(coif-drawing pkg_only_cull ${cxx} -DGAME_only_cull ${consumer}/games.cpp)
+  if(EXISTS ${descriptions}/coif-gl.pc)
+    compile(coif-gl pkg_only_draw ${cxx} -DGAME_only_draw ${consumer}/games.cpp)
+  endif()
+  if(ASSET)
+    set(step_in_c ${consumer}/../../runtime/examples/step_in_c.c)
+    foreach(package coif coif-c)
+      compile(${package} pkg_step_in_${package} ${C_COMPILER} -std=c11 -Wall -Wextra -Werror ${step_in_c})
+    endforeach()
+  endif()
+endmacro()
+
+# Reader and simulation for one instruction set, on a machine without OpenGL's headers.
+function(smallest_package)
+  set(fence ${WORK}/fence)
+  foreach(header EGL/egl.h GL/gl.h GLES2/gl2.h GLES3/gl3.h GLES3/gl31.h GLES3/gl32.h KHR/khrplatform.h)
+    file(WRITE ${fence}/${header} "#error this machine has no OpenGL\n")
+  endforeach()
+  set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS=-I${fence}
+      -D COIF_TOOLS=OFF -D COIF_TESTS=OFF -D COIF_SIMD=static)
+  set(no_headers -D CMAKE_IGNORE_PATH=/usr/include)
+
+  run(${configure} -B ${WORK}/build ${no_headers} -D COIF_GL=OFF)
+  run(${CMAKE_COMMAND} --build ${WORK}/build)
+  run(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${prefix})
+  # The fence holds: with the renderer, neither a search for OpenGL nor a build that skipped it gets through.
+  must_fail(MATCHES "COIF_GLES3_INCLUDE" ${configure} -B ${WORK}/fenced ${no_headers} -D COIF_GL=ON)
+  run(${configure} -B ${WORK}/fenced -D COIF_GL=ON -D COIF_GLES3_INCLUDE=${fence})
+  must_fail(MATCHES "this machine has no OpenGL" ${CMAKE_COMMAND} --build ${WORK}/fenced --target coif_gl)
+
+  build_game(game "${sim_games};only_skin;only_cull" -D PARTS=sim,skinning,drawing -D README=${SOURCE}/README.md
+    -D CMAKE_CXX_FLAGS=-I${fence} ${without_highway})
+
+  compile_by_hand()
+
+  # The part that was not built is missed when the game is configured, by name, and has left nothing behind.
+  must_fail(MATCHES "built without 'gl'" ${configure_game} -B ${WORK}/absent -D PARTS=gl)
+  must_fail(MATCHES "no component 'smi'; it has formats, sim," ${configure_game} -B ${WORK}/unknown -D PARTS=formats,smi)
+  file(GLOB_RECURSE left ${prefix}/*coif_gl* ${prefix}/*renderer.h)
+  if(left)
+    message(FATAL_ERROR "installed although not built: ${left}")
+  endif()
+endfunction()
+
+# finds(PROGRAM FOLDER): the program takes coif's libraries, at least one, from that folder and from nowhere else.
+function(finds program folder)
+  execute_process(COMMAND ldd ${program} OUTPUT_VARIABLE log ERROR_VARIABLE log)
+  string(REGEX MATCHALL "libcoif[^\n]*" libraries "${log}")
+  foreach(library IN LISTS libraries)
+    string(FIND "${library}" " => ${folder}/libcoif" place)
+    if(place EQUAL -1)
+      message(FATAL_ERROR "${program} does not find this in ${folder}: ${library}")
+    endif()
+  endforeach()
+  if(NOT libraries)
+    message(FATAL_ERROR "${program} takes no shared library of coif:\n${log}")
+  endif()
+endfunction()
+
+# Shared libraries. A game with the sources in its own build makes and installs them; others find them installed, and those
+# that were moved find each other.
+function(shared_package)
+  set(parts sim,skinning,drawing,c,shared)
+  set(programs ${sim_games} only_skin only_cull)
+  if(GL)
+    string(APPEND parts ,gl)
+    list(APPEND programs make_renderer only_draw)
+  endif()
+  if(ASSET)
+    list(APPEND programs step_in_c_c step_in_c_shared)
+  endif()
+
+  # How fast they are is not asked here.
+  build_game(embedded "${programs}" -D COIF_SOURCE=${SHARE} -D PARTS=${parts} -D CMAKE_BUILD_TYPE=Debug
+    -D BUILD_SHARED_LIBS=ON -D COIF_INSTALL=ON -D COIF_GL=${GL} -D COIF_SIMD=${SIMD})
+  run(${CMAKE_COMMAND} --install ${WORK}/embedded --prefix ${prefix})
+
+  # The libraries know of Highway; a game need not.
+  build_game(game "${programs}" -D PARTS=${parts} ${without_highway})
+  file(GLOB_RECURSE found ${prefix}/*/libcoif_sim.so)
+  cmake_path(GET found PARENT_PATH folder)
+  foreach(program load_and_step only_skin)
+    finds(${WORK}/game/${program} ${folder})
+  endforeach()
+
+  compile_by_hand()
+  finds(${WORK}/pkg_load_and_step ${libraries})
+  finds(${WORK}/pkg_only_skin ${libraries})
+endfunction()
+
+# Everything, as one build tree installs it.
+function(whole_package)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+
+  # A header that no file set lists would compile in the project and be absent from the package.
+  set(project ${consumer}/../..)
+  file(GLOB public RELATIVE ${project} ${project}/formats/include/coif/*.h ${project}/runtime/include/coif/*.h)
+  foreach(header IN LISTS public)
+    cmake_path(GET header FILENAME name)
+    if(NOT EXISTS ${prefix}/include/coif/${name})
+      message(FATAL_ERROR "${header} is public and was not installed; add it to its target's file set")
+    endif()
+  endforeach()
+
+  set(c_games "")
+  if(ASSET)
+    set(c_games step_in_c_c step_in_c_shared)
+  endif()
+  build_game(game "${sim_games};${c_games};only_skin;only_cull;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly"
+    -D PARTS=formats,sim,skinning,drawing,gl,c,shared -D README=${project}/README.md)
+  compile_by_hand()
+  # Only who simulates needs Highway, and is told when it is not there.
+  build_game(reader "only_open;only_skin;only_cull" -D PARTS=formats,skinning,drawing ${without_highway})
+  if(SIMD STREQUAL "dispatch" AND NOT SHARED)
+    must_fail(MATCHES "(module|dependency) hwy" ${configure_game} -B ${WORK}/lacking ${without_highway})
+  endif()
+endfunction()
+
+# The Debian package: the program runs, a game links what is in it, and it asks for what it needs.
+function(deb_package)
+  set(prefix ${WORK}/unpacked/usr)
+  run(${CMAKE_CPACK_COMMAND} --config ${PACK}/CPackConfig.cmake -B ${WORK})
+  file(GLOB package ${WORK}/coif_*.deb)
+  run(dpkg-deb -x ${package} ${WORK}/unpacked)
+
+  execute_process(COMMAND dpkg-deb -f ${package} Depends OUTPUT_VARIABLE needs)
+  foreach(library libassimp libc6 libegl1 libfmt)
+    if(NOT needs MATCHES "${library}")
+      message(FATAL_ERROR "${package} does not depend on ${library}: ${needs}")
+    endif()
+  endforeach()
+  execute_process(COMMAND ${prefix}/bin/coif --version OUTPUT_VARIABLE version RESULT_VARIABLE code)
+  if(NOT code EQUAL 0 OR NOT package MATCHES "coif_[0-9.]+_" OR NOT version MATCHES "^coif [0-9.]+")
+    message(FATAL_ERROR "the packaged program: exit code ${code}, '${version}'")
+  endif()
+  run(${prefix}/bin/coif validate ${ASSET})
+  execute_process(COMMAND gzip -dc ${prefix}/share/man/man1/coif.1.gz OUTPUT_VARIABLE packed)
+  execute_process(COMMAND ${prefix}/bin/coif --man OUTPUT_VARIABLE printed)
+  if(NOT packed OR NOT packed STREQUAL printed)
+    message(FATAL_ERROR "the packaged manual page is not the one that the program prints")
+  endif()
+  compile_by_hand()
+endfunction()
+
 if(EMBED)
   build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED})
 elseif(SHARE)
-  include(${consumer}/shared_package.cmake)
+  shared_package()
+elseif(PACK)
+  deb_package()
 elseif(BUILD)
-  include(${consumer}/whole_package.cmake)
+  whole_package()
 else()
-  include(${consumer}/smallest_package.cmake)
+  smallest_package()
 endif()

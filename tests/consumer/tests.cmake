@@ -22,11 +22,9 @@ if(TARGET coif_cli)
     -D BUILD=${CMAKE_BINARY_DIR} -D SIMD=${COIF_SIMD} -D SHARED=${BUILD_SHARED_LIBS} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
   set_tests_properties(consumer.installed PROPERTIES
     FIXTURES_REQUIRED COIF_COOKED_SAMPLE FIXTURES_SETUP COIF_WHOLE_PACKAGE)
-  add_test(NAME consumer.deb_package
-    COMMAND ${CMAKE_COMMAND} -D WORK=${CMAKE_BINARY_DIR}/consumer/deb_package -D BUILD=${CMAKE_BINARY_DIR}
-            -D CMAKE_CPACK_COMMAND=${CMAKE_CPACK_COMMAND} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif
-            -P ${PROJECT_SOURCE_DIR}/tests/consumer/deb_package.cmake)
-  set_tests_properties(consumer.deb_package PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE TIMEOUT 300)
+  coif_consumer_test(deb_package -D PACK=${CMAKE_BINARY_DIR}
+    -D CMAKE_CPACK_COMMAND=${CMAKE_CPACK_COMMAND} -D ASSET=${CMAKE_BINARY_DIR}/sample/bob.coif)
+  set_tests_properties(consumer.deb_package PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE)
 endif()
 if(TARGET coif_cli)
   add_test(NAME consumer.recook

@@ -1,10 +1,10 @@
 #include "fuzz/play_asset.h"
 #include "fuzz/promise.h"
 #include "fuzz/targets.h"
-#include "gl/alpha_range.h"
-#include "gl/reach.h"
 #include "models/small_asset.h"
 #include "write/strip_asset.h"
+
+#include <coif/drawing.h>
 
 #include <cmath>
 #include <cstring>

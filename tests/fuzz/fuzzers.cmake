@@ -31,7 +31,7 @@ target_link_libraries(fuzz_gltf PUBLIC Eigen3::Eigen fmt::fmt nlohmann_json::nlo
 set(write ${PROJECT_SOURCE_DIR}/formats/write)
 fuzzer(asset
   SOURCES ${COIF_FUZZ_ASSET_SOURCES} asset_mutator.cpp ${write}/chunk_file.cpp ${write}/strip_asset.cpp
-  LIBRARIES coif::sim coif::skinning)
+  LIBRARIES coif::sim coif::skinning coif::drawing)
 fuzzer(cache_entry
   SOURCES cache_entry_target.cpp cache_entry_mutator.cpp ${tools}/pipeline/cache_entry.cpp
   LIBRARIES coif::formats Eigen3::Eigen nlohmann_json::nlohmann_json)

@@ -27,6 +27,13 @@ std::string shader_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// One of the file's pieces, see shaders/embed.cmake.
+std::string shader_piece(const std::string& file, const std::string& name) {
+  const std::string all = shader_file(file), title = "\n//// " + name + "\n";
+  const std::size_t begin = all.find(title) + title.size();
+  return all.substr(begin, all.find("\n//// ", begin) - begin);
+}
+
 GLuint compiled(GLenum kind, const std::string& code) {
   const GLuint shader = glCreateShader(kind);
   const char* const text = code.c_str();
@@ -44,7 +51,8 @@ GLuint program_with(const std::string& defines) {
       "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
   const GLuint program = glCreateProgram();
   glAttachShader(program, compiled(GL_VERTEX_SHADER, head + "#define COIF_PALETTE_ROWS 1024\n" + defines +
-                                                         shader_file("draw_block.glsl") + shader_file("hair.vert")));
+                                                         shader_piece("hair.glsl", "draw_block.glsl") +
+                                                         shader_file("hair.vert")));
   glAttachShader(program,
                  compiled(GL_FRAGMENT_SHADER, head + "out vec4 unused;\nvoid main() { unused = vec4(0.0); }\n"));
   const char* const outputs[] = {"position", "normal", "tangent"};

@@ -9,7 +9,8 @@ from pathlib import Path
 
 FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
-DRAWING = {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
+DRAWING = {"runtime/include/coif/drawing.h"}
+RENDERER = DRAWING | {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
 # from what tools/CMakeLists.txt links: see tool_layers().
@@ -20,19 +21,21 @@ LAYERS = {
     "formats/write": FORMATS | HASH,
     "runtime/include": FORMATS,
     "runtime/include/coif.h": set(),
-    "runtime/include/coif/renderer.h": SIM,
-    "runtime/include/coif/shadow.h": SIM | DRAWING,
+    "runtime/include/coif/drawing.h": SIM,
+    "runtime/include/coif/renderer.h": SIM | DRAWING,
+    "runtime/include/coif/shadow.h": SIM | RENDERER,
     "runtime/sim": SIM,
     "runtime/skinning": SIM,
     "runtime/c": SIM | {"runtime/include/coif.h"},
-    "runtime/gl": SIM | DRAWING,
-    "runtime/examples": SIM | DRAWING | {"runtime/include/coif.h"},
+    "runtime/drawing": SIM | DRAWING,
+    "runtime/gl": SIM | RENDERER,
+    "runtime/examples": SIM | RENDERER | {"runtime/include/coif.h"},
     "tools/cli": None,  # Everything.
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
 TOOL_BASE = SIM | HASH | {"formats/write"}
-LINKED = {"coif::gl": DRAWING}
+LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING}
 
 # Third-party header -> the folders that may include it.
 HOMES = {
@@ -66,8 +69,8 @@ STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstdd
 C_HEADER = "runtime/include/coif.h"
 C_STANDARD = {"stddef.h", "stdint.h"}
 SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h",
-           "runtime/include/coif/shadow.h", "runtime/sim",
-           "runtime/skinning", "runtime/gl", "runtime/c", C_HEADER)
+           "runtime/include/coif/shadow.h", "runtime/include/coif/drawing.h", "runtime/sim", "runtime/skinning",
+           "runtime/drawing", "runtime/gl", "runtime/c", C_HEADER)
 
 # Headers that the build writes, by the one layer that includes them.
 GENERATED = {"runtime/gl": {"hair_shaders.h"}}
@@ -168,9 +171,12 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
     bad = problems + ([] if tool_layers("coif_tool_library(a PUBLIC coif_b)\ncoif_tool_library(b)\n")[1] else ["upward links pass"])
     tree = {"tools/base/text.h", "tools/cook/order/sort.h", "tools/import/import.h",
             "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
-            "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h", "tests/sim/rig.h"}
+            "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h",
+            "tests/sim/rig.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
+                 ("runtime/sim/a.cpp", "#include <coif/drawing.h>"), ("runtime/drawing/a.cpp", "#include <GLES3/gl3.h>"),
+                 ("runtime/drawing/a.cpp", "#include <coif/renderer.h>"),
                  ("runtime/gl/a.cpp", "#include <nlohmann/json.hpp>"), ("runtime/gl/a.cpp", "#  include <EGL/egl.h>"),
                  ("formats/a.cpp", "#include <coif/hair.h>"), ("formats/a.cpp", '#include "write/asset_writer.h"'),
                  ("runtime/include/coif/a.h", "#include <string>"), ("tools/cook/a.cpp", "#include <assimp/scene.h>"),
@@ -184,6 +190,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
     must_pass = [(C_HEADER, "#include <stdint.h>"),
                  ("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
                  ("runtime/sim/lanes/a.cpp", "#include <hwy/highway.h>"),
+                 ("runtime/drawing/a.cpp", "#include <coif/drawing.h>"),
                  ("runtime/gl/a.cpp", "#include <GLES3/gl3.h>"), ("tools/import/a.cpp", "#include <assimp/scene.h>"),
                  ("tools/cook/order/a.cpp", '#include "import/import.h"\n#include "base/text.h"'),
                  ("tools/cook/a.cpp", '#include "cook/order/sort.h"'), ("tools/render/a.cpp", "#include <coif/renderer.h>"),

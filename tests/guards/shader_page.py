@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""shaders/README.md names every shader file, every define, vertex attribute and uniform that the shaders have, and no define
+"""shaders/README.md names every shader file and every piece of one, every define, vertex attribute and uniform that the shaders have, and no define
 that they do not have.
 
 usage: shader_page.py SHADER_FOLDER | --self-test
@@ -12,6 +12,7 @@ DEFINE = re.compile(r"\bCOIF_\w+")
 ATTRIBUTE = re.compile(r"layout\(location = \d+\) in \w+ (\w+);")
 UNIFORM = re.compile(r"^uniform (?:highp )?\w+ (\w+);", re.MULTILINE)
 BLOCK = re.compile(r"layout\(std140\) uniform (\w+) \{(.*?)\};", re.DOTALL)
+PIECE = re.compile(r"^//// ([\w.]+)", re.MULTILINE)
 MEMBER = re.compile(r"^\s*\w+ (\w+)(?:\[\w+\])?;", re.MULTILINE)
 
 
@@ -26,8 +27,8 @@ def names_in(code):
 
 
 def violations(page, shaders):
-    """`shaders`: file name -> code."""
-    wanted = set(shaders).union(*map(names_in, shaders.values()))
+    """`shaders`: file name -> code. Pieces begin as shaders/embed.cmake has it."""
+    wanted = set(shaders).union(*map(PIECE.findall, shaders.values())).union(*map(names_in, shaders.values()))
     for name in sorted(wanted):
         if not re.search(rf"\b{re.escape(name)}\b", page):
             yield f"shaders/README.md does not name {name}; say what it is for"
@@ -38,8 +39,8 @@ def violations(page, shaders):
 
 def self_test():
     code = ("#ifdef COIF_A\nlayout(location = 0) in vec3 rest;\nuniform vec3 range;\n#endif\n"
-            "layout(std140) uniform Block {\n  vec4 color;  // rgb\n};\n")
-    page = "a.vert COIF_A rest range Block color"
+            "layout(std140) uniform Block {\n  vec4 color;  // rgb\n};\n\n//// b.glsl after c.glsl\n")
+    page = "a.vert b.glsl COIF_A rest range Block color"
     bad = [f"did not fire without {word}" for word in page.split()
            if not list(violations(page.replace(word, ""), {"a.vert": code}))]
     if not list(violations(page + " COIF_B", {"a.vert": code})):

@@ -24,7 +24,8 @@ FEATURES = {
     "solver thesis": r"kThesisSolver|thesis_row_code",
     "skinning": r"skin_vertices",
     "renderer": r"HairRenderer::create",
-    "drawing": r"HairRenderer::draw|fill_draw_block",
+    "what any renderer computes": r"VisibleCrowd::|fill_draw_block|drawn_hair_of",
+    "drawing": r"HairRenderer::draw",
     "upload": r"HairModel::upload|upload_texture",
     "blended hair": r"kBlendMode",
     "opaque hair": r"kOpaqueMode",
@@ -37,6 +38,8 @@ FEATURES = {
     "exact hair": r"kExactMode|exact_memory|draw_(lists|peeled)|kShader(FragmentLists|List|Peel|KeepPeeled)",
 }
 
+DRAWING = {"renderer", "drawing", "what any renderer computes", "upload", "asset access for tools and renderers"}
+
 # Program -> the features it uses.
 PROGRAMS = {
     "only_open": {"reader", "hash"},
@@ -44,12 +47,12 @@ PROGRAMS = {
     "load_and_step": {"reader", "hash", "crowd", "solver coif", "load messages"},
     "step_by_thesis": {"crowd", "solver thesis"},
     "only_skin": {"skinning"},
+    "only_cull": {"what any renderer computes"},
     "make_renderer": {"renderer"},
-    "only_draw": {"renderer", "drawing", "upload", "asset access for tools and renderers", "blended hair"},
-    "draw_hashed": {"renderer", "drawing", "upload", "asset access for tools and renderers", "hashed hair"},
-    "cast_plainly": {"renderer", "drawing", "upload", "asset access for tools and renderers", "opaque hair", "shadows",
-                     "plain shadow maps"},
-    "draw_exactly": {"renderer", "drawing", "upload", "asset access for tools and renderers", "exact hair"},
+    "only_draw": DRAWING | {"blended hair"},
+    "draw_hashed": DRAWING | {"hashed hair"},
+    "cast_plainly": DRAWING | {"opaque hair", "shadows", "plain shadow maps"},
+    "draw_exactly": DRAWING | {"exact hair"},
 }
 
 

@@ -1,4 +1,5 @@
-#include "gl/shadow/shadow_technique.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/textures.h"
 
 #include <hair_shaders.h>
 
@@ -6,7 +7,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kLayersOfTexture = 4;
-// Sums of the layers' thickness in shaders/hair_shadow_deep.glsl, in units of the first.
+// Sums of the layers' thickness in shaders/hair_shadow.glsl, in units of the first.
 constexpr float kFourLayers = 15.0f, kEightLayers = 49.2578125f;
 // Bytes hold opacities up to this, where a fiftieth of the light is left, in steps of a sixtieth.
 constexpr float kByteUnit = 4.0f;
@@ -31,24 +32,14 @@ const ShadowLookup* choose_lookup(const ShadowDesc& desc) {
   return has_far_layers(desc) ? &kEightLookup : &kFourLookup;
 }
 
-/// All that is drawn at all.
-Pass whole_pass(const MaterialRecord& material) {
-  return {.shaded = false,
-          .blended = false,
-          .writes_depth = true,
-          .culled = unseen_faces(material),
-          .alpha_min = material.discard_threshold,
-          .alpha_max = kNoAlphaLimit};
-}
-
 PassList plan_front(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&) {
   PassList drawn;
-  drawn.add_for(drawn_alpha(material, texture), whole_pass(material));
+  drawn.add_for(drawn_alpha(material, texture), caster_pass(material, material.discard_threshold));
   return drawn;
 }
 
 PassList plan_layers(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup& lookup) {
-  Pass pass = whole_pass(material);
+  Pass pass = caster_pass(material, material.discard_threshold);
   pass.blended = true;
   pass.writes_depth = false;
   pass.code = lookup.id == kEightLookup.id ? &kEightCode : &kFourCode;
@@ -58,52 +49,43 @@ PassList plan_layers(const MaterialRecord& material, const AlphaRange& texture, 
   return drawn;
 }
 
-GLuint make_layers_texture(const GlFunctions& gl, GLenum format, GLsizei size) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, format, size, size);
-  return texture;
-}
-
-bool make_layers(const GlFunctions& gl, const ShadowFunctions& functions, GLenum format, HairShadow& shadow) {
+bool make_layers(GLenum format, ShadowState& shadow) {
   constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  GLuint* const textures = ShadowTechnique::textures(shadow);
-  const GLsizei count = has_far_layers(shadow.desc()) ? 2 : 1;
-  ShadowTechnique::framebuffers(shadow)[kLayersFramebuffer] = make_framebuffer(functions, textures[kSolidTexture]);
+  const ShadowFunctions& functions = shadow.functions;
+  const auto size = static_cast<GLsizei>(shadow.desc.size);
+  const GLsizei count = has_far_layers(shadow.desc) ? 2 : 1;
+  shadow.framebuffers[kLayersFramebuffer] = make_framebuffer(functions, shadow.textures[kSolidTexture]);
   for (GLsizei i = 0; i < count; ++i) {
-    textures[kLayersTexture + std::uint32_t(i)] = make_layers_texture(gl, format, GLsizei(shadow.desc().size));
-    functions.FramebufferTexture2D(GL_FRAMEBUFFER, kTargets[i], GL_TEXTURE_2D,
-                                   textures[kLayersTexture + std::uint32_t(i)], 0);
+    GLuint& texture = shadow.textures[kLayersTexture + std::uint32_t(i)];
+    texture = make_texture(shadow.gl(), format, size, size);
+    functions.FramebufferTexture2D(GL_FRAMEBUFFER, kTargets[i], GL_TEXTURE_2D, texture, 0);
   }
   functions.DrawBuffers(count, kTargets);
   return functions.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 /// OpenGL ES 3.0 draws into half floats only with GL_EXT_color_buffer_half_float or _float; nearly all devices have one.
-bool make(const GlFunctions& gl, const ShadowFunctions& functions, HairShadow& shadow) {
-  GLuint* const textures = ShadowTechnique::textures(shadow);
-  GLuint* const framebuffers = ShadowTechnique::framebuffers(shadow);
-  textures[kFrontTexture] = make_depth_texture(gl, shadow.desc().size);
-  framebuffers[kFrontFramebuffer] = make_framebuffer(functions, textures[kFrontTexture]);
+bool make(ShadowState& shadow) {
+  const GlFunctions& gl = shadow.gl();
+  const ShadowFunctions& functions = shadow.functions;
+  shadow.textures[kFrontTexture] = make_depth_texture(shadow);
+  shadow.framebuffers[kFrontFramebuffer] = make_framebuffer(functions, shadow.textures[kFrontTexture]);
   if (functions.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
-  ShadowTechnique::opacity_unit(shadow) = 1;
-  if (make_layers(gl, functions, GL_RGBA16F, shadow)) return true;
-  functions.DeleteFramebuffers(1, &framebuffers[kLayersFramebuffer]);
-  gl.DeleteTextures(2, &textures[kLayersTexture]);
-  textures[kFarLayersTexture] = 0;
+  shadow.opacity_unit = 1;
+  if (make_layers(GL_RGBA16F, shadow)) return true;
+  functions.DeleteFramebuffers(1, &shadow.framebuffers[kLayersFramebuffer]);
+  gl.DeleteTextures(2, &shadow.textures[kLayersTexture]);
+  shadow.textures[kFarLayersTexture] = 0;
   clear_errors(gl);
-  ShadowTechnique::opacity_unit(shadow) = kByteUnit;
-  return make_layers(gl, functions, GL_RGBA8, shadow);
+  shadow.opacity_unit = kByteUnit;
+  return make_layers(GL_RGBA8, shadow);
 }
 
 float first_layer(const ShadowDesc& desc) { return desc.depth / (has_far_layers(desc) ? kEightLayers : kFourLayers); }
 
-std::uint32_t texel_bytes(const HairShadow& shadow) {
-  const std::uint32_t layers = ShadowTechnique::opacity_unit(shadow) == kByteUnit ? 4 : 8;
-  return 8 + (has_far_layers(shadow.desc()) ? 2 : 1) * layers;
+std::uint32_t texel_bytes(const ShadowState& shadow) {
+  const std::uint32_t layers = shadow.opacity_unit == kByteUnit ? 4 : 8;
+  return 8 + (has_far_layers(shadow.desc) ? 2 : 1) * layers;
 }
 
 }  // namespace

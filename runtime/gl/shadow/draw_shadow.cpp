@@ -1,11 +1,6 @@
-#include "gl/binding_points.h"
 #include "gl/crowd_draw.h"
-#include "gl/draw_block.h"
-#include "gl/draw_state.h"
-#include "gl/shadow/shadow_functions.h"
-#include "gl/shadow/shadow_technique.h"
-
-#include <coif/shadow.h>
+#include "gl/shadow/shadow_state.h"
+#include "gl/textures.h"
 
 namespace coif {
 namespace {
@@ -14,104 +9,103 @@ const MaterialRecord& material_of(const ShadowCrowd& crowd) {
   return crowd.material != nullptr ? *crowd.material : crowd.model->material();
 }
 
-/// Close enough to the map that distances from it are small.
-Vec3 origin_of(const double (&eye)[3]) { return {float(eye[0]), float(eye[1]), float(eye[2])}; }
-
-void clear_stage(const ShadowFunctions& functions, ShadowFramebuffer framebuffer, bool has_far_layers) {
+void clear_stage(const ShadowState& shadow, ShadowFramebuffer framebuffer) {
   constexpr GLfloat kFar = 1;
   constexpr GLfloat kNothing[4] = {};
-  if (framebuffer == kFrontFramebuffer) functions.ClearBufferfv(GL_DEPTH, 0, &kFar);
+  if (framebuffer == kFrontFramebuffer) shadow.functions.ClearBufferfv(GL_DEPTH, 0, &kFar);
   if (framebuffer != kLayersFramebuffer) return;
-  functions.ClearBufferfv(GL_COLOR, 0, kNothing);
-  if (has_far_layers) functions.ClearBufferfv(GL_COLOR, 1, kNothing);
+  shadow.functions.ClearBufferfv(GL_COLOR, 0, kNothing);
+  if (shadow.textures[kFarLayersTexture] != 0) shadow.functions.ClearBufferfv(GL_COLOR, 1, kNothing);
 }
 
-}  // namespace
-
-Status HairShadow::check(std::span<const ShadowCrowd> crowds) const {
-  if (renderer_ == nullptr) return Status::kNotCreated;
-  if (!is_begun_) return Status::kBadArgument;
+Status check(const ShadowState& shadow, std::span<const ShadowCrowd> crowds) {
+  if (!shadow.is_begun) return Status::kBadArgument;
   for (const ShadowCrowd& crowd : crowds) {
-    if (crowd.model == nullptr || crowd.model->renderer_ != renderer_) return Status::kNotCreated;
+    const ModelState* const model = crowd.model == nullptr ? nullptr : ModelState::of(*crowd.model);
+    if (model == nullptr || model->renderer != shadow.renderer) return Status::kNotCreated;
     if (!is_valid(material_of(crowd))) return Status::kBadArgument;
     for (const HairInstance& instance : crowd.instances) {
-      if (const Status status = crowd.model->check(instance); status != Status::kOk) return status;
+      if (const Status status = check_instance(model->hair, instance); status != Status::kOk) return status;
     }
   }
   return Status::kOk;
 }
 
-Status HairShadow::build_missing(const ShadowCrowd& crowd) {
-  const HairModel& model = *crowd.model;
-  const ShadowTechnique& technique = *desc_.technique;
-  for (const ShadowStage& stage : std::span(technique.stages).first(technique.stage_count)) {
-    const PassList passes =
-        stage.plan_passes(material_of(crowd), {model.lowest_alpha_, model.highest_alpha_}, *lookup_);
-    const Status built = renderer_->build_missing(passes, model.needs_, material_of(crowd), Component::kAll);
+Status build_missing(const ShadowState& shadow, const ShadowCrowd& crowd) {
+  const ModelState& model = *ModelState::of(*crowd.model);
+  const MaterialRecord& material = material_of(crowd);
+  for (const ShadowStage& stage : shadow.stages()) {
+    const PassList passes = stage.plan_passes(material, model.hair.alpha, *shadow.lookup);
+    const Status built = shadow.renderer->build_missing(passes, model.needs, material, Component::kAll);
     if (built != Status::kOk) return built;
   }
   return Status::kOk;
 }
 
+Status draw_crowd(const ShadowState& shadow, const ShadowStage& stage, const ShadowCrowd& crowd) {
+  const GlFunctions& gl = shadow.gl();
+  const ModelState& model = *ModelState::of(*crowd.model);
+  const MaterialRecord& material = material_of(crowd);
+  DrawView view;  // its origin close enough to the map that distances from it are small
+  view.eye = {float(shadow.view.eye[0]), float(shadow.view.eye[1]), float(shadow.view.eye[2])};
+  DrawBlock block;
+  const Status filled = fill_draw_block(view, material, model.layout.rows_of_head, block);
+  if (filled != Status::kOk) return filled;
+  shadow.clip_from_origin(view.eye, block.clip_from_view);
+  block.shadow = shadow.uniforms(view.eye);
+  CrowdDraw heads(*shadow.renderer, model, crowd.instances, material, Component::kAll, view.eye, block);
+  bind_model(gl, model);
+  if (stage.framebuffer == kLayersFramebuffer) {
+    bind_texture(gl, kShadowUnit + kFrontTexture, shadow.textures[kFrontTexture]);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+  }
+  const bool is_drawn = heads.draw(stage.plan_passes(material, model.hair.alpha, *shadow.lookup));
+  unbind_model(gl, model);
+  return is_drawn ? Status::kOk : Status::kDriver;
+}
+
+Status draw_stage(const ShadowState& shadow, const ShadowStage& stage, std::span<const ShadowCrowd> crowds) {
+  shadow.functions.BindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffers[stage.framebuffer]);
+  set_slope_bias(shadow, stage.slope_bias);
+  clear_stage(shadow, stage.framebuffer);
+  for (const ShadowCrowd& crowd : crowds) {
+    if (const Status drawn = draw_crowd(shadow, stage, crowd); drawn != Status::kOk) return drawn;
+  }
+  return Status::kOk;
+}
+
+}  // namespace
+
 Status HairShadow::prepare(const HairModel& model, const MaterialRecord* material) {
+  const ModelState* const own = ModelState::of(model);
+  if (!is_created() || own == nullptr || own->renderer != state_->renderer) return Status::kNotCreated;
   const ShadowCrowd crowd{&model, {}, material};
-  if (renderer_ == nullptr || model.renderer_ != renderer_) return Status::kNotCreated;
-  return is_valid(material_of(crowd)) ? build_missing(crowd) : Status::kBadArgument;
+  return is_valid(material_of(crowd)) ? build_missing(*state_, crowd) : Status::kBadArgument;
 }
 
 Status HairShadow::draw(std::span<const ShadowCrowd> crowds) {
-  if (const Status checked = check(crowds); checked != Status::kOk) return checked;
+  if (!is_created()) return Status::kNotCreated;
+  ShadowState& shadow = *state_;
+  if (const Status checked = check(shadow, crowds); checked != Status::kOk) return checked;
   for (const ShadowCrowd& crowd : crowds) {
-    if (const Status built = build_missing(crowd); built != Status::kOk) return built;
+    if (const Status built = build_missing(shadow, crowd); built != Status::kOk) return built;
   }
-  is_begun_ = false;
-  const GlFunctions& gl = renderer_->functions();
-  const auto side = static_cast<GLsizei>(desc_.size);
-  functions().Viewport(0, 0, side, side);
+  shadow.is_begun = false;
+  const GlFunctions& gl = shadow.gl();
+  const auto side = static_cast<GLsizei>(shadow.desc.size);
+  shadow.functions.Viewport(0, 0, side, side);
   gl.Disable(GL_SCISSOR_TEST);
   gl.DepthMask(GL_TRUE);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   Status status = Status::kOk;
-  for (std::uint32_t i = 0; i < desc_.technique->stage_count && status == Status::kOk; ++i) {
-    status = draw_stage(desc_.technique->stages[i], crowds);
+  for (const ShadowStage& stage : shadow.stages()) {
+    if (status == Status::kOk) status = draw_stage(shadow, stage, crowds);
   }
-  set_slope_bias(gl, functions(), 0);
-  functions().BindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (textures_[kFrontTexture] != 0) unbind_texture(gl, kShadowUnit + kFrontTexture);
+  set_slope_bias(shadow, 0);
+  shadow.functions.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (shadow.textures[kFrontTexture] != 0) unbind_texture(gl, kShadowUnit + kFrontTexture);
   gl.ActiveTexture(GL_TEXTURE0);
   return status;
-}
-
-Status HairShadow::draw_stage(const ShadowStage& stage, std::span<const ShadowCrowd> crowds) {
-  const GlFunctions& gl = renderer_->functions();
-  functions().BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[stage.framebuffer]);
-  set_slope_bias(gl, functions(), stage.slope_bias);
-  clear_stage(functions(), stage.framebuffer, textures_[kFarLayersTexture] != 0);
-  for (const ShadowCrowd& crowd : crowds) {
-    const HairModel& model = *crowd.model;
-    // No way to draw soft hair is named: a program would hold it.
-    const DrawDesc desc{.clip_from_world = {},
-                        .eye = origin_of(view_.eye),
-                        .lights = {},
-                        .material = crowd.material,
-                        .transparency = nullptr};
-    DrawBlock block;
-    const Status filled = fill_draw_block(desc, material_of(crowd), CrowdDraw::rows_of_head(model), block);
-    if (filled != Status::kOk) return filled;
-    clip_from_origin(desc.eye, block.clip_from_view);
-    block.shadow = uniforms(desc.eye);
-    CrowdDraw heads(*renderer_, model, crowd.instances, desc, block);
-    renderer_->bind(model, nullptr);
-    if (stage.framebuffer == kLayersFramebuffer) {
-      bind_texture(gl, kShadowUnit + kFrontTexture, textures_[kFrontTexture]);
-      gl.BlendFunc(GL_ONE, GL_ONE);
-    }
-    const bool is_drawn =
-        heads.draw(stage.plan_passes(material_of(crowd), {model.lowest_alpha_, model.highest_alpha_}, *lookup_));
-    renderer_->unbind(model, nullptr);
-    if (!is_drawn) return Status::kDriver;
-  }
-  return Status::kOk;
 }
 
 }  // namespace coif

@@ -1,8 +1,5 @@
-#include <coif/shadow.h>
-
-#include "gl/gl_functions.h"
-#include "gl/shadow/shadow_functions.h"
-#include "gl/shadow/shadow_technique.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/textures.h"
 
 #include <cmath>
 #include <cstdio>
@@ -23,23 +20,18 @@ bool is_valid(const ShadowDesc& desc) {
 
 const char* name_of(const ShadowTechnique& technique) { return technique.name; }
 
-const char* load_shadow_functions(const GlLoader& loader, ShadowFunctions& functions) {
-#define COIF_GL_LOAD(name)                                                                               \
-  functions.name = reinterpret_cast<decltype(functions.name)>(loader.get_proc("gl" #name, loader.user)); \
-  if (functions.name == nullptr) return "gl" #name;
-  COIF_SHADOW_FUNCTIONS(COIF_GL_LOAD)
-#undef COIF_GL_LOAD
-  return nullptr;
+Pass caster_pass(const MaterialRecord& material, float alpha_min) {
+  return {.shaded = false,
+          .blended = false,
+          .writes_depth = true,
+          .culled = unseen_faces(material),
+          .alpha_min = alpha_min,
+          .alpha_max = kNoAlphaLimit};
 }
 
-GLuint make_depth_texture(const GlFunctions& gl, std::uint32_t size) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, static_cast<GLsizei>(size), static_cast<GLsizei>(size));
-  return texture;
+GLuint make_depth_texture(const ShadowState& shadow) {
+  const auto size = static_cast<GLsizei>(shadow.desc.size);
+  return make_texture(shadow.gl(), GL_DEPTH_COMPONENT24, size, size);
 }
 
 GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth) {
@@ -50,91 +42,100 @@ GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth) {
   return framebuffer;
 }
 
-void set_slope_bias(const GlFunctions& gl, const ShadowFunctions& functions, float texels) {
-  texels > 0.0f ? gl.Enable(GL_POLYGON_OFFSET_FILL) : gl.Disable(GL_POLYGON_OFFSET_FILL);
-  functions.PolygonOffset(texels, 0);
+void set_slope_bias(const ShadowState& shadow, float texels) {
+  texels > 0.0f ? shadow.gl().Enable(GL_POLYGON_OFFSET_FILL) : shadow.gl().Disable(GL_POLYGON_OFFSET_FILL);
+  shadow.functions.PolygonOffset(texels, 0);
 }
 
-const ShadowFunctions& HairShadow::functions() const {
-  static_assert(sizeof(ShadowFunctions) <= kFunctionBytes);
-  return *std::launder(reinterpret_cast<const ShadowFunctions*>(functions_));
-}
-
-Status HairShadow::create(HairRenderer& renderer, const GlLoader& loader, const ShadowDesc& desc) {
-  if (!renderer.is_created()) return Status::kNotCreated;
+Status HairShadow::create(HairRenderer& hair_renderer, const GlLoader& loader, const ShadowDesc& desc) {
+  static_assert(sizeof(ShadowState) <= kStateBytes && alignof(ShadowState) <= alignof(void*));
+  if (!hair_renderer.is_created()) return Status::kNotCreated;
   if (loader.get_proc == nullptr || !is_valid(desc)) return Status::kBadArgument;
   destroy();
-  ShadowFunctions* const own = new (static_cast<void*>(functions_)) ShadowFunctions;
-  if (const char* missing = load_shadow_functions(loader, *own)) {
-    std::snprintf(renderer.failure_, sizeof renderer.failure_, "%s is missing; OpenGL ES 3.0 is needed", missing);
+  state_ = new (static_cast<void*>(room_)) ShadowState;
+  ShadowState& state = *state_;
+  ShadowFunctions& own = state.functions;
+  RendererState& renderer = *RendererState::of(hair_renderer);
+  if (const char* missing = own.load(loader)) {
+    std::snprintf(renderer.failure, sizeof renderer.failure, "%s is missing; OpenGL ES 3.0 is needed", missing);
     return Status::kDriver;
   }
-  const GlFunctions& gl = renderer.functions();
-  renderer_ = &renderer;
-  desc_ = desc;
-  lookup_ = desc.technique->choose_lookup(desc);
+  const GlFunctions& gl = renderer.gl;
+  state.renderer = &renderer;
+  state.desc = desc;
+  state.lookup = desc.technique->choose_lookup(desc);
   clear_errors(gl);
   gl.ActiveTexture(GL_TEXTURE0);
-  textures_[kSolidTexture] = make_depth_texture(gl, desc.size);
-  framebuffers_[kSolidFramebuffer] = make_framebuffer(*own, textures_[kSolidTexture]);
+  state.textures[kSolidTexture] = make_depth_texture(state);
+  state.framebuffers[kSolidFramebuffer] = make_framebuffer(own, state.textures[kSolidTexture]);
   const bool is_whole =
-      own->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && desc.technique->make(gl, *own, *this);
+      own.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && desc.technique->make(state);
   gl.BindTexture(GL_TEXTURE_2D, 0);
-  own->BindFramebuffer(GL_FRAMEBUFFER, 0);
+  own.BindFramebuffer(GL_FRAMEBUFFER, 0);
   if (is_whole && gl.GetError() == GL_NO_ERROR) return Status::kOk;
   destroy();
-  std::snprintf(renderer.failure_, sizeof renderer.failure_, "no memory for a shadow of %u x %u texels",
+  std::snprintf(renderer.failure, sizeof renderer.failure, "no memory for a shadow of %u x %u texels",
                 unsigned{desc.size}, unsigned{desc.size});
   return Status::kDriver;
 }
 
 void HairShadow::destroy() {
-  if (renderer_ == nullptr) return;
-  renderer_->functions().DeleteTextures(kTextures, textures_);
-  functions().DeleteFramebuffers(kFramebuffers, framebuffers_);
-  for (std::uint32_t& texture : textures_) texture = 0;
-  for (std::uint32_t& framebuffer : framebuffers_) framebuffer = 0;
-  renderer_ = nullptr;
-  lookup_ = nullptr;
-  opacity_unit_ = 1;
-  view_ = {};
-  is_begun_ = false;
+  if (!is_created()) return;
+  state_->gl().DeleteTextures(kTextures, state_->textures);
+  state_->functions.DeleteFramebuffers(kShadowFramebuffers, state_->framebuffers);
+  const ShadowDesc desc = state_->desc;
+  state_ = new (static_cast<void*>(room_)) ShadowState;
+  state_->desc = desc;
 }
 
+bool HairShadow::is_created() const { return state_ != nullptr && state_->renderer != nullptr; }
+
 Status HairShadow::begin(const Light& light, const ShadowBall& ball) {
-  if (renderer_ == nullptr) return Status::kNotCreated;
-  View view;
-  if (!aim(light, ball, desc_.size, view)) return Status::kBadArgument;
-  view_ = view;
-  is_begun_ = true;
-  const GlFunctions& gl = renderer_->functions();
-  const auto side = static_cast<GLsizei>(desc_.size);
-  functions().BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[kSolidFramebuffer]);
-  functions().Viewport(0, 0, side, side);
+  if (!is_created()) return Status::kNotCreated;
+  ShadowState& state = *state_;
+  ShadowView view;
+  if (!aim(light, ball, state.desc.size, view)) return Status::kBadArgument;
+  state.view = view;
+  state.is_begun = true;
+  const GlFunctions& gl = state.gl();
+  const auto side = static_cast<GLsizei>(state.desc.size);
+  state.functions.BindFramebuffer(GL_FRAMEBUFFER, state.framebuffers[kSolidFramebuffer]);
+  state.functions.Viewport(0, 0, side, side);
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
-  set_slope_bias(gl, functions(), desc_.technique->caster_slope_bias);
+  set_slope_bias(state, state.desc.technique->caster_slope_bias);
   gl.Disable(GL_CULL_FACE);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   constexpr GLfloat kFar = 1;
-  functions().ClearBufferfv(GL_DEPTH, 0, &kFar);
+  state.functions.ClearBufferfv(GL_DEPTH, 0, &kFar);
   return Status::kOk;
 }
 
 std::span<const char* const, 2> HairShadow::code() const {
   static constexpr const char* kNoCode[2] = {};
-  return lookup_ != nullptr ? std::span(lookup_->pieces) : std::span(kNoCode);
+  return is_created() ? std::span(state_->lookup->pieces) : std::span(kNoCode);
 }
 
 const char* HairShadow::sampler(std::uint32_t texture) const {
-  return lookup_ != nullptr && texture < kTextures ? lookup_->samplers[texture] : nullptr;
+  return is_created() && texture < kTextures ? state_->lookup->samplers[texture] : nullptr;
+}
+
+std::uint32_t HairShadow::texture(std::uint32_t texture) const {
+  return state_ != nullptr ? state_->textures[texture] : 0;
 }
 
 std::uint64_t HairShadow::bytes() const {
-  return renderer_ == nullptr ? 0 : std::uint64_t{desc_.size} * desc_.size * desc_.technique->texel_bytes(*this);
+  if (!is_created()) return 0;
+  const ShadowDesc& desc = state_->desc;
+  return std::uint64_t{desc.size} * desc.size * desc.technique->texel_bytes(*state_);
+}
+
+const ShadowDesc& HairShadow::desc() const {
+  static constexpr ShadowDesc kNothing{.technique = nullptr};
+  return state_ != nullptr ? state_->desc : kNothing;
 }
 
 }  // namespace coif

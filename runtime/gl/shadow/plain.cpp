@@ -1,4 +1,4 @@
-#include "gl/shadow/shadow_technique.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <hair_shaders.h>
 
@@ -11,21 +11,16 @@ constexpr float kSolidFrom = 0.5f;
 PassList plan(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&) {
   const float threshold = material.opaque_threshold < kSolidFrom ? material.opaque_threshold : kSolidFrom;
   PassList drawn;
-  drawn.add_for(drawn_alpha(material, texture), {.shaded = false,
-                                                 .blended = false,
-                                                 .writes_depth = true,
-                                                 .culled = unseen_faces(material),
-                                                 .alpha_min = threshold,
-                                                 .alpha_max = kNoAlphaLimit});
+  drawn.add_for(drawn_alpha(material, texture), caster_pass(material, threshold));
   return drawn;
 }
 
 constexpr ShadowLookup kLookup = {1, {"", kShaderHairShadowPlainGlsl}, {"hair_shadow_solid"}, uniforms_of};
 
 const ShadowLookup* choose_lookup(const ShadowDesc&) { return &kLookup; }
-bool make(const GlFunctions&, const ShadowFunctions&, HairShadow&) { return true; }
+bool make(ShadowState&) { return true; }
 float first_layer(const ShadowDesc&) { return 0; }
-std::uint32_t texel_bytes(const HairShadow&) { return 4; }
+std::uint32_t texel_bytes(const ShadowState&) { return 4; }
 
 }  // namespace
 

@@ -1,8 +1,6 @@
 // Where a shadow's light looks from, and where a point lies in its map.
 
-#include "gl/shadow/shadow_technique.h"
-
-#include <coif/shadow.h>
+#include "gl/shadow/shadow_state.h"
 
 #include <cmath>
 
@@ -50,7 +48,7 @@ bool is_finite(const ShadowBall& ball) {
 
 }  // namespace
 
-bool HairShadow::aim(const Light& light, const ShadowBall& ball, std::uint32_t size, View& view) {
+bool aim(const Light& light, const ShadowBall& ball, std::uint32_t size, ShadowView& view) {
   if (!is_finite(ball) || light.kind > Light::Kind::kSpot) return false;
   view = {};
   view.radius = double(ball.radius);
@@ -69,15 +67,15 @@ bool HairShadow::aim(const Light& light, const ShadowBall& ball, std::uint32_t s
 }
 
 // To 0..1 within the map, its depth growing away from the light; homogeneous for a light with a place.
-void HairShadow::map_from_origin(const Vec3& origin, double (&rows)[4][4]) const {
-  const double offset[3] = {double(origin.x) - view_.eye[0], double(origin.y) - view_.eye[1],
-                            double(origin.z) - view_.eye[2]};
+void ShadowState::map_from_origin(const Vec3& origin, double (&rows)[4][4]) const {
+  const double offset[3] = {double(origin.x) - view.eye[0], double(origin.y) - view.eye[1],
+                            double(origin.z) - view.eye[2]};
   double seen[3][4];  // along the view's axes
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 3; ++i) seen[k][i] = view_.axes[k][i];
-    seen[k][3] = dot(view_.axes[k], offset);
+    for (int i = 0; i < 3; ++i) seen[k][i] = view.axes[k][i];
+    seen[k][3] = dot(view.axes[k], offset);
   }
-  const double r = view_.radius, d = view_.distance;
+  const double r = view.radius, d = view.distance;
   const bool is_directional = d == 0.0;
   const double nearest = d - r, farthest = d + r;
   const double tangent = is_directional ? r : r / std::sqrt(d * d - r * r);
@@ -91,7 +89,7 @@ void HairShadow::map_from_origin(const Vec3& origin, double (&rows)[4][4]) const
   }
 }
 
-void HairShadow::clip_from_origin(const Vec3& origin, float (&clip)[16]) const {
+void ShadowState::clip_from_origin(const Vec3& origin, float (&clip)[16]) const {
   double rows[4][4];
   map_from_origin(origin, rows);
   for (int row = 0; row < 4; ++row) {
@@ -102,7 +100,7 @@ void HairShadow::clip_from_origin(const Vec3& origin, float (&clip)[16]) const {
   }
 }
 
-ShadowUniforms HairShadow::uniforms(const Vec3& origin) const {
+ShadowUniforms ShadowState::uniforms(const Vec3& origin) const {
   ShadowUniforms uniforms;
   double rows[4][4];
   map_from_origin(origin, rows);
@@ -111,20 +109,28 @@ ShadowUniforms HairShadow::uniforms(const Vec3& origin) const {
       uniforms.map_from_origin[4 * column + row] = static_cast<float>(rows[row][column]);
     }
   }
-  const double r = view_.radius, d = view_.distance;
+  const double r = view.radius, d = view.distance;
   const bool is_directional = d == 0.0;
-  const double texel = 2 * r / desc_.size;
+  const double texel = 2 * r / desc.size;
   uniforms.depth[0] = static_cast<float>(is_directional ? 0.0 : d - r);
   uniforms.depth[1] = static_cast<float>(is_directional ? 2 * r : 0.0);
   uniforms.depth[2] = static_cast<float>(is_directional ? 0.0 : -2 * r / (d + r));
-  uniforms.depth[3] = static_cast<float>(double(desc_.bias) + double(desc_.technique->texel_bias) * texel);
-  uniforms.map[0] = static_cast<float>(desc_.size);
-  uniforms.map[1] = desc_.technique->first_layer(desc_);
-  uniforms.map[2] = opacity_unit_;
+  uniforms.depth[3] = static_cast<float>(double(desc.bias) + double(desc.technique->texel_bias) * texel);
+  uniforms.map[0] = static_cast<float>(desc.size);
+  uniforms.map[1] = desc.technique->first_layer(desc);
+  uniforms.map[2] = opacity_unit;
   uniforms.map[3] = static_cast<float>(texel);
   return uniforms;
 }
 
-ShadowUniforms uniforms_of(const HairShadow& shadow, const Vec3& origin) { return shadow.uniforms(origin); }
+void HairShadow::clip_from_origin(const Vec3& origin, float (&clip)[16]) const {
+  if (is_created()) state_->clip_from_origin(origin, clip);
+}
+
+ShadowUniforms HairShadow::uniforms(const Vec3& origin) const {
+  return is_created() ? state_->uniforms(origin) : ShadowUniforms{};
+}
+
+ShadowUniforms uniforms_of(const ShadowState& shadow, const Vec3& origin) { return shadow.uniforms(origin); }
 
 }  // namespace coif

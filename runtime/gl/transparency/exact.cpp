@@ -1,9 +1,35 @@
-#include "gl/draw_state.h"
-#include "gl/transparency/exact_lists.h"
-#include "gl/transparency/exact_peeling.h"
+#include "gl/transparency/exact.h"
+
+#include "gl/textures.h"
+
+#include <cstdio>
+#include <new>
 
 namespace coif {
 namespace {
+
+ExactMemory& memory_in(ModeMemory& memory) { return *std::launder(reinterpret_cast<ExactMemory*>(memory.bytes)); }
+
+void release_all(const GlFunctions& gl, ModeMemory& memory) {
+  ExactMemory& exact = memory_in(memory);
+  release(gl, exact.lists);
+  release(gl, exact.functions, exact.peel);
+}
+
+/// With all functions but those of OpenGL ES 3.1. Null, with the reason in the renderer's failure, where the host lacks one.
+ExactMemory* exact_memory(RendererState& renderer) {
+  static_assert(sizeof(ExactMemory) <= sizeof(ModeMemory::bytes));
+  if (renderer.mode_memory.release != nullptr) return &memory_in(renderer.mode_memory);
+  ExactMemory* const made = new (static_cast<void*>(renderer.mode_memory.bytes)) ExactMemory;
+  if (const char* missing = made->functions.load(renderer.loader)) {
+    std::snprintf(renderer.failure, sizeof renderer.failure, "%s is missing; OpenGL ES 3.0 is needed", missing);
+    return nullptr;
+  }
+  made->memory_barrier = reinterpret_cast<decltype(made->memory_barrier)>(
+      renderer.loader.get_proc("glMemoryBarrier", renderer.loader.user));
+  renderer.mode_memory.release = release_all;
+  return made;
+}
 
 Pass peel_pass(const MaterialRecord& material, const FragmentCode& code) {
   Pass pass = soft_pass(material);
@@ -72,14 +98,14 @@ bool draw_soft(const ModeDraw& draw, const ExactPasses& passes, const PixelArea&
 bool draw_exactly(const ModeDraw& draw) {
   const ExactPasses passes = split_passes(draw.passes);
   if (passes.listed.passes().empty()) return draw.crowd.draw(passes.solid);
-  ExactMemory* const memory = exact_memory(draw);
+  ExactMemory* const memory = exact_memory(draw.renderer);
   if (memory == nullptr) return false;
-  const PixelArea area = viewport(draw.gl);
+  const PixelArea area = viewport(draw.renderer.gl);
   if (area.width == 0 || area.height == 0) return true;
   const bool lists = has_lists(draw, *memory);
   if (!(lists ? make_lists(draw, area, memory->lists) : make_peel_targets(draw, area, *memory))) return false;
   if (!draw.crowd.draw(passes.solid) || !draw_soft(draw, passes, area, lists, *memory)) return false;
-  set_draw_state(draw.gl);
+  set_draw_state(draw.renderer.gl);
   return draw.crowd.draw(passes.depth);
 }
 

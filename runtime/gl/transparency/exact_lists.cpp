@@ -1,7 +1,7 @@
-#include "gl/transparency/exact_lists.h"
+#include "gl/transparency/exact.h"
 
-#include "gl/binding_points.h"
-#include "gl/shader_program.h"
+#include "gl/textures.h"
+#include "gl/shader_programs.h"
 
 #include <hair_shaders.h>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kStorageBlocks = 2;
 constexpr std::uint32_t kNodeBytes = 5 * sizeof(std::uint32_t);
 
-/// The beginning of ListHeads in shaders/fragment_lists.glsl; the heads follow.
+/// The beginning of ListHeads in shaders/exact.glsl; the heads follow.
 struct ListHead {
   std::uint32_t count;
   std::uint32_t capacity;
@@ -37,7 +37,7 @@ GLsizeiptr head_bytes(std::uint32_t pixels) {
 bool build_resolve(const ModeDraw& draw, ListMemory& lists) {
   constexpr const char* kVertex[] = {kShaderListResolveVert};
   constexpr const char* kFragment[] = {kShaderFragmentListsGlsl, kShaderListResolveFrag};
-  if (lists.program == 0) lists.program = build_program(draw.gl, kGlsl310, kVertex, kFragment, draw.failure);
+  if (lists.program == 0) lists.program = build_program(draw.renderer.gl, kGlsl310, kVertex, kFragment, draw.renderer.failure);
   return lists.program != 0;
 }
 
@@ -77,11 +77,11 @@ void resolve(const GlFunctions& gl, const ExactMemory& memory) {
 
 Listed fill_and_resolve(const ModeDraw& draw, const PassList& listed, const ExactMemory& memory) {
   if (!draw.crowd.draw(listed)) return Listed::kDriver;
-  memory.functions.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  memory.memory_barrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   std::uint32_t count = 0;
-  if (!read_count(draw.gl, memory.lists, count)) return Listed::kDriver;
+  if (!read_count(draw.renderer.gl, memory.lists, count)) return Listed::kDriver;
   if (count > memory.lists.capacity) return Listed::kOverflow;
-  if (count > 0) resolve(draw.gl, memory);
+  if (count > 0) resolve(draw.renderer.gl, memory);
   return Listed::kDrawn;
 }
 
@@ -95,11 +95,11 @@ const FragmentCode kListCode = {.id = 4,
                                 .storage_blocks = kStorageBlocks};
 
 bool has_lists(const ModeDraw& draw, const ExactMemory& memory) {
-  return draw.storage_blocks >= kStorageBlocks && memory.functions.MemoryBarrier != nullptr;
+  return draw.renderer.storage_blocks >= kStorageBlocks && memory.memory_barrier != nullptr;
 }
 
 bool make_lists(const ModeDraw& draw, const PixelArea& area, ListMemory& lists) {
-  const GlFunctions& gl = draw.gl;
+  const GlFunctions& gl = draw.renderer.gl;
   const auto pixels = static_cast<std::uint32_t>(area.width * area.height);
   if (!build_resolve(draw, lists)) return false;
   if (lists.nodes != 0 && pixels <= lists.pixels) return true;
@@ -108,20 +108,20 @@ bool make_lists(const ModeDraw& draw, const PixelArea& area, ListMemory& lists) 
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     const auto offered = static_cast<std::uint32_t>(most);
-    lists.capacity = (offered < draw.list_bytes ? offered : draw.list_bytes) / kNodeBytes;
+    lists.capacity = (offered < draw.renderer.list_bytes ? offered : draw.renderer.list_bytes) / kNodeBytes;
     lists.nodes = make_buffer(gl, static_cast<GLsizeiptr>(lists.capacity) * kNodeBytes, GL_DYNAMIC_COPY);
   }
   gl.DeleteBuffers(1, &lists.heads);
   lists.heads = make_buffer(gl, head_bytes(pixels), GL_DYNAMIC_READ);
   lists.pixels = pixels;
   if (gl.GetError() == GL_NO_ERROR) return true;
-  std::snprintf(draw.failure.data(), draw.failure.size(), "no memory for lists of %u texels", unsigned{lists.capacity});
+  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for lists of %u texels", unsigned{lists.capacity});
   release(gl, lists);
   return false;
 }
 
 Listed draw_lists(const ModeDraw& draw, const PassList& listed, const PixelArea& area, ExactMemory& memory) {
-  const GlFunctions& gl = draw.gl;
+  const GlFunctions& gl = draw.renderer.gl;
   if (!clear(gl, area, memory.lists)) return Listed::kDriver;
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kListHeadIndex, memory.lists.heads);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kListNodeIndex, memory.lists.nodes);

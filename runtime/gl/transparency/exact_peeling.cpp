@@ -1,7 +1,6 @@
-#include "gl/transparency/exact_peeling.h"
+#include "gl/transparency/exact.h"
 
-#include "gl/binding_points.h"
-#include "gl/draw_state.h"
+#include "gl/textures.h"
 
 #include <hair_shaders.h>
 
@@ -14,16 +13,6 @@ namespace {
 constexpr GLuint kBehindAll[4] = {0xFFFFFFFF, 0xFFFFFFFF, 0, 0};  // All texels are left to be peeled,
 constexpr GLuint kBeforeAll[4] = {0, 0xFFFFFFFF, 0, 0};           // or none is.
 constexpr int kMostLayers = 4096;  // More than there ever are: a driver that always finds one more is stopped.
-
-GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei height) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // integers are not filterable
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
-  return texture;
-}
 
 GLuint host_framebuffer(const GlFunctions& gl) {
   GLint name = 0;
@@ -59,11 +48,12 @@ bool make_textures(const GlFunctions& gl, PeelMemory& peel) {
 class Peeling {
  public:
   Peeling(const ModeDraw& draw, const PeelPasses& passes, const ExactMemory& memory)
-      : draw_(draw),
+      : gl_(draw.renderer.gl),
+        crowd_(draw.crowd),
         passes_(passes),
         functions_(memory.functions),
         peel_(memory.peel),
-        host_(host_framebuffer(draw.gl)) {}
+        host_(host_framebuffer(draw.renderer.gl)) {}
 
   bool run() {
     allow_writes();
@@ -74,8 +64,8 @@ class Peeling {
       if (is_good && is_found) is_good = find_key(layer) && draw_found(layer);
     }
     functions_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host_);
-    unbind_texture(draw_.gl, kPeeledUnit);
-    unbind_texture(draw_.gl, kFoundUnit);
+    unbind_texture(gl_, kPeeledUnit);
+    unbind_texture(gl_, kFoundUnit);
     return is_good;
   }
 
@@ -87,8 +77,8 @@ class Peeling {
 
   /// Clearing obeys both masks.
   void allow_writes() const {
-    draw_.gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    draw_.gl.DepthMask(GL_TRUE);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthMask(GL_TRUE);
   }
 
   void clear_layer(PeelMemory::Framebuffer target, const GLuint (&color)[4]) const {
@@ -102,10 +92,10 @@ class Peeling {
     allow_writes();
     clear_layer(PeelMemory::kFindDepth, kBeforeAll);
     clear_depth(0);
-    draw_.gl.DepthFunc(GL_GEQUAL);
-    bind_texture(draw_.gl, kPeeledUnit, texture_of(layer + 1));
+    gl_.DepthFunc(GL_GEQUAL);
+    bind_texture(gl_, kPeeledUnit, texture_of(layer + 1));
     functions_.BeginQuery(GL_ANY_SAMPLES_PASSED, peel_.query);
-    const bool is_drawn = draw_.crowd.draw(passes_.find_depth);
+    const bool is_drawn = crowd_.draw(passes_.find_depth);
     functions_.EndQuery(GL_ANY_SAMPLES_PASSED);
     GLuint passed = GL_FALSE;
     functions_.GetQueryObjectuiv(peel_.query, GL_QUERY_RESULT, &passed);
@@ -117,19 +107,20 @@ class Peeling {
     allow_writes();
     clear_layer(target_of(layer), kBeforeAll);
     clear_depth(1);
-    draw_.gl.DepthFunc(GL_LESS);
-    bind_texture(draw_.gl, kFoundUnit, peel_.textures[PeelMemory::kFoundDepth]);
-    return draw_.crowd.draw(passes_.find_key);
+    gl_.DepthFunc(GL_LESS);
+    bind_texture(gl_, kFoundUnit, peel_.textures[PeelMemory::kFoundDepth]);
+    return crowd_.draw(passes_.find_key);
   }
 
   bool draw_found(int layer) const {
     functions_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host_);
-    draw_.gl.DepthFunc(GL_LEQUAL);
-    bind_texture(draw_.gl, kPeeledUnit, texture_of(layer));
-    return draw_.crowd.draw(passes_.draw_found);
+    gl_.DepthFunc(GL_LEQUAL);
+    bind_texture(gl_, kPeeledUnit, texture_of(layer));
+    return crowd_.draw(passes_.draw_found);
   }
 
-  const ModeDraw& draw_;
+  const GlFunctions& gl_;
+  CrowdDraw& crowd_;
   const PeelPasses& passes_;
   const ExactFunctions& functions_;
   const PeelMemory& peel_;
@@ -166,16 +157,16 @@ bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory&
   // Texels keep their places of the host's framebuffer.
   const GLsizei width = area.left + area.width, height = area.bottom + area.height;
   if (peel.query != 0 && width <= peel.width && height <= peel.height) return true;
-  release(draw.gl, memory.functions, peel);
+  release(draw.renderer.gl, memory.functions, peel);
   peel.width = width;
   peel.height = height;
-  const GLuint host = host_framebuffer(draw.gl);
-  const bool is_made = make_textures(draw.gl, peel) && make_framebuffers(memory.functions, peel);
+  const GLuint host = host_framebuffer(draw.renderer.gl);
+  const bool is_made = make_textures(draw.renderer.gl, peel) && make_framebuffers(memory.functions, peel);
   memory.functions.BindFramebuffer(GL_DRAW_FRAMEBUFFER, host);
   memory.functions.GenQueries(1, &peel.query);
   if (is_made) return true;
-  release(draw.gl, memory.functions, peel);
-  std::snprintf(draw.failure.data(), draw.failure.size(), "no memory for layers of %d x %d pixels", int{width},
+  release(draw.renderer.gl, memory.functions, peel);
+  std::snprintf(draw.renderer.failure, sizeof draw.renderer.failure, "no memory for layers of %d x %d pixels", int{width},
                 int{height});
   return false;
 }
@@ -184,9 +175,9 @@ bool make_peel_targets(const ModeDraw& draw, const PixelArea& area, ExactMemory&
 // buffer has; polygon offset depends on the format.
 bool draw_peeled(const ModeDraw& draw, const PeelPasses& passes, ExactMemory& memory) {
   const bool has_offset = memory.functions.IsEnabled(GL_POLYGON_OFFSET_FILL) != GL_FALSE;
-  if (has_offset) draw.gl.Disable(GL_POLYGON_OFFSET_FILL);
+  if (has_offset) draw.renderer.gl.Disable(GL_POLYGON_OFFSET_FILL);
   const bool is_drawn = Peeling(draw, passes, memory).run();
-  if (has_offset) draw.gl.Enable(GL_POLYGON_OFFSET_FILL);
+  if (has_offset) draw.renderer.gl.Enable(GL_POLYGON_OFFSET_FILL);
   return is_drawn;
 }
 

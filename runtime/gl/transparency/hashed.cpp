@@ -1,4 +1,4 @@
-#include "gl/transparency_mode.h"
+#include "gl/passes.h"
 
 #include <hair_shaders.h>
 
@@ -11,14 +11,8 @@ constexpr FragmentCode kHashedCode = {.id = 3,
                                       .vertex = "#define COIF_REST_PLACE\n",
                                       .thins = true};
 
-PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
-  PassList drawn;
-  drawn.add_for(drawn_alpha(material, texture), thinned_pass(material, kHashedCode));
-  return drawn;
-}
-
 }  // namespace
 
-const TransparencyMode kHashedMode = {"hashed", plan};
+const TransparencyMode kHashedMode = {"hashed", plan_thinned<kHashedCode>};
 
 }  // namespace coif

@@ -1,4 +1,4 @@
-#include "gl/transparency_mode.h"
+#include "gl/passes.h"
 
 namespace coif {
 namespace {

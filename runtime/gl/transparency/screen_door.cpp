@@ -1,4 +1,4 @@
-#include "gl/transparency_mode.h"
+#include "gl/passes.h"
 
 #include <hair_shaders.h>
 
@@ -11,14 +11,8 @@ constexpr FragmentCode kScreenDoorCode = {.id = 2,
                                           .vertex = "#define COIF_CORNER\n",
                                           .thins = true};
 
-PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
-  PassList drawn;
-  drawn.add_for(drawn_alpha(material, texture), thinned_pass(material, kScreenDoorCode));
-  return drawn;
-}
-
 }  // namespace
 
-const TransparencyMode kScreenDoorMode = {"screendoor", plan};
+const TransparencyMode kScreenDoorMode = {"screendoor", plan_thinned<kScreenDoorCode>};
 
 }  // namespace coif

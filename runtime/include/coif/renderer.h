@@ -1,11 +1,10 @@
 #pragma once
 
 #include <coif/asset.h>
+#include <coif/drawing.h>
 #include <coif/export.h>
-#include <coif/math.h>
 #include <coif/status.h>
 #include <coif/transparency.h>
-#include <coif/view_cells.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,43 +12,15 @@
 
 namespace coif {
 
-class CrowdDraw;
 class HairShadow;
-class PassList;
-struct GlFunctions;
+struct ModelState;
+struct RendererState;
 
 /// The host's way to find an OpenGL ES function: eglGetProcAddress or the like. Must return null for unknown names, and
 /// live as long as what was made with it.
 struct GlLoader {
   void* (*get_proc)(const char* name, void* user) = nullptr;
   void* user = nullptr;
-};
-
-inline constexpr std::uint32_t kMaxLights = 8;
-
-struct Light {
-  enum class Kind : std::uint8_t { kDirectional, kPoint, kSpot } kind = Kind::kDirectional;
-  Vec3 position;             ///< kDirectional: towards the light, any length > 0. Else: world, metres.
-  /// Linear; what a white matte surface that faces the light sends out (irradiance over pi). Else than kDirectional: at
-  /// one metre, falling with the square of the distance.
-  Vec3 color{1, 1, 1};
-  Vec3 direction{0, -1, 0};  ///< kSpot: the way it shines, any length > 0.
-  float inner_cosine = 0.966f;  ///< kSpot: of the angle to `direction` up to which it has all its light,
-  float outer_cosine = 0.866f;  ///< and from which on it has none; -1..1, below the inner one.
-  // Between the two it falls with the square of the cosine's way from one to the other, as glTF's KHR_lights_punctual has it.
-};
-
-/// What is drawn: parts of the shading, with Algorithm 3 as in the six pictures of the thesis's Gallery 1, or, to check an
-/// asset, the strands' direction: green at the root to red at the tip, with arrowheads that point to the tip, without light.
-/// With ShadingModel::kMarschner the primary highlight is R and the secondary one TRT; TT is a part of the diffuse light.
-enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrimary, kSecondary, kDirection };
-
-/// One head of a crowd.
-struct HairInstance {
-  HeadPose head;                   ///< World from head space.
-  std::span<const Mat34> palette;  ///< From Hair::palette(); as many as the asset has bones.
-  /// Level of detail, below HairModel::lod_count(); only its patches are drawn. See choose_lod() in coif/lod.h.
-  std::uint32_t lod = 0;
 };
 
 /// From where, in what light and how a crowd is drawn.
@@ -85,22 +56,6 @@ struct RendererDesc {
 
 class HairModel;
 
-/// A renderer's own: the buffer that it writes round and round, so that nothing the GPU still reads is overwritten.
-struct StreamState {
-  static constexpr std::uint32_t kParts = 4;
-  std::uint32_t buffer = 0;
-  std::uint32_t bytes = 0;
-  std::uint32_t cursor = 0;
-  std::uint32_t alignment = 1;  ///< Of what a uniform block may be bound to.
-  void* fences[kParts] = {};    ///< Behind the last use of each part, until it is written again.
-};
-
-/// A renderer's own: objects of the way to draw that needs some, kExactMode, from its first draw on.
-struct ModeMemory {
-  alignas(void*) std::byte bytes[512] = {};
-  void (*release)(const GlFunctions& gl, ModeMemory& memory) = nullptr;  ///< Null: there is nothing.
-};
-
 /// Programs shared by all models of one OpenGL context. Each is built when the first model that needs it is uploaded,
 /// and does only what that model needs. The context must be current in every call. Allocates nothing itself. The
 /// destructor calls no OpenGL function: call destroy() while the context lives.
@@ -117,7 +72,7 @@ class COIF_API HairRenderer {
   /// Frees what create() made. Models of this renderer must have been destroyed before.
   void destroy();
 
-  [[nodiscard]] bool is_created() const { return created_; }
+  [[nodiscard]] bool is_created() const;
 
   /// Draws heads of one asset into the bound framebuffer and viewport, which need a depth buffer: those that may be in
   /// view, all that share a level of detail and a draw order at once. kBlendMode takes four passes (thesis 5.3.1), one draw
@@ -152,45 +107,18 @@ class COIF_API HairRenderer {
   Status prepare(const HairModel& model, const DrawDesc& desc);
 
   /// Programs built so far. Models that need the same share them; they live as long as the renderer.
-  [[nodiscard]] std::uint32_t program_count() const { return program_count_; }
+  [[nodiscard]] std::uint32_t program_count() const;
 
   /// Why the last call, a model's upload() too, returned kDriver: the missing function's name or the compiler's log,
   /// cut to fit. Never null.
-  [[nodiscard]] const char* failure() const { return failure_; }
+  [[nodiscard]] const char* failure() const;
 
  private:
-  friend class HairModel;
-  friend class HairShadow;
-  friend class CrowdDraw;
-  static constexpr std::size_t kFunctionBytes = 128 * sizeof(void*);
-  static constexpr std::size_t kFailureBytes = 512;
-  static constexpr std::uint32_t kMaxPrograms = 256;  ///< A game has some dozens.
+  friend struct RendererState;
+  static constexpr std::size_t kStateBytes = 5 << 10;
 
-  struct Program {
-    std::uint32_t variant = 0;
-    std::uint32_t name = 0;
-    std::int32_t alpha_range = -1;  ///< Uniform location.
-  };
-
-  [[nodiscard]] const GlFunctions& functions() const;
-  [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
-  Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
-                       Component component);
-  void bind(const HairModel& model, const HairShadow* shadow) const;
-  void unbind(const HairModel& model, const HairShadow* shadow) const;
-
-  /// A GlFunctions; its type would bring OpenGL's header to whoever includes this one.
-  alignas(void*) std::byte functions_[kFunctionBytes] = {};
-  char failure_[kFailureBytes] = {};
-  Program programs_[kMaxPrograms];
-  std::uint32_t program_count_ = 0;
-  StreamState stream_;
-  GlLoader loader_;
-  ModeMemory mode_memory_;
-  std::uint32_t storage_blocks_ = 0;  ///< That fragment shaders may write to.
-  std::uint32_t list_bytes_ = 0;
-  std::uint32_t block_bytes_ = 0;  ///< Of the matrices' uniform block.
-  bool created_ = false;
+  RendererState* state_ = nullptr;  ///< In room_, from the first create() on.
+  alignas(void*) std::byte room_[kStateBytes];
 };
 
 /// One asset's buffers and textures on the GPU. Any number of heads may be drawn from one model. The destructor calls
@@ -214,50 +142,18 @@ class COIF_API HairModel {
   /// Frees what upload() made. Harmless when there is nothing.
   void destroy();
 
-  [[nodiscard]] bool is_uploaded() const { return renderer_ != nullptr; }
-  [[nodiscard]] std::uint32_t bone_count() const { return bone_count_; }
+  [[nodiscard]] bool is_uploaded() const { return state_ != nullptr; }
+  [[nodiscard]] std::uint32_t bone_count() const;
   /// 1 for an asset without levels of detail, 0 before upload().
-  [[nodiscard]] std::uint32_t lod_count() const { return lod_count_; }
-  [[nodiscard]] const MaterialRecord& material() const { return material_; }
+  [[nodiscard]] std::uint32_t lod_count() const;
+  [[nodiscard]] const MaterialRecord& material() const;
 
  private:
-  friend class HairRenderer;
-  friend class HairShadow;
-  friend class CrowdDraw;
+  friend struct ModelState;
+  static constexpr std::size_t kStateBytes = 512;
 
-  struct IndexRange {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-  };
-
-  HairModel& operator=(HairModel&&) = default;
-  [[nodiscard]] Status check(const HairInstance& instance) const;
-  void learn(const Asset& asset, std::uint32_t block_bytes);
-  void upload_mesh(const GlFunctions& gl, const Asset& asset);
-  bool upload_indices(const GlFunctions& gl, const Asset& asset);
-  void release(const GlFunctions& gl);
-
-  const HairRenderer* renderer_ = nullptr;
-  std::uint32_t vertex_array_ = 0;
-  std::uint32_t vertex_buffer_ = 0;
-  std::uint32_t index_buffer_ = 0;
-  std::uint32_t base_texture_ = 0;
-  std::uint32_t shift_mask_texture_ = 0;
-  std::uint32_t palette_texture_ = 0;  ///< 0: matrices fit into a block.
-  std::uint32_t index_type_ = 0;
-  std::uint32_t index_bytes_ = 0;
-  IndexRange lods_[kMaxLods];  ///< Of the stored order.
-  std::uint32_t lod_count_ = 0;
-  std::uint32_t order_count_ = 0;  ///< Draw orders, one copy of all levels' indices after the other.
-  std::uint32_t indices_of_order_ = 0;
-  std::uint8_t order_of_view_[kViewCells] = {};
-  float reach_center_[3] = {};  ///< Head space, metres: no vertex is ever further from here
-  float reach_ = 0;             ///< than this, however bones turn.
-  std::uint32_t bone_count_ = 0;
-  std::uint32_t needs_ = 0;  ///< What programs must do for this asset, whatever its material: bits of `variant`.
-  float lowest_alpha_ = 0;   ///< Of the base texture.
-  float highest_alpha_ = 1;
-  MaterialRecord material_{};
+  ModelState* state_ = nullptr;  ///< In room_; null: nothing is uploaded.
+  alignas(void*) std::byte room_[kStateBytes];
 };
 
 }  // namespace coif

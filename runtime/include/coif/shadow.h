@@ -9,9 +9,7 @@
 
 namespace coif {
 
-struct ShadowFunctions;
-struct ShadowLookup;
-struct ShadowStage;
+struct ShadowState;
 struct ShadowTechnique;
 
 /// A depth map: hair from alpha 0.5 on casts a shadow as if it were solid, with soft edges of about two texels by
@@ -33,8 +31,7 @@ struct ShadowDesc {
   std::uint32_t layers = 4;  ///< kDeepOpacityShadow: 4 or 8.
   /// kDeepOpacityShadow: metres from the first layer's front to the last one's end, > 0. What lies deeper counts to the last.
   float depth = 0.08f;
-  float bias =
-      0;  ///< Metres, >= 0: what is nearer to a surface does not shade it. Some of a texel's width comes on top.
+  float bias = 0;  ///< Metres, >= 0: what is nearer to a surface does not shade it. Some of a texel's width comes on top.
 };
 
 /// A ball, world, metres: what casts shadows and what may catch them.
@@ -48,13 +45,6 @@ struct ShadowCrowd {
   const HairModel* model = nullptr;
   std::span<const HairInstance> instances;
   const MaterialRecord* material = nullptr;  ///< As in DrawDesc.
-};
-
-/// What a shader needs to find its place in the map, beside the textures: for the arguments of hair_light().
-struct ShadowUniforms {
-  float map_from_origin[16] = {};  ///< Column-major, from world axes around the origin that was asked for.
-  float depth[4] = {};
-  float map[4] = {};
 };
 
 /// What one light's way to hair and heads is like: hair shades hair, heads and bodies; the host's solid things shade hair.
@@ -75,7 +65,7 @@ class COIF_API HairShadow {
   /// flags. Leaves the framebuffer binding and the 2D texture of unit 0 empty, and that unit active.
   Status create(HairRenderer& renderer, const GlLoader& loader, const ShadowDesc& desc = {});
   void destroy();
-  [[nodiscard]] bool is_created() const { return renderer_ != nullptr; }
+  [[nodiscard]] bool is_created() const;
 
   /// Aims the map from the light at the ball and clears it. kNotCreated; kBadArgument for a light or a ball out of range, or
   /// a point or spot light within 1.05 radii of the ball's centre: it has no direction then. After these no OpenGL function
@@ -105,51 +95,25 @@ class COIF_API HairShadow {
   ///   neighbours' values: call it before any discard.
   /// - `float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map)`: the share 0..1 of the light that reaches the point.
   ///
-  /// The two pieces belong together, before the first use; they are files of shaders/, hair_shadow_plain.glsl or
-  /// hair_shadow_deep.glsl, after a line with the number of layers. Null before create().
+  /// The two pieces belong together, before the first use; they are of shaders/hair_shadow.glsl, for maps with
+  /// layers after a line with their number. Null before create().
   [[nodiscard]] std::span<const char* const, 2> code() const;
 
   /// The sampler's name in code() of each of the textures; null where the technique has none. All are 2D.
   [[nodiscard]] const char* sampler(std::uint32_t texture) const;
-  [[nodiscard]] std::uint32_t texture(std::uint32_t texture) const { return textures_[texture]; }
+  [[nodiscard]] std::uint32_t texture(std::uint32_t texture) const;
   [[nodiscard]] ShadowUniforms uniforms(const Vec3& origin) const;
 
   /// Of all textures together, as they are laid out without padding.
   [[nodiscard]] std::uint64_t bytes() const;
-  [[nodiscard]] const ShadowDesc& desc() const { return desc_; }
+  [[nodiscard]] const ShadowDesc& desc() const;
 
  private:
-  friend class HairRenderer;
-  friend struct ShadowTechnique;
-  static constexpr std::size_t kFunctionBytes = 16 * sizeof(void*);
-  static constexpr std::uint32_t kFramebuffers = 3;
+  friend struct ShadowState;
+  static constexpr std::size_t kStateBytes = 512;
 
-  /// From where the light looks.
-  struct View {
-    double axes[3][3] = {};  ///< Rows: to the map's right and top, and towards the light.
-    double eye[3] = {};      ///< Directional: the ball's centre. Else the light's place.
-    double radius = 0;
-    double distance = 0;  ///< From the light to the ball's centre; 0: directional.
-  };
-
-  static bool aim(const Light& light, const ShadowBall& ball, std::uint32_t size, View& view);
-  void map_from_origin(const Vec3& origin, double (&rows)[4][4]) const;
-  [[nodiscard]] const ShadowFunctions& functions() const;
-  [[nodiscard]] bool is_ready(const HairRenderer& renderer) const { return renderer_ == &renderer && view_.radius > 0; }
-  [[nodiscard]] Status check(std::span<const ShadowCrowd> crowds) const;
-  Status build_missing(const ShadowCrowd& crowd);
-  Status draw_stage(const ShadowStage& stage, std::span<const ShadowCrowd> crowds);
-
-  /// A ShadowFunctions; its type would bring OpenGL's header to whoever includes this one.
-  alignas(void*) std::byte functions_[kFunctionBytes] = {};
-  HairRenderer* renderer_ = nullptr;
-  const ShadowLookup* lookup_ = nullptr;
-  ShadowDesc desc_{.technique = nullptr};  // a default would hold a technique that nobody named
-  std::uint32_t textures_[kTextures] = {};
-  std::uint32_t framebuffers_[kFramebuffers] = {};
-  float opacity_unit_ = 1;  ///< What 1 in a texel of the layers stands for.
-  View view_;
-  bool is_begun_ = false;
+  ShadowState* state_ = nullptr;  ///< In room_, from the first create() on.
+  alignas(void*) std::byte room_[kStateBytes];
 };
 
 }  // namespace coif

@@ -1,0 +1,75 @@
+#pragma once
+// What HairRenderer and HairModel keep in the room that their public header gives them.
+
+#include "gl/gl_functions.h"
+#include "gl/passes.h"
+#include "gl/stream_buffer.h"
+
+#include <coif/renderer.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace coif {
+
+/// Objects of the way to draw that needs some, kExactMode, from its first draw on.
+struct ModeMemory {
+  alignas(void*) std::byte bytes[512] = {};
+  void (*release)(const GlFunctions& gl, ModeMemory& memory) = nullptr;  ///< Null: there is nothing.
+};
+
+struct RendererState {
+  static constexpr std::uint32_t kMaxPrograms = 256;  ///< A game has some dozens.
+
+  struct Program {
+    std::uint32_t variant = 0;  ///< See shader_programs.h.
+    GLuint name = 0;
+    GLint alpha_range = -1;  ///< Uniform location.
+  };
+
+  /// Null before the first create().
+  [[nodiscard]] static RendererState* of(const HairRenderer& renderer) { return renderer.state_; }
+
+  [[nodiscard]] const Program* find_program(std::uint32_t variant) const;
+  /// Builds those of the passes' programs that there are not yet. kDriver where one is refused; see failure.
+  Status build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
+                       Component component);
+
+  GlFunctions gl;
+  GlLoader loader;
+  StreamBuffer stream;
+  ModeMemory mode_memory;
+  std::uint32_t storage_blocks = 0;  ///< That fragment shaders may write to.
+  std::uint32_t list_bytes = 0;
+  std::uint32_t block_bytes = 0;  ///< Of the matrices' uniform block.
+  bool is_created = false;
+  char failure[512] = {};
+  std::uint32_t program_count = 0;
+  Program programs[kMaxPrograms];
+};
+
+struct ModelState {
+  /// Null where nothing is uploaded.
+  [[nodiscard]] static const ModelState* of(const HairModel& model) { return model.state_; }
+
+  void upload_mesh(const GlFunctions& gl, const Asset& asset);
+  [[nodiscard]] bool upload_indices(const GlFunctions& gl, const Asset& asset);
+  void release(const GlFunctions& gl);
+
+  RendererState* renderer = nullptr;
+  DrawnHair hair;
+  MatrixLayout layout;
+  std::uint32_t needs = 0;  ///< What programs must do for this asset, whatever its material: bits of `variant`.
+  GLuint vertex_array = 0;
+  GLuint vertex_buffer = 0;
+  GLuint index_buffer = 0;
+  GLuint base_texture = 0;
+  GLuint shift_mask_texture = 0;
+  GLuint palette_texture = 0;  ///< 0: matrices fit into a block.
+};
+
+/// Binds what draw calls of this model take, and sets what its passes share; and leaves all of it empty.
+void bind_model(const GlFunctions& gl, const ModelState& model);
+void unbind_model(const GlFunctions& gl, const ModelState& model);
+
+}  // namespace coif
