@@ -106,7 +106,6 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
 
 namespace {
 
-
 /// A bone under a rigid one starts at its own joint, which need not be its parent's.
 Eigen::Vector3f start_of(const Asset& asset, const BoneRecord& bone, std::span<const Vec3> bone_ends) {
   if (asset.bones()[bone.parent].kind == BoneKind::kSimulated) return to_eigen(bone_ends[bone.parent]);
