@@ -1,8 +1,8 @@
+#include "cook/texture/bake_textures.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
 #include "cook/pack/pack.h"
 #include "cook/texture/alpha.h"
-#include "cook/texture/bake_textures.h"
 #include "cook/texture/transparency.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +25,15 @@ Image strands_beside_a_face() {
 
 HairMesh left_half() { return hair_from(strip_over({0.01f, 0.01f}, {0.49f, 0.99f})); }
 
-BakedTextures baked(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, unsigned threads = 1) {
-  auto result = bake_textures(color, hair, false, recipe, {.threads = threads, .recipe_directory = {}});
+/// The textures, and what was said of them.
+struct SaidTextures : BakedTextures, Findings {};
+
+SaidTextures baked(const BaseColor& color, const HairMesh& hair, const Recipe& recipe,
+                   const CookSettings& settings = {}) {
+  Findings findings;
+  auto result = bake_textures(color, strips_from(hair), recipe, settings, findings);
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  return result ? std::move(*result) : BakedTextures{};
+  return {result ? std::move(*result) : BakedTextures{}, findings};
 }
 
 const TextureRecord& record_of(const BakedTextures& baked, TextureRole role) {
@@ -172,7 +177,7 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
   HairMesh hair = before;
   Recipe recipe = default_recipe();
   recipe.shift_mask_format = "rg8";
-  const auto color = find_base_color(model, hair, recipe, {});
+  const auto color = find_base_color(model, hair, recipe, {}, unheard());
   ASSERT_TRUE(color && color->atlas);
   const Image stored = stored_mips(baked(*color, hair, recipe), TextureRole::kShiftMask, 2)[0];
   const Image own = generate_shift_mask(recipe.texture_seed, false);
@@ -188,8 +193,8 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
 TEST(BakeTextures, ThreadsDoNotChangeTheBytes) {
   BaseColor color;
   color.image = strands_beside_a_face();
-  const auto one = baked(color, left_half(), default_recipe(), 1).texels;
-  EXPECT_EQ(one, baked(color, left_half(), default_recipe(), 3).texels);
+  const auto one = baked(color, left_half(), default_recipe(), {.threads = 1, .recipe_directory = {}}).texels;
+  EXPECT_EQ(one, baked(color, left_half(), default_recipe(), {.threads = 3, .recipe_directory = {}}).texels);
 }
 
 TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
@@ -206,9 +211,7 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
   const auto baked_from = [&](const char* shift, const char* mask) {
     recipe.shift_texture = shift;
     recipe.mask_texture = mask;
-    auto result = bake_textures(BaseColor{}, left_half(), false, recipe, {.recipe_directory = folder.path()});
-    EXPECT_TRUE(result) << (result ? "" : result.error().message);
-    return result ? std::move(*result) : BakedTextures{};
+    return baked(BaseColor{}, left_half(), recipe, {.recipe_directory = folder.path()});
   };
   EXPECT_EQ(baked_from("one_differs.png", "same.png").records.size(), 1u);
   EXPECT_EQ(baked_from("same.png", "one_differs.png").records.size(), 1u);
@@ -217,7 +220,7 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
   EXPECT_EQ(varying.constant_shift, 0.5);
   EXPECT_EQ(varying.constant_mask, 1);
 
-  const BakedTextures constant = baked_from("same.png", "same.png");
+  const SaidTextures constant = baked_from("same.png", "same.png");
   EXPECT_TRUE(constant.records.empty());
   EXPECT_DOUBLE_EQ(constant.constant_shift, 0.2);
   EXPECT_DOUBLE_EQ(constant.constant_mask, 0.2);
@@ -237,125 +240,10 @@ TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {
   color.image = strands_beside_a_face();
   HairMesh hair = left_half();
   hair.uvs.clear();
-  const BakedTextures textures = baked(color, hair, default_recipe());
+  const SaidTextures textures = baked(color, hair, default_recipe());
   EXPECT_TRUE(textures.records.empty());
   EXPECT_TRUE(textures.texels.empty());
   EXPECT_EQ(textures.left_out.size(), 1u);
-}
-
-// A decoder written to the Khronos Data Format Specification, apart from the encoder.
-constexpr int kModifier[16][8] = {
-    {-3, -6, -9, -15, 2, 5, 8, 14}, {-3, -7, -10, -13, 2, 6, 9, 12}, {-2, -5, -8, -13, 1, 4, 7, 12},
-    {-2, -4, -6, -13, 1, 3, 5, 12}, {-3, -6, -8, -12, 2, 5, 7, 11},  {-3, -7, -9, -11, 2, 6, 8, 10},
-    {-4, -7, -8, -11, 3, 6, 7, 10}, {-3, -5, -8, -11, 2, 4, 7, 10},  {-2, -6, -8, -10, 1, 5, 7, 9},
-    {-2, -5, -8, -10, 1, 4, 7, 9},  {-2, -4, -8, -10, 1, 3, 7, 9},   {-2, -5, -7, -10, 1, 4, 6, 9},
-    {-3, -4, -7, -10, 2, 3, 6, 9},  {-1, -2, -3, -10, 0, 1, 2, 9},   {-4, -6, -8, -9, 3, 5, 7, 8},
-    {-3, -5, -7, -9, 2, 4, 6, 8},
-};
-
-/// 0..1 as a sampler returns it.
-double decode(std::span<const std::uint8_t> bytes, const Image& like, std::uint32_t x, std::uint32_t y, int channel) {
-  const std::size_t block = std::size_t(y / 4) * ((like.width + 3) / 4) + x / 4;
-  const std::uint8_t* half = &bytes[block * 16 + std::size_t(channel) * 8];
-  const std::uint32_t texel = x % 4 * 4 + y % 4;
-  const std::uint32_t first_bit = 16 + 3 * texel;
-  int index = 0;
-  for (std::uint32_t bit = first_bit; bit < first_bit + 3; ++bit)
-    index = index * 2 + (half[bit / 8] >> (7 - bit % 8) & 1);
-  const int modifier = kModifier[half[1] & 15][index], multiplier = half[1] >> 4;
-  const int value = half[0] * 8 + 4 + (multiplier == 0 ? modifier : modifier * multiplier * 8);
-  return std::clamp(value, 0, 2047) / 2047.0;
-}
-
-double worst_difference(const Image& image) {
-  const auto bytes = encode_eac_rg11(image, 1);
-  double worst = 0;
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      for (int channel = 0; channel < 2; ++channel) {
-        const double wanted = image.texels[2 * (std::size_t(y) * image.width + x) + std::size_t(channel)] / 255.0;
-        worst = std::max(worst, std::abs(decode(bytes, image, x, y, channel) - wanted));
-      }
-    }
-  }
-  return worst;
-}
-
-double psnr(const Image& image, int channel) {
-  const auto bytes = encode_eac_rg11(image, 2);
-  double sum = 0;
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      const double wanted = image.texels[2 * (std::size_t(y) * image.width + x) + std::size_t(channel)] / 255.0;
-      sum += std::pow(decode(bytes, image, x, y, channel) - wanted, 2);
-    }
-  }
-  return 10 * std::log10(double(image.texel_count()) / sum);
-}
-
-Image filled(std::uint32_t width, std::uint32_t height, auto value) {
-  Image image{width, height, 2, {}};
-  for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t x = 0; x < width; ++x) {
-      for (std::uint32_t channel = 0; channel < 2; ++channel) image.texels.push_back(value(x, y, channel));
-    }
-  }
-  return image;
-}
-
-TEST(EacRg11, KeepsEveryFlatValueFinerThanEightBits) {
-  for (int value = 0; value < 256; ++value) {
-    const Image flat = filled(4, 4, [&](auto...) { return std::uint8_t(value); });
-    EXPECT_LT(worst_difference(flat), 0.5 / 2047 + 1e-9) << value;
-  }
-}
-
-TEST(EacRg11, KeepsTwoValuesApart) {
-  // Black and white, each texel in its own place: an index in the wrong order would be off by one.
-  for (std::uint32_t lone = 0; lone < 16; ++lone) {
-    const Image image = filled(4, 4, [&](std::uint32_t x, std::uint32_t y, std::uint32_t channel) {
-      return std::uint8_t((y * 4 + x == lone) == (channel == 0) ? 255 : 0);
-    });
-    EXPECT_LT(worst_difference(image), 0.004) << lone;
-  }
-}
-
-TEST(EacRg11, FollowsRampsOfEverySlope) {
-  for (int slope = 0; slope <= 17; ++slope) {
-    const Image ramp = filled(4, 4, [&](std::uint32_t x, std::uint32_t y, std::uint32_t channel) {
-      return std::uint8_t(channel == 0 ? slope * int(y * 4 + x) : 255 - slope * int(x * 4 + y));
-    });
-    // Sixteen values on eight palette entries: half of a palette step, and its unevenness.
-    EXPECT_LT(worst_difference(ramp), (1.6 * slope + 1) / 255.0) << slope;
-  }
-}
-
-TEST(EacRg11, GeneratedShiftAndMaskComeBackCloseToTheirOriginal) {
-  for (const bool along_u : {false, true}) {
-    const Image image = generate_shift_mask(1, along_u);
-    // The best that any encoder can do here, found by trying every code, is 48.2 and 38.5 dB.
-    EXPECT_GT(psnr(image, 0), 47.7) << "shift";
-    EXPECT_GT(psnr(image, 1), 38.2) << "mask";
-    RecordProperty(along_u ? "shift_db_along_u" : "shift_db", std::to_string(psnr(image, 0)));
-    RecordProperty(along_u ? "mask_db_along_u" : "mask_db", std::to_string(psnr(image, 1)));
-  }
-}
-
-TEST(EacRg11, OddSizesAreWholeBlocksAndLoseNothingAtTheirEdges) {
-  for (const auto& [width, height] : {std::pair{1u, 1u}, {2u, 1u}, {5u, 3u}, {7u, 9u}}) {
-    const Image image = filled(width, height, [](std::uint32_t x, std::uint32_t y, std::uint32_t channel) {
-      return std::uint8_t(100 + (x % 4 < 2 ? 0 : 40) * (channel == 0) + (y % 4 < 2 ? 0 : 40) * (channel == 1));
-    });
-    EXPECT_EQ(encode_eac_rg11(image, 1).size(), (width + 3) / 4 * ((height + 3) / 4) * 16);
-    EXPECT_LT(worst_difference(image), 1 / 255.0) << width << " x " << height;
-  }
-}
-
-TEST(EacRg11, GivesTheSameBytesForAnyNumberOfThreads) {
-  const Image image = generate_shift_mask(3, false);
-  const auto one = encode_eac_rg11(image, 1);
-  EXPECT_EQ(one, encode_eac_rg11(image, 2));
-  EXPECT_EQ(one, encode_eac_rg11(image, 7));
 }
 
 }  // namespace coif::bake_textures_test

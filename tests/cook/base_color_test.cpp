@@ -1,6 +1,6 @@
+#include "cook/texture/base_color.h"
 #include "cook/built_models.h"
 #include "cook/image_files.h"
-#include "cook/texture/base_color.h"
 
 #include <gtest/gtest.h>
 
@@ -17,15 +17,23 @@ SourceModel model_beside(const ImageFolder& folder, const std::string& name) {
   return model;
 }
 
-BaseColor base_color_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
-  HairMesh hair = whole_hair(model);
-  auto color = find_base_color(model, hair, recipe, {});
+/// A hair's colour, and what was said of it.
+struct SaidColor : BaseColor, Findings {};
+
+SaidColor base_color_in(const SourceModel& model, HairMesh& hair, const Recipe& recipe) {
+  Findings findings;
+  auto color = find_base_color(model, hair, recipe, {}, findings);
   EXPECT_TRUE(color) << (color ? "" : color.error().message);
-  return color ? std::move(*color) : BaseColor{};
+  return {color ? std::move(*color) : BaseColor{}, findings};
+}
+
+SaidColor base_color_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+  HairMesh hair = whole_hair(model);
+  return base_color_in(model, hair, recipe);
 }
 
 /// The one warning; else what is wrong.
-std::string only_warning(const BaseColor& color) {
+std::string only_warning(const SaidColor& color) {
   return color.warnings.size() == 1 ? color.warnings[0] : std::to_string(color.warnings.size()) + " warnings";
 }
 
@@ -38,7 +46,7 @@ TEST(BaseColor, ATextureWhereTheFileSaysIsTakenWithoutAWord) {
   folder.write_flat("maps/strands.png", kRed);
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "maps/strands.png";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
   EXPECT_TRUE(color.warnings.empty()) << color.warnings[0];
   EXPECT_EQ(color.files, std::vector{folder.path() / "maps/strands.png"});
@@ -49,7 +57,7 @@ TEST(BaseColor, ATextureFoundElsewhereIsTakenWithAWarning) {
   folder.write_flat("Textures/Strands.png", kRed);
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "D:\\art\\strands.psd";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_TRUE(has_color(color, kRed));
   EXPECT_EQ(only_warning(color), "material 'strands': texture 'D:\\art\\strands.psd' taken from Textures/Strands.png");
 }
@@ -59,7 +67,7 @@ TEST(BaseColor, WhatWasAskedOfTheFolderIsToldWithItsAnswer) {
   folder.write_flat("strands.png", kRed);
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   ASSERT_EQ(color.questions.size(), 1u);
   EXPECT_EQ(color.questions[0].kind, TextureQuestion::Kind::kFind);
   EXPECT_EQ(color.questions[0].answer, std::vector<std::string>{"strands.png"});
@@ -76,7 +84,7 @@ TEST(BaseColor, ATextureInVainIsAskedForAndEveryImageIsListed) {
   folder.write_flat("sofa.png");
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   ASSERT_EQ(color.questions.size(), 2u);
   EXPECT_TRUE(color.questions[0].answer.empty());
   EXPECT_EQ(color.questions[1].kind, TextureQuestion::Kind::kImages);
@@ -89,7 +97,7 @@ TEST(BaseColor, AMissingTextureIsAWarningThatListsWhatIsThere) {
   folder.write_flat("b.png");
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
   EXPECT_NE(only_warning(color).find("'strands.png': no such file"), std::string::npos) << only_warning(color);
   EXPECT_NE(only_warning(color).find("a.png, b.png"), std::string::npos);
@@ -100,7 +108,7 @@ TEST(BaseColor, AnImageThatCannotBeReadIsAWarning) {
   folder.write("strands.png", std::vector<std::uint8_t>{'n', 'o'});
   SourceModel model = model_beside(folder, "wig.fbx");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
   EXPECT_NE(only_warning(color).find("cannot read the image"), std::string::npos) << only_warning(color);
 }
@@ -111,7 +119,7 @@ TEST(BaseColor, EmbeddedImagesAreDecoded) {
     model.path = "wig.glb";
     model.images.push_back({"strands", encoded(flat(8, 8, kRed), format)});
     add_surface(model, "strands").base_texture.image = 0;
-    const BaseColor color = base_color_of(model);
+    const SaidColor color = base_color_of(model);
     ASSERT_TRUE(color.image);
     EXPECT_LE(difference(texel_at(*color.image, {0.5f, 0.5f}), kRed), 4);
     EXPECT_TRUE(color.warnings.empty());
@@ -124,7 +132,7 @@ TEST(BaseColor, ABrokenEmbeddedImageIsAWarningThatNamesIt) {
   model.path = "wig.glb";
   model.images.push_back({"strands", {1, 2, 3}});
   add_surface(model, "hair").base_texture.image = 0;
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
   EXPECT_NE(only_warning(color).find("embedded image 'strands'"), std::string::npos) << only_warning(color);
 }
@@ -138,7 +146,7 @@ TEST(BaseColor, OneImageWhoseNameFitsIsTakenWithAWarning) {
     folder.write_flat("hair_normal.png");
     SourceModel model = model_beside(folder, "long2.obj");
     add_surface(model, "strands").base_color = {0.6f, 0.6f, 0.6f, 1};
-    const BaseColor color = base_color_of(model);
+    const SaidColor color = base_color_of(model);
     EXPECT_TRUE(has_color(color, kRed)) << image;
     EXPECT_EQ(color.factor, Eigen::Vector4f::Ones()) << "grey of the exporter, not of the artist";
     EXPECT_NE(only_warning(color).find(std::string(image) + " is taken"), std::string::npos) << only_warning(color);
@@ -151,7 +159,7 @@ TEST(BaseColor, SeveralImagesThatFitAreListedAndNoneIsTaken) {
   folder.write_flat("tex/hair_blond.png");
   SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands");
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
   EXPECT_NE(only_warning(color).find("hair_red.png, tex/hair_blond.png"), std::string::npos) << only_warning(color);
   EXPECT_NE(only_warning(color).find(R"("textures": {"base_color": "hair_red.png"})"), std::string::npos);
@@ -162,7 +170,7 @@ TEST(BaseColor, AGltfWithoutATextureMeansIt) {
   folder.write_flat("hair.png");
   SourceModel model = model_beside(folder, "wig.glb");
   add_surface(model, "hair").base_color = {0.5f, 0.2f, 0.1f, 1};
-  const BaseColor color = base_color_of(model);
+  const SaidColor color = base_color_of(model);
   EXPECT_FALSE(color.image);
   EXPECT_TRUE(color.warnings.empty());
   EXPECT_EQ(color.factor, Eigen::Vector4f(0.5f, 0.2f, 0.1f, 1));
@@ -179,7 +187,7 @@ TEST(BaseColor, TheImageOfTheRecipeComesFirstAndMustBeThere) {
   EXPECT_TRUE(has_color(base_color_of(model, recipe), kGreen));
   recipe.base_color_texture = "absent.png";
   HairMesh hair = whole_hair(model);
-  const auto color = find_base_color(model, hair, recipe, {});
+  const auto color = find_base_color(model, hair, recipe, {}, unheard());
   ASSERT_FALSE(color);
   EXPECT_NE(color.error().message.find("\"textures.base_color\""), std::string::npos);
 }
@@ -198,11 +206,9 @@ class JoinedSurfaces : public testing::Test {
     return material;
   }
 
-  BaseColor joined() {
+  SaidColor joined() {
     before_ = hair_ = whole_hair(model_);
-    const auto color = find_base_color(model_, hair_, default_recipe(), {});
-    EXPECT_TRUE(color) << (color ? "" : color.error().message);
-    return color ? *color : BaseColor{};
+    return base_color_in(model_, hair_, default_recipe());
   }
 
   /// The image's texel in the middle of a triangle.
@@ -225,7 +231,7 @@ TEST_F(JoinedSurfaces, EachTriangleShowsItsOwnImage) {
   const Image images[] = {gradient(0), gradient(255)};
   add("left", images[0], {0.9f, 0.7f});
   add("right", images[1]);
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   ASSERT_TRUE(color.atlas);
   EXPECT_TRUE(color.warnings.empty());
   for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
@@ -240,7 +246,7 @@ TEST_F(JoinedSurfaces, EachTriangleShowsItsOwnImage) {
 TEST_F(JoinedSurfaces, AColorWithoutAnImageBecomesATile) {
   add("strands", flat(16, 16, kRed));
   add_surface(model_, "band").base_color = {1.0f, 0.2158605f, 0, 1};  // Linear; 128 as sRGB.
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   ASSERT_TRUE(color.atlas);
   EXPECT_EQ(color.factor, Eigen::Vector4f::Ones()) << "factors are in the tiles";
   const std::size_t last = hair_.triangle_count() - 1;
@@ -256,7 +262,7 @@ TEST_F(JoinedSurfaces, AnAtlasIsScaledIntoTheLimitAndNotHalved) {
     hair_ = whole_hair(model_);
     Recipe recipe = default_recipe();
     recipe.texture_max_size = limit;
-    const auto color = find_base_color(model_, hair_, recipe, {});
+    const auto color = find_base_color(model_, hair_, recipe, {}, unheard());
     ASSERT_TRUE(color && color->atlas) << limit;
     const std::uint32_t side = std::max(color->image->width, color->image->height);
     EXPECT_LE(side, limit);
@@ -272,7 +278,7 @@ TEST_F(JoinedSurfaces, ALimitBelowTheGuttersStillGivesAnAtlas) {
   hair_ = whole_hair(model_);
   Recipe recipe = default_recipe();
   recipe.texture_max_size = 1;
-  const auto color = find_base_color(model_, hair_, recipe, {});
+  const auto color = find_base_color(model_, hair_, recipe, {}, unheard());
   ASSERT_TRUE(color);
   EXPECT_TRUE(color->atlas);
 }
@@ -281,7 +287,7 @@ TEST_F(JoinedSurfaces, MaterialsThatLookTheSameNeedNoAtlas) {
   add("front", flat(16, 16, kRed));
   SourceMaterial& back = add_surface(model_, "back");
   back.base_texture.image = 0;
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   EXPECT_FALSE(color.atlas);
   EXPECT_EQ(color.image->texels, flat(16, 16, kRed).texels);
   EXPECT_EQ(hair_.uvs, before_.uvs);
@@ -291,7 +297,7 @@ TEST_F(JoinedSurfaces, ImagesThatRepeatOftenLeaveTheMainMaterialAndAWarning) {
   add("rare", flat(16, 16, kBlue), {0.5f, 9.0f});
   add("main", flat(16, 16, kRed));
   add_surface(model_, "main again").base_texture.image = 1;
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   EXPECT_FALSE(color.atlas);
   EXPECT_EQ(texel_at(*color.image, {0.5f, 0.5f}), kRed);
   ASSERT_EQ(color.warnings.size(), 1u);
@@ -305,7 +311,7 @@ TEST_F(JoinedSurfaces, OpaqueAndMaskedPartsStayWhatTheyAre) {
   SourceMaterial& strands = add("strands", flat(16, 16, {9, 9, 9, 100}));
   strands.alpha_use = AlphaUse::kMask;
   strands.alpha_cutoff = 0.3f;
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   EXPECT_EQ(color.alpha_use, AlphaUse::kMask);
   EXPECT_FLOAT_EQ(color.alpha_cutoff, 0.3f);
   EXPECT_EQ(shown(*color.image, hair_, 0)[3], 255) << "opaque whatever its image holds";
@@ -319,7 +325,7 @@ TEST_F(JoinedSurfaces, MasksOfDifferentCutoffsAreCutEachByItsOwn) {
     material.alpha_use = AlphaUse::kMask;
     material.alpha_cutoff = cutoff;
   }
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   EXPECT_EQ(color.alpha_use, AlphaUse::kMask);
   EXPECT_EQ(shown(*color.image, hair_, 0)[3], 255);
   EXPECT_EQ(shown(*color.image, hair_, hair_.triangle_count() - 1)[3], 0);
@@ -328,7 +334,7 @@ TEST_F(JoinedSurfaces, MasksOfDifferentCutoffsAreCutEachByItsOwn) {
 TEST_F(JoinedSurfaces, BlendedPartsMakeAllOfItMeasured) {
   add("strands", flat(16, 16, kBlue)).alpha_use = AlphaUse::kBlend;
   add("band", flat(16, 16, kRed)).alpha_use = AlphaUse::kOpaque;
-  const BaseColor color = joined();
+  const SaidColor color = joined();
   EXPECT_EQ(color.alpha_use, AlphaUse::kUnknown);
   EXPECT_EQ(shown(*color.image, hair_, 0), kBlue);
 }

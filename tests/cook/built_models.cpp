@@ -144,9 +144,17 @@ SourceMaterial& add_surface(SourceModel& model, const std::string& material, con
 }
 
 HairMesh whole_hair(const SourceModel& model) {
-  const auto selected = select_hair(model, default_recipe());
+  const auto selected = select_hair(model, default_recipe(), unheard());
   EXPECT_TRUE(selected) << (selected ? "" : selected.error().message);
-  return selected ? selected->mesh : HairMesh{};
+  return selected ? *selected : HairMesh{};
+}
+
+HairStrips strips_from(HairMesh mesh, PatchSet patches) {
+  if (patches.count == 0 && !mesh.triangles.empty()) {
+    patches = {std::vector<std::uint32_t>(mesh.triangle_count(), 0), 1};
+  }
+  std::vector<std::uint32_t> welded = weld_places(mesh.positions, 0);
+  return {std::move(mesh), std::move(welded), std::move(patches), {}};
 }
 
 SourceMesh make_card(const CardDesc& desc) {
@@ -181,8 +189,9 @@ void append_card(const SourceMesh& card, SourceMesh& mesh) {
 }
 
 PatchSurface surface_of(const HairMesh& mesh, std::span<const Pose> poses) {
-  const PatchSet patches{std::vector<std::uint32_t>(mesh.triangle_count(), 0), 1};
-  return make_patch_surface(mesh, weld_places(mesh.positions, 1.0e-6), view_patches(mesh, patches)[0], poses);
+  HairStrips hair = strips_from(mesh);
+  hair.welded = weld_places(mesh.positions, 1.0e-6);
+  return make_patch_surface(hair, hair.views()[0], poses);
 }
 
 std::vector<std::uint32_t> after(const HairMesh& mesh, const PatchSurface& surface, const CollapseSequence& sequence,

@@ -5,6 +5,7 @@
 #include "cook/lods/make_lods.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/select/mesh_topology.h"
+#include "cook/told.h"
 
 #include <string>
 
@@ -25,6 +26,9 @@ struct StripDesc {
 
 /// The mesh as the cooker sees it, every vertex on node 0.
 [[nodiscard]] HairMesh hair_from(const SourceMesh& source);
+
+/// Vertices at one place are welded; no strands yet. Without `patches` all of it is one.
+[[nodiscard]] HairStrips strips_from(HairMesh mesh, PatchSet patches = {});
 
 /// A sheet of `columns` by `rows` quads over `turn` radians: its upper half on a ball of `radius` metres around (0, 1.6, 0),
 /// from the crown down to the widest, its lower half hanging straight down from there. V is 0 at the crown, 1 at the edge.

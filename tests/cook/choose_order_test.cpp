@@ -1,11 +1,12 @@
 // The pass that chooses draw orders, on packed cards whose right order is known.
 
 #include "cook/order/choose_order.h"
+#include "cook/told.h"
 #include "lab/rig.h"
 #include "models/card_asset.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +47,11 @@ Recipe recipe_with(const std::string& method) {
 
 std::vector<std::string> choose(const Recipe& recipe, AssetContents& contents, unsigned threads = 2) {
   const std::vector<Image> used = {{256, 1, 1, std::vector<std::uint8_t>(256, 255)}};
-  const auto notes = choose_order(recipe, used, threads, contents);
-  EXPECT_TRUE(notes) << (notes ? "" : notes.error().message);
+  Findings findings;
+  const auto chosen = choose_order(recipe, used, threads, contents, findings);
+  EXPECT_TRUE(chosen) << (chosen ? "" : chosen.error().message);
   EXPECT_TRUE(OpenedAsset(contents).asset().is_open()) << "the format allows the result";
-  return notes ? *notes : std::vector<std::string>{};
+  return findings.notes;
 }
 
 TEST(ChooseOrder, StackOfCardsGetsOrdersByDirection) {
@@ -182,7 +184,7 @@ Card card(const Vector3f& center, float half_size, int alpha = kOpaque) {
 AssetContents baked(AssetContents contents, double strength = 1, unsigned threads = 1) {
   Recipe recipe = default_recipe();
   recipe.occlusion_strength = strength;
-  (void)bake_occlusion(recipe, threads, contents);
+  bake_occlusion(recipe, threads, contents, unheard());
   return contents;
 }
 

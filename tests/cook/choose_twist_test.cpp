@@ -1,4 +1,5 @@
 #include "cook/dynamics/settle_dynamics.h"
+#include "cook/told.h"
 
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
@@ -25,10 +26,14 @@ AssetContents upright_and_hanging(float stiffness) {
   return rig.contents();
 }
 
+Told<std::vector<DynamicsRecord>> chosen_for(const AssetContents& contents, unsigned threads = 1) {
+  return told([&](Findings& findings) { return choose_twist(contents, threads, findings); });
+}
+
 TEST(ChooseTwist, LeavesItOutWhereNoMotionFoldsABone) {
-  const ChosenTwist chosen = choose_twist(upright_and_hanging(4000), 1);
-  EXPECT_EQ(chosen.dynamics[1].torsion, kShortestArc);
-  EXPECT_EQ(chosen.dynamics[2].torsion, kShortestArc);
+  const auto chosen = chosen_for(upright_and_hanging(4000));
+  EXPECT_EQ(chosen.made[1].torsion, kShortestArc);
+  EXPECT_EQ(chosen.made[2].torsion, kShortestArc);
   ASSERT_EQ(chosen.left_out.size(), 1u);
   EXPECT_GT(chosen.left_out[0].bytes_per_head, 0u);
   EXPECT_GT(chosen.left_out[0].ns_per_frame, 0);
@@ -36,9 +41,9 @@ TEST(ChooseTwist, LeavesItOutWhereNoMotionFoldsABone) {
 }
 
 TEST(ChooseTwist, KeepsItInTheChainThatFallsOverAndNamesIt) {
-  const ChosenTwist chosen = choose_twist(upright_and_hanging(1), 1);
-  EXPECT_EQ(chosen.dynamics[1].torsion, kTorsion);
-  EXPECT_EQ(chosen.dynamics[2].torsion, kShortestArc);
+  const auto chosen = chosen_for(upright_and_hanging(1));
+  EXPECT_EQ(chosen.made[1].torsion, kTorsion);
+  EXPECT_EQ(chosen.made[2].torsion, kShortestArc);
   ASSERT_EQ(chosen.notes.size(), 1u);
   EXPECT_NE(chosen.notes[0].find("twist: carried in chain "), std::string::npos) << chosen.notes[0];
 }
@@ -46,7 +51,7 @@ TEST(ChooseTwist, KeepsItInTheChainThatFallsOverAndNamesIt) {
 TEST(ChooseTwist, TakesALimitAtItsWord) {
   AssetContents limited = upright_and_hanging(1);
   limited.dynamics[1].angle_limit = 1;
-  EXPECT_EQ(choose_twist(limited, 1).dynamics[1].torsion, kShortestArc);
+  EXPECT_EQ(chosen_for(limited).made[1].torsion, kShortestArc);
 }
 
 TEST(ChooseTwist, ALimitFromTheHeadsDirectionIsNoneFromTheParents) {
@@ -64,7 +69,7 @@ TEST(ChooseTwist, ALimitFromTheHeadsDirectionIsNoneFromTheParents) {
              .torsion = kTorsion,
              .angle_limit = kLimit,
              .parent_share = parent_share});
-    return choose_twist(rig.contents(), 1).dynamics[2].torsion;
+    return chosen_for(rig.contents()).made[2].torsion;
   };
   EXPECT_EQ(second_bone(1), kShortestArc);
   EXPECT_EQ(second_bone(0), kTorsion);
@@ -89,7 +94,7 @@ TestRig curl() {
 /// Largest distance of any bone's end to where it is when every bone carries a twist, as a share of the chain's length.
 double moved_by_the_choice(const AssetContents& contents) {
   AssetContents chosen = contents;
-  chosen.dynamics = choose_twist(contents, 1).dynamics;
+  chosen.dynamics = chosen_for(contents).made;
   const OpenedAsset with(contents), without(chosen);
   double worst = 0;
   for (const MotionInfo& info : all_motions()) {
@@ -110,7 +115,7 @@ double moved_by_the_choice(const AssetContents& contents) {
 
 TEST(ChooseTwist, WhatIsLeftOutHardlyShows) {
   const AssetContents contents = curl().contents();
-  EXPECT_EQ(choose_twist(contents, 1).dynamics.back().torsion, kShortestArc);
+  EXPECT_EQ(chosen_for(contents).made.back().torsion, kShortestArc);
   EXPECT_LT(moved_by_the_choice(contents), 0.02);
   EXPECT_GT(moved_by_the_choice(contents), 0.001) << "or nothing was chosen";
 }
@@ -118,13 +123,13 @@ TEST(ChooseTwist, WhatIsLeftOutHardlyShows) {
 TEST(NominalCost, ATwistCostsWhatLeavingItOutSaves) {
   AssetContents contents = calm_strand(4, 0.3f).contents();
   const auto cost = [&] {
-    const auto tuned = tune_solver(contents, default_recipe(), 1);
+    const auto tuned = tune_solver(contents, default_recipe(), 1, unheard());
     EXPECT_TRUE(tuned && !tuned->quality.empty());
     return tuned ? std::pair(tuned->quality[0].cost, tuned->quality[0].substeps) : std::pair(0.0f, 0u);
   };
-  const ChosenTwist chosen = choose_twist(contents, 1);
+  const auto chosen = chosen_for(contents);
   const auto [with, substeps] = cost();
-  contents.dynamics = chosen.dynamics;
+  contents.dynamics = chosen.made;
   const auto [without, same_substeps] = cost();
   ASSERT_EQ(chosen.left_out.size(), 1u);
   EXPECT_EQ(substeps, same_substeps);
@@ -135,13 +140,13 @@ TEST(NominalCost, ATwistCostsWhatLeavingItOutSaves) {
 
 TEST(ChooseTwist, ChangesNothingButTheTorsion) {
   const AssetContents contents = upright_and_hanging(4000);
-  const ChosenTwist chosen = choose_twist(contents, 1);
-  ASSERT_EQ(chosen.dynamics.size(), contents.dynamics.size());
+  const auto chosen = chosen_for(contents);
+  ASSERT_EQ(chosen.made.size(), contents.dynamics.size());
   for (std::size_t i = 1; i < contents.dynamics.size(); ++i) {
-    EXPECT_EQ(chosen.dynamics[i].stiffness, contents.dynamics[i].stiffness);
-    EXPECT_EQ(chosen.dynamics[i].damping, contents.dynamics[i].damping);
+    EXPECT_EQ(chosen.made[i].stiffness, contents.dynamics[i].stiffness);
+    EXPECT_EQ(chosen.made[i].damping, contents.dynamics[i].damping);
   }
-  EXPECT_EQ(choose_twist(contents, 4).dynamics[1].torsion, chosen.dynamics[1].torsion) << "whatever the threads";
+  EXPECT_EQ(chosen_for(contents, 4).made[1].torsion, chosen.made[1].torsion) << "whatever the threads";
 }
 
 }  // namespace coif::choose_twist_test

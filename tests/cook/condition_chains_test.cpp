@@ -3,8 +3,9 @@
 #include "cook/dynamics/settle_dynamics.h"
 
 #include "cook/dynamics/chain_groups.h"
+#include "cook/told.h"
 #include "cook/vrm_chain.h"
-#include "lab/reference_solver.h"
+#include "lab/measure_runtime.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 
@@ -44,36 +45,40 @@ void expect_well_posed(const AssetContents& contents) {
   }
 }
 
+Told<std::vector<DynamicsRecord>> conditioned(const AssetContents& contents, unsigned threads = 1) {
+  return told([&](Findings& findings) { return condition_chains(contents, threads, findings); });
+}
+
 TEST(ConditionChains, LeavesADampedChainAlone) {
   const AssetContents contents = named(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}));
-  const ConditionedChains result = condition_chains(contents, 1);
-  EXPECT_TRUE(same(result.dynamics, contents.dynamics));
+  const auto result = conditioned(contents);
+  EXPECT_TRUE(same(result.made, contents.dynamics));
   EXPECT_TRUE(result.notes.empty());
   EXPECT_TRUE(result.warnings.empty());
 }
 
 TEST(ConditionChains, DampsAnUndampedChainAndNamesIt) {
   AssetContents contents = named(rig_of_chain({.bones = 5}));
-  const ConditionedChains result = condition_chains(contents, 1);
+  const auto result = conditioned(contents);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("chain 'b1': "), std::string::npos) << result.notes[0];
   EXPECT_TRUE(result.warnings.empty());
   for (std::size_t b = 1; b < contents.bones.size(); ++b) {
-    EXPECT_GT(result.dynamics[b].damping, contents.dynamics[b].damping);
-    EXPECT_EQ(result.dynamics[b].stiffness, contents.dynamics[b].stiffness) << "the pose is the artist's";
-    EXPECT_EQ(result.dynamics[b].angle_limit, contents.dynamics[b].angle_limit);
+    EXPECT_GT(result.made[b].damping, contents.dynamics[b].damping);
+    EXPECT_EQ(result.made[b].stiffness, contents.dynamics[b].stiffness) << "the pose is the artist's";
+    EXPECT_EQ(result.made[b].angle_limit, contents.dynamics[b].angle_limit);
   }
-  contents.dynamics = result.dynamics;
+  contents.dynamics = result.made;
   expect_well_posed(contents);
-  EXPECT_TRUE(condition_chains(contents, 1).notes.empty()) << "once is enough";
+  EXPECT_TRUE(conditioned(contents).notes.empty()) << "once is enough";
 }
 
 void expect_helped(int bones) {
   AssetContents contents = named(rig_of_chain({.bones = bones, .length = 0.8f, .damping_ratio = 1}));
-  const ConditionedChains result = condition_chains(contents, 1);
+  const auto result = conditioned(contents);
   EXPECT_EQ(result.notes.size(), 1u);
   EXPECT_TRUE(result.warnings.empty()) << result.warnings[0];
-  contents.dynamics = result.dynamics;
+  contents.dynamics = result.made;
   expect_well_posed(contents);
 }
 
@@ -96,14 +101,14 @@ TEST(ConditionChains, TouchesOnlyTheChainsThatNeedIt) {
                       .torsion = 20});
   }
   const AssetContents contents = named(rig);
-  const ConditionedChains result = condition_chains(contents, 1);
+  const auto result = conditioned(contents);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("chain 'b4': "), std::string::npos) << result.notes[0];
-  for (std::size_t b = 1; b < 4; ++b) EXPECT_EQ(result.dynamics[b].damping, contents.dynamics[b].damping);
-  for (std::size_t b = 4; b < 9; ++b) EXPECT_GT(result.dynamics[b].damping, 0);
+  for (std::size_t b = 1; b < 4; ++b) EXPECT_EQ(result.made[b].damping, contents.dynamics[b].damping);
+  for (std::size_t b = 4; b < 9; ++b) EXPECT_GT(result.made[b].damping, 0);
   for (const unsigned threads : {2u, 5u}) {
-    const ConditionedChains again = condition_chains(contents, threads);
-    EXPECT_TRUE(same(again.dynamics, result.dynamics)) << threads << " threads";
+    const auto again = conditioned(contents, threads);
+    EXPECT_TRUE(same(again.made, result.made)) << threads << " threads";
     EXPECT_EQ(again.notes, result.notes);
   }
 }
@@ -112,7 +117,7 @@ TEST(ConditionChains, WarnsWhereNothingHelps) {
   // Without weight and pull there is no stiffness whose root damping could be a share of.
   TestRig rig = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 0});
   for (DynamicsRecord& record : rig.dynamics) record.gravity_scale = record.damping = record.torsion = 0;
-  const ConditionedChains result = condition_chains(named(rig), 1);
+  const auto result = conditioned(named(rig));
   EXPECT_TRUE(result.notes.empty());
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_NE(result.warnings[0].find("chain 'b1': "), std::string::npos) << result.warnings[0];

@@ -1,5 +1,5 @@
-#include "cook/fitted_wig.h"
 #include "cook/rig/fit_chains.h"
+#include "cook/fitted_wig.h"
 
 #include <gtest/gtest.h>
 
@@ -106,8 +106,8 @@ TEST(FitChains, CapThatHugsTheSkullGetsNone) {
   const FittedWig wig = fit_wig(cap);
   EXPECT_TRUE(wig.rig.skeleton.chains.empty());
   EXPECT_EQ(wig.rig.skeleton.bones.size(), 1u);
-  ASSERT_EQ(wig.rig.notes.size(), 1u);
-  EXPECT_NE(wig.rig.notes[0].find("no chain was fitted"), std::string::npos);
+  ASSERT_EQ(wig.findings.notes.size(), 1u);
+  EXPECT_NE(wig.findings.notes[0].find("no chain was fitted"), std::string::npos);
   for (std::uint32_t v = 0; v < wig.hair.positions.size(); ++v) EXPECT_DOUBLE_EQ(wig.weight(v, 0), 1);
 }
 
@@ -229,110 +229,5 @@ TEST(FitChains, HairWithoutTrianglesOrExtentIsRigid) {
 }
 
 /// Cards side by side around the back of the head, each 2 cm wide, finely cut.
-std::vector<SourceMesh> curtain() {
-  std::vector<SourceMesh> cards;
-  for (int i = 0; i < 22; ++i) cards.push_back(make_tail(90 + 180.0 * i / 21, 0.35f, 150));
-  return cards;
-}
-
-TEST(FittedWeights, AddUpToOneOnAtMostFourBones) {
-  const FittedWig wig = fit_wig(curtain());
-  ASSERT_GT(wig.rig.skeleton.chains.size(), 1u);
-  for (const auto& weights : wig.rig.weights) {
-    double sum = 0;
-    for (const BoneWeight& w : weights) {
-      EXPECT_GT(w.weight, 0);
-      EXPECT_LT(w.bone, wig.rig.skeleton.bones.size());
-      sum += w.weight;
-    }
-    EXPECT_NEAR(sum, 1, 1.0e-9);
-    EXPECT_LE(weights.size(), 4u);
-  }
-}
-
-TEST(FittedWeights, ChangeLittleFromVertexToVertex) {
-  const FittedWig wig = fit_wig(curtain());
-  double steepest = 0;
-  for (std::size_t i = 0; i < wig.hair.triangles.size(); ++i) {
-    const std::uint32_t a = wig.hair.triangles[i], b = wig.hair.triangles[i % 3 == 2 ? i - 2 : i + 1];
-    const double length = (wig.hair.positions[a] - wig.hair.positions[b]).norm();
-    // Over one bone's length the weights may go from one bone to the next, over a third of a radius to the next lock.
-    steepest = std::max(steepest, wig.weight_difference(a, b) / std::max(length, 0.002));
-  }
-  EXPECT_GT(steepest, 5) << "something changes at all";
-  EXPECT_LT(steepest, 1 / 0.06 + 1 / 0.03 + 25);
-}
-
-TEST(FittedWeights, ChangeLittleBetweenNeighbouringCards) {
-  const std::vector<SourceMesh> cards = curtain();
-  const FittedWig wig = fit_wig(cards);
-  const auto per_card = std::uint32_t(cards[0].positions.size());
-  std::size_t pairs = 0;
-  for (std::uint32_t card = 0; card + 1 < cards.size(); ++card) {
-    for (std::uint32_t row = 0; row <= 150; row += 10) {
-      for (std::uint32_t side = 0; side < 4; ++side) {
-        const std::uint32_t a = card * per_card + 2 * row + side % 2;
-        const std::uint32_t b = (card + 1) * per_card + 2 * row + side / 2;
-        if ((wig.hair.positions[a] - wig.hair.positions[b]).norm() > 0.006f) continue;
-        EXPECT_LT(wig.weight_difference(a, b), 0.35) << "cards " << card << " and the next, row " << row;
-        ++pairs;
-      }
-    }
-  }
-  EXPECT_GT(pairs, 100u) << "the cards are not neighbours";
-}
-
-TEST(FittedWeights, AreEqualAtOnePlace) {
-  SourceMesh left = make_strip({.root = {-0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
-  SourceMesh right = make_strip({.root = {0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
-  for (auto& p : right.positions) p.x() += 4.0e-6f;  // within the weld distance
-  const FittedWig wig = fit_wig({left, right});
-  ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
-  const auto first = std::uint32_t(left.positions.size());
-  for (std::uint32_t row = 0; row <= 40; ++row) {
-    EXPECT_EQ(wig.weight_difference(2 * row + 1, first + 2 * row), 0) << row;
-  }
-}
-
-TEST(FittedWeights, MoveFromHeadToTipAlongTheCard) {
-  const FittedWig wig = fit_wig({make_tail(180, 0.3f, 100)});
-  ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
-  const auto tip = std::uint32_t(wig.rig.skeleton.bones.size() - 1);
-  EXPECT_DOUBLE_EQ(wig.weight(0, 0), 1) << "the root is rigid";
-  EXPECT_DOUBLE_EQ(wig.weight(200, tip), 1) << "the tip is the last bone's";
-  double before = 0;
-  for (std::uint32_t row = 0; row <= 100; ++row) {
-    double mean = 0;
-    for (std::uint32_t b = 0; b <= tip; ++b) mean += b * wig.weight(2 * row, b);
-    EXPECT_GE(mean, before - 0.05) << row;
-    before = mean;
-  }
-}
-
-TEST(FittedWeights, SeamToExcludedHairIsRigid) {
-  SourceMesh upper = make_strip({.root = {0, 1.6f, -0.105f}, .along = {0, -0.2f, 0}, .rows = 40});
-  SourceMesh lower = make_strip({.root = {0, 1.4f, -0.105f}, .along = {0, -0.3f, 0}, .rows = 40});
-  upper.name = "band";
-  lower.name = "tail";
-  Recipe recipe = default_recipe();
-  recipe.chain_exclude = {"band"};
-  const FittedWig wig = fit_wig({upper, lower}, recipe);
-  ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
-  EXPECT_NEAR(wig.joints(0).front().y(), 1.4, 0.015) << "the chain starts at the seam";
-  const auto first = std::uint32_t(upper.positions.size());
-  EXPECT_DOUBLE_EQ(wig.weight(first, 0), 1);
-  EXPECT_DOUBLE_EQ(wig.weight(first + 1, 0), 1);
-  EXPECT_LT(wig.weight(first + 40, 0), 0.01);
-}
-
-TEST(FittedWeights, TwoTailsShareNoBones) {
-  const std::vector<SourceMesh> tails = {make_tail(90, 0.3f), make_tail(-90, 0.3f)};
-  const FittedWig wig = fit_wig(tails);
-  ASSERT_EQ(wig.rig.skeleton.chains.size(), 2u);
-  const ChainRecord& right = wig.rig.skeleton.chains[1];
-  for (std::uint32_t v = 0; v < tails[0].positions.size(); ++v) {
-    for (std::uint32_t b = 0; b < right.bone_count; ++b) EXPECT_EQ(wig.weight(v, right.first_bone + b), 0);
-  }
-}
 
 }  // namespace coif::fit_chains_test

@@ -1,5 +1,4 @@
 #include "cook/fitted_wig.h"
-#include "cook/select/mesh_topology.h"
 
 #include "cook/rig/skeleton.h"
 
@@ -84,8 +83,9 @@ FittedWig fit_wig(const std::vector<SourceMesh>& strips, const Recipe& recipe) {
     append_strands(strips[s], strands);
   }
   const HeadBone bone{node, "Head", {0, 1.5, 0}};
-  wig.rig = fit_chains(wig.source, wig.hair, weld_places(wig.hair.positions, 0), strands, round_head(),
-                       head_alone(wig.source, bone), recipe);
+  HairStrips hair = strips_from(wig.hair);
+  hair.strands = std::move(strands);
+  wig.rig = fit_chains(wig.source, hair, round_head(), head_alone(wig.source, bone), recipe, wig.findings);
   return wig;
 }
 

@@ -12,7 +12,8 @@ namespace coif {
 struct FittedWig {
   SourceModel source;
   HairMesh hair;  ///< The strips one after the other, their vertices in order.
-  FittedRig rig;
+  HairRig rig;
+  Findings findings;
 
   /// First bone and joints of a chain: its start, then each tail.
   [[nodiscard]] std::vector<Eigen::Vector3d> joints(std::uint32_t chain) const;

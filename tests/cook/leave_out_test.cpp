@@ -2,6 +2,7 @@
 #include "cook/cook.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/pack/pack.h"
+#include "cook/rig/colliders.h"
 #include "models/small_asset.h"
 #include "write/strip_asset.h"
 
@@ -159,13 +160,15 @@ Colliders three_shapes(std::vector<std::uint32_t> sets) {
 
 TEST(LeaveOut, CollidersThatNoBoneReachesGoAndTheOthersKeepTheirBones) {
   Colliders colliders = three_shapes({0, 0b100, 0b101});
-  const auto left_out = leave_out_colliders(colliders);
-  ASSERT_EQ(left_out.size(), 1u);
-  EXPECT_EQ(left_out[0].text(), "collider 1: no bone can reach it (80 bytes)");
+  Findings findings;
+  leave_out_colliders(colliders, findings);
+  ASSERT_EQ(findings.left_out.size(), 1u);
+  EXPECT_EQ(findings.left_out[0].text(), "collider 1: no bone can reach it (80 bytes)");
   ASSERT_EQ(colliders.shapes.size(), 2u);
   EXPECT_EQ(colliders.shapes[1].radii.x(), 0.3);
   EXPECT_EQ(colliders.of_bone, (std::vector<std::uint32_t>{0, 0b10, 0b11}));
-  EXPECT_TRUE(leave_out_colliders(colliders).empty());
+  leave_out_colliders(colliders, findings);
+  EXPECT_EQ(findings.left_out.size(), 1u) << "once is enough";
 }
 
 DetailLevel level(float screen_size, float error, std::vector<bool> simulated) {
@@ -177,11 +180,9 @@ DetailLevel level(float screen_size, float error, std::vector<bool> simulated) {
   return level;
 }
 
-DetailLevels four_levels() {
-  DetailLevels lods;
-  lods.levels = {level(0.5f, 0, {false, true, true}), level(0.25f, 0.001f, {false, true, false}),
-                 level(0.125f, 0.002f, {false, true, false}), level(0, 0.004f, {false, true, false})};
-  return lods;
+std::vector<DetailLevel> four_levels() {
+  return {level(0.5f, 0, {false, true, true}), level(0.25f, 0.001f, {false, true, false}),
+          level(0.125f, 0.002f, {false, true, false}), level(0, 0.004f, {false, true, false})};
 }
 
 Recipe sizes(double largest, double smallest) {
@@ -207,15 +208,16 @@ TEST(LeaveOut, LevelsThatNoSizeOfTheSceneUsesGo) {
                         {0.3, 0.2, {0, 0.003f}},
                         {0.3, 0.3, {0}}};
   for (const Case& test : cases) {
-    DetailLevels lods = four_levels();
-    const auto left_out = leave_out_levels(sizes(test.largest, test.smallest), lods);
+    std::vector<DetailLevel> levels = four_levels();
+    Findings findings;
+    leave_out_levels(sizes(test.largest, test.smallest), levels, findings);
     SCOPED_TRACE(testing::Message() << test.largest << " to " << test.smallest);
-    ASSERT_EQ(lods.levels.size(), test.errors.size());
-    EXPECT_EQ(left_out.size(), 4 - test.errors.size());
-    for (std::size_t i = 0; i < test.errors.size(); ++i) EXPECT_FLOAT_EQ(lods.levels[i].error, test.errors[i]);
-    EXPECT_EQ(lods.levels.back().screen_size, 0);
-    EXPECT_EQ(lods.levels.front().simulated, (std::vector<bool>{false, true, true})) << "bones move in some level";
-    for (const LeftOut& gone : left_out) EXPECT_EQ(gone.bytes, 12 + sizeof(PatchRecord) + sizeof(LodRecord));
+    ASSERT_EQ(levels.size(), test.errors.size());
+    EXPECT_EQ(findings.left_out.size(), 4 - test.errors.size());
+    for (std::size_t i = 0; i < test.errors.size(); ++i) EXPECT_FLOAT_EQ(levels[i].error, test.errors[i]);
+    EXPECT_EQ(levels.back().screen_size, 0);
+    EXPECT_EQ(levels.front().simulated, (std::vector<bool>{false, true, true})) << "bones move in some level";
+    for (const LeftOut& gone : findings.left_out) EXPECT_EQ(gone.bytes, 12 + sizeof(PatchRecord) + sizeof(LodRecord));
   }
 }
 

@@ -1,6 +1,7 @@
 // What an artist's resistance is baked into, against the recurrence that it is defined by.
 
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/told.h"
 #include "write/pose_oscillator.h"
 
 #include <gtest/gtest.h>
@@ -105,7 +106,7 @@ Skeleton two_bones() {
 }
 
 std::vector<DynamicsRecord> baked(const Recipe& recipe) {
-  return bake_dynamics(SourceModel(), two_bones(), recipe).records;
+  return bake_dynamics(SourceModel(), two_bones(), recipe, unheard());
 }
 
 Recipe undamped_recipe() {

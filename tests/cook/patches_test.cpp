@@ -1,8 +1,8 @@
+#include "cook/strands/patches.h"
 #include "cook/built_models.h"
 #include "cook/order/choose_order.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
-#include "cook/strands/patches.h"
 
 #include <gtest/gtest.h>
 
@@ -171,7 +171,7 @@ TEST(SortPatches, InnerPatchesComeFirstAndEqualOnesKeepTheirOrder) {
     mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2});
     patches.patch_of.push_back(patches.count++);
   }
-  const PatchOrder order = sort_patches(mesh, patches, {0, 1.6, 0});
+  const PatchOrder order = sort_patches({mesh, {}, patches, {}}, {0, 1.6, 0});
   EXPECT_EQ(order.patch, (std::vector<std::uint32_t>{1, 3, 2, 0}));
   EXPECT_NEAR(order.distance[0], 0.1, 1.0e-6);
 }
@@ -188,7 +188,7 @@ TEST(SortPatches, DistanceIsThatOfTheAreaNotOfTheVertices) {
     mesh.triangles.insert(mesh.triangles.end(), {base, base + 1, base + 2});
     patches.patch_of.push_back(0);
   }
-  EXPECT_NEAR(sort_patches(mesh, patches, {0, 1.0 / 3, 0}).distance[0], 1.0, 0.01);
+  EXPECT_NEAR(sort_patches({mesh, {}, patches, {}}, {0, 1.0 / 3, 0}).distance[0], 1.0, 0.01);
 }
 
 /// A strip and its copy with every triangle turned round, in vertices of its own.
@@ -233,10 +233,11 @@ TEST(MergeBackFaces, TheReportSaysHowManyThereWere) {
   SourceMesh back = model.meshes[0];
   for (std::size_t t = 0; t < back.triangles.size(); t += 3) std::swap(back.triangles[t + 1], back.triangles[t + 2]);
   model.meshes.push_back(back);
-  const auto hair = select_hair(model, default_recipe());
+  Findings findings;
+  const auto hair = select_hair(model, default_recipe(), findings);
   ASSERT_TRUE(hair);
-  EXPECT_EQ(hair->mesh.triangle_count(), 10u);
-  EXPECT_EQ(hair->left_out.at(0).text(),
+  EXPECT_EQ(hair->triangle_count(), 10u);
+  EXPECT_EQ(findings.left_out.at(0).text(),
             "10 triangles that only were the back of others: the hair is drawn double-sided (120 bytes)");
 }
 

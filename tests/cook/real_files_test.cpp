@@ -4,6 +4,7 @@
 #include "cook/cook.h"
 #include "cook/select/select_hair.h"
 #include "cook/texture/base_color.h"
+#include "cook/told.h"
 #include "import/import.h"
 #include "models/small_asset.h"
 
@@ -161,9 +162,9 @@ class RealTextures : public testing::TestWithParam<TexturedFile> {
 };
 
 TEST_P(RealTextures, AreFoundWhereTheArtistLeftThem) {
-  auto hair = select_hair(source_, default_recipe());
+  auto hair = select_hair(source_, default_recipe(), unheard());
   ASSERT_TRUE(hair) << hair.error().message;
-  const auto color = find_base_color(source_, hair->mesh, default_recipe(), {});
+  const auto color = find_base_color(source_, *hair, default_recipe(), {}, unheard());
   ASSERT_TRUE(color) << color.error().message;
   const std::string wanted = GetParam().file;
   EXPECT_EQ(color->image.has_value(), !wanted.empty());

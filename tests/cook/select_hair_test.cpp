@@ -1,20 +1,26 @@
+#include "cook/select/select_hair.h"
 #include "cook/built_models.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/hair_evidence.h"
-#include "cook/select/select_hair.h"
 
 #include <gtest/gtest.h>
 
 namespace coif::select_hair_test {
 
-HairChoice choice_of(const SourceModel& model) {
-  auto choice = choose_hair(model, default_recipe());
-  EXPECT_TRUE(choice) << (choice ? "" : choice.error().message);
-  return choice ? *choice : HairChoice{};
+Told<HairChoice> choice_of(const SourceModel& model) {
+  return told([&](Findings& findings) {
+    auto choice = choose_hair(model, default_recipe(), findings);
+    EXPECT_TRUE(choice) << (choice ? "" : choice.error().message);
+    return choice ? *choice : HairChoice{};
+  });
 }
 
-std::size_t taken(const HairChoice& choice, std::size_t mesh) {
-  return std::size_t(std::ranges::count(choice.taken.at(mesh), true));
+std::size_t taken(const Told<HairChoice>& choice, std::size_t mesh) {
+  return std::size_t(std::ranges::count(choice.made.taken.at(mesh), true));
+}
+
+Told<tl::expected<HairMesh, ToolError>> selected(const SourceModel& model, const Recipe& recipe = default_recipe()) {
+  return told([&](Findings& findings) { return select_hair(model, recipe, findings); });
 }
 
 /// The wig in one mesh with a face and a body below, nothing of which is called hair except bones.
@@ -50,11 +56,11 @@ TEST(ChooseHair, AMaterialCalledHairSaysSo) {
   model.materials.emplace_back();
   model.materials[0].name = "mat_Hair_01";
   model.meshes.push_back(strip);
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 0u);
   EXPECT_EQ(taken(choice, 1), 8u);
-  ASSERT_EQ(choice.reasons.size(), 1u);
-  EXPECT_EQ(choice.reasons[0], "hair: mesh 'Object_7' (8 triangles): its material is called 'mat_Hair_01'");
+  ASSERT_EQ(choice.notes.size(), 1u);
+  EXPECT_EQ(choice.notes[0], "hair: mesh 'Object_7' (8 triangles): its material is called 'mat_Hair_01'");
 }
 
 TEST(ChooseHair, ATextureCalledHairSaysSoButNotItsFolder) {
@@ -69,7 +75,7 @@ TEST(ChooseHair, ATextureCalledHairSaysSoButNotItsFolder) {
   }
   model.materials[0].base_texture.path = "D:\\art\\tex\\hair_d.png";
   model.materials[1].base_texture.path = "D:\\art\\hair_and_body\\skin.png";
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 1), 8u);
   EXPECT_EQ(taken(choice, 2), 0u);
 }
@@ -83,16 +89,16 @@ TEST(ChooseHair, APartOfTheHairMeshWithAnotherMaterialIsAnAdornment) {
   model.materials[1].name = "metal";
   model.meshes[0].material = 0;
   model.meshes[1].material = 1;
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 10u);
   EXPECT_EQ(taken(choice, 1), 0u);
 }
 
 TEST(ChooseHair, MergedHairIsCutOutByBonesCalledHair) {
   const SourceModel model = merged_body();
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 10u) << "neither the face nor the body";
-  EXPECT_NE(choice.reasons.at(0).find("pieces that hair bones move"), std::string::npos);
+  EXPECT_NE(choice.notes.at(0).find("pieces that hair bones move"), std::string::npos);
 }
 
 TEST(ChooseHair, ATouchOfAHairBoneDoesNotMakeAFaceHair) {
@@ -129,7 +135,7 @@ TEST(ChooseHair, TransparentPiecesOnTheHeadAreHairButNotLashes) {
   model.meshes.push_back(cards);
   model.materials.emplace_back();
   model.materials[0].alpha_use = AlphaUse::kBlend;
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 0u);
   EXPECT_EQ(taken(choice, 1), 8u);
 }
@@ -140,7 +146,7 @@ TEST(ChooseHair, AFileOfNothingButAHairstyleIsAllHairWithoutAWarning) {
   add_node(model, "root", kNoIndex, {0, 0, 0});
   model.meshes.push_back(make_strip({}));
   model.meshes[0].name = "defaultobject";
-  const HairChoice choice = choice_of(model);
+  const auto choice = choice_of(model);
   EXPECT_EQ(taken(choice, 0), 8u);
   EXPECT_TRUE(choice.warnings.empty());
 }
@@ -155,9 +161,9 @@ TEST(Carriers, BonesOfTheFaceCarryNoChain) {
   SourceModel model = merged_body();
   model.meshes[0].name = "hair";
   for (std::size_t n : {2u, 3u, 4u, 5u}) model.nodes[n].name = n < 4 ? "MJaw" : "MBottomLip";
-  const auto hair = select_hair(model, default_recipe());
-  const auto head = find_head_bone(model, hair->mesh, "");
-  EXPECT_TRUE(build_skeleton(model, hair->mesh, *head, default_recipe())->chains.empty());
+  const HairMesh hair = whole_hair(model);
+  const auto head = find_head_bone(model, hair, "");
+  EXPECT_TRUE(build_skeleton(model, hair, *head, default_recipe(), unheard())->chains.empty());
 }
 
 /// The wig with a body: a second mesh that no hair bone moves.
@@ -171,18 +177,18 @@ SourceModel wig_with_body() {
 }
 
 TEST(SelectHair, TakesWhatIsCalledHairAndSaysWhatItLeft) {
-  const auto hair = select_hair(wig_with_body(), default_recipe());
-  ASSERT_TRUE(hair);
-  EXPECT_EQ(hair->mesh.triangle_count(), 10u);
-  ASSERT_EQ(hair->left_out.size(), 1u);
-  EXPECT_EQ(hair->left_out[0].text(), "mesh 'body' (12 triangles): not hair");
+  const auto hair = selected(wig_with_body());
+  ASSERT_TRUE(hair.made);
+  EXPECT_EQ(hair.made->triangle_count(), 10u);
+  ASSERT_EQ(hair.left_out.size(), 1u);
+  EXPECT_EQ(hair.left_out[0].text(), "mesh 'body' (12 triangles): not hair");
 }
 
 TEST(SelectHair, TakesEverythingWhereNothingIsCalledHair) {
   SourceModel model = wig_with_body();
   model.meshes[0].name = "thing";
   for (SourceNode& node : model.nodes) node.name = "node";
-  EXPECT_EQ(select_hair(model, default_recipe())->mesh.triangle_count(), 22u);
+  EXPECT_EQ(selected(model).made->triangle_count(), 22u);
 }
 
 TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
@@ -190,36 +196,37 @@ TEST(SelectHair, CutsHairOutOfAMergedMeshByItsBones) {
   append_piece(model.meshes[0], make_strip({.root = {1, 1, 1}}), 1);
   Recipe recipe = default_recipe();
   recipe.hair_bones = {"hair_*"};
-  const auto hair = select_hair(model, recipe);
-  ASSERT_TRUE(hair);
-  EXPECT_EQ(hair->mesh.triangle_count(), 10u) << "the piece keeps its root, which follows the scalp";
-  EXPECT_EQ(hair->left_out[0].text(), "mesh 'hair', 8 triangles: of pieces that are not hair");
+  const auto hair = selected(model, recipe);
+  ASSERT_TRUE(hair.made);
+  EXPECT_EQ(hair.made->triangle_count(), 10u) << "the piece keeps its root, which follows the scalp";
+  EXPECT_EQ(hair.left_out[0].text(), "mesh 'hair', 8 triangles: of pieces that are not hair");
 }
 
 TEST(SelectHair, APatternThatMatchesNothingNamesWhatThereIs) {
   Recipe recipe = default_recipe();
   recipe.hair_meshes = {"wig*"};
-  const auto hair = select_hair(wig_with_body(), recipe);
-  ASSERT_FALSE(hair);
-  EXPECT_EQ(hair.error().message,
+  const auto hair = selected(wig_with_body(), recipe);
+  ASSERT_FALSE(hair.made);
+  EXPECT_EQ(hair.made.error().message,
             "wig.glb: recipe key \"hair.meshes\": nothing is called 'wig*'; there are: body, hair");
-  EXPECT_EQ(hair.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_EQ(hair.made.error().kind, ToolError::Kind::kBadInput);
 }
 
 TEST(SelectHair, TrianglesWithoutAreaAreLeftOut) {
   SourceModel model = make_wig();
   model.meshes[0].triangles.insert(model.meshes[0].triangles.end(), {0, 0, 1, 2, 2, 2});
-  const auto hair = select_hair(model, default_recipe());
-  EXPECT_EQ(hair->mesh.triangle_count(), 10u);
-  EXPECT_EQ(hair->left_out[0].text(), "mesh 'hair', 2 triangles: without area");
+  const auto hair = selected(model);
+  EXPECT_EQ(hair.made->triangle_count(), 10u);
+  EXPECT_EQ(hair.left_out[0].text(), "mesh 'hair', 2 triangles: without area");
 }
 
 TEST(SelectHair, AModelWithoutAreaSaysSo) {
   SourceModel model = make_wig();
   for (Eigen::Vector3f& p : model.meshes[0].positions) p = {0, 1, 0};
-  const auto hair = select_hair(model, default_recipe());
-  ASSERT_FALSE(hair);
-  EXPECT_EQ(hair.error().message, "wig.glb: all 10 triangles are without area; scale the model up or export it again");
+  const auto hair = selected(model);
+  ASSERT_FALSE(hair.made);
+  EXPECT_EQ(hair.made.error().message,
+            "wig.glb: all 10 triangles are without area; scale the model up or export it again");
 }
 
 TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
@@ -228,10 +235,10 @@ TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
   bare.uvs.clear();
   bare.node = 1;
   model.meshes.push_back(bare);
-  const auto hair = select_hair(model, default_recipe());
-  ASSERT_TRUE(hair);
-  EXPECT_EQ(hair->mesh.triangle_count(), 18u);
-  EXPECT_EQ(hair->mesh.uvs.size(), hair->mesh.positions.size());
+  const auto hair = selected(model);
+  ASSERT_TRUE(hair.made);
+  EXPECT_EQ(hair.made->triangle_count(), 18u);
+  EXPECT_EQ(hair.made->uvs.size(), hair.made->positions.size());
 }
 
 }  // namespace coif::select_hair_test

@@ -1,5 +1,5 @@
-#include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
+#include "cook/rig/colliders.h"
 #include "cook/select/head.h"
 #include "cook/select/select_hair.h"
 
@@ -12,20 +12,21 @@
 
 namespace coif::skeleton_test {
 
-tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
-  const auto hair = select_hair(model, recipe);
+tl::expected<Skeleton, ToolError> skeleton_of(const SourceModel& model, const Recipe& recipe = default_recipe(),
+                                              Findings& findings = unheard()) {
+  const auto hair = select_hair(model, recipe, unheard());
   EXPECT_TRUE(hair) << hair.error().message;
-  const auto head = find_head_bone(model, hair->mesh, recipe.head_bone);
+  const auto head = find_head_bone(model, *hair, recipe.head_bone);
   if (!head) return tl::unexpected(head.error());
-  return build_skeleton(model, hair->mesh, *head, recipe);
+  return build_skeleton(model, *hair, *head, recipe, findings);
 }
 
 FittedHead head_of(const SourceModel& model, const Recipe& recipe = default_recipe()) {
-  const auto hair = select_hair(model, recipe);
+  const auto hair = select_hair(model, recipe, unheard());
   EXPECT_TRUE(hair) << hair.error().message;
-  const auto head = find_head_bone(model, hair->mesh, recipe.head_bone);
+  const auto head = find_head_bone(model, *hair, recipe.head_bone);
   EXPECT_TRUE(head) << head.error().message;
-  return fit_head(model, hair->mesh, hair->meshes, *head, recipe);
+  return fit_head(model, *hair, *head, recipe);
 }
 
 TEST(BuildSkeleton, SplitsHeadScalpAndSimulatedBonesAsTheThesisDoes) {
@@ -115,12 +116,13 @@ TEST(BuildSkeleton, HairWithoutBonesFollowsTheHeadWithAWarning) {
   SourceModel model = make_wig();
   model.meshes[0].influences.clear();
   model.meshes[0].influence_begin.clear();
-  const auto skeleton = skeleton_of(model);
+  Findings findings;
+  const auto skeleton = skeleton_of(model, default_recipe(), findings);
   ASSERT_TRUE(skeleton);
   EXPECT_EQ(skeleton->bones.size(), 1u);
   EXPECT_EQ(skeleton->bones[0].name, "Head");
-  ASSERT_EQ(skeleton->warnings.size(), 1u);
-  EXPECT_NE(skeleton->warnings[0].find("rigidly"), std::string::npos);
+  ASSERT_EQ(findings.warnings.size(), 1u);
+  EXPECT_NE(findings.warnings[0].find("rigidly"), std::string::npos);
 }
 
 TEST(BuildSkeleton, JointsOnTopOfEachOtherStillGiveBones) {
@@ -153,11 +155,14 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   recipe.head_radii = {0.05, 0.06, 0.07};
   const Skeleton skeleton = *skeleton_of(wig);
   EXPECT_EQ(head_of(wig, recipe).origin, "the recipe");
-  EXPECT_TRUE(head_colliders(head_of(wig, recipe), skeleton, recipe).warnings.empty());
+  const auto collide = [&] {
+    return told([&](Findings& findings) { return head_colliders(head_of(wig, recipe), skeleton, recipe, findings); });
+  };
+  EXPECT_TRUE(collide().warnings.empty());
   recipe.head_radii = {0.15, 0.15, 0.15};
-  EXPECT_EQ(head_colliders(head_of(wig, recipe), skeleton, recipe).warnings.size(), 1u) << "it swallows the hair";
+  EXPECT_EQ(collide().warnings.size(), 1u) << "it swallows the hair";
   recipe.head_shape = "none";
-  EXPECT_TRUE(head_colliders(head_of(wig, recipe), skeleton, recipe).shapes.empty());
+  EXPECT_TRUE(collide().made.shapes.empty());
 }
 
 TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
@@ -167,7 +172,7 @@ TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
   recipe.head_radii = {0.05, 0.08, 0.06};
   const auto shape = [&](const char* name) {
     recipe.head_shape = name;
-    return head_colliders(head_of(wig, recipe), *skeleton_of(wig), recipe).shapes.at(0);
+    return head_colliders(head_of(wig, recipe), *skeleton_of(wig), recipe, unheard()).shapes.at(0);
   };
   EXPECT_EQ(shape("auto").shape, ColliderShape::kEllipsoid);
   EXPECT_EQ(shape("sphere").shape, ColliderShape::kSphere);
@@ -182,16 +187,16 @@ TEST(ColliderReach, BonesThatCannotGetThereAreNeverTested) {
   FittedHead head;
   head.center = {0, 1.6, 0};
   head.radii.setConstant(0.05);
-  Colliders near = head_colliders(head, skeleton, default_recipe());
+  Colliders near = head_colliders(head, skeleton, default_recipe(), unheard());
   drop_colliders_out_of_reach(skeleton, near);
   EXPECT_EQ(near.of_bone.at(2), 1u) << "0.1 m long, 0.05 m away";
   head.center.x() = 1;
-  Colliders far = head_colliders(head, skeleton, default_recipe());
+  Colliders far = head_colliders(head, skeleton, default_recipe(), unheard());
   drop_colliders_out_of_reach(skeleton, far);
   for (const std::uint32_t set : far.of_bone) EXPECT_EQ(set, 0u);
   // Halfway: the chain's end gets there, its first bone does not.
   head.center.x() = 0.22;
-  Colliders between = head_colliders(head, skeleton, default_recipe());
+  Colliders between = head_colliders(head, skeleton, default_recipe(), unheard());
   drop_colliders_out_of_reach(skeleton, between);
   EXPECT_EQ(between.of_bone.at(2), 0u);
   EXPECT_EQ(between.of_bone.at(3), 1u);
@@ -206,10 +211,11 @@ TEST(ColliderReach, RestPenetrationIsReportedWithItsDepth) {
   ball.center = skeleton.bones[3].tail + Eigen::Vector3d(0.05, 0, 0);
   ball.radii.setConstant(0.04);
   colliders.shapes.push_back(ball);
-  report_rest_penetration(skeleton, colliders);
-  ASSERT_EQ(colliders.warnings.size(), 1u);
-  EXPECT_NE(colliders.warnings[0].find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"), std::string::npos)
-      << colliders.warnings[0];
+  Findings findings;
+  report_rest_penetration(skeleton, colliders, findings);
+  ASSERT_EQ(findings.warnings.size(), 1u);
+  EXPECT_NE(findings.warnings[0].find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"), std::string::npos)
+      << findings.warnings[0];
 }
 
 TEST(FitHead, WhatIsFlatOrSmallIsNoHead) {
@@ -242,8 +248,9 @@ TEST(FitHead, AFittedHeadLeavesEveryParticleOutside) {
   const FittedHead head = head_of(wig);
   const auto skeleton = skeleton_of(wig);
   EXPECT_NE(head.origin.find("100 vertices"), std::string::npos);
-  const Colliders colliders = head_colliders(head, *skeleton, default_recipe());
-  EXPECT_FALSE(colliders.warnings.empty()) << "it had to shrink";
+  Findings findings;
+  const Colliders colliders = head_colliders(head, *skeleton, default_recipe(), findings);
+  EXPECT_FALSE(findings.warnings.empty()) << "it had to shrink";
   const HeadCollider& collider = colliders.shapes.at(0);
   for (const SkeletonBone& bone : skeleton->bones) {
     if (bone.kind != BoneKind::kSimulated) continue;

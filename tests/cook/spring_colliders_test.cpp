@@ -53,7 +53,9 @@ class SpringCollidersTest : public testing::Test {
     return std::uint32_t(model_.colliders.size() - 1);
   }
 
-  [[nodiscard]] SpringColliders run() const { return spring_colliders(model_, kHead, skeleton_); }
+  [[nodiscard]] Told<Colliders> run(std::uint32_t head = kHead) const {
+    return told([&](Findings& findings) { return spring_colliders(model_, head, skeleton_, findings); });
+  }
 
   SourceModel model_;
   Skeleton skeleton_;
@@ -64,11 +66,11 @@ TEST_F(SpringCollidersTest, EachBoneHasItsSpringsSetAndItsJointsRadius) {
   const std::uint32_t second = add_collider(Shape::kSphere, kHead);
   model_.springs[0].colliders = {first, second};
   model_.springs[1].colliders = {second};
-  const SpringColliders result = run();
-  ASSERT_EQ(result.colliders.shapes.size(), 2u);
-  EXPECT_EQ(result.colliders.of_bone, (std::vector<std::uint32_t>{0, 0b11, 0b10}));
-  EXPECT_EQ(result.colliders.hit_radius, (std::vector<double>{0, 0.01, 0.02}));
-  EXPECT_TRUE(result.left_out.empty());
+  const Told<Colliders> found = run();
+  ASSERT_EQ(found.made.shapes.size(), 2u);
+  EXPECT_EQ(found.made.of_bone, (std::vector<std::uint32_t>{0, 0b11, 0b10}));
+  EXPECT_EQ(found.made.hit_radius, (std::vector<double>{0, 0.01, 0.02}));
+  EXPECT_TRUE(found.left_out.empty());
 }
 
 TEST_F(SpringCollidersTest, ShapesKeepTheirSizeAndPlace) {
@@ -76,7 +78,7 @@ TEST_F(SpringCollidersTest, ShapesKeepTheirSizeAndPlace) {
                                  add_collider(Shape::kPlane, kHead)};
   model_.colliders[0].keeps_inside = true;
   model_.colliders[2].normal = Eigen::Vector3d::UnitX();
-  const auto shapes = run().colliders.shapes;
+  const auto shapes = run().made.shapes;
   ASSERT_EQ(shapes.size(), 3u);
   EXPECT_EQ(shapes[0].shape, ColliderShape::kSphere);
   EXPECT_TRUE(shapes[0].keeps_inside);
@@ -92,39 +94,39 @@ TEST_F(SpringCollidersTest, ShapesKeepTheirSizeAndPlace) {
 TEST_F(SpringCollidersTest, ACapsuleWithoutLengthIsASphere) {
   model_.springs[0].colliders = {add_collider(Shape::kCapsule, kHead)};
   model_.colliders[0].tail = model_.colliders[0].center;
-  EXPECT_EQ(run().colliders.shapes.at(0).shape, ColliderShape::kSphere);
+  EXPECT_EQ(run().made.shapes.at(0).shape, ColliderShape::kSphere);
 }
 
 TEST_F(SpringCollidersTest, WhatIsNotOnTheHeadIsLeftOutOnceByName) {
   const std::uint32_t chest = add_collider(Shape::kSphere, kBody);
   for (SourceSpring& spring : model_.springs) spring.colliders = {chest};
-  const SpringColliders result = run();
-  EXPECT_TRUE(result.colliders.shapes.empty());
-  EXPECT_EQ(result.colliders.of_bone, (std::vector<std::uint32_t>{0, 0, 0}));
-  ASSERT_EQ(result.left_out.size(), 1u);
-  EXPECT_NE(result.left_out[0].what.find("'root'"), std::string::npos) << result.left_out[0].what;
-  EXPECT_EQ(spring_colliders(model_, kNoIndex, skeleton_).left_out.size(), 1u) << "without a head nothing is on it";
+  const Told<Colliders> found = run();
+  EXPECT_TRUE(found.made.shapes.empty());
+  EXPECT_EQ(found.made.of_bone, (std::vector<std::uint32_t>{0, 0, 0}));
+  ASSERT_EQ(found.left_out.size(), 1u);
+  EXPECT_NE(found.left_out[0].what.find("'root'"), std::string::npos) << found.left_out[0].what;
+  EXPECT_EQ(run(kNoIndex).left_out.size(), 1u) << "without a head nothing is on it";
 }
 
 TEST_F(SpringCollidersTest, AShapeOnSwingingHairMovesWithTheRigidBoneAboveIt) {
   model_.springs[1].colliders = {add_collider(Shape::kSphere, 2)};  // on hair_a
-  const SpringColliders result = run();
-  ASSERT_EQ(result.colliders.shapes.size(), 1u);
-  EXPECT_EQ(result.colliders.shapes[0].bone, 0u);
+  const Told<Colliders> found = run();
+  ASSERT_EQ(found.made.shapes.size(), 1u);
+  EXPECT_EQ(found.made.shapes[0].bone, 0u);
 }
 
 TEST_F(SpringCollidersTest, ShapesThatNoHairTouchesAreNotThereAtAll) {
   add_collider(Shape::kSphere, kHead);
   add_collider(Shape::kSphere, kBody);
-  const SpringColliders result = run();
-  EXPECT_TRUE(result.colliders.shapes.empty());
-  EXPECT_TRUE(result.left_out.empty());
+  const Told<Colliders> found = run();
+  EXPECT_TRUE(found.made.shapes.empty());
+  EXPECT_TRUE(found.left_out.empty());
 }
 
 TEST_F(SpringCollidersTest, ASphereWithoutSizeIsLeftOut) {
   model_.springs[0].colliders = {add_collider(Shape::kSphere, kHead)};
   model_.colliders[0].radius = 0;
-  EXPECT_TRUE(run().colliders.shapes.empty());
+  EXPECT_TRUE(run().made.shapes.empty());
   EXPECT_EQ(run().left_out.size(), 1u);
 }
 
@@ -132,10 +134,10 @@ TEST_F(SpringCollidersTest, MoreShapesThanAnAssetHoldsAreLeftOut) {
   for (std::uint32_t i = 0; i < kMaxColliders + 3; ++i) {
     model_.springs[0].colliders.push_back(add_collider(Shape::kSphere, kHead));
   }
-  const SpringColliders result = run();
-  EXPECT_EQ(result.colliders.shapes.size(), kMaxColliders);
-  EXPECT_EQ(result.colliders.of_bone[1], 0xFFFFFFFFu);
-  EXPECT_EQ(result.left_out.size(), 3u);
+  const Told<Colliders> found = run();
+  EXPECT_EQ(found.made.shapes.size(), kMaxColliders);
+  EXPECT_EQ(found.made.of_bone[1], 0xFFFFFFFFu);
+  EXPECT_EQ(found.left_out.size(), 3u);
 }
 
 }  // namespace coif::spring_colliders_test

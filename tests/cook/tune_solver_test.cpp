@@ -3,6 +3,7 @@
 #include "cook/dynamics/settle_dynamics.h"
 
 #include "cook/dynamics/chain_groups.h"
+#include "cook/told.h"
 #include "cook/vrm_chain.h"
 #include "lab/rig.h"
 
@@ -29,14 +30,14 @@ Recipe budget(double error, double error_mm = 0, double cost = 0) {
 }
 
 TuningRecord tuned(const Recipe& recipe) {
-  const auto result = tune_solver(calm_chain(), recipe, 1);
+  const auto result = tune_solver(calm_chain(), recipe, 1, unheard());
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
   if (!result || result->tuning.size() != 1) return {};
   return result->tuning[0];
 }
 
 ToolError refusal(const Recipe& recipe) {
-  const auto result = tune_solver(calm_chain(), recipe, 1);
+  const auto result = tune_solver(calm_chain(), recipe, 1, unheard());
   EXPECT_FALSE(result);
   return result ? ToolError{} : result.error();
 }
@@ -56,7 +57,7 @@ TEST(TuneSolver, ATighterBudgetTakesAtLeastAsManySubSteps) {
 }
 
 TEST(TuneSolver, NoFewerSubStepsWouldDo) {
-  const auto result = tune_solver(calm_chain(), budget(0.3), 1);
+  const auto result = tune_solver(calm_chain(), budget(0.3), 1, unheard());
   ASSERT_TRUE(result);
   const TuningRecord& chosen = result->tuning[0];
   ASSERT_GT(chosen.substep_rate, chosen.slowest_rate);
@@ -111,7 +112,7 @@ TEST(TuneSolver, AnImpossibleBudgetIsRefusedWithBothFigures) {
 
 TEST(TuneSolver, WithoutABudgetNothingIsRefused) {
   AssetContents wild = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 20}).contents();
-  const auto result = tune_solver(wild, default_recipe(), 2);
+  const auto result = tune_solver(wild, default_recipe(), 2, unheard());
   ASSERT_TRUE(result) << result.error().message;
   ASSERT_EQ(result->tuning.size(), 1u);
   EXPECT_EQ(result->tuning[0].met, 0u) << "such hair has no exact motion to be near";
@@ -123,7 +124,7 @@ TEST(TuneSolver, WithoutABudgetNothingIsRefused) {
 }
 
 TEST(TuneSolver, RigidHairHasNothingToTune) {
-  const auto result = tune_solver(TestRig().contents(), budget(1e-6, 0, 1), 1);
+  const auto result = tune_solver(TestRig().contents(), budget(1e-6, 0, 1), 1, unheard());
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->tuning.empty());
   EXPECT_TRUE(result->quality.empty());
@@ -133,7 +134,7 @@ TEST(TuneSolver, TheTableHasEveryFrameRateInOrder) {
   Recipe recipe = budget(1);
   recipe.slowest_rate = 24;
   recipe.fastest_rate = 144;
-  const auto result = tune_solver(calm_chain(), recipe, 1);
+  const auto result = tune_solver(calm_chain(), recipe, 1, unheard());
   ASSERT_TRUE(result);
   std::set<float> rates;
   std::vector<std::pair<float, std::uint32_t>> keys;
@@ -152,15 +153,17 @@ TEST(TuneSolver, TheTableHasEveryFrameRateInOrder) {
 }
 
 TEST(TuneSolver, ThreadsAndRepetitionDoNotChangeTheResult) {
-  const auto one = tune_solver(calm_chain(), budget(0.3), 1);
+  Findings first, again;
+  const auto one = tune_solver(calm_chain(), budget(0.3), 1, first);
   ASSERT_TRUE(one);
   for (const unsigned threads : {1u, 2u, 7u}) {
-    const auto other = tune_solver(calm_chain(), budget(0.3), threads);
+    again = {};
+    const auto other = tune_solver(calm_chain(), budget(0.3), threads, again);
     ASSERT_TRUE(other);
     EXPECT_EQ(std::memcmp(one->tuning.data(), other->tuning.data(), sizeof(TuningRecord)), 0);
     ASSERT_EQ(one->quality.size(), other->quality.size());
     EXPECT_EQ(std::memcmp(one->quality.data(), other->quality.data(), one->quality.size() * sizeof(QualityRecord)), 0);
-    EXPECT_EQ(one->notes, other->notes);
+    EXPECT_EQ(first.notes, again.notes);
   }
 }
 

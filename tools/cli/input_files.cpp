@@ -95,7 +95,8 @@ tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::str
   std::vector<std::string> names;
   for (const SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
   if (pattern.empty()) {
-    const auto hair = choose_hair(model, recipe);
+    Findings unsaid;
+    const auto hair = choose_hair(model, recipe, unsaid);
     if (!hair) return tl::unexpected(hair.error());
     remove_hair(*hair, model);
   }

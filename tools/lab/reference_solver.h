@@ -4,8 +4,6 @@
 #include "lab/runtime_solver.h"
 #include "motion/head_path.h"
 
-#include <coif/asset.h>
-
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,27 +57,5 @@ struct StaticPose {
 /// and wind, and its frame is turned there by the shortest arc.
 [[nodiscard]] StaticPose static_pose(const Rig& rig, const SolverScene& scene,
                                      const Eigen::Quaterniond& head_rotation = Eigen::Quaterniond::Identity());
-
-/// The converged solution of one motion, to compare the runtime with at several frame rates.
-struct KnownMotion {
-  Motion motion = Motion::kStill;
-  ReferenceRun reference;
-};
-
-/// What the runtime's default solver does at one frame rate. Shares, not percent; NaN where it did not stay finite.
-struct RuntimeError {
-  double rms = 0;  ///< Distance of the tips to the reference over the chain's length.
-  double max = 0;
-  double stretch = 0;      ///< Worst |length / rest - 1|.
-  double penetration = 0;  ///< Worst depth over the collider's smallest radius.
-};
-
-/// Times that frames of all these rates (whole numbers) have in common, up to `seconds`.
-[[nodiscard]] std::vector<double> common_times(std::span<const std::uint32_t> rates, double seconds);
-
-/// Runs `motion` from rest at `rate` frames per second with so many sub-steps. The reference's times must be multiples of
-/// 1/rate. `rig` is the asset's.
-[[nodiscard]] RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion,
-                                           std::uint32_t rate, std::uint32_t substeps);
 
 }  // namespace coif

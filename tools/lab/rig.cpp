@@ -104,12 +104,11 @@ constexpr std::size_t kAlignment = 64;  ///< What Asset::open() may ask for.
 
 }  // namespace
 
-OpenedAsset::OpenedAsset(const AssetContents& contents) {
-  const std::vector<std::byte> bytes = write_asset(contents);
-  const std::size_t size = (bytes.size() + kAlignment - 1) / kAlignment * kAlignment;
+OpenedAsset::OpenedAsset(std::span<const std::byte> file, const OpenOptions& options) {
+  const std::size_t size = (file.size() + kAlignment - 1) / kAlignment * kAlignment;
   bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
-  std::memcpy(bytes_.get(), bytes.data(), bytes.size());
-  (void)asset_.open({bytes_.get(), bytes.size()}, {.verify_hash = false});
+  std::memcpy(bytes_.get(), file.data(), file.size());
+  status_ = asset_.open({bytes_.get(), file.size()}, options);
 }
 
 void OpenedAsset::FreeMemory::operator()(std::byte* bytes) const { std::free(bytes); }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace coif {
@@ -60,9 +61,13 @@ struct RigSample {
 class OpenedAsset {
  public:
   /// Contents that the format does not allow leave asset() closed.
-  explicit OpenedAsset(const AssetContents& contents);
+  explicit OpenedAsset(const AssetContents& contents) : OpenedAsset(write_asset(contents), {.verify_hash = false}) {}
+  /// A copy of a file's bytes.
+  explicit OpenedAsset(std::span<const std::byte> file, const OpenOptions& options = {});
 
   [[nodiscard]] const Asset& asset() const { return asset_; }
+  /// Why asset() is closed, if it is.
+  [[nodiscard]] const LoadStatus& status() const { return status_; }
 
  private:
   struct FreeMemory {
@@ -71,6 +76,7 @@ class OpenedAsset {
 
   std::unique_ptr<std::byte[], FreeMemory> bytes_;
   Asset asset_;
+  LoadStatus status_;
 };
 
 }  // namespace coif

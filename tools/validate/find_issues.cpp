@@ -99,9 +99,9 @@ Issues find_recook_issues(const Asset& asset, const Asset& cooked_anew) {
 
 namespace {
 
-void check_meshes(const SourceModel& source, const SelectedHair& hair, const Recipe& recipe, Issues& issues) {
+void check_meshes(const SourceModel& source, const HairMesh& hair, const Recipe& recipe, Issues& issues) {
   bool rigid = true;
-  for (const std::uint32_t mesh : hair.meshes) {
+  for (const std::uint32_t mesh : hair.source_meshes) {
     rigid = rigid && source.meshes[mesh].influences.empty();
     if (!source.meshes[mesh].uvs.empty()) continue;
     add_issue(issues, "S203", fmt::format("mesh '{}'", source.meshes[mesh].name),
@@ -138,15 +138,16 @@ Issue import_issue(const ToolError& error) {
 Issues find_source_issues(const SourceModel& source, const Recipe& recipe) {
   Issues issues;
   for (const std::string& warning : source.warnings) issues.push_back(make_issue("S201", warning));
-  const auto hair = select_hair(source, recipe);
+  Findings findings;
+  const auto hair = select_hair(source, recipe, findings);
   if (!hair) {
     issues.push_back(make_issue("S104", hair.error().message));
     return issues;
   }
-  for (const std::string& warning : hair->warnings) issues.push_back(make_issue("S202", warning));
+  for (const std::string& warning : findings.warnings) issues.push_back(make_issue("S202", warning));
   check_meshes(source, *hair, recipe, issues);
-  check_size(hair->mesh, issues);
-  check_strips(hair->mesh, recipe, issues);
+  check_size(*hair, issues);
+  check_strips(*hair, recipe, issues);
   return issues;
 }
 

@@ -12,7 +12,10 @@ namespace coif {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kGravity = 9.81;  // m/s^2
+constexpr double kGravity = 9.81;           // m/s^2
+constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag of 1 keeps none, and friction has no end.
+constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
+constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that counts as down.
 
 DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
@@ -41,16 +44,43 @@ void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record
 }
 
 void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,
-                    BakedDynamics& out) {
+                    Findings& findings) {
   const auto by_spring = std::size_t(std::ranges::count_if(joints, [](const BoneJoint& bone) { return bool(bone); }));
   if (by_spring != 0) {
-    out.notes.push_back(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
+    findings.note(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
   }
   if (recipe.dynamics_source == "springs" && by_spring < simulated) {
-    out.warnings.push_back(
+    findings.warn(
         fmt::format("\"dynamics.source\" is \"springs\", but {} of {} simulated bones have no spring "
                     "in the file; they move by the recipe's curves",
                     simulated - by_spring, simulated));
+  }
+}
+
+bool has_sideways_gravity(const SourceSpringJoint& joint) {
+  return joint.gravity_power != 0 && std::abs(joint.gravity_direction.y()) < kVertical;
+}
+
+/// What of the joints' settings is lost on these bones, one warning for each kind.
+void warn_of_lost_settings(const SourceModel& source, const std::vector<BoneJoint>& joints, Findings& findings) {
+  const SourceSpring* sideways = nullptr;
+  const SourceSpring* centered = nullptr;
+  for (const BoneJoint& bone : joints) {
+    if (!bone) continue;
+    if (sideways == nullptr && has_sideways_gravity(*bone.joint)) sideways = bone.spring;
+    if (centered == nullptr && bone.spring->center != kNoIndex) centered = bone.spring;
+  }
+  if (sideways != nullptr) {
+    findings.warn(
+        fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
+                    "springs too); let the game's wind push sideways",
+                    sideways->name));
+  }
+  if (centered != nullptr) {
+    findings.warn(
+        fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
+                    "motion of the head (as on other such springs); if it swings too much, raise the drag",
+                    centered->name, source.nodes[centered->center].name));
   }
 }
 
@@ -71,9 +101,10 @@ double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   return curve.back().value;
 }
 
-BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe) {
-  BakedDynamics out;
-  if (skeleton.chains.empty()) return out;
+std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+                                          Findings& findings) {
+  if (skeleton.chains.empty()) return {};
+  std::vector<DynamicsRecord> records;
   std::vector<BoneJoint> joints(skeleton.bones.size());
   if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
@@ -81,25 +112,12 @@ BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
     DynamicsRecord record =
         joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length()) : dynamics_by_curve(skeleton, bone, recipe);
     bake_oscillator(recipe, bone.length(), record);
-    out.records.push_back(record);
+    records.push_back(record);
   }
-  report_sources(joints, skeleton.simulated_count(), recipe, out);
-  const std::vector<std::string> lost = describe_lost_settings(source, joints);
-  out.warnings.insert(out.warnings.end(), lost.begin(), lost.end());
-  return out;
+  report_sources(joints, skeleton.simulated_count(), recipe, findings);
+  warn_of_lost_settings(source, joints, findings);
+  return records;
 }
-
-namespace {
-
-constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag of 1 keeps none, and friction has no end.
-constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
-constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that counts as down.
-
-bool has_sideways_gravity(const SourceSpringJoint& joint) {
-  return joint.gravity_power != 0 && std::abs(joint.gravity_direction.y()) < kVertical;
-}
-
-}  // namespace
 
 DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) {
   const double turn = joint.stiffness / (kSpringRate * joint.length);
@@ -111,30 +129,6 @@ DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) 
   record.gravity_scale = float(std::clamp(gravity_scale, -kMostGravity, kMostGravity));
   record.authoring_rate = float(kSpringRate);
   return record;
-}
-
-std::vector<std::string> describe_lost_settings(const SourceModel& source, const std::vector<BoneJoint>& joints) {
-  const SourceSpring* sideways = nullptr;
-  const SourceSpring* centered = nullptr;
-  for (const BoneJoint& bone : joints) {
-    if (!bone) continue;
-    if (sideways == nullptr && has_sideways_gravity(*bone.joint)) sideways = bone.spring;
-    if (centered == nullptr && bone.spring->center != kNoIndex) centered = bone.spring;
-  }
-  std::vector<std::string> lost;
-  if (sideways != nullptr) {
-    lost.push_back(
-        fmt::format("spring '{}': its gravity is not vertical; only the vertical part is kept (of other such "
-                    "springs too); let the game's wind push sideways",
-                    sideways->name));
-  }
-  if (centered != nullptr) {
-    lost.push_back(
-        fmt::format("spring '{}' has the center '{}', whose motion it would not feel; here hair feels every "
-                    "motion of the head (as on other such springs); if it swings too much, raise the drag",
-                    centered->name, source.nodes[centered->center].name));
-  }
-  return lost;
 }
 
 }  // namespace coif

@@ -33,6 +33,7 @@
 // center a hair only feels where down is. Here hair is simulated in the world and feels every motion of the head.
 // Both are reported.
 
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "import/source_model.h"
@@ -47,16 +48,6 @@ inline constexpr double kSpringRate = 60;  ///< Frames per second at which sprin
 
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
 [[nodiscard]] DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length);
-
-/// What of the joints' settings is lost on these bones, one sentence for each kind.
-[[nodiscard]] std::vector<std::string> describe_lost_settings(const SourceModel& source,
-                                                              const std::vector<BoneJoint>& joints);
-
-struct BakedDynamics {
-  std::vector<DynamicsRecord> records;  ///< One per bone; none where nothing is simulated. Hit radii are 0.
-  std::vector<std::string> notes;
-  std::vector<std::string> warnings;
-};
 
 /// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
 /// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
@@ -73,9 +64,10 @@ inline constexpr double kUsualTorsion = 20;
 /// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
 [[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
 
-/// How each bone moves: as the file's spring bones say (spring_dynamics.h) or by the recipe's curves, as
-/// "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of one bone has the mean
-/// and not the tip's value.
-[[nodiscard]] BakedDynamics bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe);
+/// How each bone moves, one record each, hit radii 0; none where nothing is simulated: as the file's spring bones say or by
+/// the recipe's curves, as "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of
+/// one bone has the mean and not the tip's value. Notes how many have springs; warns of what springs lose.
+[[nodiscard]] std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
+                                                        const Recipe& recipe, Findings& findings);
 
 }  // namespace coif

@@ -116,7 +116,7 @@ LeftOut twist_left_out(const AssetContents& before, const AssetContents& after, 
 
 }  // namespace
 
-ChosenTwist choose_twist(const AssetContents& contents, unsigned threads) {
+std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, unsigned threads, Findings& findings) {
   const std::vector<double> folds = largest_folds(contents, threads);
   AssetContents chosen = contents;
   std::vector<std::uint32_t> kept;
@@ -132,13 +132,9 @@ ChosenTwist choose_twist(const AssetContents& contents, unsigned threads) {
     bones += chain.bone_count;
     for (std::uint32_t i = 0; i < chain.bone_count; ++i) chosen.dynamics[chain.first_bone + i].torsion = kShortestArc;
   }
-  ChosenTwist out;
-  if (!kept.empty()) out.notes.push_back(kept_text(contents, kept, largest));
-  if (bones > 0) {
-    out.left_out.push_back(twist_left_out(contents, chosen, contents.chains.size() - kept.size(), bones));
-  }
-  out.dynamics = std::move(chosen.dynamics);
-  return out;
+  if (!kept.empty()) findings.note(kept_text(contents, kept, largest));
+  if (bones > 0) findings.leave_out(twist_left_out(contents, chosen, contents.chains.size() - kept.size(), bones));
+  return std::move(chosen.dynamics);
 }
 
 }  // namespace coif

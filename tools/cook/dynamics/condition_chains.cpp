@@ -2,7 +2,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "lab/reference_solver.h"
+#include "lab/measure_runtime.h"
 #include "lab/rig.h"
 
 #include <fmt/format.h>
@@ -137,7 +137,7 @@ std::string what_failed(const Finding& finding) {
                      name_of(finding.motion));
 }
 
-void report(const AssetContents& contents, const ChainGroup& group, const Outcome& outcome, ConditionedChains& out) {
+void report(const AssetContents& contents, const ChainGroup& group, const Outcome& outcome, Findings& findings) {
   if (outcome.rung == 0 && outcome.is_good) return;
   const Conditioning& rung = kLadder[outcome.rung];
   const std::string which =
@@ -147,9 +147,9 @@ void report(const AssetContents& contents, const ChainGroup& group, const Outcom
   const std::string done = fmt::format("damping {:g}, friction {:g} (of the root of the stiffness), parent_share {:g}",
                                        rung.damping, rung.friction, rung.parent_share);
   if (outcome.is_good) {
-    out.notes.push_back(fmt::format("{}: {}; raised to {}", which, what_failed(outcome.first), done));
+    findings.note(fmt::format("{}: {}; raised to {}", which, what_failed(outcome.first), done));
   } else {
-    out.warnings.push_back(
+    findings.warn(
         fmt::format("{}: {}, and with {} as well; its motion will depend on the frame rate; raise dynamics.resistance "
                     "or use fewer bones",
                     which, what_failed(outcome.first), done));
@@ -158,19 +158,20 @@ void report(const AssetContents& contents, const ChainGroup& group, const Outcom
 
 }  // namespace
 
-ConditionedChains condition_chains(const AssetContents& contents, unsigned threads) {
+bool can_be_run(const AssetContents& contents) {
+  return !contents.chains.empty() && OpenedAsset(contents).asset().is_open();
+}
+
+std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, unsigned threads, Findings& findings) {
   const std::vector<ChainGroup> groups = group_chains(contents);
   std::vector<Outcome> outcomes(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) { outcomes[g] = climb(contents, groups[g]); });
-
   AssetContents conditioned = contents;
-  ConditionedChains out;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const std::uint32_t chain : groups[g].chains) apply(kLadder[outcomes[g].rung], conditioned, chain);
-    report(contents, groups[g], outcomes[g], out);
+    report(contents, groups[g], outcomes[g], findings);
   }
-  out.dynamics = std::move(conditioned.dynamics);
-  return out;
+  return std::move(conditioned.dynamics);
 }
 
 }  // namespace coif

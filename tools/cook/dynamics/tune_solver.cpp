@@ -1,7 +1,7 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "lab/reference_solver.h"
+#include "lab/measure_runtime.h"
 #include "lab/rig.h"
 
 #include <fmt/format.h>
@@ -20,10 +20,6 @@ constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
-
-/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, and of a twist's
-/// share of that, scalar, on a 2.1 GHz server core. A yardstick, not a promise: it stays, so that budgets and bytes do.
-constexpr double kFrameCost = 45, kPartCost = 105, kTwistCost = 25;
 
 std::vector<std::uint32_t> frame_rates(const Recipe& recipe) {
   const auto slowest = std::uint32_t(std::lround(std::min(recipe.slowest_rate, recipe.fastest_rate)));
@@ -172,12 +168,8 @@ std::string describe(const TuningRecord& tuning) {
 
 }  // namespace
 
-double nominal_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * (kFrameCost + kPartCost * parts); }
-
-double nominal_twist_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * kTwistCost * parts; }
-
-tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe,
-                                                 unsigned threads) {
+tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe, unsigned threads,
+                                                 Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
   const bool asked = recipe.budget_error > 0 || recipe.budget_error_mm > 0 || recipe.budget_cost > 0;
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
@@ -198,7 +190,8 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
     if (best.reached_error <= wanted || !affordable) break;
   }
   if (best.met == 0 && asked) return tl::unexpected(over_budget(budget, best));
-  return TunedSolver{{best}, bench.table(), {describe(best)}};
+  findings.note(describe(best));
+  return TunedSolver{{best}, bench.table()};
 }
 
 }  // namespace coif

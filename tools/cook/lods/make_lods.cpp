@@ -18,10 +18,9 @@ constexpr float kScreenStep = 0.9f;  ///< Screen sizes fall at least by this fro
 
 class LevelMaker {
  public:
-  LevelMaker(const HairMesh& mesh, const PatchSet& patches, const SimplifiedPatches& simplified, const AlphaTest& alpha,
+  LevelMaker(const HairStrips& hair, const SimplifiedPatches& simplified, const AlphaTest& alpha,
              const LodSettings& settings)
-      : mesh_(mesh),
-        patches_(patches),
+      : hair_(hair),
         simplified_(simplified),
         alpha_(alpha),
         settings_(settings),
@@ -38,8 +37,7 @@ class LevelMaker {
   void drop(std::size_t excess);
   [[nodiscard]] double dropped_distance(const DetailLevel& level) const;
 
-  const HairMesh& mesh_;
-  const PatchSet& patches_;
+  const HairStrips& hair_;
   const SimplifiedPatches& simplified_;
   const AlphaTest& alpha_;
   const LodSettings& settings_;
@@ -56,7 +54,7 @@ std::size_t LevelMaker::triangles() const {
 
 void LevelMaker::drop(std::size_t excess) {
   // Its pictures take time, and most hair never needs them.
-  if (!dropper_) dropper_.emplace(mesh_, patches_, alpha_, settings_.max_error, settings_.threads);
+  if (!dropper_) dropper_.emplace(hair_, alpha_, settings_.max_error, settings_.threads);
   std::vector<std::size_t> left(drawn_.size());
   for (std::size_t p = 0; p < left.size(); ++p) left[p] = simplified_.triangles_left(p, steps_[p]);
   dropper_->drop(excess, left, drawn_);
@@ -99,23 +97,22 @@ double LevelMaker::dropped_distance(const DetailLevel& level) const {
   std::vector<std::uint32_t> triangles, one_group;
   for (const auto& patch : level.triangles_of) triangles.insert(triangles.end(), patch.begin(), patch.end());
   one_group.assign(triangles.size() / 3, 0);
-  const TriangleGrid grid(mesh_.positions, triangles, one_group, 2 * settings_.max_error);
+  const HairMesh& mesh = hair_.mesh;
+  const TriangleGrid grid(mesh.positions, triangles, one_group, 2 * settings_.max_error);
   const std::vector<bool> all = {true};
   double worst = 0;
-  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-    if (drawn_[patches_.patch_of[t]]) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      worst = std::max(worst, grid.distance(mesh_.positions[mesh_.triangles[3 * t + k]], all, worst));
-    }
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (drawn_[hair_.patches.patch_of[t]]) continue;
+    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, grid.distance(mesh.corner(t, k), all, worst));
   }
   return worst;
 }
 
-DetailLevel finest_level(const HairMesh& mesh, const PatchSet& patches, const Skeleton& skeleton) {
+DetailLevel finest_level(const HairStrips& hair, const Skeleton& skeleton) {
   DetailLevel level;
-  level.triangles_of.resize(patches.count);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    level.triangles_of[patches.patch_of[i / 3]].push_back(mesh.triangles[i]);
+  level.triangles_of.resize(hair.patches.count);
+  for (std::size_t i = 0; i < hair.mesh.triangles.size(); ++i) {
+    level.triangles_of[hair.patches.patch_of[i / 3]].push_back(hair.mesh.triangles[i]);
   }
   level.simulated = moving_bones(skeleton, 0);
   return level;
@@ -179,39 +176,80 @@ std::size_t DetailLevel::patch_count() const {
   return std::size_t(std::ranges::count_if(triangles_of, [](const auto& patch) { return !patch.empty(); }));
 }
 
-DetailLevels make_lods(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
-                       const Skeleton& skeleton, const SkinWeights& weights, const FittedHead& head,
-                       const AlphaTest& alpha, const LodSettings& settings) {
-  DetailLevels made;
-  made.levels.push_back(finest_level(mesh, patches, skeleton));
-  if (settings.levels <= 1) return made;
+std::vector<DetailLevel> make_lods(const HairStrips& hair, const HairRig& rig, const FittedHead& head,
+                                   const AlphaTest& alpha, const LodSettings& settings, Findings& findings) {
+  std::vector<DetailLevel> levels{finest_level(hair, rig.skeleton)};
+  if (settings.levels <= 1) return levels;
   const double coarsest = std::pow(settings.ratio, settings.levels - 1);
-  const auto poses = bent_poses(mesh, skeleton, weights);
-  const SimplifiedPatches simplified(mesh, place, patches, poses, {settings.max_error, coarsest / 2}, settings.threads);
-  LevelMaker maker(mesh, patches, simplified, alpha, settings);
-  const std::size_t finest = made.levels[0].triangle_count();
+  const auto poses = bent_poses(hair.mesh, rig);
+  const SimplifiedPatches simplified(hair, poses, {settings.max_error, coarsest / 2}, settings.threads);
+  LevelMaker maker(hair, simplified, alpha, settings);
+  const std::size_t finest = levels[0].triangle_count();
   for (std::uint32_t k = 1; k < settings.levels; ++k) {
     DetailLevel level = maker.make(std::size_t(std::pow(settings.ratio, k) * double(finest)));
-    const DetailLevel& finer = made.levels.back();
+    const DetailLevel& finer = levels.back();
     if (double(level.triangle_count()) > kWorthwhile * double(finer.triangle_count())) {
-      made.notes.push_back(
+      findings.note(
           fmt::format("no level {}: below {:.1f} mm of error nothing more can be left out than {} of {} triangles", k,
                       1000 * settings.max_error, finest - level.triangle_count(), finest));
       break;
     }
     level.error = std::max(level.error, finer.error);
-    made.levels.push_back(std::move(level));
+    levels.push_back(std::move(level));
   }
-  place_on_screen(2 * head.radii.y(), skeleton, settings, made.levels);
-  for (std::size_t k = 1; k < made.levels.size(); ++k) {
-    made.notes.push_back(describe(k, made.levels[k], made.levels[0]));
-  }
-  if (made.levels.size() > 1) made.notes.push_back(cost_in_bytes(made.levels));
+  place_on_screen(2 * head.radii.y(), rig.skeleton, settings, levels);
+  for (std::size_t k = 1; k < levels.size(); ++k) findings.note(describe(k, levels[k], levels[0]));
+  if (levels.size() > 1) findings.note(cost_in_bytes(levels));
   if (maker.bared() > 0) {
-    made.notes.push_back(
+    findings.note(
         fmt::format("patches dropped from coarser levels bare {:.1f} % of the hair's outline", 100 * maker.bared()));
   }
-  return made;
+  return levels;
+}
+
+namespace {
+
+std::uint64_t bytes_of(const DetailLevel& level) {
+  return 3 * sizeof(std::uint32_t) * level.triangle_count() + sizeof(PatchRecord) * level.patch_count() +
+         sizeof(LodRecord);
+}
+
+/// The first level that is ever drawn: coarser ones are not yet right at the largest size.
+std::size_t first_used(const std::vector<DetailLevel>& levels, double largest) {
+  std::size_t first = 0;
+  while (largest > 0 && first + 1 < levels.size() && levels[first].screen_size > largest) ++first;
+  return first;
+}
+
+/// One past the last: the levels from which on each fits sizes that the scene does not have.
+std::size_t end_of_used(const std::vector<DetailLevel>& levels, std::size_t first, double smallest) {
+  std::size_t end = first + 1;
+  while (end < levels.size() && levels[end - 1].screen_size > smallest) ++end;
+  return end;
+}
+
+LeftOut level_left_out(const DetailLevel& level, std::size_t number, const char* key, double size) {
+  return {fmt::format("level of detail {}, {} triangles", number, level.triangle_count()),
+          fmt::format("\"scene.{}\" is {:g}", key, size), bytes_of(level), 0};
+}
+
+}  // namespace
+
+void leave_out_levels(const Recipe& recipe, std::vector<DetailLevel>& levels, Findings& findings) {
+  const std::size_t first = first_used(levels, recipe.scene_largest_size);
+  const std::size_t end = end_of_used(levels, first, recipe.scene_smallest_size);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (i < first) findings.leave_out(level_left_out(levels[i], i, "largest_size", recipe.scene_largest_size));
+    if (i >= end) findings.leave_out(level_left_out(levels[i], i, "smallest_size", recipe.scene_smallest_size));
+  }
+  // The format knows no bone that is simulated in no level.
+  levels[first].simulated = levels.front().simulated;
+  levels.erase(levels.begin() + std::ptrdiff_t(end), levels.end());
+  levels.erase(levels.begin(), levels.begin() + std::ptrdiff_t(first));
+  const float own_error = levels.front().error;
+  for (DetailLevel& level : levels) level.error += own_error;
+  levels.front().error = 0;
+  levels.back().screen_size = 0;
 }
 
 }  // namespace coif

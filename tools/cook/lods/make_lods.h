@@ -14,7 +14,7 @@ namespace coif {
 class PatchDropper {
  public:
   /// Left-out hair lies within `reach` (metres) of hair that stays. Keeps references.
-  PatchDropper(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, double reach, unsigned threads);
+  PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, unsigned threads);
 
   /// Drops patches of `drawn` until `excess` triangles are gone or nothing more may go: the least seen for their
   /// `triangles` first, and none that leaves holes. `triangles[p]`: how many patch p has at this level. Returns the
@@ -38,8 +38,8 @@ class PatchDropper {
 /// All patches of the hair, each ready to be made as coarse as wanted.
 class SimplifiedPatches {
  public:
-  SimplifiedPatches(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
-                    std::span<const Pose> poses, const CollapseLimits& limits, unsigned threads);
+  SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
+                    unsigned threads);
 
   [[nodiscard]] std::size_t count() const { return patches_.size(); }
   [[nodiscard]] std::size_t finest_triangles(std::size_t patch) const { return patches_[patch].originals.size() / 3; }
@@ -74,11 +74,6 @@ struct DetailLevel {
   [[nodiscard]] std::size_t patch_count() const;
 };
 
-struct DetailLevels {
-  std::vector<DetailLevel> levels;  ///< Finest first; at least one.
-  std::vector<std::string> notes;
-};
-
 struct LodSettings {
   std::uint32_t levels = 3;
   double ratio = 0.5;        ///< Triangles of a level, against the next finer one.
@@ -92,14 +87,19 @@ struct LodSettings {
 
 inline constexpr double kScreenLines = 1080;
 
-/// Makes coarser levels of the hair until there are as many as wanted or one would save little. Each has, as far as its
+/// The finest level and coarser ones, until there are as many as wanted or one would save little. Each has, as far as its
 /// error stays below the limit, `ratio` times the triangles of the one before: first patches are simplified, everywhere up
 /// to the same error; where that is not enough patches that hardly show are dropped.
 ///
 /// A level fits from that size on at which the next coarser one's error is `pixel_error` pixels:
 /// screen_size = height of the head * pixel_error / (kScreenLines * error of the next level).
-[[nodiscard]] DetailLevels make_lods(const HairMesh& mesh, std::span<const std::uint32_t> place,
-                                     const PatchSet& patches, const Skeleton& skeleton, const SkinWeights& weights,
-                                     const FittedHead& head, const AlphaTest& alpha, const LodSettings& settings);
+[[nodiscard]] std::vector<DetailLevel> make_lods(const HairStrips& hair, const HairRig& rig, const FittedHead& head,
+                                                 const AlphaTest& alpha, const LodSettings& settings,
+                                                 Findings& findings);
+
+/// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One always
+/// stays. The finest that stays simulates every bone and is what errors are measured from: those of the others grow by its
+/// own at most, and are given so.
+void leave_out_levels(const Recipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
 }  // namespace coif

@@ -56,13 +56,13 @@ Pose posed(const HairMesh& mesh, const SkinWeights& weights, const std::vector<E
 
 }  // namespace
 
-std::vector<Pose> bent_poses(const HairMesh& mesh, const Skeleton& skeleton, const SkinWeights& weights) {
+std::vector<Pose> bent_poses(const HairMesh& mesh, const HairRig& rig) {
   std::vector<Pose> poses = {mesh.positions};
-  const int deepest = deepest_chain(skeleton);
+  const int deepest = deepest_chain(rig.skeleton);
   if (deepest == 0) return poses;
   const double angle = std::min(kTurn, kLargestTurn / deepest);
   for (const Eigen::Vector3d& axis : {Eigen::Vector3d::UnitX().eval(), Eigen::Vector3d::UnitZ().eval()}) {
-    poses.push_back(posed(mesh, weights, turned_bones(skeleton, axis, angle)));
+    poses.push_back(posed(mesh, rig.weights, turned_bones(rig.skeleton, axis, angle)));
   }
   return poses;
 }
@@ -75,7 +75,9 @@ struct Numbering {
   std::vector<std::uint32_t> vertex_of_point, vertex_of_corner;
 };
 
-Numbering number_vertices(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view) {
+Numbering number_vertices(const HairStrips& hair, const PatchView& view) {
+  const HairMesh& mesh = hair.mesh;
+  const std::vector<std::uint32_t>& place = hair.welded;
   const auto uv = [&](std::uint32_t v) {
     return mesh.uvs.empty() ? std::pair(0.0f, 0.0f) : std::pair(mesh.uvs[v].x(), mesh.uvs[v].y());
   };
@@ -100,9 +102,8 @@ Numbering number_vertices(const HairMesh& mesh, std::span<const std::uint32_t> p
 
 }  // namespace
 
-PatchSurface make_patch_surface(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view,
-                                std::span<const Pose> poses) {
-  const Numbering numbering = number_vertices(mesh, place, view);
+PatchSurface make_patch_surface(const HairStrips& hair, const PatchView& view, std::span<const Pose> poses) {
+  const Numbering numbering = number_vertices(hair, view);
   PatchSurface surface;
   surface.poses = poses.size();
   surface.vertex_of_corner = numbering.vertex_of_corner;
@@ -112,7 +113,7 @@ PatchSurface make_patch_surface(const HairMesh& mesh, std::span<const std::uint3
   surface.triangles.resize(view.triangles.size());
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = mesh.triangles[view.triangles[t] + k];
+      const std::uint32_t vertex = hair.mesh.triangles[view.triangles[t] + k];
       const auto i = std::size_t(std::ranges::lower_bound(view.vertices, vertex) - view.vertices.begin());
       surface.triangles[t].point[k] = numbering.point[i];
       surface.triangles[t].corner[k] = numbering.corner[i];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cook/rig/skeleton.h"
-#include "cook/strands/patches.h"
+#include "cook/strands/hair_strips.h"
 
 #include <array>
 #include <span>
@@ -15,7 +15,7 @@ using Pose = std::vector<Eigen::Vector3f>;
 /// one, about Z in the other, so that hair of any direction bends in at least one. What looks alike in all of them
 /// looks alike in motion; at rest alone, a straight tail is as good as two triangles. A bone turns by 20 degrees, or less
 /// where the longest chain would turn by more than 120 in all.
-[[nodiscard]] std::vector<Pose> bent_poses(const HairMesh& mesh, const Skeleton& skeleton, const SkinWeights& weights);
+[[nodiscard]] std::vector<Pose> bent_poses(const HairMesh& mesh, const HairRig& rig);
 
 /// One patch by itself, for simplification: what is at one place is one point, what has one texture coordinate there is
 /// one corner, so that hard edges do not tear the surface and texture seams stay seams.
@@ -35,9 +35,9 @@ struct PatchSurface {
   }
 };
 
-/// Triangles in the order of `view`, those without an area included. `place` of each vertex from weld_places().
-[[nodiscard]] PatchSurface make_patch_surface(const HairMesh& mesh, std::span<const std::uint32_t> place,
-                                              const PatchView& view, std::span<const Pose> poses);
+/// Triangles in the order of `view`, those without an area included.
+[[nodiscard]] PatchSurface make_patch_surface(const HairStrips& hair, const PatchView& view,
+                                              std::span<const Pose> poses);
 
 /// Where a patch ends, and which of its points carry its shape.
 struct PatchOutline {

@@ -1,6 +1,5 @@
 #include "base/parallel_for.h"
 #include "cook/lods/make_lods.h"
-#include "cook/strands/patches.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,18 +7,17 @@
 
 namespace coif {
 
-SimplifiedPatches::SimplifiedPatches(const HairMesh& mesh, std::span<const std::uint32_t> place,
-                                     const PatchSet& patches, std::span<const Pose> poses, const CollapseLimits& limits,
+SimplifiedPatches::SimplifiedPatches(const HairStrips& hair, std::span<const Pose> poses, const CollapseLimits& limits,
                                      unsigned threads)
-    : patches_(patches.count) {
-  const std::vector<PatchView> views = view_patches(mesh, patches);
+    : patches_(hair.patches.count) {
+  const std::vector<PatchView> views = hair.views();
   parallel_for(views.size(), threads, [&](std::size_t p) {
     Patch& patch = patches_[p];
     for (std::size_t t : views[p].triangles) {
-      patch.originals.insert(patch.originals.end(), mesh.triangles.begin() + std::ptrdiff_t(t),
-                             mesh.triangles.begin() + std::ptrdiff_t(t + 3));
+      const auto first = hair.mesh.triangles.begin() + std::ptrdiff_t(t);
+      patch.originals.insert(patch.originals.end(), first, first + 3);
     }
-    patch.surface = make_patch_surface(mesh, place, views[p], poses);
+    patch.surface = make_patch_surface(hair, views[p], poses);
     patch.sequence = collapse_patch(patch.surface, limits);
   });
 }
@@ -69,13 +67,12 @@ constexpr double kAloneAtMost = 0.2;   ///< Of one patch's pixels: a wisp that i
 
 }  // namespace
 
-PatchDropper::PatchDropper(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, double reach,
-                           unsigned threads)
-    : mesh_(mesh),
-      views_(mesh, patches, alpha, threads),
-      grid_(mesh.positions, mesh.triangles, patches.patch_of, reach),
+PatchDropper::PatchDropper(const HairStrips& hair, const AlphaTest& alpha, double reach, unsigned threads)
+    : mesh_(hair.mesh),
+      views_(hair, alpha, threads),
+      grid_(mesh_.positions, mesh_.triangles, hair.patches.patch_of, reach),
       reach_(reach) {
-  for (const PatchView& view : view_patches(mesh, patches)) vertices_.push_back(view.vertices);
+  for (const PatchView& view : hair.views()) vertices_.push_back(view.vertices);
 }
 
 bool PatchDropper::may_go(std::uint32_t patch, std::vector<bool>& drawn) const {

@@ -22,13 +22,15 @@ std::vector<std::uint32_t> places_in_file(const PatchSet& patches) {
 
 }  // namespace
 
-PatchOrder sort_patches(const HairMesh& mesh, const PatchSet& patches, const Eigen::Vector3d& head_center) {
+PatchOrder sort_patches(const HairStrips& hair, const Eigen::Vector3d& head_center) {
+  const HairMesh& mesh = hair.mesh;
+  const PatchSet& patches = hair.patches;
   std::vector<Eigen::Vector3d> moment(patches.count, Eigen::Vector3d::Zero());
   std::vector<double> area(patches.count, 0.0);
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const Eigen::Vector3d a = mesh.positions[mesh.triangles[3 * t]].cast<double>();
-    const Eigen::Vector3d b = mesh.positions[mesh.triangles[3 * t + 1]].cast<double>();
-    const Eigen::Vector3d c = mesh.positions[mesh.triangles[3 * t + 2]].cast<double>();
+    const Eigen::Vector3d a = mesh.corner(t, 0).cast<double>();
+    const Eigen::Vector3d b = mesh.corner(t, 1).cast<double>();
+    const Eigen::Vector3d c = mesh.corner(t, 2).cast<double>();
     const double twice_area = (b - a).cross(c - a).norm();
     moment[patches.patch_of[t]] += (a + b + c) * (twice_area / 3);
     area[patches.patch_of[t]] += twice_area;

@@ -6,8 +6,8 @@
 
 #include <coif/view_cells.h>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -155,10 +155,10 @@ std::vector<double> gather(const HairSurface& hair, std::span<const Vector3f> po
 
 }  // namespace
 
-std::vector<std::string> bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents) {
-  if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return {};
+void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents, Findings& findings) {
+  if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
   const OpenedAsset opened(contents);
-  if (!opened.asset().is_open()) return {};
+  if (!opened.asset().is_open()) return;
   const std::vector<double> shares = gather(HairSurface(opened.asset()), posed_positions(opened.asset(), {}), threads);
   double sum = 0, least = 1;
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -167,8 +167,9 @@ std::vector<std::string> bake_occlusion(const Recipe& recipe, unsigned threads, 
     sum += kept;
     least = std::min(least, kept);
   }
-  return {fmt::format("occlusion: {:.0f} % of the light from everywhere reaches the hair, {:.0f} % its darkest vertex",
-                      100 * sum / double(shares.size()), 100 * least)};
+  findings.note(
+      fmt::format("occlusion: {:.0f} % of the light from everywhere reaches the hair, {:.0f} % its darkest vertex",
+                  100 * sum / double(shares.size()), 100 * least));
 }
 
 }  // namespace coif

@@ -188,44 +188,45 @@ std::string quality_text(const OrderQuality& quality) {
                      quality.worst, quality.moving);
 }
 
-std::vector<std::string> notes_of(const FoundOrders& found, float usual_threshold) {
+void report(const FoundOrders& found, float usual_threshold, Findings& findings) {
   const std::size_t count = found.by_view.orders.size();
   const std::string what = count > 0 ? fmt::format("{} orders of triangles by direction", count)
                                      : std::string("one order of patches for all directions");
-  std::vector<std::string> notes{
+  findings.note(
       fmt::format("draw order: {}, faces {}; expected against exact order {}; by distance from the head {}, the best "
                   "single order of patches {}",
                   what, found.rule.faces_together ? "together" : "apart", quality_text(found.found),
-                  quality_text(found.head), quality_text(found.single))};
+                  quality_text(found.head), quality_text(found.single)));
   if (found.rule.opaque_threshold != usual_threshold) {
-    notes.push_back(
+    findings.note(
         fmt::format("opaque threshold {:.2f}, not {:.2f}: with it hair drawn in its orders looks most like the "
                     "exact picture, at best {:.1f} dB",
                     found.rule.opaque_threshold, usual_threshold, found.limit));
   }
-  return notes;
 }
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
-                                                               unsigned threads, AssetContents& contents) {
-  if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return std::vector<std::string>{};
+tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
+                                           AssetContents& contents, Findings& findings) {
+  if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return {};
   const std::size_t triangles = contents.indices.size() / 3;
   if (recipe.order_method == "auto" && triangles > kMostTriangles) {
-    return std::vector{
+    findings.note(
         fmt::format("draw order: by distance from the head; {} triangles are more than the {} that are "
                     "searched for a better one unless \"order.method\" says so",
-                    triangles, kMostTriangles)};
+                    triangles, kMostTriangles));
+    return {};
   }
   const OpenedAsset opened(contents);
-  if (!opened.asset().is_open()) return std::vector<std::string>{};  // the cooker says why where it opens what it wrote
+  if (!opened.asset().is_open()) return {};  // the cooker says why where it opens what it wrote
   const auto poses = find_poses(opened.asset());
   if (!poses) return tl::unexpected(poses.error());
   OrderChoice choice(recipe, used, threads, contents, *poses);
   const FoundOrders found = choice.run();
   apply_orders(found, contents);
-  return notes_of(found, choice.usual_threshold());
+  report(found, choice.usual_threshold(), findings);
+  return {};
 }
 
 }  // namespace coif

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
-#include "cook/select/hair_mesh.h"
+#include "cook/strands/hair_strips.h"
 #include "cook/texture/image.h"
 #include "visibility/order_search.h"
 #include "write/asset_writer.h"
@@ -10,7 +11,6 @@
 #include <tl/expected.hpp>
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace coif {
@@ -24,8 +24,7 @@ struct PatchOrder {
 
 /// The thesis's order (5.3.1): by the distance of the patch's middle, weighted by area, from the head's centre. Equal
 /// distances keep the order of the file.
-[[nodiscard]] PatchOrder sort_patches(const HairMesh& mesh, const PatchSet& patches,
-                                      const Eigen::Vector3d& head_center);
+[[nodiscard]] PatchOrder sort_patches(const HairStrips& hair, const Eigen::Vector3d& head_center);
 
 /// Puts the patches of every level of detail into the order found for the finest one, and their triangles with them; writes
 /// the orders by direction, and in the material how they are to be drawn. Patches of coarser levels go where those of the
@@ -35,18 +34,18 @@ void apply_orders(const FoundOrders& found, AssetContents& contents);
 /// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes them, and
 /// the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search can tell, than by
 /// distance from the head, which is kept where nothing is blended. Mips must have their own alpha yet: each threshold is
-/// tried with those that keep_coverage() would make for it with `used`. Returns what was chosen, with figures. Errors:
+/// tried with those that keep_coverage() would make for it with `used`. Notes what was chosen, with figures. Errors:
 /// kBadInput for hair that the runtime cannot simulate.
-tl::expected<std::vector<std::string>, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used,
-                                                               unsigned threads, AssetContents& contents);
+tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
+                                           AssetContents& contents, Findings& findings);
 
 /// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
 /// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the
 /// hair before the vertex lets through, 0 where a collider of the head is before it. Hair seen from both sides is lit
 /// from both; hair with an outside only by what is above its surface. A card does not shade itself. Alpha counts as
-/// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Returns notes for the report.
+/// painted, so this comes before keep_coverage(). Recipe: "occlusion.strength". Notes the mean and the least.
 ///
 /// Source of the idea: Zhukov, Iones, Kronin 1998, "An ambient light illumination model".
-[[nodiscard]] std::vector<std::string> bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents);
+void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents, Findings& findings);
 
 }  // namespace coif

@@ -11,8 +11,9 @@ namespace {
 
 std::int16_t to_snorm16(float value) { return std::int16_t(std::lround(std::clamp(value, -1.0f, 1.0f) * 32767.0f)); }
 
-VertexRecord pack_vertex(const HairMesh& mesh, const StrandField& strands, const Eigen::Vector3f& origin,
-                         std::uint32_t v) {
+VertexRecord pack_vertex(const HairStrips& hair, const Eigen::Vector3f& origin, std::uint32_t v) {
+  const HairMesh& mesh = hair.mesh;
+  const StrandField& strands = hair.strands;
   VertexRecord record{};
   const Eigen::Vector3f position = mesh.positions[v] - origin;
   for (int k = 0; k < 3; ++k) {
@@ -93,27 +94,26 @@ std::uint32_t heaviest_bone(const AssetContents& contents, const PatchRecord& pa
 
 }  // namespace
 
-void pack_mesh(const HairMesh& mesh, std::span<const DetailLevel> levels, const PatchOrder& order,
-               const StrandField& strands, const Eigen::Vector3d& head_joint, const SkinWeights& weights,
+void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const DetailLevel> levels, const PatchOrder& order,
                AssetContents& contents) {
+  const std::size_t vertices = hair.mesh.positions.size();
   std::vector<std::uint32_t> indices;
-  CacheOrder for_cache(mesh.positions.size());
+  CacheOrder for_cache(vertices);
   for (const DetailLevel& level : levels) lay_out_level(level, order, for_cache, indices, contents);
   if (levels.size() == 1) {
     contents.lods.clear();
   } else {
     contents.lod_bones = count_levels(levels);
   }
-  const std::vector<SkinRecord> skin = quantize_skin(weights);
-  const Eigen::Vector3f origin = head_joint.cast<float>();
-  std::vector<std::uint32_t> new_place(mesh.positions.size());
-  const std::size_t used =
-      meshopt_optimizeVertexFetchRemap(new_place.data(), indices.data(), indices.size(), mesh.positions.size());
+  const std::vector<SkinRecord> skin = quantize_skin(rig.weights);
+  const Eigen::Vector3f origin = rig.skeleton.bones[0].start.cast<float>();
+  std::vector<std::uint32_t> new_place(vertices);
+  const std::size_t used = meshopt_optimizeVertexFetchRemap(new_place.data(), indices.data(), indices.size(), vertices);
   contents.vertices.resize(used);
   contents.skin.resize(used);
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices; ++v) {
     if (new_place[v] == kNoIndex) continue;
-    contents.vertices[new_place[v]] = pack_vertex(mesh, strands, origin, v);
+    contents.vertices[new_place[v]] = pack_vertex(hair, origin, v);
     contents.skin[new_place[v]] = skin[v];
   }
   contents.indices.reserve(indices.size());

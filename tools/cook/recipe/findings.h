@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -17,5 +19,25 @@ struct LeftOut {
   /// "what: why (12 bytes, 40 bytes a head, 175 ns a frame)", without what is 0.
   [[nodiscard]] std::string text() const;
 };
+
+/// What passes have to say: the one place that all of them write to, each list in the order in which they ran.
+struct Findings {
+  std::vector<std::string> notes;     ///< What was chosen, and why.
+  std::vector<std::string> warnings;  ///< What the artist may not have meant.
+  std::vector<LeftOut> left_out;      ///< What of the source is not in the asset, and why.
+
+  void note(std::string text) { notes.push_back(std::move(text)); }
+  void warn(std::string text) { warnings.push_back(std::move(text)); }
+  void leave_out(LeftOut part) { left_out.push_back(std::move(part)); }
+
+  /// What was found meanwhile comes behind what is here.
+  void append(const Findings& later);
+};
+
+/// Nominal nanoseconds per head and frame of so many simulated bones without twist, with a step in so many parts: a fixed
+/// figure, so that cooking again gives the same bytes.
+[[nodiscard]] double nominal_cost(std::size_t bones, std::uint32_t parts);
+/// What a twist adds to that for each bone that carries one.
+[[nodiscard]] double nominal_twist_cost(std::size_t bones, std::uint32_t parts);
 
 }  // namespace coif

@@ -17,7 +17,8 @@ Children hair_children(const SourceModel& source, const NodeWeights& below) {
   const std::vector<bool> carriers = find_carriers(source);
   Children children(source.nodes.size());
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
-    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex) children[source.nodes[n].parent].push_back(n);
+    if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex)
+      children[source.nodes[n].parent].push_back(n);
   }
   return children;
 }
@@ -147,9 +148,9 @@ class SkeletonBuilder {
 };
 
 void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weights, std::uint32_t head,
-                            Skeleton& skeleton) {
+                            const Skeleton& skeleton, Findings& findings) {
   if (head == kNoIndex) {
-    skeleton.warnings.push_back("no bone carries the hair; it follows the head rigidly");
+    findings.warn("no bone carries the hair; it follows the head rigidly");
     return;
   }
   double total = 0, foreign = 0;
@@ -167,13 +168,13 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
     }
   }
   if (foreign > 0.001 * total) {
-    skeleton.warnings.push_back(fmt::format(
+    findings.warn(fmt::format(
         "{:.1f} % of the skin weight is on bones that are not below the head '{}' (most on '{}'); it follows "
         "the head rigidly",
         100 * foreign / total, source.nodes[head].name, heaviest));
   }
   if (skeleton.chains.empty()) {
-    skeleton.warnings.push_back(
+    findings.warn(
         fmt::format("no bones carry hair below the head '{}'; the hair follows it rigidly", source.nodes[head].name));
   }
 }
@@ -181,7 +182,7 @@ void warn_of_foreign_weight(const SourceModel& source, const NodeWeights& weight
 }  // namespace
 
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const Recipe& recipe) {
+                                                 const Recipe& recipe, Findings& findings) {
   Skeleton skeleton = SkeletonBuilder(source, hair, recipe, head).finish();
   if (skeleton.bones.size() > kMaxBones) {
     return tl::unexpected(ToolError{
@@ -189,7 +190,7 @@ tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, cons
         fmt::format("{}: the hair has {} bones, an asset holds {}; cook it in parts by the recipe's \"hair.bones\"",
                     source.path, skeleton.bones.size(), kMaxBones)});
   }
-  warn_of_foreign_weight(source, hair_weights(source, hair), head.node, skeleton);
+  warn_of_foreign_weight(source, hair_weights(source, hair), head.node, skeleton, findings);
   return skeleton;
 }
 

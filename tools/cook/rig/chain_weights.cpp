@@ -111,13 +111,13 @@ void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double wei
 
 /// Each bone has all weight at its middle, and its neighbour takes over towards the next one's middle; the head, at the
 /// scalp.
-void add_lock(const LockBones& bones, double depth, double share, std::vector<BoneWeight>& weights) {
-  const std::size_t count = bones.joint_depth.empty() ? 0 : bones.joint_depth.size() - 1;
+void add_lock(const HairLock& lock, double depth, double share, std::vector<BoneWeight>& weights) {
+  const std::size_t count = lock.joint_depth.empty() ? 0 : lock.joint_depth.size() - 1;
   double middle_before = 0;
   std::uint32_t before = 0;
   for (std::size_t b = 0; b < count; ++b) {
-    const double middle = 0.5 * (bones.joint_depth[b] + bones.joint_depth[b + 1]);
-    const auto bone = std::uint32_t(bones.first + b);
+    const double middle = 0.5 * (lock.joint_depth[b] + lock.joint_depth[b + 1]);
+    const auto bone = std::uint32_t(lock.first_bone + b);
     if (depth < middle) {
       const double on = std::max(0.0, (depth - middle_before) / (middle - middle_before));
       add_weight(weights, before, share * (1 - on));
@@ -132,15 +132,14 @@ void add_lock(const LockBones& bones, double depth, double share, std::vector<Bo
 
 class WeightBlender {
  public:
-  WeightBlender(const HairCells& cells, const HangingHair& hair, std::span<const LockBones> bones,
-                std::vector<LockShares> shares)
-      : cells_(cells), hair_(hair), bones_(bones), shares_(std::move(shares)) {}
+  WeightBlender(const HangingHair& hair, std::span<const HairLock> locks, double blend)
+      : hair_(hair), locks_(locks), shares_(lock_shares(hair.cells, locks, blend)) {}
 
   [[nodiscard]] std::vector<BoneWeight> at(std::uint32_t home, const Eigen::Vector3d& point) const {
     double depth = 0, sum = 0;
     LockShares locks;
     const auto add = [&](std::uint32_t cell) {
-      const double share = cells_.share_at(cell, point);
+      const double share = hair_.cells.share_at(cell, point);
       depth += share * hair_.depth[cell];
       sum += share;
       for (const LockShare& of_cell : shares_[cell]) {
@@ -153,38 +152,35 @@ class WeightBlender {
       }
     };
     add(home);
-    for (const CellLink& link : cells_.links_of(home)) add(link.to);
+    for (const CellLink& link : hair_.cells.links_of(home)) add(link.to);
     if (locks.empty()) return {{0, 1.0}};
     keep_two(locks);
     normalize(locks);
     std::vector<BoneWeight> weights;
-    for (const LockShare& lock : locks) add_lock(bones_[lock.lock], depth / sum, lock.share, weights);
+    for (const LockShare& lock : locks) add_lock(locks_[lock.lock], depth / sum, lock.share, weights);
     return weights;
   }
 
  private:
-  const HairCells& cells_;
   const HangingHair& hair_;
-  std::span<const LockBones> bones_;
+  std::span<const HairLock> locks_;
   std::vector<LockShares> shares_;
 };
 
 }  // namespace
 
-SkinWeights blend_chain_weights(const HairMesh& mesh, const HairCells& cells, const HangingHair& hair,
-                                std::span<const HairLock> locks, std::span<const LockBones> bones,
-                                const std::vector<bool>& rigid, std::span<const std::uint32_t> place_of,
-                                double blend) {
-  const WeightBlender blender(cells, hair, bones, lock_shares(cells, locks, blend));
-  SkinWeights weights(mesh.positions.size());
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const std::uint32_t first = place_of[v];
-    if (first != v) {
+SkinWeights blend_chain_weights(const HairStrips& strips, const HangingHair& hair, std::span<const HairLock> locks,
+                                const std::vector<bool>& rigid, double blend) {
+  const WeightBlender blender(hair, locks, blend);
+  SkinWeights weights(strips.mesh.positions.size());
+  for (std::uint32_t v = 0; v < weights.size(); ++v) {
+    const std::uint32_t cell = hair.cells.of_vertex[v];
+    if (const std::uint32_t first = strips.welded[v]; first != v) {
       weights[v] = weights[first];
-    } else if (rigid[v] || cells.of_vertex[v] == kNoIndex) {
+    } else if (rigid[v] || cell == kNoIndex) {
       weights[v] = {{0, 1.0}};
     } else {
-      weights[v] = blender.at(cells.of_vertex[v], mesh.positions[v].cast<double>());
+      weights[v] = blender.at(cell, strips.mesh.positions[v].cast<double>());
     }
   }
   return weights;

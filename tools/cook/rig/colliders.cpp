@@ -24,20 +24,19 @@ double share_at_first_particle(const FittedHead& head, const Skeleton& skeleton)
 }
 
 /// The share of the head's size that the collider keeps.
-double share_kept(const FittedHead& head, const Skeleton& skeleton, Colliders& colliders) {
+double share_kept(const FittedHead& head, const Skeleton& skeleton, Findings& findings) {
   const double share = share_at_first_particle(head, skeleton);
   if (share >= 1) return 1;
   if (head.declared) {
-    colliders.warnings.push_back(
+    findings.warn(
         fmt::format("the declared head pushes the hair at rest: a bone ends {:.0f} % of the radius "
                     "inside it; make head.radii smaller",
                     100 * (1 - share)));
     return 1;
   }
   const double kept = std::max(share * 0.999, kSmallestShare);
-  colliders.warnings.push_back(
-      fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}", 100 * kept,
-                  share < kSmallestShare ? "; some bones still end inside it" : ""));
+  findings.warn(fmt::format("the fitted head was shrunk to {:.0f} % so that it does not push the hair at rest{}",
+                            100 * kept, share < kSmallestShare ? "; some bones still end inside it" : ""));
   return kept;
 }
 
@@ -76,11 +75,11 @@ bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {
 
 }  // namespace
 
-Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe) {
+Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe, Findings& findings) {
   Colliders colliders;
   colliders.of_bone.assign(skeleton.bones.size(), 0);
   if (recipe.head_shape == "none") return colliders;
-  const Vector3d radii = head.radii * share_kept(head, skeleton, colliders);
+  const Vector3d radii = head.radii * share_kept(head, skeleton, findings);
   colliders.shapes.push_back(recipe.head_shape == "capsule" ? upright_capsule(head.center, radii)
                                                             : ellipsoid(head.center, radii));
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
@@ -109,7 +108,7 @@ void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders)
   }
 }
 
-void report_rest_penetration(const Skeleton& skeleton, Colliders& colliders) {
+void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, Findings& findings) {
   std::size_t colliding = 0, inside = 0;
   double deepest = 0;
   std::string where;
@@ -128,96 +127,53 @@ void report_rest_penetration(const Skeleton& skeleton, Colliders& colliders) {
     where = skeleton.bones[b].name;
   }
   if (skeleton.simulated_count() > 0) {
-    colliders.notes.push_back(fmt::format("{} of {} simulated bones can reach a collider; {} inside one at rest",
-                                          colliding, skeleton.simulated_count(), inside));
+    findings.note(fmt::format("{} of {} simulated bones can reach a collider; {} inside one at rest", colliding,
+                              skeleton.simulated_count(), inside));
   }
-  if (inside == 0 || !colliders.warnings.empty()) return;
-  colliders.warnings.push_back(
+  if (inside == 0) return;
+  findings.warn(
       fmt::format("{} bones are inside a collider at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
                   "pose: make the collider or the hit radius smaller, or set \"head.shape\" in the recipe",
                   inside, where, 1000 * deepest));
 }
 
-namespace {
-
-constexpr double kShortestCapsule = 1.0e-6;  ///< Metres between its ends; shorter ones are spheres.
-
-bool is_below(const SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
-  while (node != kNoIndex && node != ancestor) node = source.nodes[node].parent;
-  return node != kNoIndex;
+void leave_out_colliders(Colliders& colliders, Findings& findings) {
+  std::uint32_t used = 0;
+  for (const std::uint32_t set : colliders.of_bone) used |= set;
+  std::vector<HeadCollider> shapes;
+  std::vector<std::uint32_t> sets(colliders.of_bone.size(), 0);
+  for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
+    if ((used >> c & 1) == 0) {
+      findings.leave_out({fmt::format("collider {}", c), "no bone can reach it", sizeof(ColliderRecord), 0});
+      continue;
+    }
+    for (std::size_t b = 0; b < sets.size(); ++b) sets[b] |= (colliders.of_bone[b] >> c & 1) << shapes.size();
+    shapes.push_back(colliders.shapes[c]);
+  }
+  colliders.shapes = std::move(shapes);
+  colliders.of_bone = std::move(sets);
 }
 
-HeadCollider convert(const SourceCollider& from, const Skeleton& skeleton) {
-  HeadCollider to;
-  to.keeps_inside = from.keeps_inside && from.shape != SourceCollider::Shape::kPlane;
-  to.center = from.center;
-  to.radii.setConstant(from.radius);
-  to.bone = skeleton.bone_of_node[from.node];
-  while (skeleton.bones[to.bone].kind == BoneKind::kSimulated) to.bone = skeleton.bones[to.bone].parent;
-  if (from.shape == SourceCollider::Shape::kPlane) {
-    to.shape = ColliderShape::kPlane;
-    to.axis = from.normal;
-    to.radii.setZero();
+Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, const FittedHead& head,
+                         const Skeleton& skeleton, const Recipe& recipe, Findings& findings) {
+  Findings told;
+  Colliders colliders;
+  if (recipe.dynamics_source != "curves" && recipe.head_shape == "auto" && !head.declared) {
+    colliders = spring_colliders(source, head_bone.node, skeleton, findings);
   }
-  const bool is_capsule = from.shape == SourceCollider::Shape::kCapsule;
-  if (is_capsule && (from.tail - from.center).norm() > kShortestCapsule) {
-    to.shape = ColliderShape::kCapsule;
-    to.axis = from.tail - from.center;
+  if (colliders.shapes.empty()) {
+    colliders = head_colliders(head, skeleton, recipe, told);
+  } else {
+    told.note(fmt::format("colliders: {} of the file's spring bones on the head", colliders.shapes.size()));
   }
-  return to;
-}
-
-class ColliderPass {
- public:
-  ColliderPass(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton)
-      : source_(source), head_node_(head_node), skeleton_(skeleton), shape_of_(source.colliders.size(), kUnseen) {}
-
-  SpringColliders run() && {
-    const std::vector<BoneJoint> joints = joints_of_bones(source_, skeleton_);
-    out_.colliders.of_bone.assign(skeleton_.bones.size(), 0);
-    out_.colliders.hit_radius.assign(skeleton_.bones.size(), 0);
-    for (std::size_t b = 0; b < joints.size(); ++b) {
-      if (!joints[b]) continue;
-      out_.colliders.hit_radius[b] = joints[b].joint->hit_radius;
-      for (const std::uint32_t c : joints[b].spring->colliders) {
-        if (shape_of_[c] == kUnseen) shape_of_[c] = place(c);
-        if (shape_of_[c] != kNone) out_.colliders.of_bone[b] |= 1u << shape_of_[c];
-      }
-    }
-    return std::move(out_);
-  }
-
- private:
-  static constexpr std::uint32_t kUnseen = kNone - 1;
-
-  /// The number of the new shape, or kNone.
-  std::uint32_t place(std::uint32_t collider) {
-    const SourceCollider& from = source_.colliders[collider];
-    const auto leave_out = [&](const char* why) {
-      out_.left_out.push_back(
-          {fmt::format("the spring bones' collider {} on '{}'", collider, source_.nodes[from.node].name), why});
-      return kNone;
-    };
-    if (head_node_ == kNoIndex || !is_below(source_, from.node, head_node_)) {
-      return leave_out("not on the head or below it, and only those can follow it");
-    }
-    if (from.shape != SourceCollider::Shape::kPlane && !(from.radius > 0)) return leave_out("it has no size");
-    if (out_.colliders.shapes.size() >= kMaxColliders) return leave_out("an asset has no room for it");
-    out_.colliders.shapes.push_back(convert(from, skeleton_));
-    return std::uint32_t(out_.colliders.shapes.size() - 1);
-  }
-
-  const SourceModel& source_;
-  std::uint32_t head_node_;
-  const Skeleton& skeleton_;
-  std::vector<std::uint32_t> shape_of_;
-  SpringColliders out_;
-};
-
-}  // namespace
-
-SpringColliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton) {
-  return ColliderPass(source, head_node, skeleton).run();
+  drop_colliders_out_of_reach(skeleton, colliders);
+  const std::size_t known = told.warnings.size();
+  report_rest_penetration(skeleton, colliders, told);
+  if (known > 0) told.warnings.resize(known);  // that the head pushes the hair is said already
+  findings.append(told);
+  // Hair that nothing moves keeps its head: pictures show it.
+  if (skeleton.simulated_count() > 0) leave_out_colliders(colliders, findings);
+  return colliders;
 }
 
 }  // namespace coif

@@ -35,15 +35,13 @@ std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& h
 }
 
 /// Vertices at a place that a rigid triangle touches.
-std::vector<bool> rigid_vertices(const HairMesh& hair, const std::vector<bool>& movable,
-                                 std::span<const std::uint32_t> place) {
-  std::vector<bool> moves(hair.positions.size(), false), held(hair.positions.size(), false);
-  for (std::size_t i = 0; i < hair.triangles.size(); ++i) {
-    const std::uint32_t here = place[hair.triangles[i]];
+std::vector<bool> rigid_vertices(const HairStrips& hair, const std::vector<bool>& movable) {
+  std::vector<bool> moves(hair.welded.size(), false), held = moves, rigid = moves;
+  for (std::size_t i = 0; i < hair.mesh.triangles.size(); ++i) {
+    const std::uint32_t here = hair.welded[hair.mesh.triangles[i]];
     (movable[i / 3] ? moves : held)[here] = true;
   }
-  std::vector<bool> rigid(hair.positions.size());
-  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[place[v]] || !moves[place[v]];
+  for (std::size_t v = 0; v < rigid.size(); ++v) rigid[v] = held[hair.welded[v]] || !moves[hair.welded[v]];
   return rigid;
 }
 
@@ -76,15 +74,15 @@ struct FittedChain {
   std::string name;  ///< Side and number, the longest of a side first.
 };
 
-std::vector<FittedChain> fit_curves(const HairCells& cells, const HangingHair& hair, const std::vector<HairLock>& locks,
-                                    const FittedHead& head, const Recipe& recipe) {
+std::vector<FittedChain> fit_curves(const HangingHair& hair, const std::vector<HairLock>& locks, const FittedHead& head,
+                                    const Recipe& recipe) {
   const auto moving = std::size_t(std::ranges::count(locks, true, &HairLock::moves));
   const std::size_t room = (kMaxBones - 1) / std::max<std::size_t>(moving, 1);
   const std::size_t most_bones = std::min<std::size_t>(recipe.chain_max_bones, room);
   std::vector<FittedChain> chains;
   for (std::size_t l = 0; l < locks.size(); ++l) {
     if (!locks[l].moves) continue;
-    LockCurve curve = fit_lock_curve(cells, hair, locks[l], head, recipe, most_bones);
+    LockCurve curve = fit_lock_curve(hair, locks[l], head, recipe, most_bones);
     if (curve.joints.empty()) continue;
     const std::string side = side_of(curve.joints.front(), head);
     chains.push_back({l, std::move(curve), side, ""});
@@ -127,29 +125,29 @@ std::string describe(const FittedChain& chain) {
 
 }  // namespace
 
-FittedRig fit_chains(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> place,
-                     const StrandField& strands, const FittedHead& head, const Skeleton& rigid, const Recipe& recipe) {
+HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head, const Skeleton& rigid,
+                   const Recipe& recipe, Findings& findings) {
   const double radius = head.radii.mean();
-  const std::vector<bool> movable = movable_triangles(source, hair, recipe);
-  const std::vector<bool> is_rigid = rigid_vertices(hair, movable, place);
-  HairCells cells = make_hair_cells(hair, strands, movable, head.center, kCellSize * radius);
-  const HangingHair hanging = find_hanging_hair(cells, head, held_cells(cells, is_rigid));
-  const std::vector<HairLock> locks = group_locks(cells, hanging, radius, recipe);
+  const std::vector<bool> movable = movable_triangles(source, hair.mesh, recipe);
+  const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
+  HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius);
+  const std::vector<std::uint32_t> held = held_cells(cells, is_rigid);
+  const HangingHair hanging = find_hanging_hair(std::move(cells), head, held);
+  std::vector<HairLock> locks = group_locks(hanging, radius, recipe);
 
-  FittedRig rig;
+  HairRig rig;
   rig.skeleton = rigid;
-  std::vector<LockBones> bones(locks.size());
-  for (const FittedChain& chain : fit_curves(cells, hanging, locks, head, recipe)) {
-    bones[chain.lock] = {std::uint32_t(rig.skeleton.bones.size()), chain.curve.depth};
+  for (const FittedChain& chain : fit_curves(hanging, locks, head, recipe)) {
+    locks[chain.lock].first_bone = std::uint32_t(rig.skeleton.bones.size());
+    locks[chain.lock].joint_depth = chain.curve.depth;
     add_bones(chain, rig.skeleton);
-    rig.notes.push_back(describe(chain));
+    findings.note(describe(chain));
   }
   if (rig.skeleton.chains.empty()) {
-    rig.notes.push_back(
-        fmt::format("no chain was fitted: no hair hangs free for {:.0f} mm; it follows the head rigidly",
-                    1000 * recipe.chain_shortest));
+    findings.note(fmt::format("no chain was fitted: no hair hangs free for {:.0f} mm; it follows the head rigidly",
+                              1000 * recipe.chain_shortest));
   }
-  rig.weights = blend_chain_weights(hair, cells, hanging, locks, bones, is_rigid, place, kBlend * radius);
+  rig.weights = blend_chain_weights(hair, hanging, locks, is_rigid, kBlend * radius);
   return rig;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
-#include "cook/strands/strand_direction.h"
 
 #include <vector>
 
@@ -16,14 +16,17 @@ struct HairLock {
   std::vector<std::uint32_t> ways;   ///< On the ways from its tips to the scalp, shared with other locks; ascending.
   double length = 0;                 ///< Largest depth, metres.
   bool moves = false;                ///< False: too short for a chain of its own.
+
+  // Its chain in the skeleton, once there is one.
+  std::uint32_t first_bone = 0;
+  std::vector<double> joint_depth;  ///< Bones + 1, or empty: the lock follows the head.
 };
 
 /// Groups the hanging hair into at most recipe.chain_max_count locks that move, and short ones that do not. Each tip (a
 /// local maximum of depth) has a strand, its way to the scalp. Strands are one lock where they run together: near each
 /// other on the average of their common length, and nearer where the hair between them has gaps. Then the nearest and
 /// shortest are merged until the budget holds. `head_radius` in metres sets the scale.
-[[nodiscard]] std::vector<HairLock> group_locks(const HairCells& cells, const HangingHair& hair, double head_radius,
-                                                const Recipe& recipe);
+[[nodiscard]] std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const Recipe& recipe);
 
 /// The bones of one lock as a line of joints: bone i goes from joint i to joint i + 1.
 struct LockCurve {
@@ -34,35 +37,20 @@ struct LockCurve {
 /// The middle of the lock from where it leaves the scalp to its tip, cut into `recipe.chain_bone_length` or, where that
 /// would be more than `most_bones`, into longer equal bones. Joints are outside of the head, so that its collider does
 /// not push the modelled pose.
-[[nodiscard]] LockCurve fit_lock_curve(const HairCells& cells, const HangingHair& hair, const HairLock& lock,
-                                       const FittedHead& head, const Recipe& recipe, std::size_t most_bones);
-
-/// Bones of one lock in the skeleton; none where the lock follows the head.
-struct LockBones {
-  std::uint32_t first = 0;
-  std::vector<double> joint_depth;  ///< Bones + 1, or empty.
-};
+[[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
+                                       const Recipe& recipe, std::size_t most_bones);
 
 /// Weights that change smoothly in space, so that no two vertices at one place move apart: along a chain from bone to
 /// bone, from the head to its first bone, and from lock to lock over `blend` metres of connected hair.
-/// `rigid`: vertices that follow the head. `place_of`: vertices with the same value get the same weights.
-[[nodiscard]] SkinWeights blend_chain_weights(const HairMesh& mesh, const HairCells& cells, const HangingHair& hair,
-                                              std::span<const HairLock> locks, std::span<const LockBones> bones,
-                                              const std::vector<bool>& rigid,
-                                              std::span<const std::uint32_t> place_of, double blend);
-
-struct FittedRig {
-  Skeleton skeleton;
-  SkinWeights weights;             ///< One entry per vertex of the hair.
-  std::vector<std::string> notes;  ///< What was fitted where, for the report.
-};
+/// `rigid`: vertices that follow the head.
+[[nodiscard]] SkinWeights blend_chain_weights(const HairStrips& strips, const HangingHair& hair,
+                                              std::span<const HairLock> locks, const std::vector<bool>& rigid,
+                                              double blend);
 
 /// Bones for hair that has none: groups what hangs free into locks, fits a chain to each from where it leaves the scalp to
 /// its tip, and blends skin weights along and between chains. `rigid` has the head bone, the file's map from nodes to it,
-/// and nothing that moves.
-/// `place` of each vertex from weld_places().
-[[nodiscard]] FittedRig fit_chains(const SourceModel& source, const HairMesh& hair,
-                                   std::span<const std::uint32_t> place, const StrandField& strands,
-                                   const FittedHead& head, const Skeleton& rigid, const Recipe& recipe);
+/// and nothing that moves. Notes what was fitted where.
+[[nodiscard]] HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head,
+                                 const Skeleton& rigid, const Recipe& recipe, Findings& findings);
 
 }  // namespace coif

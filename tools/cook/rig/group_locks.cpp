@@ -27,22 +27,21 @@ struct Strand {
 };
 
 /// For each cell the connected piece of hair within its level of depth.
-std::vector<std::uint32_t> pieces_of_levels(const HairCells& cells, const HangingHair& hair, double step) {
+std::vector<std::uint32_t> pieces_of_levels(const HangingHair& hair, double step) {
   const auto level = [&](std::uint32_t c) { return std::size_t(hair.depth[c] / step); };
-  DisjointSets sets(cells.count());
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+  DisjointSets sets(hair.cells.count());
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
     if (hair.depth[c] <= 0) continue;
-    for (const CellLink& link : cells.links_of(c)) {
+    for (const CellLink& link : hair.cells.links_of(c)) {
       if (hair.depth[link.to] > 0 && level(link.to) == level(c)) sets.unite(c, link.to);
     }
   }
-  std::vector<std::uint32_t> piece(cells.count());
-  for (std::uint32_t c = 0; c < cells.count(); ++c) piece[c] = sets.find(c);
+  std::vector<std::uint32_t> piece(hair.cells.count());
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) piece[c] = sets.find(c);
   return piece;
 }
 
-Strand strand_of(const HairCells& cells, const HangingHair& hair, const std::vector<std::uint32_t>& piece,
-                 std::uint32_t tip, double step) {
+Strand strand_of(const HangingHair& hair, const std::vector<std::uint32_t>& piece, std::uint32_t tip, double step) {
   Strand strand;
   std::size_t lowest = kLevels;
   for (std::uint32_t c = tip; c != kNoIndex && hair.depth[c] > 0; c = hair.from[c]) {
@@ -50,7 +49,7 @@ Strand strand_of(const HairCells& cells, const HangingHair& hair, const std::vec
     if (strand.levels == 0) strand.levels = level + 1;
     // Levels that no cell of the way falls into take the one below.
     for (std::size_t l = level; l < std::min(lowest, strand.levels); ++l) {
-      strand.at[l] = cells.middle[c];
+      strand.at[l] = hair.cells.middle[c];
       strand.piece[l] = piece[c];
     }
     lowest = level;
@@ -147,8 +146,8 @@ class StrandGroups {
 };
 
 /// Tips with their groups as locks, in the order of their longest strand.
-std::vector<HairLock> collect_locks(const HairCells& cells, const HangingHair& hair, const HairTips& tips,
-                                    const StrandGroups& groups, double shortest) {
+std::vector<HairLock> collect_locks(const HangingHair& hair, const StrandTips& tips, const StrandGroups& groups,
+                                    double shortest) {
   std::vector<HairLock> locks;
   std::vector<std::uint32_t> lock_of_group(tips.cell.size(), kNoIndex), lock_of_tip;
   for (std::size_t t = 0; t < tips.cell.size(); ++t) {
@@ -160,7 +159,7 @@ std::vector<HairLock> collect_locks(const HairCells& cells, const HangingHair& h
     lock_of_tip.push_back(lock);
     for (std::uint32_t c = tips.cell[t]; c != kNoIndex; c = hair.from[c]) locks[lock].ways.push_back(c);
   }
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
     if (tips.of_cell[c] != kNoIndex) locks[lock_of_tip[tips.of_cell[c]]].cells.push_back(c);
   }
   for (HairLock& lock : locks) {
@@ -174,23 +173,22 @@ std::vector<HairLock> collect_locks(const HairCells& cells, const HangingHair& h
 
 }  // namespace
 
-std::vector<HairLock> group_locks(const HairCells& cells, const HangingHair& hair, double head_radius,
-                                  const Recipe& recipe) {
-  const HairTips tips = find_hair_tips(cells, hair, kTipsApart * head_radius, kMostTips);
+std::vector<HairLock> group_locks(const HangingHair& hair, double head_radius, const Recipe& recipe) {
+  const StrandTips tips = find_strand_tips(hair, kTipsApart * head_radius, kMostTips);
   if (tips.cell.empty()) return {};
   const double step = std::max(hair.depth[tips.cell.front()] / double(kLevels), 1.0e-9);
-  const std::vector<std::uint32_t> piece = pieces_of_levels(cells, hair, step);
+  const std::vector<std::uint32_t> piece = pieces_of_levels(hair, step);
   std::vector<Strand> strands;
   std::vector<double> length;
   for (std::uint32_t tip : tips.cell) {
-    strands.push_back(strand_of(cells, hair, piece, tip, step));
+    strands.push_back(strand_of(hair, piece, tip, step));
     length.push_back(hair.depth[tip]);
   }
   StrandGroups groups(
       length, [&](std::size_t i, std::size_t j) { return distance_of(strands[i], strands[j], head_radius, step); });
   groups.merge_up_to(1);
   groups.merge_down_to(recipe.chain_max_count, recipe.chain_shortest);
-  return collect_locks(cells, hair, tips, groups, recipe.chain_shortest);
+  return collect_locks(hair, tips, groups, recipe.chain_shortest);
 }
 
 }  // namespace coif

@@ -33,13 +33,15 @@ struct Corner {
   double place;
 };
 
+Corner corner_at(const HairStrips& hair, std::uint32_t v) {
+  const StrandField& strands = hair.strands;
+  return {hair.mesh.positions[v].cast<double>(), strands.tangent[v].cast<double>(), double(strands.place[v])};
+}
+
 /// Corners of a triangle, the longest edge first.
-std::array<Corner, 3> corners(const HairMesh& hair, const StrandField& strands, std::size_t t) {
+std::array<Corner, 3> corners(const HairStrips& hair, std::size_t t) {
   std::array<Corner, 3> c;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = hair.triangles[3 * t + k];
-    c[k] = {hair.positions[v].cast<double>(), strands.tangent[v].cast<double>(), double(strands.place[v])};
-  }
+  for (std::size_t k = 0; k < 3; ++k) c[k] = corner_at(hair, hair.mesh.triangles[3 * t + k]);
   std::size_t longest = 0;
   double most = -1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -58,16 +60,15 @@ Corner between(const Corner& a, const Corner& b, double share) {
 
 class CellBuilder {
  public:
-  CellBuilder(const HairMesh& hair, const StrandField& strands, const std::vector<bool>& movable,
-              const Vector3d& origin, double size)
-      : hair_(hair), strands_(strands), movable_(movable) {
+  CellBuilder(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin, double size)
+      : hair_(hair), movable_(movable) {
     cells_.origin = origin;
     cells_.size = std::max({size, std::sqrt(total_area() / kMostCells), total_length() / kMostSteps});
-    cells_.of_vertex.assign(hair.positions.size(), kNoIndex);
+    cells_.of_vertex.assign(hair.mesh.positions.size(), kNoIndex);
   }
 
   HairCells build() && {
-    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
+    for (std::size_t t = 0; t < hair_.mesh.triangle_count(); ++t) {
       if (movable_[t]) add_triangle(t);
     }
     for (std::size_t c = 0; c < cells_.count(); ++c) {
@@ -82,8 +83,8 @@ class CellBuilder {
  private:
   [[nodiscard]] double total_area() const {
     double sum = 0;
-    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
-      const auto c = corners(hair_, strands_, t);
+    for (std::size_t t = 0; t < hair_.mesh.triangle_count(); ++t) {
+      const auto c = corners(hair_, t);
       sum += 0.5 * (c[1].position - c[0].position).cross(c[2].position - c[0].position).norm();
     }
     return sum;
@@ -91,8 +92,8 @@ class CellBuilder {
 
   [[nodiscard]] double total_length() const {
     double sum = 0;
-    for (std::size_t t = 0; t < hair_.triangle_count(); ++t) {
-      const auto c = corners(hair_, strands_, t);
+    for (std::size_t t = 0; t < hair_.mesh.triangle_count(); ++t) {
+      const auto c = corners(hair_, t);
       sum += (c[1].position - c[0].position).norm();
     }
     return sum;
@@ -119,7 +120,7 @@ class CellBuilder {
   }
 
   void add_triangle(std::size_t t) {
-    const auto [a, b, c] = corners(hair_, strands_, t);
+    const auto [a, b, c] = corners(hair_, t);
     const Vector3d edge = b.position - a.position;
     const double doubled = edge.cross(c.position - a.position).norm(), base = edge.norm();
     const double step = kSampleStep * cells_.size;
@@ -133,10 +134,8 @@ class CellBuilder {
       }
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = hair_.triangles[3 * t + k];
-      const Corner corner{hair_.positions[v].cast<double>(), strands_.tangent[v].cast<double>(),
-                          double(strands_.place[v])};
-      cells_.of_vertex[v] = add(corner, kVertexShare * doubled + kSmallestArea);
+      const std::uint32_t v = hair_.mesh.triangles[3 * t + k];
+      cells_.of_vertex[v] = add(corner_at(hair_, v), kVertexShare * doubled + kSmallestArea);
     }
   }
 
@@ -153,8 +152,7 @@ class CellBuilder {
     }
   }
 
-  const HairMesh& hair_;
-  const StrandField& strands_;
+  const HairStrips& hair_;
   const std::vector<bool>& movable_;
   std::unordered_map<HairCells::Index, std::uint32_t, IndexHash> cell_at_;
   HairCells cells_;
@@ -176,9 +174,9 @@ double HairCells::share_at(std::uint32_t cell, const Vector3d& point) const {
   return share;
 }
 
-HairCells make_hair_cells(const HairMesh& hair, const StrandField& strands, const std::vector<bool>& movable,
-                          const Vector3d& origin, double size) {
-  return CellBuilder(hair, strands, movable, origin, size).build();
+HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable, const Vector3d& origin,
+                          double size) {
+  return CellBuilder(hair, movable, origin, size).build();
 }
 
 namespace {

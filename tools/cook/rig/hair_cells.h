@@ -1,8 +1,7 @@
 #pragma once
 
-#include "cook/select/hair_mesh.h"
 #include "cook/select/head.h"
-#include "cook/strands/strand_direction.h"
+#include "cook/strands/hair_strips.h"
 
 #include <array>
 #include <vector>
@@ -40,8 +39,8 @@ struct HairCells {
 };
 
 /// Cells of about `size` metres for the triangles with `movable`; larger where there would be too many of them.
-[[nodiscard]] HairCells make_hair_cells(const HairMesh& hair, const StrandField& strands,
-                                        const std::vector<bool>& movable, const Eigen::Vector3d& origin, double size);
+[[nodiscard]] HairCells make_hair_cells(const HairStrips& hair, const std::vector<bool>& movable,
+                                        const Eigen::Vector3d& origin, double size);
 
 /// The connected piece that each cell belongs to: the piece's first cell in the order of a disjoint set.
 [[nodiscard]] std::vector<std::uint32_t> connected_pieces(const HairCells& cells);
@@ -52,6 +51,7 @@ void bridge_pieces(HairCells& cells, const std::vector<bool>& is_root, double re
 
 /// How far down the hair each cell is from where the hair leaves the scalp.
 struct HangingHair {
+  HairCells cells;
   std::vector<double> depth;        ///< Per cell, metres, mostly along the strands; 0: lies on the scalp.
   std::vector<std::uint32_t> from;  ///< Per cell, the next one on the shortest way to the scalp; kNoIndex on it.
 };
@@ -59,17 +59,17 @@ struct HangingHair {
 /// Hair within a small distance of the head lies on the scalp; where hair has more body, a larger one. Hair that touches
 /// nothing of that hangs from the hair next to its roots, to which this adds links, or else from the roots themselves.
 /// `held`: cells that stay rigid for other reasons.
-[[nodiscard]] HangingHair find_hanging_hair(HairCells& cells, const FittedHead& head,
+[[nodiscard]] HangingHair find_hanging_hair(HairCells cells, const FittedHead& head,
                                             const std::vector<std::uint32_t>& held);
 
 /// Where the hair ends, and which hair belongs to which end.
-struct HairTips {
+struct StrandTips {
   std::vector<std::uint32_t> cell;     ///< Of each tip; the longest hair first.
   std::vector<std::uint32_t> of_cell;  ///< Per cell, the tip that it runs to; kNoIndex on the scalp.
 };
 
 /// Local maxima of depth. Each cell runs to where depth grows fastest. Of two tips closer than `apart` metres that are
 /// only ripples of one edge the shorter is none, and of more than `most` only those with most hair are.
-[[nodiscard]] HairTips find_hair_tips(const HairCells& cells, const HangingHair& hair, double apart, std::size_t most);
+[[nodiscard]] StrandTips find_strand_tips(const HangingHair& hair, double apart, std::size_t most);
 
 }  // namespace coif

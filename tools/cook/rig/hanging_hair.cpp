@@ -110,14 +110,16 @@ HangingHair measure_from(const HairCells& cells, const std::vector<std::uint32_t
 
 }  // namespace
 
-HangingHair find_hanging_hair(HairCells& cells, const FittedHead& head, const std::vector<std::uint32_t>& held) {
+HangingHair find_hanging_hair(HairCells cells, const FittedHead& head, const std::vector<std::uint32_t>& held) {
   std::vector<std::uint32_t> seeds = held;
   const double thickness = layer_thickness(cells, head);
   for (std::uint32_t c = 0; c < cells.count(); ++c) {
     if (head.distance(cells.middle[c]) < thickness) seeds.push_back(c);
   }
   tie_loose_pieces(cells, head, seeds);
-  return measure_from(cells, seeds);
+  HangingHair hair = measure_from(cells, seeds);
+  hair.cells = std::move(cells);
+  return hair;
 }
 
 namespace {
@@ -137,10 +139,10 @@ std::vector<std::uint32_t> by_depth(const HangingHair& hair) {
 }
 
 /// The neighbour towards which depth grows fastest, or kNoIndex at a tip.
-std::uint32_t next_towards_tip(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+std::uint32_t next_towards_tip(const HangingHair& hair, std::uint32_t cell) {
   std::uint32_t best = kNoIndex;
   double steepest = 0;
-  for (const CellLink& link : cells.links_of(cell)) {
+  for (const CellLink& link : hair.cells.links_of(cell)) {
     const double slope = (hair.depth[link.to] - hair.depth[cell]) / std::max(link.length, 1.0e-9);
     if (slope <= steepest) continue;
     steepest = slope;
@@ -151,32 +153,31 @@ std::uint32_t next_towards_tip(const HairCells& cells, const HangingHair& hair, 
 
 /// Whether the hair ends at a local maximum of depth. Where strands part and are tied together again, ways around both
 /// sides meet in a maximum in the middle of a strand: there the hair goes on.
-bool is_end(const HairCells& cells, const HangingHair& hair, std::uint32_t cell) {
+bool is_end(const HangingHair& hair, std::uint32_t cell) {
   std::uint32_t back = cell;
   for (int i = 0; i < kWayBack && hair.from[back] != kNoIndex; ++i) back = hair.from[back];
-  const Eigen::Vector3d way = (cells.middle[cell] - cells.middle[back]).normalized();
-  return std::ranges::none_of(cells.links_of(cell), [&](const CellLink& link) {
-    return (cells.middle[link.to] - cells.middle[cell]).dot(way) > kGoesOn * cells.size;
+  const Eigen::Vector3d way = (hair.cells.middle[cell] - hair.cells.middle[back]).normalized();
+  return std::ranges::none_of(hair.cells.links_of(cell), [&](const CellLink& link) {
+    return (hair.cells.middle[link.to] - hair.cells.middle[cell]).dot(way) > kGoesOn * hair.cells.size;
   });
 }
 
 /// Sets of cells, one per tip. A set's tip is its deepest cell; cells where hair ends go before others.
 class Basins {
  public:
-  Basins(const HairCells& cells, const HangingHair& hair, double apart)
-      : cells_(cells),
-        hair_(hair),
+  Basins(const HangingHair& hair, double apart)
+      : hair_(hair),
         apart_(apart),
-        sets_(cells.count()),
-        tip_(cells.count(), kNoIndex),
-        ends_(cells.count(), false) {}
+        sets_(hair.cells.count()),
+        tip_(hair.cells.count(), kNoIndex),
+        ends_(hair.cells.count(), false) {}
 
   void add(std::uint32_t cell) {
     tip_[cell] = cell;
-    const std::uint32_t next = next_towards_tip(cells_, hair_, cell);
-    ends_[cell] = next == kNoIndex && is_end(cells_, hair_, cell);
+    const std::uint32_t next = next_towards_tip(hair_, cell);
+    ends_[cell] = next == kNoIndex && is_end(hair_, cell);
     if (next != kNoIndex) unite(cell, next);
-    for (const CellLink& link : cells_.links_of(cell)) {
+    for (const CellLink& link : hair_.cells.links_of(cell)) {
       if (tip_[link.to] != kNoIndex) merge_ripples(cell, link.to);
     }
   }
@@ -196,12 +197,11 @@ class Basins {
     const std::uint32_t a = tip_of(cell), b = tip_of(neighbour);
     if (a == b) return;
     if (!ends_[a] || !ends_[b]) return unite(cell, neighbour);
-    if ((cells_.middle[a] - cells_.middle[b]).norm() > apart_) return;
+    if ((hair_.cells.middle[a] - hair_.cells.middle[b]).norm() > apart_) return;
     const double stands_out = std::min(hair_.depth[a], hair_.depth[b]) - hair_.depth[cell];
-    if (stands_out < kRipple * cells_.size) unite(cell, neighbour);
+    if (stands_out < kRipple * hair_.cells.size) unite(cell, neighbour);
   }
 
-  const HairCells& cells_;
   const HangingHair& hair_;
   double apart_;
   DisjointSets sets_;
@@ -210,14 +210,14 @@ class Basins {
 };
 
 /// The tips with most hair below them, longest first.
-std::vector<std::uint32_t> chosen_tips(const HairCells& cells, const HangingHair& hair,
-                                       const std::vector<std::uint32_t>& tip_of_cell, std::size_t most) {
-  std::vector<double> area(cells.count(), 0);
+std::vector<std::uint32_t> chosen_tips(const HangingHair& hair, const std::vector<std::uint32_t>& tip_of_cell,
+                                       std::size_t most) {
+  std::vector<double> area(hair.cells.count(), 0);
   std::vector<std::uint32_t> tips;
-  for (std::uint32_t c = 0; c < cells.count(); ++c) {
+  for (std::uint32_t c = 0; c < hair.cells.count(); ++c) {
     if (tip_of_cell[c] == kNoIndex) continue;
     if (tip_of_cell[c] == c) tips.push_back(c);
-    area[tip_of_cell[c]] += cells.area[c] * hair.depth[c];
+    area[tip_of_cell[c]] += hair.cells.area[c] * hair.depth[c];
   }
   std::ranges::stable_sort(tips, std::greater<>{}, [&](std::uint32_t c) { return area[c]; });
   if (tips.size() > most) tips.resize(most);
@@ -238,21 +238,21 @@ std::uint32_t nearest_tip(const HairCells& cells, const std::vector<std::uint32_
 
 }  // namespace
 
-HairTips find_hair_tips(const HairCells& cells, const HangingHair& hair, double apart, std::size_t most) {
-  Basins basins(cells, hair, apart);
+StrandTips find_strand_tips(const HangingHair& hair, double apart, std::size_t most) {
+  Basins basins(hair, apart);
   const std::vector<std::uint32_t> order = by_depth(hair);
   for (std::uint32_t c : order) basins.add(c);
-  std::vector<std::uint32_t> tip_of_cell(cells.count(), kNoIndex);
+  std::vector<std::uint32_t> tip_of_cell(hair.cells.count(), kNoIndex);
   for (std::uint32_t c : order) tip_of_cell[c] = basins.tip_of(c);
 
-  HairTips tips;
-  tips.cell = chosen_tips(cells, hair, tip_of_cell, most);
-  std::vector<std::uint32_t> number(cells.count(), kNoIndex);
+  StrandTips tips;
+  tips.cell = chosen_tips(hair, tip_of_cell, most);
+  std::vector<std::uint32_t> number(hair.cells.count(), kNoIndex);
   for (std::uint32_t t = 0; t < tips.cell.size(); ++t) number[tips.cell[t]] = t;
-  tips.of_cell.assign(cells.count(), kNoIndex);
+  tips.of_cell.assign(hair.cells.count(), kNoIndex);
   for (std::uint32_t c : order) {
     std::uint32_t& of_tip = number[tip_of_cell[c]];
-    if (of_tip == kNoIndex) of_tip = nearest_tip(cells, tips.cell, tip_of_cell[c]);
+    if (of_tip == kNoIndex) of_tip = nearest_tip(hair.cells, tips.cell, tip_of_cell[c]);
     tips.of_cell[c] = of_tip;
   }
   return tips;

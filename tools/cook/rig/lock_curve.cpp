@@ -33,17 +33,17 @@ std::size_t slices_to_tip(const std::vector<double>& weight) {
 }
 
 /// Mean of the hair in each slice of depth; slices without hair are left out.
-Curve slice_means(const HairCells& cells, const HangingHair& hair, const HairLock& lock) {
-  const double step = std::max(kSlice * cells.size, lock.length / double(kMostSlices));
+Curve slice_means(const HangingHair& hair, const HairLock& lock) {
+  const double step = std::max(kSlice * hair.cells.size, lock.length / double(kMostSlices));
   const auto count = std::size_t(lock.length / step) + 1;
   std::vector<Vector3d> sum(count, Vector3d::Zero());
   std::vector<double> weight(count, 0), depth(count, 0);
   const auto add = [&](std::uint32_t cell, double share) {
     if (hair.depth[cell] <= 0) return;
     const std::size_t slice = std::min(std::size_t(hair.depth[cell] / step), count - 1);
-    sum[slice] += share * cells.area[cell] * cells.middle[cell];
-    depth[slice] += share * cells.area[cell] * hair.depth[cell];
-    weight[slice] += share * cells.area[cell];
+    sum[slice] += share * hair.cells.area[cell] * hair.cells.middle[cell];
+    depth[slice] += share * hair.cells.area[cell] * hair.depth[cell];
+    weight[slice] += share * hair.cells.area[cell];
   };
   for (std::uint32_t c : lock.cells) add(c, 1);
   for (std::uint32_t c : lock.ways) add(c, kWayShare);
@@ -101,10 +101,10 @@ CurvePoint3 point_at(const Curve& curve, const std::vector<double>& arc, double 
 
 }  // namespace
 
-LockCurve fit_lock_curve(const HairCells& cells, const HangingHair& hair, const HairLock& lock, const FittedHead& head,
-                         const Recipe& recipe, std::size_t most_bones) {
+LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head, const Recipe& recipe,
+                         std::size_t most_bones) {
   LockCurve result;
-  Curve curve = slice_means(cells, hair, lock);
+  Curve curve = slice_means(hair, lock);
   if (curve.size() < 2) return result;
   smooth(curve);
   extend(curve);

@@ -46,6 +46,9 @@ void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetCo
     contents.bones.back().colliders = colliders.of_bone[b];
     contents.bone_names.push_back(skeleton.bones[b].name);
   }
+  for (std::size_t b = 0; b < contents.dynamics.size() && !colliders.hit_radius.empty(); ++b) {
+    contents.dynamics[b].hit_radius = float(colliders.hit_radius[b]);
+  }
   contents.chains = skeleton.chains;
   for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
 }

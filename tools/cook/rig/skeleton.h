@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/select/head.h"
@@ -34,7 +35,6 @@ struct Skeleton {
   std::vector<ChainRecord> chains;
   std::vector<std::uint32_t> bone_of_node;  ///< For each source node the bone that carries its vertices.
   Eigen::Quaterniond head_rotation = Eigen::Quaterniond::Identity();  ///< Model from the head bone's own axes.
-  std::vector<std::string> warnings;
 
   [[nodiscard]] std::size_t simulated_count() const {
     std::size_t count = 0;
@@ -46,10 +46,10 @@ struct Skeleton {
 /// Splits the file's bones as the thesis does (5.2): the head bone is moved by the host; bones with the head as parent
 /// are scalp bones, rigid; bones below are simulated. Simulated too are a bone alone below the head, which as a scalp
 /// bone would only make the hair stiff, and one that the file's spring bones turn, unless the recipe wants curves. Nodes
-/// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Errors: kBadInput for
-/// patterns without a match, kUnsupported above kMaxBones bones.
+/// that carry no hair are left out, but a last joint below a hair bone says where that bone ends. Warns of hair that
+/// follows the head rigidly. Errors: kBadInput for patterns without a match, kUnsupported above kMaxBones bones.
 tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
-                                                 const Recipe& recipe);
+                                                 const Recipe& recipe, Findings& findings);
 
 /// The head bone, everything rigid to it: what chains are fitted to.
 [[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
@@ -68,6 +68,12 @@ struct BoneWeight {
 /// What carries each vertex: bones of the asset, however many. A vertex without any follows the head.
 using SkinWeights = std::vector<std::vector<BoneWeight>>;
 
+/// Bones and the hair that they carry.
+struct HairRig {
+  Skeleton skeleton;
+  SkinWeights weights;  ///< One entry per vertex of the hair.
+};
+
 /// The artist's weights, summed over the nodes that became one bone.
 [[nodiscard]] SkinWeights weights_of_source(const HairMesh& mesh, const Skeleton& skeleton);
 
@@ -81,6 +87,17 @@ using SkinWeights = std::vector<std::vector<BoneWeight>>;
 /// children, and no skeleton of an asset's size exceeds kMaxOpenBones. What is equal keeps its order; rigid bones stay.
 /// Returns where each bone went; `bone_of_node` has followed.
 [[nodiscard]] std::vector<std::uint32_t> order_bones(Skeleton& skeleton);
+
+/// True where the recipe wants chains that the file does not have.
+[[nodiscard]] bool wants_fitted_chains(const Recipe& recipe, const Skeleton& of_file);
+
+/// The file's bones with the artist's weights; the head alone where the recipe wants no chains, or fitted ones. Errors and
+/// warnings are build_skeleton()'s.
+tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
+                                             const Recipe& recipe, Findings& findings);
+
+/// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in order_bones().
+void settle_rig(const Recipe& recipe, HairRig& rig, Findings& findings);
 
 /// What swings a bone in a file with spring bones.
 struct BoneJoint {

@@ -68,7 +68,8 @@ tl::expected<void, ToolError> check_all_patterns(const SourceModel& source, cons
 /// Collects a choice mesh by mesh.
 class Chooser {
  public:
-  Chooser(const SourceModel& source, const Recipe& recipe) : source_(source), recipe_(recipe) {
+  Chooser(const SourceModel& source, const Recipe& recipe, Findings& findings)
+      : source_(source), recipe_(recipe), findings_(findings) {
     choice_.taken.resize(source.meshes.size());
   }
 
@@ -99,27 +100,26 @@ class Chooser {
       const std::size_t count = source_.meshes[m].triangles.size() / 3;
       const auto taken = std::size_t(std::ranges::count(choice_.taken[m], true));
       if (taken == 0) {
-        choice_.left_out.push_back(
-            {fmt::format("mesh '{}' ({} triangles)", source_.meshes[m].name, count), "not hair"});
+        findings_.leave_out({fmt::format("mesh '{}' ({} triangles)", source_.meshes[m].name, count), "not hair"});
       } else if (taken < count) {
-        choice_.left_out.push_back({fmt::format("mesh '{}', {} triangles", source_.meshes[m].name, count - taken),
-                                    "of pieces that are not hair"});
+        findings_.leave_out({fmt::format("mesh '{}', {} triangles", source_.meshes[m].name, count - taken),
+                             "of pieces that are not hair"});
       }
     }
     return std::move(choice_);
   }
 
-  HairChoice& choice() { return choice_; }
+  void warn(std::string text) { findings_.warn(std::move(text)); }
 
  private:
   void note(std::uint32_t m, std::size_t triangles, const std::string& why) {
     found_ += triangles;
-    choice_.reasons.push_back(
-        fmt::format("hair: mesh '{}' ({} triangles): {}", source_.meshes[m].name, triangles, why));
+    findings_.note(fmt::format("hair: mesh '{}' ({} triangles): {}", source_.meshes[m].name, triangles, why));
   }
 
   const SourceModel& source_;
   const Recipe& recipe_;
+  Findings& findings_;
   HairChoice choice_;
   std::size_t found_ = 0;
 };
@@ -201,16 +201,16 @@ void take_everything(const SourceModel& source, std::uint32_t head, Chooser& cho
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
   }
   if (head == kNoIndex) return;  // A file without a body is a hairstyle.
-  chooser.choice().warnings.push_back(
+  chooser.warn(
       "nothing in the file is called hair, moved by hair bones or transparent on the head; the whole model was taken: "
       "name the hair by the recipe's \"hair\"");
 }
 
 }  // namespace
 
-tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const Recipe& recipe) {
+tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const Recipe& recipe, Findings& findings) {
   if (auto ok = check_all_patterns(source, recipe); !ok) return tl::unexpected(ok.error());
-  Chooser chooser(source, recipe);
+  Chooser chooser(source, recipe, findings);
   if (!recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty()) {
     choose_by_recipe(source, recipe, chooser);
     return std::move(chooser).finish();

@@ -22,18 +22,24 @@ struct HairMesh {
   std::vector<std::uint32_t> triangles;         ///< Three vertices each.
   std::vector<std::uint32_t> mesh_of_triangle;  ///< Source mesh that each triangle comes from.
   bool double_sided = false;                    ///< Both sides of every triangle are hair.
+  std::vector<std::uint32_t> source_meshes;     ///< Those that gave triangles.
   std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
-  /// Appends a vertex equal to `vertex`.
-  void append_copy(std::uint32_t vertex) {
-    positions.push_back(Eigen::Vector3f(positions[vertex]));
-    if (!normals.empty()) normals.push_back(Eigen::Vector3f(normals[vertex]));
-    if (!uvs.empty()) uvs.push_back(Eigen::Vector2f(uvs[vertex]));
-    for (std::uint32_t k = influence_begin[vertex]; k < influence_begin[vertex + 1]; ++k) {
-      influences.push_back(SourceInfluence(influences[k]));
+  /// Position of a triangle's corner, 0..2.
+  [[nodiscard]] const Eigen::Vector3f& corner(std::size_t triangle, std::size_t k) const {
+    return positions[triangles[3 * triangle + k]];
+  }
+  /// Appends a vertex like one of a mesh with the same attributes, which may be this one. Returns its index.
+  std::uint32_t append_vertex(const HairMesh& from, std::uint32_t vertex) {
+    positions.push_back(Eigen::Vector3f(from.positions[vertex]));
+    if (!from.normals.empty()) normals.push_back(Eigen::Vector3f(from.normals[vertex]));
+    if (!from.uvs.empty()) uvs.push_back(Eigen::Vector2f(from.uvs[vertex]));
+    for (std::uint32_t k = from.influence_begin[vertex]; k < from.influence_begin[vertex + 1]; ++k) {
+      influences.push_back(SourceInfluence(from.influences[k]));
     }
     influence_begin.push_back(std::uint32_t(influences.size()));
+    return std::uint32_t(positions.size() - 1);
   }
 
   [[nodiscard]] std::span<const SourceInfluence> influences_of(std::uint32_t vertex) const {

@@ -3,8 +3,8 @@
 #include "base/geometry.h"
 #include "base/text.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -31,14 +31,18 @@ std::uint32_t lowest_common_node(const SourceModel& source, const NodeWeights& b
   return lowest;
 }
 
+Eigen::AlignedBox3d box_of(const HairMesh& hair) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
+  return box;
+}
+
 /// The node of a rigid mesh, away from the hair: a file without bones has its origin on the floor, not in the head.
 bool is_far_mesh_node(const SourceModel& source, const HairMesh& hair, std::uint32_t node) {
   if (node == kNoIndex) return false;
   const bool carries_mesh = std::ranges::any_of(
       source.meshes, [&](const SourceMesh& mesh) { return mesh.node == node && mesh.influence_begin.empty(); });
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
-  return carries_mesh && !box.contains(source.nodes[node].model_from_node.translation());
+  return carries_mesh && !box_of(hair).contains(source.nodes[node].model_from_node.translation());
 }
 
 /// Without a node of its own the head sits in the middle of the hair.
@@ -119,12 +123,6 @@ constexpr double kLongestHead = 2.5;         ///< Longest over shortest semi-axi
 constexpr double kSmallestHead = 0.4;        ///< Of the hair's smaller horizontal size.
 constexpr double kSmallestRadius = 0.001;    ///< Metres: flat hair encloses nothing.
 
-Eigen::AlignedBox3d box_of(const HairMesh& hair) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
-  return box;
-}
-
 /// Share of a vertex's weight on the head bone; one for a mesh that hangs from it.
 float weight_on_head(const SourceModel& source, const SourceMesh& mesh, std::uint32_t v, const std::string& head) {
   if (mesh.influence_begin.empty()) return source.nodes[mesh.node].name == head ? 1.0f : 0.0f;
@@ -144,12 +142,11 @@ bool is_under(const std::vector<Vector3d>& vertices, const Eigen::AlignedBox3d& 
 }
 
 /// Vertices of the other meshes that follow the head bone and nothing else.
-std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair,
-                                    std::span<const std::uint32_t> hair_meshes, const HeadBone& head_bone) {
+std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
   const Eigen::AlignedBox3d hair_box = box_of(hair);
   std::vector<Vector3d> vertices;
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    if (std::ranges::find(hair_meshes, m) != hair_meshes.end()) continue;
+    if (std::ranges::find(hair.source_meshes, m) != hair.source_meshes.end()) continue;
     const SourceMesh& mesh = source.meshes[m];
     std::vector<Vector3d> of_mesh;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -206,8 +203,7 @@ std::pair<Vector3d, double> fit_sphere(const std::vector<Vector3d>& points) {
 
 /// The hair lies on the skull at the top: a sphere through its upper part, no larger than the hair's inside there.
 FittedHead from_hair(const HairMesh& hair) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3f& p : hair.positions) box.extend(p.cast<double>());
+  const Eigen::AlignedBox3d box = box_of(hair);
   const double width = std::min(box.sizes().x(), box.sizes().z());
   std::vector<Vector3d> cap;
   for (const Eigen::Vector3f& p : hair.positions) {
@@ -233,8 +229,7 @@ FittedHead from_hair(const HairMesh& hair) {
 
 }  // namespace
 
-FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<const std::uint32_t> hair_meshes,
-                    const HeadBone& head_bone, const Recipe& recipe) {
+FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone, const Recipe& recipe) {
   FittedHead head;
   if (recipe.head_center && recipe.head_radii) {
     head.center = Vector3d(recipe.head_center->data());
@@ -242,7 +237,7 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, std::span<c
     head.origin = "the recipe";
     head.declared = true;
   } else {
-    const std::vector<Vector3d> vertices = head_vertices(source, hair, hair_meshes, head_bone);
+    const std::vector<Vector3d> vertices = head_vertices(source, hair, head_bone);
     if (vertices.size() >= kFewestVertices) head = from_box(vertices);
     const bool found = vertices.size() >= kFewestVertices && is_head_shaped(head, hair) && !holds_hair(head, hair);
     if (!found) head = from_hair(hair);

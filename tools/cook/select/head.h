@@ -55,10 +55,9 @@ struct FittedHead {
   }
 };
 
-/// As the recipe declares it, else the box of the vertices outside `hair_meshes` that follow the head bone, else the
-/// inside of the hair.
-[[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair,
-                                  std::span<const std::uint32_t> hair_meshes, const HeadBone& head_bone,
+/// As the recipe declares it, else the box of the vertices outside of the hair's meshes that follow the head bone, else
+/// the inside of the hair.
+[[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const Recipe& recipe);
 
 }  // namespace coif

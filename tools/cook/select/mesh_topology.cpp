@@ -93,16 +93,6 @@ std::string vertex_key(const HairMesh& mesh, std::uint32_t v) {
   return key;
 }
 
-/// Appends vertex `v` of `from` to `to`.
-void copy_vertex(const HairMesh& from, std::uint32_t v, HairMesh& to) {
-  to.positions.push_back(from.positions[v]);
-  if (!from.normals.empty()) to.normals.push_back(from.normals[v]);
-  if (!from.uvs.empty()) to.uvs.push_back(from.uvs[v]);
-  const auto influences = from.influences_of(v);
-  to.influences.insert(to.influences.end(), influences.begin(), influences.end());
-  to.influence_begin.push_back(std::uint32_t(to.influences.size()));
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> weld_places(std::span<const Eigen::Vector3f> positions, double distance) {
@@ -145,13 +135,14 @@ void weld_vertices(HairMesh& mesh) {
   welded.material = mesh.material;
   welded.double_sided = mesh.double_sided;
   welded.mesh_of_triangle = std::move(mesh.mesh_of_triangle);
+  welded.source_meshes = std::move(mesh.source_meshes);
   welded.influence_begin.push_back(0);
   welded.triangles.reserve(mesh.triangles.size());
   std::unordered_map<std::string, std::uint32_t> seen;
   seen.reserve(mesh.positions.size());
   for (std::uint32_t v : mesh.triangles) {
     const auto [entry, is_new] = seen.try_emplace(vertex_key(mesh, v), std::uint32_t(welded.positions.size()));
-    if (is_new) copy_vertex(mesh, v, welded);
+    if (is_new) welded.append_vertex(mesh, v);
     welded.triangles.push_back(entry->second);
   }
   mesh = std::move(welded);

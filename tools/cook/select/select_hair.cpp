@@ -74,12 +74,13 @@ std::uint32_t main_material(const SourceModel& source, std::span<const std::size
 }
 
 struct Gathered {
+  HairMesh mesh;
   std::vector<std::size_t> taken;  ///< Triangles per source mesh.
   std::size_t degenerate = 0;
 };
 
-/// Joins the chosen triangles into result.mesh.
-Gathered gather(const SourceModel& source, const HairChoice& choice, SelectedHair& result) {
+/// Joins the chosen triangles.
+Gathered gather(const SourceModel& source, const HairChoice& choice, Findings& findings) {
   const auto any = [&](auto has) {
     for (std::size_t m = 0; m < source.meshes.size(); ++m) {
       if (!choice.taken[m].empty() && has(source.meshes[m])) return true;
@@ -89,48 +90,43 @@ Gathered gather(const SourceModel& source, const HairChoice& choice, SelectedHai
   const bool with_normals = any([](const SourceMesh& m) { return !m.normals.empty(); });
   const bool with_uvs = any([](const SourceMesh& m) { return !m.uvs.empty(); });
   Gathered gathered;
+  gathered.mesh.influence_begin.push_back(0);
   gathered.taken.assign(source.meshes.size(), 0);
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     if (choice.taken[m].empty()) continue;
-    const auto base = std::uint32_t(result.mesh.positions.size());
-    append_vertices(source.meshes[m], with_normals, with_uvs, result.mesh);
-    const TakenTriangles counts = append_triangles(source, m, choice, base, result.mesh);
+    const auto base = std::uint32_t(gathered.mesh.positions.size());
+    append_vertices(source.meshes[m], with_normals, with_uvs, gathered.mesh);
+    const TakenTriangles counts = append_triangles(source, m, choice, base, gathered.mesh);
     gathered.taken[m] = counts.taken;
     gathered.degenerate += counts.degenerate;
-    if (counts.taken > 0) result.meshes.push_back(m);
+    if (counts.taken > 0) gathered.mesh.source_meshes.push_back(m);
     if (counts.degenerate == 0) continue;
-    result.left_out.push_back(
+    findings.leave_out(
         {fmt::format("mesh '{}', {} triangles", source.meshes[m].name, counts.degenerate), "without area"});
   }
   return gathered;
 }
 
-void merge_faces(const Recipe& recipe, SelectedHair& result) {
-  const std::vector<std::uint32_t> place = weld_places(result.mesh.positions, recipe.patch_weld_distance);
-  const MergedFaces merged = merge_back_faces(result.mesh, place);
+void merge_faces(const Recipe& recipe, HairMesh& mesh, Findings& findings) {
+  const std::vector<std::uint32_t> place = weld_places(mesh.positions, recipe.patch_weld_distance);
+  const MergedFaces merged = merge_back_faces(mesh, place);
   if (merged.back_faces > 0) {
-    result.left_out.push_back({fmt::format("{} triangles that only were the back of others", merged.back_faces),
-                               "the hair is drawn double-sided", merged.back_faces * kTriangleBytes});
+    findings.leave_out({fmt::format("{} triangles that only were the back of others", merged.back_faces),
+                        "the hair is drawn double-sided", merged.back_faces * kTriangleBytes});
   }
   if (merged.copies > 0) {
-    result.left_out.push_back(
-        {fmt::format("{} triangles", merged.copies), "there twice", merged.copies * kTriangleBytes});
+    findings.leave_out({fmt::format("{} triangles", merged.copies), "there twice", merged.copies * kTriangleBytes});
   }
-  if (!is_closed(result.mesh, place)) result.mesh.double_sided = true;
+  if (!is_closed(mesh, place)) mesh.double_sided = true;
 }
 
 }  // namespace
 
-tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, const Recipe& recipe) {
-  auto choice = choose_hair(source, recipe);
+tl::expected<HairMesh, ToolError> select_hair(const SourceModel& source, const Recipe& recipe, Findings& findings) {
+  const auto choice = choose_hair(source, recipe, findings);
   if (!choice) return tl::unexpected(choice.error());
-  SelectedHair result;
-  result.notes = std::move(choice->reasons);
-  result.left_out = std::move(choice->left_out);
-  result.warnings = std::move(choice->warnings);
-  result.mesh.influence_begin.push_back(0);
-  const Gathered gathered = gather(source, *choice, result);
-  if (result.mesh.triangles.empty()) {
+  Gathered gathered = gather(source, *choice, findings);
+  if (gathered.mesh.triangles.empty()) {
     const std::string why =
         gathered.degenerate > 0
             ? fmt::format("all {} triangles are without area; scale the model up or export it again",
@@ -138,10 +134,10 @@ tl::expected<SelectedHair, ToolError> select_hair(const SourceModel& source, con
             : "no hair triangles; choose them by the recipe's \"hair\"";
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: {}", source.path, why)});
   }
-  result.mesh.material = main_material(source, gathered.taken);
-  merge_faces(recipe, result);
-  weld_vertices(result.mesh);
-  return result;
+  gathered.mesh.material = main_material(source, gathered.taken);
+  merge_faces(recipe, gathered.mesh, findings);
+  weld_vertices(gathered.mesh);
+  return std::move(gathered.mesh);
 }
 
 }  // namespace coif

@@ -2,32 +2,12 @@
 
 #include "cook/select/mesh_topology.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
 namespace coif {
-
-std::vector<PatchView> view_patches(const HairMesh& mesh, const PatchSet& patches) {
-  std::vector<PatchView> views(patches.count);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) views[patches.patch_of[t]].triangles.push_back(3 * t);
-  for (PatchView& view : views) {
-    for (std::size_t t : view.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) view.vertices.push_back(mesh.triangles[t + k]);
-    }
-    std::ranges::sort(view.vertices);
-    view.vertices.erase(std::ranges::unique(view.vertices).begin(), view.vertices.end());
-  }
-  return views;
-}
-
-float doubled_area(const HairMesh& mesh, std::size_t t) {
-  const Eigen::Vector3f& a = mesh.positions[mesh.triangles[t]];
-  return (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a).norm();
-}
-
 namespace {
 
 constexpr std::size_t kFragment = 8;        ///< Fewer triangles are an exporter's work, not an artist's strip.
@@ -68,10 +48,10 @@ struct Ends {
   std::uint32_t low, high;
 };
 
-Ends ends_of(const HairMesh& mesh, std::span<const std::uint32_t> place, const EdgeUse& use) {
+Ends ends_of(const HairMesh& mesh, std::span<const std::uint32_t> welded, const EdgeUse& use) {
   const std::uint32_t a = mesh.triangles[3 * use.triangle + use.side];
   const std::uint32_t b = mesh.triangles[3 * use.triangle + (use.side + 1) % 3];
-  return place[a] < place[b] ? Ends{a, b} : Ends{b, a};
+  return welded[a] < welded[b] ? Ends{a, b} : Ends{b, a};
 }
 
 bool same_coordinates(const HairMesh& mesh, const Ends& a, const Ends& b) {
@@ -80,16 +60,16 @@ bool same_coordinates(const HairMesh& mesh, const Ends& a, const Ends& b) {
          (mesh.uvs[a.high] - mesh.uvs[b.high]).cwiseAbs().maxCoeff() <= kSameCoordinate;
 }
 
-PatchSet group_by_islands(const HairMesh& mesh, std::span<const std::uint32_t> place) {
+PatchSet group_by_islands(const HairMesh& mesh, std::span<const std::uint32_t> welded) {
   constexpr std::size_t kMostCharts = 16;  ///< On one edge; more are a hedgehog, and comparing all would be quadratic.
   DisjointSets sets(mesh.triangle_count());
   std::vector<EdgeUse> charts;  ///< One use for each pair of texture coordinates that meets at the edge.
-  for_each_edge(sorted_edges(mesh.triangles, place), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(sorted_edges(mesh.triangles, welded), [&](std::span<const EdgeUse> uses) {
     charts.clear();
     for (const EdgeUse& use : uses) {
-      const Ends ends = ends_of(mesh, place, use);
+      const Ends ends = ends_of(mesh, welded, use);
       const auto same = std::ranges::find_if(
-          charts, [&](const EdgeUse& chart) { return same_coordinates(mesh, ends, ends_of(mesh, place, chart)); });
+          charts, [&](const EdgeUse& chart) { return same_coordinates(mesh, ends, ends_of(mesh, welded, chart)); });
       if (same != charts.end()) {
         sets.unite(same->triangle, use.triangle);
       } else if (charts.size() < kMostCharts) {
@@ -127,13 +107,13 @@ void choose(const HairMesh& mesh, const PatchSet& finest, const PatchSet& by_pos
 
 }  // namespace
 
-ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> place,
+ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> welded,
                                  const std::string& connectivity) {
   std::vector<std::uint32_t> identity(mesh.positions.size());
   std::iota(identity.begin(), identity.end(), 0u);
   PatchSet by_index = group_by_corners(mesh, identity);
-  PatchSet by_position = group_by_corners(mesh, place);
-  PatchSet by_island = group_by_islands(mesh, place);
+  PatchSet by_position = group_by_corners(mesh, welded);
+  PatchSet by_island = group_by_islands(mesh, welded);
 
   ExtractedPatches result;
   result.by_index = by_index.count;
@@ -148,65 +128,12 @@ ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint
   return result;
 }
 
-std::vector<std::uint32_t> separate_patches(HairMesh& mesh, const PatchSet& patches) {
-  constexpr std::uint32_t kNobody = kNoIndex;
-  std::vector<std::uint32_t> owner(mesh.positions.size(), kNobody);
-  // A vertex's copies for other patches; most vertices have none.
-  std::vector<std::pair<std::uint64_t, std::size_t>> foreign;  ///< Patch and vertex, corner.
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::uint32_t patch = patches.patch_of[i / 3], v = mesh.triangles[i];
-    if (owner[v] == kNobody) owner[v] = patch;
-    if (owner[v] != patch) foreign.emplace_back(std::uint64_t(patch) << 32 | v, i);
-  }
-  std::ranges::sort(foreign);
-  std::vector<std::uint32_t> original;
-  for (std::size_t i = 0; i < foreign.size(); ++i) {
-    const auto& [key, corner] = foreign[i];
-    const bool is_new = i == 0 || foreign[i - 1].first != key;
-    if (is_new) {
-      mesh.append_copy(std::uint32_t(key));
-      original.push_back(std::uint32_t(key));
-    }
-    mesh.triangles[corner] = std::uint32_t(mesh.positions.size() - 1);
-  }
-  return original;
-}
-
-namespace {
-
-using Eigen::Vector3f;
-
-Vector3f face_vector(const HairMesh& mesh, std::size_t t) {
-  const Vector3f& a = mesh.positions[mesh.triangles[t]];
-  return (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a);
-}
-
-bool is_unit(const Vector3f& n) { return std::abs(n.squaredNorm() - 1.0f) < 0.02f; }
-
-}  // namespace
-
-std::size_t complete_normals(HairMesh& mesh, std::span<const std::uint32_t> place) {
-  mesh.normals.resize(mesh.positions.size(), Vector3f::Zero());
-  std::size_t missing = 0;
-  for (const Vector3f& n : mesh.normals) missing += is_unit(n) ? 0 : 1;
-  if (missing == 0) return 0;
-
-  std::vector<Vector3f> own(mesh.positions.size(), Vector3f::Zero()), mean = own;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    for (int k = 0; k < 3; ++k) own[mesh.triangles[t + std::size_t(k)]] += face_vector(mesh, t);
-  }
-  // Each corner adds its face to every side of the place that looks the same way; a side is known by its first vertex.
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (own[v].dot(own[place[v]]) >= 0) mean[place[v]] += own[v];
-  }
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (is_unit(mesh.normals[v])) continue;
-    const Vector3f& around = mean[place[v]];
-    const bool same_side = own[v].dot(around) > 0;
-    const Vector3f normal = same_side ? around : own[v];
-    mesh.normals[v] = normal.norm() > 0 ? Vector3f(normal.normalized()) : Vector3f(Vector3f::UnitY());
-  }
-  return missing;
+ExtractedPatches find_patches(HairStrips& hair, const std::string& connectivity, Findings& findings) {
+  ExtractedPatches extracted = extract_patches(hair.mesh, hair.welded, connectivity);
+  hair.patches = extracted.patches;
+  hair.separate_patches();
+  findings.note(fmt::format("patches {}", extracted.reason));
+  return extracted;
 }
 
 }  // namespace coif

@@ -1,24 +1,12 @@
 #pragma once
 
-#include "cook/select/hair_mesh.h"
+#include "cook/recipe/findings.h"
+#include "cook/strands/hair_strips.h"
 
 #include <span>
 #include <string>
-#include <vector>
 
 namespace coif {
-
-/// What belongs to one patch.
-struct PatchView {
-  std::vector<std::size_t> triangles;   ///< First index of each.
-  std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
-};
-
-/// Every patch's triangles and vertices.
-[[nodiscard]] std::vector<PatchView> view_patches(const HairMesh& mesh, const PatchSet& patches);
-
-/// Twice the area of the triangle whose first index is at `t`, square metres.
-[[nodiscard]] float doubled_area(const HairMesh& mesh, std::size_t t);
 
 struct ExtractedPatches {
   PatchSet patches;
@@ -37,16 +25,11 @@ struct ExtractedPatches {
 ///    in one piece, and two strips that touch are not.
 ///  - "auto": islands (indices without texture coordinates), unless more than a quarter of the triangles are then in
 ///    fragments of fewer than 8 whose place has more: such a file is unwrapped face by face, and positions decide.
-/// `place` of each vertex from weld_places().
-[[nodiscard]] ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> place,
+/// `welded` as HairStrips has it.
+[[nodiscard]] ExtractedPatches extract_patches(const HairMesh& mesh, std::span<const std::uint32_t> welded,
                                                const std::string& connectivity);
 
-/// Gives each patch its own vertices: copies those that several share. Returns, for each vertex appended, which it equals.
-std::vector<std::uint32_t> separate_patches(HairMesh& mesh, const PatchSet& patches);
-
-/// Fills in normals that are missing or not unit: the mean of the faces around a place, weighted by area, as far as they
-/// look the same way as the vertex's own faces (a strip's two sides share places). `place` of each vertex from
-/// weld_places(). Returns how many were filled in.
-std::size_t complete_normals(HairMesh& mesh, std::span<const std::uint32_t> place);
+/// Extracts the patches of hair whose places are known and separates them. Notes what they are connected by.
+ExtractedPatches find_patches(HairStrips& hair, const std::string& connectivity, Findings& findings);
 
 }  // namespace coif

@@ -2,6 +2,7 @@
 #include "cook/strands/strand_direction.h"
 #include "cook/strands/strand_evidence.h"
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <array>
@@ -15,6 +16,7 @@ using Eigen::AlignedBox3f;
 using Eigen::Vector3f;
 
 constexpr std::size_t kSections = 8;        ///< Root to tip.
+constexpr double kWidestPatch = 0.75;       ///< Of the head's radius: what hides its own back half is too wide.
 constexpr float kAlongStrand = 0.7071068f;  ///< Cosine: an edge at less than 45 degrees to the strand runs along it.
 
 /// How far a part of a patch reaches, section by section from root to tip.
@@ -38,24 +40,22 @@ struct Extent {
 };
 
 Vector3f middle_of(const HairMesh& mesh, std::uint32_t t) {
-  return (mesh.positions[mesh.triangles[3 * t]] + mesh.positions[mesh.triangles[3 * t + 1]] +
-          mesh.positions[mesh.triangles[3 * t + 2]]) /
-         3;
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
 
-std::size_t section_of(const HairMesh& mesh, const StrandField& strands, std::uint32_t t) {
+std::size_t section_of(const HairStrips& hair, std::uint32_t t) {
   float place = 0;
-  for (std::size_t k = 0; k < 3; ++k) place += strands.place[mesh.triangles[3 * t + k]] / 3;
+  for (std::size_t k = 0; k < 3; ++k) place += hair.strands.place[hair.mesh.triangles[3 * t + k]] / 3;
   return std::min(kSections - 1, std::size_t(std::max(0.0f, place) * float(kSections)));
 }
 
 /// Unit direction of the strands in each triangle, zero where unknown. From the place along the strand rather than from
 /// tangents, which depend on normals: the same hair from another exporter is to be cut in the same way.
-std::vector<Vector3f> directions_of(const HairMesh& mesh, const StrandField& strands) {
+std::vector<Vector3f> directions_of(const HairStrips& hair) {
   std::vector<Vector3f> directions;
-  directions.reserve(mesh.triangle_count());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    directions.push_back(gradient(mesh, 3 * t, strands.place).stableNormalized());
+  directions.reserve(hair.mesh.triangle_count());
+  for (std::size_t t = 0; t < hair.mesh.triangle_count(); ++t) {
+    directions.push_back(gradient(hair.mesh, 3 * t, hair.strands.place).stableNormalized());
   }
   return directions;
 }
@@ -69,39 +69,39 @@ Vector3f across(const HairMesh& mesh, const Vector3f& direction, std::uint32_t t
 /// Middle of each section, per patch: where offsets of that section are measured from.
 using Origins = std::vector<std::array<Vector3f, kSections>>;
 
-Origins section_origins(const HairMesh& mesh, const StrandField& strands, const PatchSet& patches) {
+Origins section_origins(const HairStrips& hair) {
   struct Mean {
     Vector3f sum = Vector3f::Zero();
     float count = 0;
   };
-  std::vector<std::array<Mean, kSections>> means(patches.count);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    Mean& mean = means[patches.patch_of[t]][section_of(mesh, strands, t)];
-    mean.sum += middle_of(mesh, t);
+  std::vector<std::array<Mean, kSections>> means(hair.patches.count);
+  for (std::uint32_t t = 0; t < hair.mesh.triangle_count(); ++t) {
+    Mean& mean = means[hair.patches.patch_of[t]][section_of(hair, t)];
+    mean.sum += middle_of(hair.mesh, t);
     mean.count += 1;
   }
-  Origins origins(patches.count);
+  Origins origins(means.size());
   for (std::size_t p = 0; p < means.size(); ++p) {
     for (std::size_t s = 0; s < kSections; ++s) origins[p][s] = means[p][s].sum / std::max(means[p][s].count, 1.0f);
   }
   return origins;
 }
 
-std::vector<Extent> extents_of(const HairMesh& mesh, const StrandField& strands, const PatchSet& patches,
-                               std::span<const std::uint32_t> group_of, std::size_t groups) {
-  const Origins origins = section_origins(mesh, strands, patches);
-  const std::vector<Vector3f> directions = directions_of(mesh, strands);
+/// Of each of the groups that the triangles are in; kNoIndex: in none.
+std::vector<Extent> extents_of(const HairStrips& hair, std::span<const std::uint32_t> group_of, std::size_t groups) {
+  const Origins origins = section_origins(hair);
+  const std::vector<Vector3f> directions = directions_of(hair);
   std::vector<Extent> extents(groups);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+  for (std::uint32_t t = 0; t < hair.mesh.triangle_count(); ++t) {
     if (group_of[t] == kNoIndex) continue;
-    const std::size_t s = section_of(mesh, strands, t);
-    extents[group_of[t]].boxes[s].extend(across(mesh, directions[t], t, origins[patches.patch_of[t]][s]));
+    const std::size_t s = section_of(hair, t);
+    extents[group_of[t]].boxes[s].extend(across(hair.mesh, directions[t], t, origins[hair.patches.patch_of[t]][s]));
   }
   return extents;
 }
 
 float side_length(const HairMesh& mesh, std::uint32_t t, std::uint32_t side) {
-  return (mesh.positions[mesh.triangles[3 * t + (side + 1) % 3]] - mesh.positions[mesh.triangles[3 * t + side]]).norm();
+  return (mesh.corner(t, (side + 1) % 3) - mesh.corner(t, side)).norm();
 }
 
 /// The longest side of both its triangles: the diagonal of what was a quad.
@@ -115,9 +115,8 @@ bool is_diagonal(const HairMesh& mesh, std::span<const EdgeUse> uses) {
 
 bool runs_along_strand(const HairMesh& mesh, std::span<const Vector3f> directions, std::span<const EdgeUse> uses) {
   const EdgeUse& use = uses[0];
-  const std::uint32_t a = mesh.triangles[3 * use.triangle + use.side];
-  const std::uint32_t b = mesh.triangles[3 * use.triangle + (use.side + 1) % 3];
-  const Vector3f edge = (mesh.positions[b] - mesh.positions[a]).normalized();
+  const Vector3f edge =
+      (mesh.corner(use.triangle, (use.side + 1) % 3) - mesh.corner(use.triangle, use.side)).normalized();
   const Vector3f strand = directions[uses[0].triangle] + directions[uses[1].triangle];
   return std::abs(edge.dot(strand)) > kAlongStrand * strand.norm();
 }
@@ -202,25 +201,26 @@ struct Ribbons {
 };
 
 /// Rows of quads along the strands, inside the patches that are shells.
-Ribbons find_ribbons(const HairMesh& mesh, std::span<const std::uint32_t> place, const StrandField& strands,
-                     const PatchSet& patches, const std::vector<bool>& is_shell) {
-  const std::vector<Vector3f> directions = directions_of(mesh, strands);
-  DisjointSets sets(mesh.triangle_count());
+Ribbons find_ribbons(const HairStrips& hair, const std::vector<bool>& is_shell) {
+  const std::vector<std::uint32_t>& patch_of = hair.patches.patch_of;
+  const std::vector<Vector3f> directions = directions_of(hair);
+  const std::size_t triangles = hair.mesh.triangle_count();
+  DisjointSets sets(triangles);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for_each_edge(sorted_edges(mesh.triangles, place), [&](std::span<const EdgeUse> uses) {
-    const std::uint32_t patch = patches.patch_of[uses[0].triangle];
-    if (uses.size() != 2 || patches.patch_of[uses[1].triangle] != patch || !is_shell[patch]) return;
-    if (is_diagonal(mesh, uses) || !runs_along_strand(mesh, directions, uses)) {
+  for_each_edge(sorted_edges(hair.mesh.triangles, hair.welded), [&](std::span<const EdgeUse> uses) {
+    const std::uint32_t patch = patch_of[uses[0].triangle];
+    if (uses.size() != 2 || patch_of[uses[1].triangle] != patch || !is_shell[patch]) return;
+    if (is_diagonal(hair.mesh, uses) || !runs_along_strand(hair.mesh, directions, uses)) {
       sets.unite(uses[0].triangle, uses[1].triangle);
     } else {
       sides.emplace_back(uses[0].triangle, uses[1].triangle);
     }
   });
   Ribbons ribbons;
-  ribbons.ribbon_of.assign(mesh.triangle_count(), kNoIndex);
-  std::vector<std::uint32_t> number(mesh.triangle_count(), kNoIndex);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (!is_shell[patches.patch_of[t]]) continue;
+  ribbons.ribbon_of.assign(triangles, kNoIndex);
+  std::vector<std::uint32_t> number(triangles, kNoIndex);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    if (!is_shell[patch_of[t]]) continue;
     std::uint32_t& ribbon = number[sets.find(t)];
     if (ribbon == kNoIndex) ribbon = ribbons.count++;
     ribbons.ribbon_of[t] = ribbon;
@@ -247,26 +247,33 @@ void renumber(const Ribbons& ribbons, RibbonMerger& merger, PatchSet& patches) {
 
 }  // namespace
 
-ShellSplit split_shells(const HairMesh& mesh, std::span<const std::uint32_t> place, const StrandField& strands,
-                        double widest, PatchSet& patches) {
+double widest_patch(const Recipe& recipe, const FittedHead& head) {
+  return recipe.patch_widest > 0 ? recipe.patch_widest : kWidestPatch * head.radii.mean();
+}
+
+ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings) {
+  PatchSet& patches = hair.patches;
   const std::uint32_t before = patches.count;
   const auto limit = float(widest);
   std::vector<bool> is_shell(before);
   ShellSplit split;
-  const std::vector<Extent> extents = extents_of(mesh, strands, patches, patches.patch_of, before);
+  const std::vector<Extent> extents = extents_of(hair, patches.patch_of, before);
   for (std::uint32_t p = 0; p < before; ++p) {
     is_shell[p] = extents[p].width() > limit;
     split.shells += is_shell[p] ? 1 : 0;
   }
   if (split.shells == 0) return split;
-  const Ribbons ribbons = find_ribbons(mesh, place, strands, patches, is_shell);
-  RibbonMerger merger(extents_of(mesh, strands, patches, ribbons.ribbon_of, ribbons.count), limit);
+  const Ribbons ribbons = find_ribbons(hair, is_shell);
+  RibbonMerger merger(extents_of(hair, ribbons.ribbon_of, ribbons.count), limit);
   for (const auto& [a, b] : ribbons.neighbours) merger.add_neighbours(a, b);
   merger.run();
   renumber(ribbons, merger, patches);
   split.parts = split.shells + patches.count - before;
-  const std::vector<Extent> after = extents_of(mesh, strands, patches, patches.patch_of, patches.count);
+  const std::vector<Extent> after = extents_of(hair, patches.patch_of, patches.count);
   split.left = std::uint32_t(std::ranges::count_if(after, [&](const Extent& e) { return e.width() > limit; }));
+  hair.separate_patches();
+  findings.note(fmt::format("patches: {} too wide to sort, cut along the strands into {}{}", split.shells, split.parts,
+                            split.left == 0 ? "" : fmt::format("; {} are still too wide", split.left)));
   return split;
 }
 

@@ -19,17 +19,17 @@ constexpr float kMostFlat = 0.3f;  ///< Share of a patch's area that may be in o
 /// The patch's places joined by the sides of its triangles.
 class SurfaceGraph {
  public:
-  SurfaceGraph(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& patch) {
+  SurfaceGraph(const HairStrips& hair, const PatchView& patch) {
     for (std::uint32_t v : patch.vertices) {
-      const auto [entry, is_new] = node_of_place_.try_emplace(place[v], std::uint32_t(points_.size()));
-      if (is_new) points_.push_back(mesh.positions[v]);
+      const auto [entry, is_new] = node_of_place_.try_emplace(hair.welded[v], std::uint32_t(points_.size()));
+      if (is_new) points_.push_back(hair.mesh.positions[v]);
       node_of_vertex_.push_back(entry->second);
     }
     neighbours_.resize(points_.size());
     for (std::size_t t : patch.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = node_of_place_.at(place[mesh.triangles[t + k]]);
-        const std::uint32_t b = node_of_place_.at(place[mesh.triangles[t + (k + 1) % 3]]);
+        const std::uint32_t a = node_of_place_.at(hair.welded[hair.mesh.triangles[t + k]]);
+        const std::uint32_t b = node_of_place_.at(hair.welded[hair.mesh.triangles[t + (k + 1) % 3]]);
         neighbours_[a].push_back(b);
         neighbours_[b].push_back(a);
       }
@@ -73,9 +73,8 @@ std::uint32_t farthest(std::span<const float> distances) {
 }
 
 /// Between the two ends that are farthest apart: how much nearer to the first than to the second.
-std::vector<float> walked_coordinate(const HairMesh& mesh, std::span<const std::uint32_t> place,
-                                     const PatchView& patch) {
-  const SurfaceGraph graph(mesh, place, patch);
+std::vector<float> walked_coordinate(const HairStrips& hair, const PatchView& patch) {
+  const SurfaceGraph graph(hair, patch);
   const std::uint32_t first = farthest(graph.distances_from(0));
   const std::vector<float> from_first = graph.distances_from(first);
   const std::vector<float> from_last = graph.distances_from(farthest(from_first));
@@ -188,15 +187,14 @@ Vector3f gradient(const HairMesh& mesh, std::size_t t, std::span<const float> co
   return (e2.cross(normal) * d1 + normal.cross(e1) * d2) / square;
 }
 
-StrandAxis strand_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& patch,
-                       int texture_axis) {
+StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis) {
   StrandAxis axis;
   axis.texture_axis = texture_axis;
   if (texture_axis < 0) {
-    axis.coordinate = walked_coordinate(mesh, place, patch);
-    level_rows(mesh, patch, axis.coordinate);
+    axis.coordinate = walked_coordinate(hair, patch);
+    level_rows(hair.mesh, patch, axis.coordinate);
   } else {
-    for (std::uint32_t v : patch.vertices) axis.coordinate.push_back(mesh.uvs[v][texture_axis]);
+    for (std::uint32_t v : patch.vertices) axis.coordinate.push_back(hair.mesh.uvs[v][texture_axis]);
   }
   scale_to_unit(axis.coordinate);
   return axis;

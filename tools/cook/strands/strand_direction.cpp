@@ -3,8 +3,8 @@
 #include "base/parallel_for.h"
 #include "cook/strands/strand_evidence.h"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 
@@ -23,6 +23,7 @@ constexpr int kRounds = 16;
 constexpr double kBeside = 0.15;  ///< Patches nearer than this share of the head's radius are beside each other.
 constexpr float kUnsure = 0.2f;   ///< Of a belief: told in the report.
 constexpr float kConsensusWeight = 1.0f;  ///< What it counts where the others have their roots.
+constexpr double kBackwards = 0.5;        ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
@@ -59,13 +60,13 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
 
 /// Along which texture axis the strands run: the one the patch is longer along, whose ends differ more as roots and tips
 /// do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
-void choose_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& view,
-                 const FittedHead& head, std::span<const float> depth_of_node, int common, PatchStrands& patch) {
+void choose_axis(const HairStrips& hair, const PatchView& view, const FittedHead& head,
+                 std::span<const float> depth_of_node, int common, PatchStrands& patch) {
   const bool textured = patch.preference != 0;
   float best = -10;
   for (int candidate = textured ? 0 : -1; candidate < (textured ? 2 : 0); ++candidate) {
-    StrandAxis axis = strand_axis(mesh, place, view, candidate);
-    const RootEvidence evidence = weigh_ends(mesh, view, axis, head, depth_of_node);
+    StrandAxis axis = strand_axis(hair, view, candidate);
+    const RootEvidence evidence = weigh_ends(hair.mesh, view, axis, head, depth_of_node);
     const float longer = candidate == 1 ? patch.preference : -patch.preference;
     const float ends = std::min(std::abs(evidence.sum()), kClearEnds);
     const float score = kLongerWeight * longer + ends + (candidate == common ? kCommonAxis : 0.0f);
@@ -151,6 +152,7 @@ void write_patch(const HairMesh& mesh, const PatchView& view, const StrandAxis& 
   write_tangents(mesh, view, axis.texture_axis, field);
 }
 
+/// Mean over the area, of length 1 where all are the same.
 Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tangents) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double area = 0;
@@ -162,6 +164,15 @@ Eigen::Vector3d mean_tangent(const HairMesh& mesh, std::span<const Vector3f> tan
   return area > 0 ? Eigen::Vector3d(sum / area) : sum;
 }
 
+/// Hair hangs. Where nearly all of it runs straight backwards the file was more likely written with Z up.
+void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& findings) {
+  const Eigen::Vector3d mean = mean_tangent(mesh, field.tangent);
+  if (mean.z() > -kBackwards || mean.y() < -0.5 * kBackwards) return;
+  findings.warn(
+      "most strands run horizontally, along -Z; if the hair hangs in the modeller, the file has Z up: set "
+      "\"source.up_axis\": \"z\" in the recipe");
+}
+
 void turn_round(const PatchView& view, StrandField& field) {
   for (std::uint32_t v : view.vertices) {
     field.place[v] = 1 - field.place[v];
@@ -171,13 +182,14 @@ void turn_round(const PatchView& view, StrandField& field) {
 
 }  // namespace
 
-StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
-                                  const FittedHead& head, const StrandSettings& settings) {
+StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head, const StrandSettings& settings,
+                                  Findings& findings) {
+  const HairMesh& mesh = hair.mesh;
   const DeclaredRoot declared = declared_root(settings.root);
   StrandField field;
   field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
   field.place.assign(mesh.positions.size(), 0.0f);
-  const std::vector<PatchView> views = view_patches(mesh, patches);
+  const std::vector<PatchView> views = hair.views();
   std::vector<PatchStrands> strands(views.size());
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
@@ -186,9 +198,9 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
   const int common = common_texture_axis(strands);
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     if (declared.texture_axis >= 0 && strands[p].preference != 0) {
-      strands[p].axis = strand_axis(mesh, place, views[p], declared.texture_axis);
+      strands[p].axis = strand_axis(hair, views[p], declared.texture_axis);
     } else {
-      choose_axis(mesh, place, views[p], head, settings.depth_of_node, common, strands[p]);
+      choose_axis(hair, views[p], head, settings.depth_of_node, common, strands[p]);
     }
   });
   parallel_for(views.size(), settings.threads,
@@ -202,11 +214,11 @@ StrandField find_strand_direction(const HairMesh& mesh, std::span<const std::uin
     sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
     unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
   }
-  field.mean = mean_tangent(mesh, field.tangent);
   field.along_u = (declared.texture_axis < 0 ? common : declared.texture_axis) == 0 && !mesh.uvs.empty();
-  field.reason =
+  findings.note(
       fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,
-                  views.size(), unsure);
+                  views.size(), unsure));
+  warn_of_up_axis(mesh, field, findings);
   return field;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cook/select/head.h"
-#include "cook/strands/patches.h"
+#include "cook/strands/hair_strips.h"
 
 #include <array>
 #include <span>
@@ -26,15 +26,13 @@ struct StrandAxis {
 [[nodiscard]] float texture_preference(const HairMesh& mesh, const PatchView& patch);
 
 /// The coordinate along `texture_axis` (0 or 1), or for -1 the distance over the surface from one end of the patch, the
-/// one that is farthest from everything else. `place` of each vertex from weld_places().
-[[nodiscard]] StrandAxis strand_axis(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchView& patch,
-                                     int texture_axis);
+/// one that is farthest from everything else.
+[[nodiscard]] StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis);
 
 /// How the strands of two patches that lie beside each other run.
 struct Neighbour {
   std::uint32_t patch = 0;
-  float agreement =
-      0;  ///< 1: the same way, -1: opposite ways; sums to at most 1 in magnitude over a patch's neighbours.
+  float agreement = 0;  ///< 1: the same way, -1: opposite; over a patch's neighbours at most 1 in all.
 };
 
 /// For each patch the ones whose vertices are within `reach` metres of its own and whose tangents are about parallel or

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "cook/recipe/findings.h"
 #include "cook/texture/image.h"
 #include "write/asset_writer.h"
 
 #include <coif/asset.h>
 
 #include <span>
-#include <string>
 
 namespace coif {
 
@@ -52,16 +52,13 @@ void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, con
 /// Base colour of `contents` as images, largest mip first; empty without such a texture.
 [[nodiscard]] std::vector<Image> base_color_mips(const AssetContents& contents);
 
-struct KeptCoverage {
-  std::vector<std::string> notes;
-  std::vector<std::string> warnings;
-};
-
 /// Gives the smaller mips of the base colour the coverage that the largest has at the material's thresholds (see
 /// keep_alpha_coverage()). The last thing done to the texels: until here all mips have plainly averaged alpha, and
 /// whoever chooses the threshold sees what the artist painted. `used` says for each mip which texels the hair shows;
-/// empty where there is no texture. Tells how near the mips came, and warns where hair will look thinner or fuller
-/// from afar.
-KeptCoverage keep_coverage(std::span<const Image> used, AssetContents& contents);
+/// empty where there is no texture.
+void keep_coverage(std::span<const Image> used, AssetContents& contents);
+
+/// Notes how near keep_coverage() came, and warns where hair will look thinner or fuller from afar.
+void report_coverage(std::span<const Image> used, const AssetContents& contents, Findings& findings);
 
 }  // namespace coif

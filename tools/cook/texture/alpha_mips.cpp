@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 namespace coif {
 namespace {
@@ -156,30 +157,11 @@ double share_off(double found, double wanted, double texels) {
   return off <= 0.5 / texels ? 0 : off / std::max(wanted, 1 / texels);
 }
 
-KeptCoverage judged(std::span<const Image> mips, std::span<const Image> used, const AlphaThresholds& thresholds) {
-  const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);
-  KeptCoverage kept;
-  double solid_off = 0, opacity_off = 0;
-  std::size_t level = 1;
-  for (; level < mips.size() && used_count(used[level]) >= kJudgedTexels; ++level) {
-    const double texels = used_count(used[level]);
-    const AlphaCoverage found = alpha_coverage(mips[level], used[level], thresholds);
-    solid_off = std::max(solid_off, share_off(found.opaque, wanted.opaque, texels));
-    opacity_off = std::max(opacity_off, share_off(found.opacity, wanted.opacity, texels));
-    if (std::max(solid_off, opacity_off) > kMostOff && kept.warnings.empty()) {
-      kept.warnings.push_back(
-          fmt::format("mip {} of the base texture ({} x {}) covers {:.1f} % instead of {:.1f} %: hair looks {} from "
-                      "afar; paint its "
-                      "alpha with fewer faint texels",
-                      level, mips[level].width, mips[level].height, 100 * found.opacity, 100 * wanted.opacity,
-                      found.opacity < wanted.opacity ? "thinner" : "fuller"));
-    }
-  }
-  kept.notes.push_back(fmt::format(
-      "mips: {:.1f} % of the hair's texels opaque, {:.1f} % covered in all; smaller mips are within {:.1f} % and "
-      "{:.1f} % of that, down to mip {}",
-      100 * wanted.opaque, 100 * wanted.opacity, 100 * solid_off, 100 * opacity_off, level - 1));
-  return kept;
+/// Of the base texture's texels; nothing where the hair is opaque whatever they say.
+std::optional<AlphaThresholds> thresholds_in_use(const AssetContents& contents) {
+  if (find_base_color(contents) == nullptr || contents.material.empty()) return {};
+  const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
+  return least_passing(thresholds.opaque) == 0 ? std::nullopt : std::optional(thresholds);
 }
 
 }  // namespace
@@ -199,18 +181,44 @@ std::vector<Image> base_color_mips(const AssetContents& contents) {
   return mips;
 }
 
-KeptCoverage keep_coverage(std::span<const Image> used, AssetContents& contents) {
+void keep_coverage(std::span<const Image> used, AssetContents& contents) {
+  const auto thresholds = thresholds_in_use(contents);
+  if (!thresholds) return;
   std::vector<Image> mips = base_color_mips(contents);
-  if (mips.empty() || contents.material.empty()) return {};
-  const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
-  if (least_passing(thresholds.opaque) == 0) return {};
-  keep_alpha_coverage(mips, used, thresholds);
+  keep_alpha_coverage(mips, used, *thresholds);
   std::byte* to = contents.texels.data() + find_base_color(contents)->offset;
   for (const Image& mip : mips) {
     std::memcpy(to, mip.texels.data(), mip.texels.size());
     to += mip.texels.size();
   }
-  return judged(mips, used, thresholds);
+}
+
+void report_coverage(std::span<const Image> used, const AssetContents& contents, Findings& findings) {
+  const auto thresholds = thresholds_in_use(contents);
+  if (!thresholds) return;
+  const std::vector<Image> mips = base_color_mips(contents);
+  const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], *thresholds);
+  double solid_off = 0, opacity_off = 0;
+  bool warned = false;
+  std::size_t level = 1;
+  for (; level < mips.size() && used_count(used[level]) >= kJudgedTexels; ++level) {
+    const double texels = used_count(used[level]);
+    const AlphaCoverage found = alpha_coverage(mips[level], used[level], *thresholds);
+    solid_off = std::max(solid_off, share_off(found.opaque, wanted.opaque, texels));
+    opacity_off = std::max(opacity_off, share_off(found.opacity, wanted.opacity, texels));
+    if (warned || std::max(solid_off, opacity_off) <= kMostOff) continue;
+    warned = true;
+    findings.warn(
+        fmt::format("mip {} of the base texture ({} x {}) covers {:.1f} % instead of {:.1f} %: hair looks {} from "
+                    "afar; paint its "
+                    "alpha with fewer faint texels",
+                    level, mips[level].width, mips[level].height, 100 * found.opacity, 100 * wanted.opacity,
+                    found.opacity < wanted.opacity ? "thinner" : "fuller"));
+  }
+  findings.note(fmt::format(
+      "mips: {:.1f} % of the hair's texels opaque, {:.1f} % covered in all; smaller mips are within {:.1f} % and "
+      "{:.1f} % of that, down to mip {}",
+      100 * wanted.opaque, 100 * wanted.opacity, 100 * solid_off, 100 * opacity_off, level - 1));
 }
 
 }  // namespace coif

@@ -35,10 +35,11 @@ struct BaseMips {
   std::vector<Image> used;
 };
 
-BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency) {
+BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency,
+                   Findings& findings) {
   Image image = *color.image;
   Image used = used_texels(hair, image.width, image.height);
-  transparency = choose_transparency(color, &image, used, recipe);
+  transparency = choose_transparency(color, &image, used, recipe, findings);
   if (transparency.ignores_alpha) {
     // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
@@ -75,18 +76,20 @@ ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, cons
 }
 
 /// One number for all of the hair is the material's: the texture would be read for every pixel to say it again.
-void keep_constants(const Image& image, TexelFormat format, std::span<const Image> mips, BakedTextures& out) {
+void keep_constants(std::span<const Image> mips, TexelFormat format, BakedTextures& out, Findings& findings) {
+  const Image& image = mips[0];
   out.constant_shift = image.texels[0] / 255.0;
   out.constant_mask = image.texels[1] / 255.0;
   std::uint64_t bytes = sizeof(TextureRecord);
   for (std::uint32_t mip = 0; mip < mips.size(); ++mip) bytes += mip_bytes(format, image.width, image.height, mip);
-  out.left_out.push_back({"texture of shift and mask", "both are the same everywhere; the material says them", bytes});
+  findings.leave_out({"texture of shift and mask", "both are the same everywhere; the material says them", bytes});
 }
 
 }  // namespace
 
-tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
-                                                     const Recipe& recipe, const CookSettings& settings) {
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
+                                                     const Recipe& recipe, const CookSettings& settings,
+                                                     Findings& findings) {
   BakedTextures baked;
   const auto shift = read_recipe_image(recipe.shift_texture, "shift", settings);
   const auto mask = read_recipe_image(recipe.mask_texture, "mask", settings);
@@ -94,22 +97,22 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
     if (!*image) return tl::unexpected(image->error());
     if ((*image)->image) baked.files.push_back((*image)->path);
   }
-  const bool textured = color.image.has_value() && !hair.uvs.empty();
-  if (!textured) baked.transparency = choose_transparency(color, nullptr, {}, recipe);
-  if (hair.uvs.empty()) {
-    baked.left_out.push_back({"textures", "the hair has no texture coordinates"});
+  const bool textured = color.image.has_value() && !hair.mesh.uvs.empty();
+  if (!textured) baked.transparency = choose_transparency(color, nullptr, {}, recipe, findings);
+  if (hair.mesh.uvs.empty()) {
+    findings.leave_out({"textures", "the hair has no texture coordinates"});
     return baked;
   }
   BaseMips base;
   ShiftMask shift_mask;
   parallel_for(2, settings.threads, [&](std::size_t i) {
-    if (i == 0 && textured) base = bake_base(color, hair, recipe, baked.transparency);
-    if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, strands_along_u, recipe);
+    if (i == 0 && textured) base = bake_base(color, hair.mesh, recipe, baked.transparency, findings);
+    if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
   });
   const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
   if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads, baked);
   if (shift_mask.is_constant) {
-    keep_constants(shift_mask.mips[0], format, shift_mask.mips, baked);
+    keep_constants(shift_mask.mips, format, baked, findings);
   } else {
     append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads, baked);
   }
@@ -181,13 +184,13 @@ Image generate_shift_mask(std::uint32_t seed, bool along_u) {
 }
 
 Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t seed, bool along_u) {
-  Image combined = generate_shift_mask(seed, along_u);
+  const Image generated = generate_shift_mask(seed, along_u);
+  Image combined{generated.width, generated.height, 2, {}};
   for (const Image* source : {shift, mask}) {
     if (source == nullptr) continue;
     combined.width = std::max(combined.width, source->width);
     combined.height = std::max(combined.height, source->height);
   }
-  const Image generated = generate_shift_mask(seed, along_u);
   combined.texels.resize(combined.texel_count() * 2);
   for (std::uint32_t y = 0; y < combined.height; ++y) {
     for (std::uint32_t x = 0; x < combined.width; ++x) {

@@ -2,6 +2,7 @@
 
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
+#include "cook/strands/hair_strips.h"
 #include "cook/texture/base_color.h"
 #include "cook/texture/image.h"
 #include "cook/texture/transparency.h"
@@ -41,7 +42,6 @@ struct BakedTextures {
   std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
   double constant_shift = 0.5;               ///< Of all strands, where no texture says it for each: 0.5 shifts nothing.
   double constant_mask = 1;
-  std::vector<LeftOut> left_out;
 };
 
 /// Base colour with alpha, and shift with mask (the recipe's, else generated), each with all mips, in the formats
@@ -49,8 +49,9 @@ struct BakedTextures {
 /// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
 /// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
 /// numbers instead. Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
-/// left.
-tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairMesh& hair, bool strands_along_u,
-                                                     const Recipe& recipe, const CookSettings& settings);
+/// left, and its strands.
+tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
+                                                     const Recipe& recipe, const CookSettings& settings,
+                                                     Findings& findings);
 
 }  // namespace coif

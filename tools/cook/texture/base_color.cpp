@@ -56,7 +56,8 @@ Image at_size(Image image, const ImageSize& size) {
   return as_is ? image : shrink(image, size.width, size.height, TexelMeaning::kSrgbColorAlpha);
 }
 
-tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair) {
+tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair,
+                                            Findings& findings) {
   if (hair.uvs.empty()) return tl::unexpected(std::string("no texture coordinates"));
   std::vector<ImageSize> sizes;
   const auto layout = lay_out(looks, hair, max_size, sizes);
@@ -72,23 +73,23 @@ tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint
   color.alpha_cutoff = alpha.cutoff;
   color.atlas = *layout;
   move_uvs_to_atlas(*layout, looks.of_triangle, hair);
-  color.notes.push_back(
+  findings.note(
       fmt::format("{} surfaces share an atlas of {} x {} texels", looks.looks.size(), layout->width, layout->height));
   return color;
 }
 
-BaseColor from_materials(const SourceModel& source, SourceImages& images, std::uint32_t max_size, HairMesh& hair) {
+BaseColor from_materials(const SourceModel& source, SourceImages& images, std::uint32_t max_size, HairMesh& hair,
+                         Findings& findings) {
   const SurfaceLooks looks = find_looks(source, images, hair);
   if (looks.looks.size() == 1) return whole(looks.looks[0]);
-  auto atlas = joined(looks, max_size, hair);
+  auto atlas = joined(looks, max_size, hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
-  BaseColor color = whole(main);
-  color.warnings.push_back(
+  findings.warn(
       fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
                   "that with most triangles ('{}')",
                   looks.looks.size(), atlas.error(), main.name));
-  return color;
+  return whole(main);
 }
 
 /// White or grey without an image: what importers put where the exporter said nothing.
@@ -98,19 +99,17 @@ bool is_colourless(const BaseColor& color) {
 }
 
 /// Hair that says nothing of its colour is shown as hair rather than as paper.
-void dye(BaseColor& color) {
+void dye(BaseColor& color, Findings& findings) {
   color.factor.head<3>() = Eigen::Vector3f(0.13f, 0.07f, 0.035f);  // linear, a middle brown
-  color.notes.emplace_back(
+  findings.note(
       "neither a texture nor a colour was found for the hair: it is brown; set \"textures.base_color\" or "
       "\"material.base_color\", which multiplies it");
 }
 
-void append(auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }
-
 }  // namespace
 
 tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
-                                                   const CookSettings& settings) {
+                                                   const CookSettings& settings, Findings& findings) {
   auto own = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   if (!own) return tl::unexpected(own.error());
   if (own->image) {
@@ -121,11 +120,10 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
     return color;
   }
   SourceImages images(source);
-  BaseColor color = from_materials(source, images, recipe.texture_max_size, hair);
-  if (is_colourless(color) && !says_what_it_lacks(source)) dye(color);
-  append(color.warnings, images.warnings());
-  append(color.notes, images.notes());
-  append(color.files, images.files());
+  BaseColor color = from_materials(source, images, recipe.texture_max_size, hair, findings);
+  if (is_colourless(color) && !says_what_it_lacks(source)) dye(color, findings);
+  findings.append(images.findings());
+  color.files = images.files();
   color.questions = images.questions();
   return color;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
@@ -54,15 +55,13 @@ struct BaseColor {
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::vector<std::filesystem::path> files;          ///< Image files that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
-  std::vector<std::string> warnings;
-  std::vector<std::string> notes;
 };
 
 /// Finds the hair's base colour: the recipe's image, else what its materials say. Surfaces with different images or
 /// colours are put together in an atlas, and the texture coordinates of `hair` move into it, which may split vertices; so
-/// this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all. Error:
-/// an image that the recipe names cannot be read.
+/// this comes before any pass that numbers vertices. Where no atlas can be made the main material is taken for all, with a
+/// warning. Error: an image that the recipe names cannot be read.
 tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
-                                                   const CookSettings& settings);
+                                                   const CookSettings& settings, Findings& findings);
 
 }  // namespace coif

@@ -68,12 +68,6 @@ struct Layer {
   std::uint32_t patch = kNoIndex;
 };
 
-std::vector<std::vector<std::uint32_t>> triangles_by_patch(const HairMesh& mesh, const PatchSet& patches) {
-  std::vector<std::vector<std::uint32_t>> triangles(patches.count);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) triangles[patches.patch_of[t]].push_back(t);
-  return triangles;
-}
-
 }  // namespace
 
 AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, const Recipe& recipe) {
@@ -86,28 +80,24 @@ AlphaTest alpha_test(const BaseColor& color, const Transparency& transparency, c
 
 bool AlphaTest::passes(const Vector2f& uv) const {
   if (image == nullptr) return true;
-  const auto texel = [](float coordinate, std::uint32_t size) {
-    const float repeat = coordinate - std::floor(coordinate);
-    return std::min(std::uint32_t(repeat * float(size)), size - 1);
-  };
-  const std::size_t at = std::size_t(texel(uv.y(), image->height)) * image->width + texel(uv.x(), image->width);
+  const std::size_t at = repeated(uv.y(), image->height) * image->width + repeated(uv.x(), image->width);
   return image->texels[4 * at + 3] * factor >= threshold * 255;
 }
 
-HairViews::View HairViews::draw(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha,
-                                std::size_t direction) {
+HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction) {
+  const HairMesh& mesh = hair.mesh;
   const Projection project(mesh, kDirection[direction].normalized());
   View view;
   view.layers.assign(kPixels * kPixels, 0);
-  view.cover.resize(patches.count);
-  view.seen.assign(patches.count, 0);
+  view.cover.resize(hair.patches.count);
+  view.seen.assign(hair.patches.count, 0);
   constexpr float kFar = std::numeric_limits<float>::infinity();
   std::vector<Layer> front(kPixels * kPixels, {-kFar, kNoIndex}), back(kPixels * kPixels, {kFar, kNoIndex});
-  const auto triangles = triangles_by_patch(mesh, patches);
-  for (std::uint32_t patch = 0; patch < patches.count; ++patch) {
+  const std::vector<PatchView> patches = hair.views();
+  for (std::uint32_t patch = 0; patch < patches.size(); ++patch) {
     std::vector<std::uint32_t>& cover = view.cover[patch];
-    for (std::uint32_t t : triangles[patch]) {
-      const std::uint32_t* v = &mesh.triangles[3 * std::size_t(t)];
+    for (const std::size_t t : patches[patch].triangles) {
+      const std::uint32_t* v = &mesh.triangles[t];
       const std::array corners = {project(mesh.positions[v[0]]), project(mesh.positions[v[1]]),
                                   project(mesh.positions[v[2]])};
       for_each_pixel(corners, [&](std::uint32_t pixel, const Vector3f& w) {
@@ -133,11 +123,10 @@ HairViews::View HairViews::draw(const HairMesh& mesh, const PatchSet& patches, c
   return view;
 }
 
-HairViews::HairViews(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, unsigned threads)
-    : seen_(patches.count, 0) {
-  parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(mesh, patches, alpha, d); });
+HairViews::HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned threads) : seen_(hair.patches.count, 0) {
+  parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d); });
   for (const View& view : views_) {
-    for (std::uint32_t p = 0; p < patches.count; ++p) seen_[p] += view.seen[p];
+    for (std::uint32_t p = 0; p < seen_.size(); ++p) seen_[p] += view.seen[p];
     covered_ += std::size_t(std::ranges::count_if(view.layers, [](std::uint32_t layers) { return layers > 0; }));
   }
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "cook/strands/strand_direction.h"
+#include "cook/recipe/findings.h"
+#include "cook/select/head.h"
+#include "cook/strands/hair_strips.h"
 #include "cook/texture/transparency.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace coif {
@@ -27,7 +28,7 @@ struct AlphaTest {
 /// others behind or before them wherever they are.
 class HairViews {
  public:
-  HairViews(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, unsigned threads);
+  HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned threads);
 
   /// Pixels of all views in which nothing lies before the patch.
   [[nodiscard]] std::size_t seen(std::uint32_t patch) const { return seen_[patch]; }
@@ -46,26 +47,21 @@ class HairViews {
     std::vector<std::vector<std::uint32_t>> cover;  ///< Per patch, its pixels.
     std::vector<std::uint32_t> seen;                ///< Per patch, from this side and from the opposite one.
   };
-  static View draw(const HairMesh& mesh, const PatchSet& patches, const AlphaTest& alpha, std::size_t direction);
+  static View draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction);
 
   std::array<View, kDirections> views_;
   std::vector<std::size_t> seen_;
   std::size_t covered_ = 0;
 };
 
-/// Which strips end as if cut with scissors: real hair thins out, and what stays opaque over its whole width up to the
-/// last edge shows that it is a polygon.
-struct HardTips {
-  std::vector<std::uint32_t> patches;  ///< Those that end hard, ascending.
-  std::vector<std::string> warnings;
-};
-
-/// A patch ends hard where it has a free edge at its tips, where it is opaque there over at least half of the width that
-/// it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is modelled to a
+/// The patches that end as if cut with scissors, ascending: real hair thins out, and what stays opaque over its whole width
+/// up to the last edge shows that it is a polygon. Warns where that is more than a few.
+///
+/// A patch has a blunt end where it has a free edge at its tips, where it is opaque there over at least half of the width
+/// that it has at its widest, and where no other hair lies over that edge or takes up its strands. So what is modelled to a
 /// point, what fades in alpha, closed shapes and ends tied up in other hair do not count. `opaque` has the threshold from
-/// which on texels are drawn as opaque. `place` of each vertex from weld_places(). Warns where it is more than a few.
-[[nodiscard]] HardTips find_hard_tips(const HairMesh& mesh, std::span<const std::uint32_t> place,
-                                      const PatchSet& patches, const StrandField& strands, const FittedHead& head,
-                                      const AlphaTest& opaque, unsigned threads);
+/// which on texels are drawn as opaque.
+[[nodiscard]] std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head,
+                                                         const AlphaTest& opaque, unsigned threads, Findings& findings);
 
 }  // namespace coif

@@ -2,6 +2,8 @@
 
 #include <tl/expected.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -19,6 +21,12 @@ struct Image {
 
   [[nodiscard]] std::size_t texel_count() const { return std::size_t(width) * height; }
 };
+
+/// Row or column of an image that repeats, at a coordinate where 1 is its size.
+[[nodiscard]] inline std::size_t repeated(float coordinate, std::uint32_t size) {
+  const float fraction = coordinate - std::floor(coordinate);
+  return std::min(std::uint32_t(fraction * float(size)), size - 1);
+}
 
 inline constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{256} << 20;  ///< Encoded, of one file.
 inline constexpr std::uint32_t kMaxImageSide = 16384;

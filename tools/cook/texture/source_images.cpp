@@ -52,7 +52,7 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
     return nullptr;
   }
   if (folder_.short_name(*path) != written) {
-    warnings_.push_back(
+    findings_.warn(
         fmt::format("material '{}': texture '{}' taken from {}", material.name, written, folder_.short_name(*path)));
   }
   return read(*path, fmt::format("material '{}': {}", material.name, path->string()));
@@ -62,11 +62,11 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   const std::vector<fs::path> candidates = folder_.colors_of(names);
   note_question(TextureQuestion::Kind::kColors, {names.begin(), names.end()});
   if (candidates.empty()) {
-    notes_.push_back("no material of the hair names a texture");
+    findings_.note("no material of the hair names a texture");
     return nullptr;
   }
   if (candidates.size() > 1) {
-    warnings_.push_back(
+    findings_.warn(
         fmt::format("no material of the hair names a texture, and several images beside the source may be meant: {}; "
                     "choose one in the recipe: \"textures\": {{\"base_color\": \"{}\"}}",
                     listed(folder_, candidates), folder_.short_name(candidates[0])));
@@ -74,7 +74,7 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   }
   const Image* image = read(candidates[0], candidates[0].string());
   if (image != nullptr) {
-    warnings_.push_back(
+    findings_.warn(
         fmt::format("no material of the hair names a texture; {} is taken, since its name fits; say "
                     "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
                     folder_.short_name(candidates[0])));
@@ -94,7 +94,7 @@ const Image* SourceImages::read(const fs::path& path, const std::string& for_wha
 const Image* SourceImages::keep(const std::string& key, tl::expected<Image, std::string> image,
                                 const std::string& for_what) {
   if (!image) {
-    warnings_.push_back(fmt::format("{}: {}; it is cooked without a base texture", for_what, image.error()));
+    findings_.warn(fmt::format("{}: {}; it is cooked without a base texture", for_what, image.error()));
     decoded_.emplace(key, std::nullopt);
     return nullptr;
   }
@@ -114,7 +114,7 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
           ? "put it there"
           : fmt::format("put it there, or choose one of {} by \"textures.base_color\" in the recipe",
                         listed(folder_, folder_.images()));
-  warnings_.push_back(
+  findings_.warn(
       fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
                   "folders; {}; it is cooked without a base texture",
                   material.name, material.base_texture.path, there));

@@ -2,6 +2,7 @@
 
 // What the names of image files say, and how paths are spelt in models.
 
+#include "cook/recipe/findings.h"
 #include "cook/texture/image.h"
 #include "import/source_model.h"
 
@@ -100,8 +101,7 @@ class SourceImages {
   /// something called one of `names`. Where several do, a warning lists them.
   [[nodiscard]] const Image* guess(std::span<const std::string> names);
 
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const Findings& findings() const { return findings_; }
   /// Every file that was read, in the order of reading.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
   /// All that was asked of the folder, in the order of asking.
@@ -120,8 +120,7 @@ class SourceImages {
   const SourceModel& source_;
   TextureFolder folder_;
   Decoded decoded_;  ///< By file or number, so that two materials share what they show.
-  std::vector<std::string> warnings_;
-  std::vector<std::string> notes_;
+  Findings findings_;
   std::vector<std::filesystem::path> files_;
   std::vector<TextureQuestion> questions_;
 };

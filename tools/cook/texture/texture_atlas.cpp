@@ -1,7 +1,7 @@
 #include "cook/texture/texture_atlas.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -77,12 +77,6 @@ void place_in_shelves(AtlasLayout& layout) {
   layout.height = y + shelf;
 }
 
-/// Texel of an image that repeats, at a coordinate where 1 is its size.
-std::size_t repeated(float coordinate, std::uint32_t size) {
-  const float fraction = coordinate - std::floor(coordinate);
-  return std::min(std::uint32_t(fraction * float(size)), size - 1);
-}
-
 void draw_tile(const AtlasTile& tile, const Image& image, Image& atlas) {
   const std::uint32_t left = tile.x - kGutter, top = tile.y - kGutter;
   for (std::uint32_t y = top; y < top + cell_size(tile.height); ++y) {
@@ -95,11 +89,6 @@ void draw_tile(const AtlasTile& tile, const Image& image, Image& atlas) {
       std::copy_n(&image.texels[from], image.channels, &atlas.texels[to]);
     }
   }
-}
-
-std::uint32_t copy_vertex(HairMesh& hair, std::uint32_t vertex) {
-  hair.append_copy(vertex);
-  return std::uint32_t(hair.positions.size() - 1);
 }
 
 }  // namespace
@@ -144,7 +133,7 @@ void move_uvs_to_atlas(const AtlasLayout& layout, std::span<const std::uint32_t>
     auto copy = std::ranges::find(known, surface, [](const auto& entry) { return entry.first; });
     if (copy == known.end()) {
       surface_of_vertex.push_back(surface);
-      copy = known.insert(known.end(), {surface, copy_vertex(hair, vertex)});
+      copy = known.insert(known.end(), {surface, hair.append_vertex(hair, vertex)});
     }
     hair.triangles[i] = copy->second;
   }

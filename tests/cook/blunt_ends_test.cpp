@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coif::hard_tips_test {
+namespace coif::blunt_ends_test {
 
 const Eigen::Vector3d kHead{0, 1.6, 0};
 
@@ -18,30 +18,29 @@ struct Wig {
     append_piece(all, piece, 0);
   }
 
-  [[nodiscard]] HardTips tips(const AlphaTest& opaque = {}, unsigned threads = 1) const {
-    const HairMesh mesh = hair_from(all);
-    StrandField strands;
-    for (const Eigen::Vector2f& uv : mesh.uvs) strands.place.push_back(uv.y());
-    strands.tangent.assign(mesh.positions.size(), {0, -1, 0});
+  [[nodiscard]] Told<std::vector<std::uint32_t>> ends(const AlphaTest& opaque = {}, unsigned threads = 1) const {
+    HairStrips hair = strips_from(hair_from(all), patches);
+    for (const Eigen::Vector2f& uv : hair.mesh.uvs) hair.strands.place.push_back(uv.y());
+    hair.strands.tangent.assign(hair.mesh.positions.size(), {0, -1, 0});
     FittedHead head;
     head.center = kHead;
     head.radii.setConstant(0.1);
     // Vertices at one place count as one, whatever piece they are of.
-    std::vector<std::uint32_t> place(mesh.positions.size());
-    for (std::size_t v = 0; v < place.size(); ++v) {
-      place[v] = std::uint32_t(std::ranges::find(mesh.positions, mesh.positions[v]) - mesh.positions.begin());
+    for (std::size_t v = 0; v < hair.welded.size(); ++v) {
+      const auto first = std::ranges::find(hair.mesh.positions, hair.mesh.positions[v]);
+      hair.welded[v] = std::uint32_t(first - hair.mesh.positions.begin());
     }
-    return find_hard_tips(mesh, place, patches, strands, head, opaque, threads);
+    return told([&](Findings& findings) { return find_blunt_ends(hair, head, opaque, threads, findings); });
   }
 
   SourceMesh all;
   PatchSet patches;
 };
 
-std::size_t hard_ends(const SourceMesh& piece, const AlphaTest& opaque = {}) {
+std::size_t blunt_ends(const SourceMesh& piece, const AlphaTest& opaque = {}) {
   Wig wig;
   wig.add(piece);
-  return wig.tips(opaque).patches.size();
+  return wig.ends(opaque).made.size();
 }
 
 const StripDesc kStrip{.root = {0, 1.6f, 0.12f}, .rows = 6};
@@ -53,22 +52,21 @@ SourceMesh strip_at(float x, float z, float length = 0.3f) {
   return make_strip(desc);
 }
 
-TEST(HardTips, AStripCutStraightEndsHard) {
+TEST(BluntEnds, AStripCutStraightEndsHard) {
   Wig wig;
   wig.add(make_strip(kStrip));
-  const HardTips tips = wig.tips();
-  EXPECT_EQ(tips.patches, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(wig.ends().made, std::vector<std::uint32_t>{0});
 }
 
-TEST(HardTips, AStripThatNarrowsDoesNot) {
+TEST(BluntEnds, AStripThatNarrowsDoesNot) {
   StripDesc desc = kStrip;
   for (const float width : {0.9f, 0.7f}) {
     desc.tip_width = width;
-    EXPECT_EQ(hard_ends(make_strip(desc)), 1u) << width;
+    EXPECT_EQ(blunt_ends(make_strip(desc)), 1u) << width;
   }
   for (const float width : {0.4f, 0.1f, 0.0f}) {
     desc.tip_width = width;
-    EXPECT_EQ(hard_ends(make_strip(desc)), 0u) << width;
+    EXPECT_EQ(blunt_ends(make_strip(desc)), 0u) << width;
   }
 }
 
@@ -77,18 +75,18 @@ Image fading(const std::function<double(double)>& alpha) {
   return painted(8, 128, [&](auto, std::uint32_t y) { return Rgba{9, 9, 9, std::uint8_t(255 * alpha(y / 128.0))}; });
 }
 
-TEST(HardTips, AlphaThatFadesMakesThemSoft) {
+TEST(BluntEnds, AlphaThatFadesMakesThemSoft) {
   const Image even = fading([](double v) { return 1 - v; });
   const Image late = fading([](double v) { return v < 0.9 ? 1 : 0.5; });
   const Image never = fading([](double v) { return v < 0.5 ? 1 : 0.9; });
   const auto with = [](const Image& image, double threshold) { return AlphaTest{&image, 1, threshold}; };
-  EXPECT_EQ(hard_ends(make_strip(kStrip), with(even, 0.8)), 0u);
-  EXPECT_EQ(hard_ends(make_strip(kStrip), with(late, 0.8)), 0u);
-  EXPECT_EQ(hard_ends(make_strip(kStrip), with(never, 0.8)), 1u);
-  EXPECT_EQ(hard_ends(make_strip(kStrip), with(even, 0)), 1u) << "all of it is drawn as opaque";
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), with(even, 0.8)), 0u);
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), with(late, 0.8)), 0u);
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), with(never, 0.8)), 1u);
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), with(even, 0)), 1u) << "all of it is drawn as opaque";
 }
 
-TEST(HardTips, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
+TEST(BluntEnds, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
   // Four opaque strands across the strip; below `from` one of them is left.
   const auto strands = [](std::uint32_t from) {
     return painted(64, 64, [=](std::uint32_t x, std::uint32_t y) {
@@ -97,8 +95,8 @@ TEST(HardTips, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
     });
   };
   const Image thinning = strands(48), cut = strands(64);
-  EXPECT_EQ(hard_ends(make_strip(kStrip), {&thinning, 1, 0.8}), 0u);
-  EXPECT_EQ(hard_ends(make_strip(kStrip), {&cut, 1, 0.8}), 1u);
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), {&thinning, 1, 0.8}), 0u);
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), {&cut, 1, 0.8}), 1u);
 }
 
 /// A flat tube: two sheets that share their sides and both ends.
@@ -123,36 +121,36 @@ SourceMesh closed_lock() {
   return lock;
 }
 
-TEST(HardTips, ClosedShapesHaveNoEdgeToShow) {
+TEST(BluntEnds, ClosedShapesHaveNoEdgeToShow) {
   Wig wig;
   wig.add(closed_lock());
-  EXPECT_TRUE(wig.tips().patches.empty());
+  EXPECT_TRUE(wig.ends().made.empty());
   SourceMesh opened = closed_lock();
   opened.triangles.resize(opened.triangles.size() / 2);  // One of the sheets.
-  EXPECT_EQ(hard_ends(opened), 1u);
+  EXPECT_EQ(blunt_ends(opened), 1u);
 }
 
-TEST(HardTips, AnEdgeThatAnotherPatchContinuesIsNotFree) {
+TEST(BluntEnds, AnEdgeThatAnotherPatchContinuesIsNotFree) {
   Wig wig;
   wig.add(strip_at(0, 0.12f, 0.25f));
   StripDesc below = kStrip;
   below.root = {0, 1.6f - 0.25f, 0.12f};
   wig.add(make_strip(below));
-  EXPECT_EQ(wig.tips().patches, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(wig.ends().made, std::vector<std::uint32_t>{1});
 }
 
-TEST(HardTips, EndsUnderOtherHairDoNotShow) {
+TEST(BluntEnds, EndsUnderOtherHairDoNotShow) {
   Wig covered;
   covered.add(strip_at(0, 0.12f, 0.2f));
   covered.add(strip_at(0, 0.13f));
-  EXPECT_EQ(covered.tips().patches, std::vector<std::uint32_t>{1}) << "the longer one, which lies above";
+  EXPECT_EQ(covered.ends().made, std::vector<std::uint32_t>{1}) << "the longer one, which lies above";
   Wig above;
   above.add(strip_at(0, 0.13f, 0.2f));
   above.add(strip_at(0, 0.12f));
-  EXPECT_EQ(above.tips().patches, (std::vector<std::uint32_t>{0, 1})) << "a layer cut straight over longer hair";
+  EXPECT_EQ(above.ends().made, (std::vector<std::uint32_t>{0, 1})) << "a layer cut straight over longer hair";
 }
 
-TEST(HardTips, EndsThatOtherHairTakesUpDoNotShow) {
+TEST(BluntEnds, EndsThatOtherHairTakesUpDoNotShow) {
   // Strands run down to y = 1.3; there a band lies across them, or far below.
   for (const auto& [height, hard] : {std::pair{1.28f, false}, {1.1f, true}}) {
     StripDesc band;
@@ -162,12 +160,12 @@ TEST(HardTips, EndsThatOtherHairTakesUpDoNotShow) {
     Wig wig;
     wig.add(strip_at(0, 0.12f));
     wig.add(make_strip(band));
-    const HardTips tips = wig.tips();
-    EXPECT_EQ(std::ranges::count(tips.patches, 0u), hard ? 1 : 0) << height;
+    const auto ends = wig.ends();
+    EXPECT_EQ(std::ranges::count(ends.made, 0u), hard ? 1 : 0) << height;
   }
 }
 
-TEST(HardTips, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
+TEST(BluntEnds, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
   for (const std::uint32_t hard : {0u, 1u, 5u, 10u}) {
     Wig wig;
     for (std::uint32_t i = 0; i < 10; ++i) {
@@ -176,17 +174,17 @@ TEST(HardTips, AWarningNamesTheirShareWhereItIsMoreThanAFew) {
       desc.tip_width = i < hard ? 1.0f : 0.1f;
       wig.add(make_strip(desc));
     }
-    const HardTips tips = wig.tips();
-    EXPECT_EQ(tips.patches.size(), hard);
-    ASSERT_EQ(tips.warnings.size(), hard > 1 ? 1u : 0u) << hard;
+    const auto ends = wig.ends();
+    EXPECT_EQ(ends.made.size(), hard);
+    ASSERT_EQ(ends.warnings.size(), hard > 1 ? 1u : 0u) << hard;
     if (hard > 1) {
       const std::string share = std::to_string(10 * hard) + " % of the patches (" + std::to_string(hard) + " of 10)";
-      EXPECT_EQ(tips.warnings[0].rfind(share, 0), 0u) << tips.warnings[0];
+      EXPECT_EQ(ends.warnings[0].rfind(share, 0), 0u) << ends.warnings[0];
     }
-    EXPECT_EQ(wig.tips({}, 4).patches, tips.patches) << "threads do not matter";
+    EXPECT_EQ(wig.ends({}, 4).made, ends.made) << "threads do not matter";
   }
 }
 
-TEST(HardTips, NoHairHasNone) { EXPECT_TRUE(Wig().tips().patches.empty()); }
+TEST(BluntEnds, NoHairHasNone) { EXPECT_TRUE(Wig().ends().made.empty()); }
 
-}  // namespace coif::hard_tips_test
+}  // namespace coif::blunt_ends_test

@@ -1,10 +1,9 @@
 #include "base/parallel_for.h"
 #include "cook/select/mesh_topology.h"
-#include "cook/strands/patches.h"
 #include "cook/texture/hair_views.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -24,9 +23,9 @@ constexpr float kBlunt = 0.5f;         ///< Of the greatest width; what narrows 
 constexpr float kRimAtLeast = 0.5f;    ///< Of the width at the tip that must be free: closed shapes have none.
 constexpr std::size_t kRimEdges = 16;  ///< Looked at, at most, per patch.
 constexpr std::size_t kBlock = 64;     ///< Triangles that a ray misses together.
-constexpr int kRowSamples = 8;            ///< Of alpha, along the part of a row in one triangle.
+constexpr int kRowSamples = 8;         ///< Of alpha, along the part of a row in one triangle.
 constexpr float kTiedWithin = 0.3f;    ///< Of the head's radius.
-/// Some ends that are tied into other hair look the same from here: hair that has no more hard ends than those is fine.
+/// Some ends that are tied into other hair look the same from here: hair that has no more blunt ends than those is fine.
 constexpr float kWarnShare = 0.15f;
 
 struct RimEdge {
@@ -59,26 +58,25 @@ float opaque_share(const Corner& a, const Corner& b, const AlphaTest& opaque) {
 /// Everything that is asked about all patches of one mesh.
 class TipEnds {
  public:
-  TipEnds(const HairMesh& mesh, const PatchSet& patches, const StrandField& strands, const AlphaTest& opaque)
-      : mesh_(mesh), strands_(strands), opaque_(opaque), views_(view_patches(mesh, patches)) {
+  TipEnds(const HairStrips& hair, const AlphaTest& opaque)
+      : hair_(hair), mesh_(hair.mesh), strands_(hair.strands), opaque_(opaque), views_(hair.views()) {
     for (std::uint32_t p = 0; p < views_.size(); ++p) {
       Eigen::AlignedBox1f range;
-      for (const std::uint32_t v : views_[p].vertices) range.extend(Eigen::Matrix<float, 1, 1>(strands.place[v]));
+      for (const std::uint32_t v : views_[p].vertices) range.extend(Eigen::Matrix<float, 1, 1>(strands_.place[v]));
       ranges_.push_back(range);
       add_blocks(p);
     }
   }
 
   /// Free edges near the tips of each patch. An edge is free where no other triangle of any patch lies along it.
-  [[nodiscard]] std::vector<std::vector<RimEdge>> find_rims(std::span<const std::uint32_t> place,
-                                                            const PatchSet& patches) const {
+  [[nodiscard]] std::vector<std::vector<RimEdge>> find_rims() const {
     std::vector<std::vector<RimEdge>> rims(views_.size());
-    for_each_edge(sorted_edges(mesh_.triangles, place), [&](std::span<const EdgeUse> uses) {
+    for_each_edge(sorted_edges(mesh_.triangles, hair_.welded), [&](std::span<const EdgeUse> uses) {
       if (uses.size() != 1) return;
       const std::size_t first = 3 * std::size_t(uses[0].triangle);
       const std::uint32_t a = mesh_.triangles[first + uses[0].side];
       const std::uint32_t b = mesh_.triangles[first + (uses[0].side + 1) % 3];
-      const std::uint32_t patch = patches.patch_of[uses[0].triangle];
+      const std::uint32_t patch = hair_.patches.patch_of[uses[0].triangle];
       if (std::min(strands_.place[a], strands_.place[b]) < level(patch, kRimFrom)) return;
       const Vector3f edge = mesh_.positions[b] - mesh_.positions[a];
       const Vector3f along = (strands_.tangent[a] + strands_.tangent[b]).stableNormalized();
@@ -192,6 +190,7 @@ class TipEnds {
     return u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < reach;
   }
 
+  const HairStrips& hair_;
   const HairMesh& mesh_;
   const StrandField& strands_;
   const AlphaTest& opaque_;
@@ -202,27 +201,28 @@ class TipEnds {
 
 }  // namespace
 
-HardTips find_hard_tips(const HairMesh& mesh, std::span<const std::uint32_t> place, const PatchSet& patches,
-                        const StrandField& strands, const FittedHead& head, const AlphaTest& opaque, unsigned threads) {
-  const TipEnds ends(mesh, patches, strands, opaque);
-  const std::vector<std::vector<RimEdge>> rims = ends.find_rims(place, patches);
-  std::vector<std::uint8_t> hard(patches.count, 0);
-  parallel_for(patches.count, threads, [&](std::size_t p) {
+std::vector<std::uint32_t> find_blunt_ends(const HairStrips& hair, const FittedHead& head, const AlphaTest& opaque,
+                                           unsigned threads, Findings& findings) {
+  const TipEnds ends(hair, opaque);
+  const std::vector<std::vector<RimEdge>> rims = ends.find_rims();
+  const std::uint32_t count = hair.patches.count;
+  std::vector<std::uint8_t> blunt(count, 0);
+  parallel_for(count, threads, [&](std::size_t p) {
     const auto patch = std::uint32_t(p);
-    hard[p] = ends.is_blunt(patch) && ends.is_open(patch, rims[p], head);
+    blunt[p] = ends.is_blunt(patch) && ends.is_open(patch, rims[p], head);
   });
-  HardTips tips;
-  for (std::uint32_t p = 0; p < patches.count; ++p) {
-    if (hard[p] != 0) tips.patches.push_back(p);
+  std::vector<std::uint32_t> patches;
+  for (std::uint32_t p = 0; p < count; ++p) {
+    if (blunt[p] != 0) patches.push_back(p);
   }
-  const float share = patches.count > 0 ? float(tips.patches.size()) / float(patches.count) : 0;
+  const float share = count > 0 ? float(patches.size()) / float(count) : 0;
   if (share >= kWarnShare) {
-    tips.warnings.push_back(
+    findings.warn(
         fmt::format("{:.0f} % of the patches ({} of {}) end hard: opaque up to an edge about as wide as the strip; let "
                     "the alpha of the texture fade towards the tips, or model the strips to a point",
-                    100 * share, tips.patches.size(), patches.count));
+                    100 * share, patches.size(), count));
   }
-  return tips;
+  return patches;
 }
 
 }  // namespace coif

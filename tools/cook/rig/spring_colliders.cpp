@@ -1,0 +1,94 @@
+#include "cook/rig/colliders.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+namespace {
+
+constexpr double kShortestCapsule = 1.0e-6;  ///< Metres between its ends; shorter ones are spheres.
+
+bool is_below(const SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
+  while (node != kNoIndex && node != ancestor) node = source.nodes[node].parent;
+  return node != kNoIndex;
+}
+
+HeadCollider convert(const SourceCollider& from, const Skeleton& skeleton) {
+  HeadCollider to;
+  to.keeps_inside = from.keeps_inside && from.shape != SourceCollider::Shape::kPlane;
+  to.center = from.center;
+  to.radii.setConstant(from.radius);
+  to.bone = skeleton.bone_of_node[from.node];
+  while (skeleton.bones[to.bone].kind == BoneKind::kSimulated) to.bone = skeleton.bones[to.bone].parent;
+  if (from.shape == SourceCollider::Shape::kPlane) {
+    to.shape = ColliderShape::kPlane;
+    to.axis = from.normal;
+    to.radii.setZero();
+  }
+  const bool is_capsule = from.shape == SourceCollider::Shape::kCapsule;
+  if (is_capsule && (from.tail - from.center).norm() > kShortestCapsule) {
+    to.shape = ColliderShape::kCapsule;
+    to.axis = from.tail - from.center;
+  }
+  return to;
+}
+
+class ColliderPass {
+ public:
+  ColliderPass(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton, Findings& findings)
+      : source_(source),
+        head_node_(head_node),
+        skeleton_(skeleton),
+        shape_of_(source.colliders.size(), kUnseen),
+        findings_(findings) {}
+
+  Colliders run() && {
+    const std::vector<BoneJoint> joints = joints_of_bones(source_, skeleton_);
+    out_.of_bone.assign(skeleton_.bones.size(), 0);
+    out_.hit_radius.assign(skeleton_.bones.size(), 0);
+    for (std::size_t b = 0; b < joints.size(); ++b) {
+      if (!joints[b]) continue;
+      out_.hit_radius[b] = joints[b].joint->hit_radius;
+      for (const std::uint32_t c : joints[b].spring->colliders) {
+        if (shape_of_[c] == kUnseen) shape_of_[c] = place(c);
+        if (shape_of_[c] != kNone) out_.of_bone[b] |= 1u << shape_of_[c];
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::uint32_t kUnseen = kNone - 1;
+
+  /// The number of the new shape, or kNone.
+  std::uint32_t place(std::uint32_t collider) {
+    const SourceCollider& from = source_.colliders[collider];
+    const auto leave_out = [&](const char* why) {
+      findings_.leave_out(
+          {fmt::format("the spring bones' collider {} on '{}'", collider, source_.nodes[from.node].name), why});
+      return kNone;
+    };
+    if (head_node_ == kNoIndex || !is_below(source_, from.node, head_node_)) {
+      return leave_out("not on the head or below it, and only those can follow it");
+    }
+    if (from.shape != SourceCollider::Shape::kPlane && !(from.radius > 0)) return leave_out("it has no size");
+    if (out_.shapes.size() >= kMaxColliders) return leave_out("an asset has no room for it");
+    out_.shapes.push_back(convert(from, skeleton_));
+    return std::uint32_t(out_.shapes.size() - 1);
+  }
+
+  const SourceModel& source_;
+  std::uint32_t head_node_;
+  const Skeleton& skeleton_;
+  std::vector<std::uint32_t> shape_of_;
+  Findings& findings_;
+  Colliders out_;
+};
+
+}  // namespace
+
+Colliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
+                           Findings& findings) {
+  return ColliderPass(source, head_node, skeleton, findings).run();
+}
+
+}  // namespace coif

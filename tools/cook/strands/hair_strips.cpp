@@ -1,0 +1,93 @@
+#include "cook/strands/hair_strips.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <utility>
+
+namespace coif {
+
+std::vector<PatchView> HairStrips::views() const {
+  std::vector<PatchView> views(patches.count);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) views[patches.patch_of[t]].triangles.push_back(3 * t);
+  for (PatchView& view : views) {
+    for (std::size_t t : view.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) view.vertices.push_back(mesh.triangles[t + k]);
+    }
+    std::ranges::sort(view.vertices);
+    view.vertices.erase(std::ranges::unique(view.vertices).begin(), view.vertices.end());
+  }
+  return views;
+}
+
+namespace {
+
+using Eigen::Vector3f;
+
+Vector3f face_vector(const HairMesh& mesh, std::size_t t) {
+  const Vector3f& a = mesh.positions[mesh.triangles[t]];
+  return (mesh.positions[mesh.triangles[t + 1]] - a).cross(mesh.positions[mesh.triangles[t + 2]] - a);
+}
+
+bool is_unit(const Vector3f& n) { return std::abs(n.squaredNorm() - 1.0f) < 0.02f; }
+
+}  // namespace
+
+float doubled_area(const HairMesh& mesh, std::size_t t) { return face_vector(mesh, t).norm(); }
+
+void HairStrips::append_copy(std::uint32_t vertex) {
+  mesh.append_vertex(mesh, vertex);
+  if (!welded.empty()) welded.push_back(std::uint32_t(welded[vertex]));
+  if (strands.place.empty()) return;
+  strands.tangent.push_back(Vector3f(strands.tangent[vertex]));
+  strands.place.push_back(float(strands.place[vertex]));
+}
+
+std::vector<std::uint32_t> HairStrips::separate_patches() {
+  std::vector<std::uint32_t> owner(mesh.positions.size(), kNoIndex);
+  // A vertex's copies for other patches; most vertices have none.
+  std::vector<std::pair<std::uint64_t, std::size_t>> foreign;  ///< Patch and vertex, corner.
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t patch = patches.patch_of[i / 3], v = mesh.triangles[i];
+    if (owner[v] == kNoIndex) owner[v] = patch;
+    if (owner[v] != patch) foreign.emplace_back(std::uint64_t(patch) << 32 | v, i);
+  }
+  std::ranges::sort(foreign);
+  std::vector<std::uint32_t> originals;
+  for (std::size_t i = 0; i < foreign.size(); ++i) {
+    const auto& [key, corner] = foreign[i];
+    const bool is_new = i == 0 || foreign[i - 1].first != key;
+    if (is_new) {
+      append_copy(std::uint32_t(key));
+      originals.push_back(std::uint32_t(key));
+    }
+    mesh.triangles[corner] = std::uint32_t(mesh.positions.size() - 1);
+  }
+  return originals;
+}
+
+std::size_t HairStrips::complete_normals() {
+  mesh.normals.resize(mesh.positions.size(), Vector3f::Zero());
+  std::size_t missing = 0;
+  for (const Vector3f& n : mesh.normals) missing += is_unit(n) ? 0 : 1;
+  if (missing == 0) return 0;
+
+  std::vector<Vector3f> own(mesh.positions.size(), Vector3f::Zero()), mean = own;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) own[mesh.triangles[t + k]] += face_vector(mesh, t);
+  }
+  // Each corner adds its face to every side of the place that looks the same way; a side is known by its first vertex.
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (own[v].dot(own[welded[v]]) >= 0) mean[welded[v]] += own[v];
+  }
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (is_unit(mesh.normals[v])) continue;
+    const Vector3f& around = mean[welded[v]];
+    const bool same_side = own[v].dot(around) > 0;
+    const Vector3f normal = same_side ? around : own[v];
+    mesh.normals[v] = normal.norm() > 0 ? Vector3f(normal.normalized()) : Vector3f(Vector3f::UnitY());
+  }
+  return missing;
+}
+
+}  // namespace coif

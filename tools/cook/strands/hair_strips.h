@@ -1,0 +1,49 @@
+#pragma once
+
+#include "cook/select/hair_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+/// Where the strands run.
+struct StrandField {
+  std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
+  std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
+  bool along_u = false;                  ///< In the texture most patches run along U, not V.
+};
+
+/// What belongs to one patch.
+struct PatchView {
+  std::vector<std::size_t> triangles;   ///< First index of each.
+  std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
+};
+
+/// The hair as strips. What is known of its vertices and triangles keeps in step: once the patches are found, vertices
+/// are added and triangles regrouped by the functions below alone. What no pass has found yet is empty.
+struct HairStrips {
+  HairMesh mesh;
+  std::vector<std::uint32_t> welded;  ///< For each vertex the one that stands for its place (weld_places()).
+  PatchSet patches;                   ///< Of the mesh's triangles.
+  StrandField strands;
+
+  /// Every patch's triangles and vertices.
+  [[nodiscard]] std::vector<PatchView> views() const;
+
+  /// Gives each patch its own vertices: copies those that several share, with all that is known of them. Returns, for
+  /// each vertex appended, which it equals.
+  std::vector<std::uint32_t> separate_patches();
+
+  /// Fills in normals that are missing or not unit: the mean of the faces around a place, weighted by area, as far as
+  /// they look the same way as the vertex's own faces (a strip's two sides share places). Returns how many there were.
+  std::size_t complete_normals();
+
+ private:
+  void append_copy(std::uint32_t vertex);
+};
+
+/// Twice the area of the triangle whose first index is at `t`, square metres.
+[[nodiscard]] float doubled_area(const HairMesh& mesh, std::size_t t);
+
+}  // namespace coif

@@ -1,0 +1,56 @@
+#include "cook/cooking.h"
+#include "cook/pack/pack.h"
+#include "lab/rig.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+
+void pack_parts(Cooking& c) {
+  AssetContents& contents = c.contents;
+  pack_mesh(c.hair, c.rig, c.levels, c.order, contents);
+  contents.tuning = c.tuned.tuning;
+  contents.quality = c.tuned.quality;
+  contents.material = {pack_material(c.color, c.textures, c.hair.mesh, c.recipe)};
+  contents.textures = c.textures.records;
+  contents.texels = std::move(c.textures.texels);
+  contents.provenance = {make_provenance(c.source, c.recipe, c.settings.source_hash)};
+}
+
+tl::expected<void, ToolError> write_parts(Cooking& c) {
+  for (const LeftOut& part : leave_out_parts(c.recipe, c.contents)) c.report.leave_out(part);
+  c.asset = write_asset(c.contents);
+  const OpenedAsset opened(c.asset);
+  LoadStatus status = opened.status();
+  if (status) status = opened.asset().verify_draw_data();
+  if (status) return {};
+  char text[256];
+  describe(status, text, sizeof text);
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kBadInput, fmt::format("{}: the cooked asset is not valid: {}", c.source.path, text)});
+}
+
+void fill_figures(Cooking& c) {
+  CookReport& report = c.report;
+  const bool is_drawn = !c.contents.vertices.empty();
+  report.triangles = is_drawn ? std::uint32_t(c.levels[0].triangle_count()) : 0;
+  report.vertices = std::uint32_t(c.contents.vertices.size());
+  report.patches = is_drawn ? std::uint32_t(c.levels[0].patch_count()) : 0;
+  report.patches_by_index = c.extracted.by_index;
+  report.patches_by_position = c.extracted.by_position;
+  report.chains = std::uint32_t(c.contents.chains.size());
+  report.bones = std::uint32_t(c.contents.bones.size());
+  report.simulated_bones = std::uint32_t(c.rig.skeleton.simulated_count());
+}
+
+CookInputs inputs_of(const Cooking& c) {
+  CookInputs inputs;
+  inputs.source_files.assign(c.source.side_files.begin(), c.source.side_files.end());
+  inputs.recipe_files = c.textures.files;
+  auto& of_color = c.recipe.base_color_texture.empty() ? inputs.source_files : inputs.recipe_files;
+  of_color.insert(of_color.end(), c.color.files.begin(), c.color.files.end());
+  inputs.questions = c.color.questions;
+  return inputs;
+}
+
+}  // namespace coif

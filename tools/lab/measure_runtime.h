@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lab/reference_solver.h"
+#include "lab/rig.h"
+#include "motion/head_path.h"
+
+#include <coif/asset.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// The converged solution of one motion, to compare the runtime with at several frame rates.
+struct KnownMotion {
+  Motion motion = Motion::kStill;
+  ReferenceRun reference;
+};
+
+/// What the runtime's default solver does at one frame rate. Shares, not percent; NaN where it did not stay finite.
+struct RuntimeError {
+  double rms = 0;  ///< Distance of the tips to the reference over the chain's length.
+  double max = 0;
+  double stretch = 0;      ///< Worst |length / rest - 1|.
+  double penetration = 0;  ///< Worst depth over the collider's smallest radius.
+};
+
+/// Times that frames of all these rates (whole numbers) have in common, up to `seconds`.
+[[nodiscard]] std::vector<double> common_times(std::span<const std::uint32_t> rates, double seconds);
+
+/// Runs `motion` from rest at `rate` frames per second with so many sub-steps. The reference's times must be multiples of
+/// 1/rate. `rig` is the asset's.
+[[nodiscard]] RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion,
+                                           std::uint32_t rate, std::uint32_t substeps);
+
+}  // namespace coif
