@@ -1,6 +1,6 @@
 #pragma once
 
-// What an artist may say about a cook. tools/cook/recipe_keys.cpp holds the one table of keys, defaults and ranges.
+// What an artist may say about a cook. recipe_keys.cpp holds the one table of keys, defaults and ranges.
 
 #include "base/tool_error.h"
 

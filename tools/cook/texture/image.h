@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kMaxImageSide = 16384;
 inline constexpr std::uint64_t kMaxImageTexels = std::uint64_t{1} << 26;  ///< 8192 x 8192.
 
 /// Decodes PNG, JPEG, TGA or BMP to RGBA. Bytes may be hostile: they are decoded in a process of their own under limits
-/// (decode_texels.h says which hold inside). The error is a sentence without the file's name.
+/// (decode_texels() says which hold inside). The error is a sentence without the file's name.
 tl::expected<Image, std::string> decode_image(std::span<const std::uint8_t> bytes);
 tl::expected<Image, std::string> read_image(const std::filesystem::path& path);
 
