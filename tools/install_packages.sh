@@ -1,7 +1,20 @@
 #!/bin/sh
-# Installs those packages of tools/packages.txt that are missing; does nothing, and needs no rights, when all are there.
+# Installs those packages of the named groups of tools/packages.txt that are missing; does nothing, and needs no rights,
+# when all are there.
+#   tools/install_packages.sh GROUP...     program, tests, farm, fuzz
 set -eu
 list=$(dirname "$0")/packages.txt
+
+# packages GROUP: the lines under [GROUP], up to the next group.
+packages() { sed -n "/^\[$1\]\$/,/^\[/{/^[a-z]/p}" "$list"; }
+
+wanted=
+for group in "$@"; do
+  found=$(packages "$group")
+  [ -n "$found" ] || { echo "install_packages: $list has no group '$group'" >&2; exit 1; }
+  wanted="$wanted $found"
+done
+[ -n "$wanted" ] || { echo "install_packages: name the groups, of$(sed -n 's/^\[\(.*\)\]$/ \1/p' "$list" | tr -d '\n')" >&2; exit 1; }
 
 if ! command -v apt-get >/dev/null; then
   echo "install_packages: no apt-get on this system; the build needs what $list lists" >&2
@@ -9,7 +22,7 @@ if ! command -v apt-get >/dev/null; then
 fi
 
 missing=
-for package in $(grep -v '^#' "$list"); do
+for package in $wanted; do
   dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0

@@ -35,18 +35,22 @@ function(coif_cli_case name)
   endif()
 endfunction()
 
-# coif_cli_script(NAME [SAMPLE] [TIMEOUT s] [DEFINE NAME=value...]): a test of more than one run, in NAME.cmake.
+# coif_cli_script(NAME [IN file] [SAMPLE] [TIMEOUT s] [LABEL name] [DEFINE NAME=value...]): a test of more than one run, in
+# NAME.cmake, or the part of that name in FILE.cmake.
 # A script that finds nothing to do prints a line with "skipped:" and is reported as skipped.
 function(coif_cli_script name)
-  cmake_parse_arguments(PARSE_ARGV 1 CASE "SAMPLE" "TIMEOUT" "DEFINE")
+  cmake_parse_arguments(PARSE_ARGV 1 CASE "SAMPLE" "IN;TIMEOUT;LABEL" "DEFINE")
+  if(NOT CASE_IN)
+    set(CASE_IN ${name})
+  endif()
   if(NOT CASE_TIMEOUT)
     set(CASE_TIMEOUT 120)
   endif()
   list(TRANSFORM CASE_DEFINE PREPEND -D)
   add_test(NAME cli.${name}
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:coif_cli> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}
-            ${CASE_DEFINE} -P ${COIF_CLI_FOLDER}/${name}.cmake)
-  set_tests_properties(cli.${name} PROPERTIES TIMEOUT ${CASE_TIMEOUT} SKIP_REGULAR_EXPRESSION "skipped:")
+    COMMAND ${CMAKE_COMMAND} -DCASE=${name} -DPROGRAM=$<TARGET_FILE:coif_cli> -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/${name}
+            ${CASE_DEFINE} -P ${COIF_CLI_FOLDER}/${CASE_IN}.cmake)
+  set_tests_properties(cli.${name} PROPERTIES TIMEOUT ${CASE_TIMEOUT} SKIP_REGULAR_EXPRESSION "skipped:" LABELS "${CASE_LABEL}")
   if(CASE_SAMPLE)
     set_tests_properties(cli.${name} PROPERTIES FIXTURES_REQUIRED COIF_COOKED_SAMPLE)
   endif()

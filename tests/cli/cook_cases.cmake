@@ -39,18 +39,18 @@ coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
   TEXT r.json "{\"budget\": {\"error\": 1e-5, \"ns_per_frame\": 2000}}"
   ARGS cook ${sample} --recipe r.json -o out.coif --report report.json)
 
-coif_cli_case(cook_text EXIT 0 STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*next: coif render out.coif"
-  WRITES out.coif ARGS cook ${sample} -o out.coif)
+# The search for draw orders takes most of a cook's time and says nothing here.
+set(head_order "\"order\": {\"method\": \"head\"}")
+coif_cli_case(cook_text EXIT 0 WRITES out.coif
+  STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)].*next: coif render out.coif"
+  ARGS cook ${sample} -o out.coif)
 coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
        simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame
-  ARGS cook ${sample} -o out.coif --report report.json --format json)
-coif_cli_case(cook_without_twist EXIT 0 WRITES out.coif
-  STDOUT "left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)]"
-  ARGS cook ${sample} -o out.coif)
+  TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --report report.json --format json)
 coif_cli_case(cook_for_a_scene EXIT 0 WRITES out.coif
   STDOUT "left out: 12 bones, 9 of them simulated: \"scene.simulate\" is false [(][0-9]+ bytes, [0-9]+ ns a frame[)].*left out: bone names: \"scene.names\" is false [(][0-9]+ bytes[)]"
-  TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+  TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}, ${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_one_flat_card EXIT 0 STDOUT "^card.coif: 1 triangle in 1 patch " WRITES card.coif
   TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
 coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)

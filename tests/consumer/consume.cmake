@@ -97,7 +97,7 @@ function(smallest_package)
   run(${configure} -B ${WORK}/fenced -D COIF_GL=ON -D COIF_GLES3_INCLUDE=${fence})
   must_fail(MATCHES "this machine has no OpenGL" ${CMAKE_COMMAND} --build ${WORK}/fenced --target coif_gl)
 
-  build_game(game "${sim_games};only_skin;only_cull" -D PARTS=sim,skinning,drawing -D README=${SOURCE}/README.md
+  build_game(game "${sim_games};only_skin;only_cull" -D PARTS=sim,skinning,drawing -D README=${SOURCE}/README.md,${SOURCE}/runtime/README.md
     -D CMAKE_CXX_FLAGS=-I${fence} ${without_highway})
 
   compile_by_hand()
@@ -176,7 +176,7 @@ function(whole_package)
     set(c_games step_in_c_c step_in_c_shared)
   endif()
   build_game(game "${sim_games};${c_games};only_skin;only_cull;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly"
-    -D PARTS=formats,sim,skinning,drawing,gl,c,shared -D README=${project}/README.md)
+    -D PARTS=formats,sim,skinning,drawing,gl,c,shared -D README=${project}/README.md,${project}/runtime/README.md)
   compile_by_hand()
   # Only who simulates needs Highway, and is told when it is not there.
   build_game(reader "only_open;only_skin;only_cull" -D PARTS=formats,skinning,drawing ${without_highway})
@@ -212,7 +212,8 @@ function(deb_package)
 endfunction()
 
 if(EMBED)
-  build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED})
+  # For one instruction set, which is quicker; the shared libraries are built for all.
+  build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED} -D COIF_SIMD=static)
 elseif(SHARE)
   shared_package()
 elseif(PACK)

@@ -181,8 +181,9 @@ TEST(LongSample, IsTheCommittedFile) {
 TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
   const auto source = import_model(kFolder + "long.glb");
   ASSERT_TRUE(source) << source.error().message;
-  const auto recipe = read_recipe(kFolder + "long.recipe.json");
+  auto recipe = read_recipe(kFolder + "long.recipe.json");
   ASSERT_TRUE(recipe) << recipe.error().message;
+  recipe->order_method = "head";  // spares the search for orders, which says nothing of chains
   const auto cooked = cook(*source, *recipe, {.threads = 2, .recipe_directory = {}});
   ASSERT_TRUE(cooked) << cooked.error().message;
   EXPECT_EQ(cooked->report.warnings, std::vector<std::string>());

@@ -10,8 +10,6 @@ jobs=${2:-1}
 build=build/fuzz
 work=${COIF_FUZZ_WORK:-$PWD/$build/tests/fuzz/work}
 
-programs=
-for target in $targets; do programs="$programs fuzz_$target"; done
-cmake --preset fuzz >/dev/null && cmake --build --preset fuzz --parallel "$(nproc)" --target $programs || exit 1
-echo $programs | tr ' ' '\n' |
-  xargs -P "$jobs" -I '{}' sh tests/fuzz/fuzz_one.sh "$PWD/$build/tests/fuzz/{}" "$seconds" "$work" || exit 1
+cmake --preset fuzz >/dev/null && cmake --build --preset fuzz --parallel "$(nproc)" --target fuzz_readers || exit 1
+echo $targets | tr ' ' '\n' |
+  xargs -P "$jobs" -I '{}' sh tests/fuzz/fuzz_one.sh "$PWD/$build/tests/fuzz/fuzz_readers" '{}' "$seconds" "$work" || exit 1

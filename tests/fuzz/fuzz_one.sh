@@ -1,13 +1,14 @@
 #!/bin/sh
-# Runs one fuzzer: fuzz_one.sh PROGRAM SECONDS WORK. Prints one line of figures; where something was found, the end of its
-# log and how to repeat it, and exits with 1. WORK/TARGET keeps the log, the findings and what corpus grew.
+# Runs the fuzzer on one target: fuzz_one.sh PROGRAM TARGET SECONDS WORK. Prints one line of figures; where something was
+# found, the end of its log and how to repeat it, and exits with 1. WORK/TARGET keeps the log, the findings and what corpus
+# grew.
 set -u
 program=$1
-seconds=$2
-name=$(basename "$program")
-name=${name#fuzz_}
+export COIF_FUZZ_TARGET="$2"
+name=$2
+seconds=$3
 here=$(cd "$(dirname "$0")" && pwd)
-work=$3/$name
+work=$4/$name
 log=$work/log.txt
 mkdir -p "$work/corpus" "$work/tmp"
 
@@ -32,5 +33,5 @@ echo "$name: ${executions:-0} executions, cov $(figure 'cov:'), ft $(figure ' ft
 tail -n 40 "$log"
 finding=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
 echo "$name: exit code $code, log $log"
-[ -z "$finding" ] || echo "repeat: $program $finding"
+[ -z "$finding" ] || echo "repeat: env COIF_FUZZ_TARGET=$name $program $finding"
 exit 1

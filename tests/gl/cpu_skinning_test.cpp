@@ -1,5 +1,6 @@
 // skin_vertices() against shaders/hair.vert itself, whose outputs are captured before anything is drawn.
 
+#include "models/absent.h"
 #include "models/skinned_asset.h"
 #include "models/small_asset.h"
 #include "render/egl_context.h"
@@ -104,7 +105,7 @@ class CpuSkinning : public testing::Test {
  protected:
   void SetUp() override {
     auto context = EglContext::create();
-    if (!context) GTEST_SKIP() << context.error().message;
+    if (!context) COIF_FAIL_FOR_LACK_OF(context.error().message);
     context_.emplace(std::move(*context));
   }
 

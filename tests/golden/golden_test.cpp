@@ -1,4 +1,5 @@
 #include "golden/golden_cases.h"
+#include "models/absent.h"
 #include "render/egl_context.h"
 #include "report/order/drawn_way.h"
 
@@ -28,7 +29,7 @@ Picture read_png(const std::string& path) {
 class Golden : public testing::Test {
  protected:
   void SetUp() override {
-    if (const auto context = EglContext::create(); !context) GTEST_SKIP() << context.error().message;
+    if (const auto context = EglContext::create(); !context) COIF_FAIL_FOR_LACK_OF(context.error().message);
     ASSERT_TRUE(sample_.asset().is_open()) << COIF_COOKED_SAMPLE " is absent: ctest cooks it, test cli.cook_sample";
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/absent.h"
 #include "models/drawn_card.h"
 #include "models/skinned_asset.h"
 #include "render/crowd_stage.h"
@@ -14,7 +15,7 @@ namespace coif {
 class DrawnWigTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (!EglContext::create()) GTEST_SKIP() << "no EGL device with OpenGL ES 3.0";
+    if (!EglContext::create()) COIF_FAIL_FOR_LACK_OF("no EGL device with OpenGL ES 3.0");
   }
 
   MakeCrowd maker() {

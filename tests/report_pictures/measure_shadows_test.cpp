@@ -1,4 +1,5 @@
 #include "report/shadow/measure_shadows.h"
+#include "models/absent.h"
 #include "models/card_asset.h"
 #include "render/egl_context.h"
 
@@ -18,7 +19,7 @@ class MeasureShadows : public testing::Test {
  protected:
   void SetUp() override {
     const auto context = EglContext::create();
-    if (!context) GTEST_SKIP() << context.error().message;
+    if (!context) COIF_FAIL_FOR_LACK_OF(context.error().message);
   }
 
   /// Layers of cards around a head, further apart than a texel of the map.

@@ -14,8 +14,7 @@ from pathlib import Path
 try:
     import jsonschema
 except ImportError:
-    print("skipped: no python3-jsonschema here")
-    sys.exit(0)
+    sys.exit("no python3-jsonschema here (Debian: python3-jsonschema)")
 
 
 def rags():

@@ -2,15 +2,36 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
+
 namespace coif {
 
-Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
-  return Eigen::Quaternionf::FromTwoVectors(from, to);
+namespace {
+
+/// As Eigen's FromTwoVectors(), but for the axis of a half turn, for which that compiles a singular value decomposition.
+template <class Scalar>
+Eigen::Quaternion<Scalar> turn(const Eigen::Vector3<Scalar>& from, const Eigen::Vector3<Scalar>& to) {
+  const Eigen::Vector3<Scalar> a = from.normalized(), b = to.normalized();
+  const Scalar cosine = b.dot(a);
+  Eigen::Quaternion<Scalar> result;
+  if (cosine < Scalar(-1) + Eigen::NumTraits<Scalar>::dummy_precision()) {
+    const Scalar squared = (Scalar(1) + std::max(cosine, Scalar(-1))) * Scalar(0.5);
+    result.w() = std::sqrt(squared);
+    result.vec() = a.unitOrthogonal() * std::sqrt(Scalar(1) - squared);
+    return result;
+  }
+  const Scalar s = std::sqrt((Scalar(1) + cosine) * Scalar(2));
+  const Scalar inverse = Scalar(1) / s;
+  result.vec() = a.cross(b) * inverse;
+  result.w() = s * Scalar(0.5);
+  return result;
 }
 
-Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
-}
+}  // namespace
+
+Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) { return turn<float>(from, to); }
+Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return turn<double>(from, to); }
 
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }
 

@@ -19,20 +19,20 @@ struct Cooking {
   const CookSettings& settings;
   CookReport& report;
 
-  HairStrips hair;
-  BaseColor color;
-  HeadBone head_bone;
-  FittedHead head;
-  ExtractedPatches extracted;
-  HairRig rig;
-  Colliders colliders;
+  HairStrips hair{};
+  BaseColor color{};
+  HeadBone head_bone{};
+  FittedHead head{};
+  ExtractedPatches extracted{};
+  HairRig rig{};
+  Colliders colliders{};
   bool moves = false;  ///< The packed rig can be run.
-  TunedSolver tuned;
-  PatchOrder order;
-  BakedTextures textures;
-  std::vector<DetailLevel> levels;
-  AssetContents contents;  ///< First the rig, then all that is drawn.
-  std::vector<std::byte> asset;
+  TunedSolver tuned{};
+  PatchOrder order{};
+  BakedTextures textures{};
+  std::vector<DetailLevel> levels{};
+  AssetContents contents{};  ///< First the rig, then all that is drawn.
+  std::vector<std::byte> asset{};
 };
 
 /// Adds what is drawn, and where it comes from, to the rig in `contents`. Moves the texels out of `textures`.

@@ -1,6 +1,11 @@
-// Changes a .coif chunk by chunk. Bytes put in anywhere would move all chunks behind them off their places, and a hash would
-// refuse any change: so that neither is all that a fuzzer ever meets, the file is taken apart and written anew.
+// The program of libFuzzer: COIF_FUZZ_TARGET in the environment names the reader that gets the bytes.
+//
+// Hashes guard assets and cache entries, so that a plain fuzzer would meet refusals only: those two have mutators that
+// change what a hash covers, and then the hash.
 
+#include "fuzz/targets.h"
+
+#include "payload_hash.h"
 #include "write/asset_writer.h"
 
 #include <coif/asset_records.h>
@@ -8,17 +13,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <random>
 #include <span>
 #include <vector>
 
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned int seed);
 
 namespace coif::fuzz {
 namespace {
+
+const Target* chosen = nullptr;
 
 constexpr std::size_t kRoomToGrow = 256;
 
@@ -97,11 +108,9 @@ void change_chunk(std::vector<OwnedChunk>& chunks, std::minstd_rand& random) {
   }
 }
 
-}  // namespace
-}  // namespace coif::fuzz
-
-std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
-  using namespace coif::fuzz;
+/// Chunk by chunk: bytes put in anywhere would move all chunks behind them off their places, so the file is taken apart
+/// and written anew.
+std::size_t mutate_asset(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
   std::minstd_rand random(seed);
   std::vector<OwnedChunk> chunks = take_apart({data, size});
   const bool as_bytes = random() % 16 == 0;  // header and table deserve some as well
@@ -111,4 +120,40 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
   if (file.size() > max_size) return size;
   std::memcpy(data, file.data(), file.size());
   return file.size();
+}
+
+/// A magic word, the hash of all that follows, the length of the document, the document, other bytes: each 8 bytes wide
+/// but the last two.
+std::size_t mutate_cache_entry(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
+  constexpr std::size_t kWord = 8, kHashed = 2 * kWord, kDocument = 3 * kWord;
+  if (size < kDocument || seed % 32 == 0) return LLVMFuzzerMutate(data, size, max_size);
+  const std::size_t changed = LLVMFuzzerMutate(data + kDocument, size - kDocument, max_size - kDocument);
+  const std::uint64_t document = changed;
+  if (seed % 4 != 0) std::memcpy(data + kHashed, &document, sizeof document);  // else some of it may be the asset's
+  const std::uint64_t hash = xxh64(std::as_bytes(std::span(data + kHashed, kWord + changed)));
+  std::memcpy(data + kWord, &hash, sizeof hash);
+  return kDocument + changed;
+}
+
+}  // namespace
+}  // namespace coif::fuzz
+
+int LLVMFuzzerInitialize(int*, char***) {
+  using namespace coif::fuzz;
+  const char* const name = std::getenv("COIF_FUZZ_TARGET");
+  chosen = find_target(name ? name : "", "COIF_FUZZ_TARGET must name a target");
+  if (!chosen) std::exit(2);
+  return 0;
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  coif::fuzz::chosen->run({data, size});
+  return 0;
+}
+
+std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned int seed) {
+  using namespace coif::fuzz;
+  if (chosen->run == try_asset) return mutate_asset(data, size, max_size, seed);
+  if (chosen->run == try_cache_entry) return mutate_cache_entry(data, size, max_size, seed);
+  return LLVMFuzzerMutate(data, size, max_size);
 }

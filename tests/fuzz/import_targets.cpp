@@ -1,16 +1,29 @@
-#include "fuzz/lone_file.h"
-#include "fuzz/promise.h"
 #include "fuzz/targets.h"
 
+#include "import/clip_file.h"
+#include "import/model_stream.h"
 #include "import/source_model.h"
 #include "import/vrm_springs.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace coif::fuzz {
 namespace {
+
+void check_clip(const ClipFile& clip) {
+  promise(!clip.keys.empty(), "a clip has keys");
+  double last = -1;
+  for (const NodeKey& key : clip.keys) {
+    promise(key.seconds >= 0 && key.seconds > last && std::isfinite(key.seconds), "keys ascend from 0 or later");
+    promise(key.position.allFinite(), "positions are finite");
+    promise(std::abs(key.rotation.norm() - 1) < 1.0e-6, "rotations have unit length");
+    last = key.seconds;
+  }
+}
 
 SourceNode node(const char* name, std::uint32_t parent, const Eigen::Affine3d& model_from_node) {
   return {name, parent, model_from_node};
@@ -39,6 +52,29 @@ SourceModel model_before_extensions() {
 }
 
 }  // namespace
+
+bool try_clip(Input input) {
+  static const LoneFile file("clip.glb");
+  bool accepted = false;
+  for (const char* const node : {"", "head"}) {
+    const auto clip = read_clip(file.with(input), node);
+    if (clip) check_clip(*clip);
+    promise(clip || clip.error().kind == ToolError::Kind::kBadInput, "a refusal is the file's fault");
+    accepted = accepted || clip;
+  }
+  return accepted;
+}
+
+bool try_model_stream(Input input) {
+  ImportOutcome outcome = tl::unexpected(ToolError{ToolError::Kind::kInternal, "untouched"});
+  if (!decode_outcome(input, outcome)) {
+    promise(!outcome && outcome.error().message == "untouched", "a refusal leaves the outcome untouched");
+    return false;
+  }
+  promise(!outcome || find_model_fault(*outcome).empty(), "a model that was accepted has no fault");
+  promise(std::ranges::equal(encode_outcome(outcome), input), "what was accepted is encoded to the same bytes");
+  return true;
+}
 
 bool try_vrm(Input input) {
   static const LoneFile file("model.vrm");

@@ -1,0 +1,102 @@
+#include "fuzz/targets.h"
+
+#include "cache/cook_cache.h"
+#include "cache/manifest.h"
+#include "cook/recipe/recipe.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <string>
+#include <system_error>
+
+namespace coif::fuzz {
+
+namespace fs = std::filesystem;
+
+void promise(bool kept, const char* what) {
+  if (kept) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+const Target* find_target(std::string_view name, const char* usage) {
+  for (const Target& target : kTargets) {
+    if (target.name == name) return &target;
+  }
+  std::fprintf(stderr, "%s\ntargets:", usage);
+  for (const Target& target : kTargets) std::fprintf(stderr, " %s", target.name.data());
+  std::fprintf(stderr, "\n");
+  return nullptr;
+}
+
+LoneFile::LoneFile(const char* name) {
+  std::string pattern = (fs::temp_directory_path() / "coif_fuzz_XXXXXX").string();
+  promise(mkdtemp(pattern.data()) != nullptr, "there is a folder for temporary files");
+  folder_ = pattern;
+  path_ = folder_ / name;
+}
+
+LoneFile::~LoneFile() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+const fs::path& LoneFile::with(Input bytes) const {
+  std::ofstream file(path_, std::ios::binary | std::ios::trunc);
+  file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  file.close();
+  promise(bool(file), "temporary files can be written");
+  return path_;
+}
+
+bool try_can_fail(Input input) {
+  promise(input.empty() || input[0] != '!', "no input begins with an exclamation mark");
+  return true;
+}
+
+bool try_recipe(Input input) {
+  const std::string text(reinterpret_cast<const char*>(input.data()), input.size());
+  const auto recipe = parse_recipe(text, "a.recipe.json");
+  if (!recipe) {
+    promise(recipe.error().kind == ToolError::Kind::kBadInput, "a refusal is the recipe's fault");
+    promise(recipe.error().message.starts_with("a.recipe.json: "), "a refusal names the file");
+    promise(recipe.error().message.size() < 1000, "a refusal is a sentence");
+    return false;
+  }
+  const std::string printed = print_recipe(*recipe);
+  const auto again = parse_recipe(printed, "printed");
+  promise(again.has_value(), "a printed recipe parses");
+  promise(print_recipe(*again) == printed, "a printed recipe parses back to the same");
+  return true;
+}
+
+bool try_manifest(Input input) {
+  static const LoneFile file("manifest.json");
+  const auto requests = read_manifest(file.with(input), "out");
+  if (!requests) {
+    promise(requests.error().kind == ToolError::Kind::kBadInput, "a refusal is the manifest's fault");
+    return false;
+  }
+  std::set<std::string> outputs;
+  for (const CookRequest& request : *requests) {
+    promise(request.output.starts_with("out/"), "no output leaves the folder");
+    promise(request.output.find("/../") == std::string::npos, "no output climbs");
+    promise(!request.output.ends_with('/'), "an output is a file");
+    promise(outputs.insert(request.output).second, "no two assets have one output");
+  }
+  return true;
+}
+
+bool try_cache_entry(Input input) {
+  const auto entry = decode_entry(std::as_bytes(input));
+  if (!entry) return false;
+  const auto bytes = encode_entry(*entry);
+  const auto again = decode_entry(bytes);
+  promise(again.has_value(), "an entry that was read can be written and read");
+  promise(encode_entry(*again) == bytes, "an entry comes back as it was");
+  return true;
+}
+
+}  // namespace coif::fuzz

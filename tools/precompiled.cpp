@@ -1,1 +1,0 @@
-// Nothing: CMake makes a precompiled header for a target, and a target has a source.
