@@ -2,8 +2,9 @@
 # Installs what is missing, builds, runs the tests. The last line is "N passed, N failed, N skipped"; the exit code is 0
 # only when something passed and nothing failed.
 #   tests/run.sh [PART...]   plain, when none is named: everything that a change can break
-#     asan    under sanitizers: readers of foreign bytes, what runs in a game, cooker and checks. Drawing and the command
-#             line are not among them: they would watch the driver, and start hundreds of slow processes
+#     asan    under sanitizers: readers of foreign bytes, and what runs in a game; asan-cook: the cooker, batches and checks,
+#             which take as long again. Drawing and the command line are in neither: they would watch the driver, and start
+#             hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
@@ -38,13 +39,15 @@ run() {
   results="$results $file"
 }
 
-# In these folders foreign bytes are read, assets are made of them, and games run.
-run_asan() {
-  folders='formats sim import cook cache validate'
-  targets=coif_sim_allocation_test
-  for folder in $folders; do targets="$targets coif_${folder}_test"; done
+# sanitize PART FOLDERS...
+sanitize() {
+  part=$1
+  shift
+  targets=
+  for folder in "$@"; do targets="$targets coif_${folder}_test"; done
+  [ "$1" = formats ] && targets="$targets coif_sim_allocation_test coif_c_interface_test"
   build asan -DCOIF_TESTS=ON $targets || return
-  run asan asan -L "^($(echo "$folders" | tr ' ' '|'))\$" -E '^validate[.]schema'
+  run asan "$part" -L "^($(echo "$*" | tr ' ' '|'))\$" -E '^(validate[.]schema|cook[.]artists_files)'
 }
 
 compare_builds() {
@@ -54,15 +57,16 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan fuzz farm debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm debug'
   for part in $part; do
     case $part in
       plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds)$' ;;
-      asan) run_asan ;;
+      asan) sanitize asan formats sim import ;;
+      asan-cook) sanitize asan-cook cook cache validate ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, fuzz, farm, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

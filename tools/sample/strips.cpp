@@ -84,11 +84,11 @@ void append_strip(const StripStyle& style, unsigned seed, SurfaceMesh& mesh) {
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-constexpr double kRootLift = 0.0035;  // Metres; roots lie close to the scalp, outer layers above inner ones.
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kScalpLift = 0.0035;  // Metres; roots lie close to the scalp, outer layers above inner ones.
 
 /// A side parting on the model's left, from the forehead to the crown.
-Vector3d parting_direction(double t) {
+Vector3d side_parting(double t) {
   static const Vector3d kForehead = Vector3d(0.30, 0.66, 0.70).normalized();
   static const Vector3d kCrown = Vector3d(0.06, 0.88, -0.46).normalized();
   static const Vector3d kTop = kForehead + kCrown;
@@ -98,8 +98,8 @@ Vector3d parting_direction(double t) {
 }  // namespace
 
 Vector3d point_on_hair(const HairCourse& course, double along) {
-  const double angle = course.azimuth * kRadiansPerDegree;
-  const Vector3d parting = parting_direction(course.parting);
+  const double angle = course.azimuth * kDegree;
+  const Vector3d parting = side_parting(course.parting);
   const Vector3d widest{std::sin(angle), 0.0, std::cos(angle)};
   const double arc = std::acos(parting.dot(widest)) * kCraniumRadii.mean() * (1.0 - course.start);
   const double drop = std::max(kCraniumCenter.y() - course.tip_height, 0.0);
@@ -110,7 +110,7 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
   const Vector3d control = widest + 0.75 * Vector3d::UnitY();
   const Vector3d direction =
       direction_on_curve(parting, control, widest, course.start + (1.0 - course.start) * on_skull);
-  const double root_lift = kRootLift + 0.45 * course.lift;
+  const double root_lift = kScalpLift + 0.45 * course.lift;
   const double lift = root_lift + (course.lift - root_lift) * smooth_step(0.0, 0.06, travelled);
   Vector3d point = kCraniumCenter + (kCraniumRadii.array() + lift).matrix().cwiseProduct(direction);
 
@@ -124,7 +124,7 @@ Vector3d point_on_hair(const HairCourse& course, double along) {
 }
 
 double azimuth_of(const Vector3d& point) {
-  return std::atan2(point.x(), point.z() - kCraniumCenter.z()) / kRadiansPerDegree;
+  return std::atan2(point.x(), point.z() - kCraniumCenter.z()) / kDegree;
 }
 
 SkinInfluences rounded_influences(std::array<std::pair<int, double>, 4> shares) {
