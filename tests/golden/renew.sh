@@ -9,5 +9,5 @@ sample=$(mktemp -d)
 trap 'rm -r "$sample"' EXIT
 cmake --build "$build" --target coif_cli coif_write_golden
 "$build/tools/cli/coif" cook "$source/sample_assets/bob/bob.glb" -o "$sample/bob.coif"
-"$build/tests/golden/coif_write_golden" "$sample/bob.coif" "$source/tests/golden"
+"$build/tests/coif_write_golden" "$sample/bob.coif" "$source/tests/golden"
 ls -l "$source"/tests/golden/*.png
