@@ -61,6 +61,17 @@ TEST(RigDifference, HasNoRatioWhereNothingMoves) {
   EXPECT_GT(d.rms, 0);
 }
 
+TEST(RigDifference, PointsWithoutAreaDoNotCount) {
+  const OpenAsset moved(moving_by(255)), still(moving_by(0));
+  auto match = match_surfaces(moved.asset(), still.asset());
+  ASSERT_TRUE(match);
+  std::ranges::fill(match->area, 0);
+  const auto d = compare_rigs(moved.asset(), still.asset(), *match, {.motion = Motion::kTurn, .seconds = 1});
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->rms, 0);
+  EXPECT_EQ(d->max, 0);
+}
+
 TEST(RigDifference, TellsSagFromSwing) {
   const auto sag = difference(small_asset(), small_asset(), {.motion = Motion::kStill, .seconds = 1});
   EXPECT_LT(sag.still_ratio, 0.05) << "settled hair holds its mean pose";

@@ -140,6 +140,18 @@ TEST(ChainGrowth, RisesWithTheBonesAndIsBoundedByFrictionAndTheHead) {
   EXPECT_NEAR(growth(16, 60, 0), 1, 1e-6);
 }
 
+TEST(ChainGrowth, IsThatOfTheWorstBranchWhicheverComesLast) {
+  TestRig rig;
+  const std::uint32_t stem = rig.add({.length = 0.1f, .stiffness = 400, .damping = 40});
+  const TestBone calm{.parent = stem, .length = 0.1f, .friction = 60, .stiffness = 400, .damping = 40, .parent_share = 0};
+  const TestBone lively{.parent = stem, .length = 0.1f, .friction = 1, .stiffness = 400, .damping = 1};
+  TestRig other = rig;
+  rig.add(calm), rig.add(lively);
+  other.add(lively), other.add(calm);
+  EXPECT_EQ(chain_growth(rig.contents(), 0), chain_growth(other.contents(), 0));
+  EXPECT_GT(chain_growth(rig.contents(), 0), 2);
+}
+
 TEST(GroupChains, TheSoftestAndTheLongestTellOfAllWithAsManyBones) {
   AssetContents contents = nine_bone_rig().contents();
   EXPECT_EQ(group_chains(contents).size(), 1u);

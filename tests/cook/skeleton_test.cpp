@@ -291,6 +291,17 @@ TEST(SkinWeights, AddUpTo255AndKeepTheHeaviestFour) {
     EXPECT_EQ(skin.weight[0] + skin.weight[1] + skin.weight[2] + skin.weight[3], 255);
     EXPECT_GE(skin.weight[0], skin.weight[3]);
   }
+
+  mesh.positions = {Eigen::Vector3f::Zero()};
+  mesh.influences = {{5, 0.1f}, {4, 0.2f}, {1, 0.3f}, {2, 0.25f}, {7, 0.15f}};
+  mesh.influence_begin = {0, 5};
+  const SkinRecord skin = quantize_skin(weights_of_source(mesh, skeleton)).front();
+  const std::uint32_t heaviest[4] = {1, 2, 4, 7};
+  const double of_what_is_left[4] = {0.3 / 0.9, 0.25 / 0.9, 0.2 / 0.9, 0.15 / 0.9};
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(skin.bone[k], heaviest[k]);
+    EXPECT_NEAR(skin.weight[k] / 255.0, of_what_is_left[k], 1.0 / 255);
+  }
 }
 
 }  // namespace coif::skeleton_test

@@ -50,6 +50,12 @@ std::vector<std::uint32_t> comb_with_stem_last(std::uint32_t stem) {
   return parents;
 }
 
+TEST(OpenChains, EachBeginsWhereTheOneBeforeItEnds) {
+  for (const std::uint32_t first : {0u, 1u, 3u, 5u, 0x40000000u, kNone}) {
+    EXPECT_EQ(refusal([&](AssetContents& contents) { contents.chains[0].first_bone = first; }), LoadCode::kChainCover) << first;
+  }
+}
+
 TEST(OpenChains, SixteenBonesMayWaitForTheirChildrenAndNoMore) {
   for (const bool tip_first : {true, false}) {
     EXPECT_EQ(open_written(with_chain(comb(kMaxOpenBones + 1, tip_first))).code, LoadCode::kOk);

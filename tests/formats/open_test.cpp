@@ -115,12 +115,29 @@ TEST(Open, AcceptsAnyMinorVersionAndSkipsUnknownOptionalChunks) {
   EXPECT_EQ(asset.minor(), 7);
 }
 
+TEST(Open, RefusesAnotherMajorVersion) {
+  for (const int major : {0, 2, 255}) {
+    AlignedBytes file(write_asset(small_asset()));
+    file.bytes()[8] = std::byte(major);
+    const LoadStatus status = Asset{}.open(file.bytes(), {.verify_hash = false});
+    EXPECT_EQ(status.code, LoadCode::kMajorVersion);
+    EXPECT_EQ(status.expected, kAssetMajor);
+    EXPECT_EQ(status.found, std::uint64_t(major));
+  }
+}
+
 TEST(Open, RefusesUnknownRequiredChunks) {
   AlignedBytes file(write_asset(small_asset()));
   file.bytes()[32 + 3 * 32] = std::byte{'Z'};    // CHAN
   file.bytes()[32 + 3 * 32 + 4] = std::byte{1};  // required
   Asset asset;
   EXPECT_EQ(asset.open(file.bytes(), {.verify_hash = false}).code, LoadCode::kChunkUnknown);
+}
+
+TEST(Open, RefusesFlagsOfAChunkThatMeanNothing) {
+  AlignedBytes file(write_asset(small_asset()));
+  file.bytes()[32 + 4] |= std::byte{2};
+  EXPECT_EQ(Asset{}.open(file.bytes(), {.verify_hash = false}).code, LoadCode::kReserved);
 }
 
 TEST(Open, RefusesMemoryThatIsNotAligned) {

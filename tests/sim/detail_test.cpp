@@ -333,6 +333,13 @@ TEST(ChooseLod, LeavesALevelBeyondTheHysteresisAndSkipsLevels) {
   EXPECT_EQ(choose_lod(kFour, 1, 3, 0.1f), 0u);
 }
 
+TEST(ChooseLod, NoHysteresisHoldsALevelForEver) {
+  for (const float hysteresis : {0.9f, 1.0f, 5.0f, INFINITY}) {
+    EXPECT_EQ(choose_lod(kFour, 0.001f, 0, hysteresis), 3u) << hysteresis;
+    EXPECT_EQ(choose_lod(kFour, 1, 3, hysteresis), 0u) << hysteresis;
+  }
+}
+
 TEST(ChooseLod, AlwaysReturnsALevelThatExists) {
   const float odd[] = {NAN, INFINITY, -INFINITY, -1, 0, 1e-38f, 1e38f};
   for (const float share : odd) {
