@@ -43,7 +43,7 @@ coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
 set(head_order "\"order\": {\"method\": \"head\"}")
 coif_cli_case(cook_text EXIT 0 WRITES out.coif
   STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)].*next: coif render out.coif"
-  ARGS cook ${sample} -o out.coif)
+  TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
        simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame

@@ -212,8 +212,8 @@ function(deb_package)
 endfunction()
 
 if(EMBED)
-  # For one instruction set, which is quicker; the shared libraries are built for all.
-  build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED} -D COIF_SIMD=static)
+  # For one instruction set and not optimized, which is quicker; the shared libraries are built for all sets.
+  build_game(embedded "${sim_games}" -D COIF_SOURCE=${EMBED} -D COIF_SIMD=static -D CMAKE_BUILD_TYPE=Debug)
 elseif(SHARE)
   shared_package()
 elseif(PACK)

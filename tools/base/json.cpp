@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-template class nlohmann::basic_json<>;
-template class nlohmann::basic_json<nlohmann::ordered_map>;
-
 namespace coif {
 
 std::string json_fault(const nlohmann::json::exception& error) {

@@ -11,10 +11,6 @@
 #include <string>
 #include <string_view>
 
-// Compiled once, in json.cpp: what other files take of it is not worth compiling in each of them.
-extern template class nlohmann::basic_json<>;
-extern template class nlohmann::basic_json<nlohmann::ordered_map>;
-
 namespace coif {
 
 /// What is wrong and where, for people: the library's own prefix names its exception's class, which tells them nothing.
