@@ -4,9 +4,9 @@
   tests/cli/seen_outputs.py COIF WRITE_GOLDEN [ASSETS [PROJECT]] > before.txt
 
 COIF is the program, WRITE_GOLDEN tests/golden's writer beside it, ASSETS a folder with artists' files in hair/ and
-same_hair/ (left out where absent), PROJECT the checkout whose samples are cooked, by default this one. Two builds whose lists are equal cook the same bytes, simulate and draw the same,
-print the same help and messages, and give the same keys in every report. Numbers of reports are not compared: times
-are among them.
+same_hair/ (left out where absent), PROJECT the checkout whose samples are cooked, by default this one. Two builds whose
+lists are equal cook the same bytes, simulate and draw the same, print the same help and messages, and give the same keys
+in every report. Numbers of reports are not compared: times are among them.
 """
 import hashlib
 import json

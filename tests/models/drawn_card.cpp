@@ -1,5 +1,7 @@
 #include "models/drawn_card.h"
 
+#include "models/small_asset.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,13 +61,7 @@ MaterialRecord plain_material() {
 AssetContents card_contents(std::span<const DrawnCard> cards, std::uint32_t bones) {
   AssetContents out;
   out.skeleton.head_rotation[3] = 1;
-  for (std::uint32_t i = 0; i < bones; ++i) {
-    BoneRecord bone{};
-    bone.parent = i == 0 ? kNone : 0;
-    bone.kind = i == 0 ? BoneKind::kHead : BoneKind::kScalp;
-    bone.chain = bone.name = kNone;
-    out.bones.push_back(bone);
-  }
+  out.bones = rigid_bones(bones);
   std::vector<std::uint8_t> colors;
   std::vector<std::uint8_t> shift_masks;
   for (std::size_t i = 0; i < cards.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "models/skinned_asset.h"
 
+#include "models/small_asset.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,13 +37,7 @@ void transform(const double (&matrix)[3][4], const double (&v)[3], double w, dou
 AssetContents skinned_contents(std::uint32_t bones, std::span<const SkinRecord> skin) {
   AssetContents contents;
   contents.skeleton.head_rotation[3] = 1;
-  for (std::uint32_t b = 0; b < bones; ++b) {
-    BoneRecord bone{};
-    bone.parent = b == 0 ? kNone : 0;
-    bone.kind = b == 0 ? BoneKind::kHead : BoneKind::kScalp;
-    bone.chain = bone.name = kNone;
-    contents.bones.push_back(bone);
-  }
+  contents.bones = rigid_bones(bones);
   for (std::size_t i = 0; i < skin.size(); ++i) contents.vertices.push_back(vertex_number(i));
   contents.skin.assign(skin.begin(), skin.end());
   for (std::uint32_t i = 0; i + 2 < skin.size(); i += 3) {

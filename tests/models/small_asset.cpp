@@ -89,6 +89,12 @@ void add_textures(AssetContents& asset) {
 
 }  // namespace
 
+std::vector<BoneRecord> rigid_bones(std::uint32_t count) {
+  std::vector<BoneRecord> bones(count, rigid(BoneKind::kScalp, 0, 0));
+  if (count > 0) bones[0] = rigid(BoneKind::kHead, kNone, 0);
+  return bones;
+}
+
 AssetContents small_asset() {
   AssetContents asset;
   asset.skeleton.head_joint[1] = 1.6f;

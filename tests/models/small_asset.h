@@ -11,6 +11,7 @@
 #include <cstring>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace coif {
 
@@ -36,6 +37,9 @@ class AlignedBytes {
 /// An asset of about 3 KiB that uses every chunk: a head, one scalp bone, a chain of two bones and one of one bone
 /// that branches off the head, four shapes of collider, two patches of one triangle each, both textures, a tuning.
 [[nodiscard]] AssetContents small_asset();
+
+/// A head and `count` - 1 scalp bones on it, all where the head is.
+[[nodiscard]] std::vector<BoneRecord> rigid_bones(std::uint32_t count);
 
 inline LoadStatus open_written(const AssetContents& contents) {
   AlignedBytes file(write_asset(contents));

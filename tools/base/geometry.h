@@ -8,7 +8,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <numbers>
+
 namespace coif {
+
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 
 [[nodiscard]] inline Eigen::Vector3f to_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }

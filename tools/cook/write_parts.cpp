@@ -18,7 +18,7 @@ void pack_parts(Cooking& c) {
 }
 
 tl::expected<void, ToolError> write_parts(Cooking& c) {
-  for (const LeftOut& part : leave_out_parts(c.recipe, c.contents)) c.report.leave_out(part);
+  leave_out_parts(c.recipe, c.contents, c.report);
   c.asset = write_asset(c.contents);
   const OpenedAsset opened(c.asset);
   LoadStatus status = opened.status();

@@ -1,13 +1,10 @@
 #include "lab/runtime_solver.h"
 
+#include "base/geometry.h"
+
 #include <new>
 
 namespace coif {
-namespace {
-
-Vec3 vec3_of(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
-
-}  // namespace
 
 RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort)
     : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
@@ -20,8 +17,8 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
   if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);
   if (&solver == &kCoifSolver) settings_.substeps = std::uint32_t(effort);
-  settings_.environment.gravity = vec3_of(scene.gravity);
-  settings_.environment.wind = vec3_of(scene.wind);
+  settings_.environment.gravity = to_vec3(scene.gravity);
+  settings_.environment.wind = to_vec3(scene.wind);
   settings_.environment.air_follow = float(scene.air_follow);
   ends_.resize(asset.skeleton().simulated_count);
   all_ends_.resize(asset.skeleton().bone_count);

@@ -1,5 +1,6 @@
 #include "render/gallery.h"
 
+#include "base/geometry.h"
 #include "motion/head_path.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -94,7 +94,6 @@ struct Movement {
 
 std::vector<Movement> movements() {
   const Eigen::Vector3d across = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY();
-  constexpr double kDegree = std::numbers::pi / 180;
   return {
       {"Gallery 5: looking down", held_turn(across, 55 * kDegree, 0.4), 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}},
       {"Gallery 5: a rapid turn", held_turn(up, 80 * kDegree, 0.25), 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}},

@@ -1,5 +1,6 @@
 #include "sample/long.h"
 
+#include "base/geometry.h"
 #include "sample/head_shape.h"
 #include "sample/strips.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kRootLift = 0.006;   // Metres; roots lie close to the scalp, outer rows above inner ones.
 constexpr double kAxisZ = -0.030;     // The hanging hair gathers around this vertical line.
 constexpr double kGathered = 0.95;    // Its distance from there at the tips, as a share of that at the widest line.
@@ -35,7 +35,7 @@ double to_side(double azimuth) { return azimuth > 180.0 ? 360.0 - azimuth : azim
 double parting_place(double azimuth) { return (to_side(azimuth) - 25.0) / 160.0; }
 
 Vector3d turned(const Vector3d& v, double degrees) {
-  const double c = std::cos(degrees * kRadiansPerDegree), s = std::sin(degrees * kRadiansPerDegree);
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
   return {c * v.x() + s * v.z(), v.y(), c * v.z() - s * v.x()};
 }
 
@@ -134,7 +134,7 @@ std::vector<Lock> make_locks() {
       course.wave = noise.between(0.009, 0.017);
       course.wave_turns = noise.between(1.9, 2.5);
       // Neighbours swing nearly together.
-      course.wave_phase = 0.3 * std::sin(3.0 * side * kRadiansPerDegree) + noise.between(-0.12, 0.12);
+      course.wave_phase = 0.3 * std::sin(3.0 * side * kDegree) + noise.between(-0.12, 0.12);
       locks.push_back(lock);
     }
   }

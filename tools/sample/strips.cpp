@@ -1,5 +1,6 @@
 #include "sample/strips.h"
 
+#include "base/geometry.h"
 #include "sample/head_shape.h"
 #include "sample/long.h"
 #include "sample/surface_mesh.h"
@@ -84,7 +85,6 @@ void append_strip(const StripStyle& style, unsigned seed, SurfaceMesh& mesh) {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kScalpLift = 0.0035;  // Metres; roots lie close to the scalp, outer layers above inner ones.
 
 /// A side parting on the model's left, from the forehead to the crown.

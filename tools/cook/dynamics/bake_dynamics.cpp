@@ -1,17 +1,16 @@
 #include "cook/dynamics/bake_dynamics.h"
 
+#include "base/geometry.h"
 #include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace coif {
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kGravity = 9.81;           // m/s^2
 constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag of 1 keeps none, and friction has no end.
 constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
@@ -39,7 +38,7 @@ void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record
   const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record));
   record.damping = float(std::min(damping, kMostDamping));
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
-  record.angle_limit = std::min(float(recipe.angle_limit * kRadiansPerDegree), kNoAngleLimit);
+  record.angle_limit = std::min(float(recipe.angle_limit * kDegree), kNoAngleLimit);
   record.parent_share = float(recipe.parent_share);
 }
 

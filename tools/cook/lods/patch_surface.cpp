@@ -1,16 +1,15 @@
 #include "cook/lods/patch_surface.h"
 
+#include "base/geometry.h"
 #include "cook/select/mesh_topology.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace coif {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTurn = 20 * kDegree;
 constexpr double kLargestTurn = 120 * kDegree;
 
@@ -124,7 +123,7 @@ PatchSurface make_patch_surface(const HairStrips& hair, const PatchView& view, s
 
 namespace {
 
-constexpr double kCornerTurn = 50 * std::numbers::pi / 180;
+constexpr double kCornerTurn = 50 * kDegree;
 
 std::vector<EdgeUse> edges_by_point(const PatchSurface& surface) {
   std::vector<std::uint32_t> corners, same(surface.points());

@@ -17,17 +17,15 @@ std::uint64_t clear_shift_mask(AssetContents& contents) {
 
 }  // namespace
 
-std::vector<LeftOut> leave_out_parts(const Recipe& recipe, AssetContents& contents) {
-  std::vector<LeftOut> left_out;
+void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& findings) {
   const auto note = [&](const char* what, const char* key, std::uint64_t bytes) {
-    if (bytes > 0) left_out.push_back({what, fmt::format("\"scene.{}\" is false", key), bytes, 0});
+    if (bytes > 0) findings.leave_out({what, fmt::format("\"scene.{}\" is false", key), bytes, 0});
   };
   if (!recipe.scene_names) note("bone names", "names", clear_group("names", contents));
   if (!recipe.scene_quality) note("quality of other settings", "quality", clear_group("quality", contents));
   if (!recipe.scene_provenance) note("provenance", "provenance", clear_group("provenance", contents));
   if (!recipe.scene_draw) note("mesh, material and textures", "draw", clear_group("mesh", contents));
   if (!recipe.scene_shift_mask) note("shift and mask of the highlights", "shift_mask", clear_shift_mask(contents));
-  return left_out;
 }
 
 }  // namespace coif

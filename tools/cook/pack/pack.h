@@ -44,6 +44,6 @@ void pack_mesh(const HairStrips& hair, const HairRig& rig, std::span<const Detai
 
 /// Takes the parts out of `contents` that the recipe's "scene" is without: bone names, quality, provenance, shift and mask,
 /// all that is drawn.
-[[nodiscard]] std::vector<LeftOut> leave_out_parts(const Recipe& recipe, AssetContents& contents);
+void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& findings);
 
 }  // namespace coif

@@ -1,3 +1,4 @@
+#include "base/geometry.h"
 #include "base/hair_runtime.h"
 #include "cook/pack/pack.h"
 #include "payload_hash.h"
@@ -10,8 +11,6 @@
 namespace coif {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
-
 template <std::size_t kCount>
 void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
   for (std::size_t k = 0; k < kCount; ++k) out[k] = float(value[k]);
@@ -20,8 +19,8 @@ void store(const std::array<double, kCount>& value, float (&out)[kCount]) {
 /// After the colours, from which the cut follows.
 void pack_shading(const Recipe& recipe, MaterialRecord& record) {
   record.shading = shading_model(recipe.shading).value_or(ShadingModel::kThesis);
-  record.tilt = float(recipe.tilt * kRadians);
-  record.roughness = float(recipe.roughness * kRadians);
+  record.tilt = float(recipe.tilt * kDegree);
+  record.roughness = float(recipe.roughness * kDegree);
   record.scatter = float(recipe.scatter);
   if (recipe.energy == "bounded") record.light_cut = bounding_cut(record);
 }

@@ -46,8 +46,7 @@ void add_thesis_table(const CostReport& report, HtmlPage& page) {
   page.paragraph(fmt::format(
       "Here: {}, {} x {} pixels, hair alone, heads of one size, all of them in the picture. Thesis: {}, {} x {} "
       "pixels, frames of a whole game. A ratio is how many times as long a frame takes with as without: of both frames "
-      "that "
-      "are simulated and not, or transparent and not. The thesis's come from whole frames a second, and what else its "
+      "that are simulated and not, or transparent and not. The thesis's come from whole frames a second, and what else its "
       "game draws takes part of every frame, so that transparency weighs less there.",
       device_text(report.rendering.device), measured.width, measured.height, kThesisTableDevice, kThesisTableWidth,
       kThesisTableHeight));

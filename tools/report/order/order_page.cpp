@@ -32,8 +32,7 @@ void add_modes(const OrderReport& report, HtmlPage& page) {
   page.paragraph(
       "With the asset's own orders, of which only blend takes notice. Modes of several samples smooth the borders of "
       "cards, which the exact picture does not: that is part of their difference. Modes that show some pixels and "
-      "leave "
-      "out others are wrong in most pixels and right on average over several.");
+      "leave out others are wrong in most pixels and right on average over several.");
 }
 
 void add_thresholds(const OrderReport& report, HtmlPage& page) {

@@ -81,8 +81,7 @@ std::string order_summary(const OrderReport& report) {
   const OrderError& error = rest->error;
   return fmt::format(
              "At rest, the asset's own order ({}) is {:.1f} dB from exact order (median of {} views {:.1f}, worst "
-             "{:.1f}); "
-             "{} of the pixels are off by more than 0.1.",
+             "{:.1f}); {} of the pixels are off by more than 0.1.",
              rest->order, error.psnr_db, report.directions.size(), error.median_psnr_db, error.worst_psnr_db,
              percent_text(error.bad_pixels_pct)) +
          gains_text(report) + threshold_text(report) + distance_text(report);

@@ -27,19 +27,15 @@ constexpr double kTurnSeconds = 0.45;  // hair at its furthest
 constexpr unsigned kTimedRuns = 5;
 constexpr float kPixel = 0.0005f;  // metres: fine enough that textures keep their detail
 
-tl::unexpected<ToolError> fail(ToolError::Kind kind, std::string message) {
-  return tl::unexpected(ToolError{kind, std::move(message)});
-}
-
 tl::expected<void, ToolError> check(const Asset& asset, const ShadowSettings& settings) {
   const auto size_ok = [](std::uint32_t size) { return size >= kLeastSize && size <= kMostSize; };
   const bool spacing_ok = settings.spacing >= kLeastSpacing && settings.spacing <= kMostSpacing;
   if (settings.sizes.empty() || !std::ranges::all_of(settings.sizes, size_ok) || !spacing_ok) {
-    return fail(ToolError::Kind::kUsage,
+    return failure(ToolError::Kind::kUsage,
                 "a shadow's map has 16 to 4096 texels each way, and the reference's lines are 0.5 to 20 mm apart");
   }
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
-    return fail(ToolError::Kind::kBadInput,
+    return failure(ToolError::Kind::kBadInput,
                 "the asset has no mesh to cast shadows; cook it again without leaving the mesh out");
   }
   return {};
@@ -124,10 +120,10 @@ class ShadowMeasurement {
 
   tl::expected<void, ToolError> begin() {
     if (renderer_.create(context_.loader()) != Status::kOk) {
-      return fail(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer_.failure());
+      return failure(ToolError::Kind::kUnsupported, std::string("the renderer does not start: ") + renderer_.failure());
     }
     if (const Status status = model_.upload(renderer_, asset_); status != Status::kOk) {
-      return fail(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
+      return failure(ToolError::Kind::kUnsupported, std::string("the driver refuses the asset: ") + describe(status));
     }
     auto stage = StageRenderer::create(mannequin_meshes(asset_.colliders()));
     if (!stage) return tl::unexpected(stage.error());
@@ -196,7 +192,7 @@ class ShadowMeasurement {
       const auto start = std::chrono::steady_clock::now();
       const Status status = one.shadow.draw(light, ball_, stage_, {&head, 1}, &crowd);
       if (status != Status::kOk) {
-        return fail(ToolError::Kind::kUnsupported, std::string("the shadow cannot be drawn: ") + describe(status));
+        return failure(ToolError::Kind::kUnsupported, std::string("the shadow cannot be drawn: ") + describe(status));
       }
       glFinish();
       const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;

@@ -123,10 +123,8 @@ std::string shadow_page(const ReportHeading& heading, const ShadowReport& report
   page.table(page_table(shadow_total_columns(), report.totals));
   page.paragraph(
       "plain: a depth map, in which hair is solid or not there. deep: deep opacity maps, which count how much hair "
-      "lies "
-      "in each of their layers. A positive bias is light that leaks through, a negative one is light that is lost. "
-      "Hair "
-      "counts by its alpha, as far as the head leaves it in the light; of the head, the side that is turned to the "
+      "lies in each of their layers. A positive bias is light that leaks through, a negative one is light that is lost. "
+      "Hair counts by its alpha, as far as the head leaves it in the light; of the head, the side that is turned to the "
       "light.");
   page.figure(sizes_figure(report));
   page.figure(cost_figure(report));
