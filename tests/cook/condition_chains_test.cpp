@@ -115,7 +115,7 @@ TEST(ConditionChains, TouchesOnlyTheChainsThatNeedIt) {
 
 TEST(ConditionChains, WarnsWhereNothingHelps) {
   // Without weight and pull there is no stiffness whose root damping could be a share of.
-  TestRig rig = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 0});
+  TestRig rig = rig_of_chain({.bones = 5, .length = 0.8f, .stiffness = 0});
   for (DynamicsRecord& record : rig.dynamics) record.gravity_scale = record.damping = record.torsion = 0;
   const auto result = conditioned(named(rig));
   EXPECT_TRUE(result.notes.empty());

@@ -181,7 +181,7 @@ Figure stretch_figure(const AccuracyReport& report) {
 }
 
 Table settings_table(const AccuracyReport& report) {
-  return page_table(without(accuracy_columns(report.budget_rms_pct), {"motion", "fps"}),
+  return page_table(accuracy_columns(report.budget_rms_pct).without({"motion", "fps"}),
                     means_over_motions(report, main_frame_rate(report)));
 }
 

@@ -47,7 +47,7 @@ template <typename Row>
 }
 
 template <typename Row>
-[[nodiscard]] ReportColumn<Row> median_column() {
+[[nodiscard]] ColumnOf<Row> median_column() {
   return {"median_psnr_db",
           [](const Row& row) { return row.error.median_psnr_db; },
           {"median view", decibel_cell, 1},
@@ -58,10 +58,10 @@ template <typename Row>
 template <typename Row>
 [[nodiscard]] Columns<Row> way_columns() {
   Columns<Row> columns = error_columns<Row>();
-  append(columns,
-         {{"popping", &Row::popping, {"popping", {}, 4}, {"popping", 10, {}, 4}},
-          median_column<Row>(),
-          {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text, 4}, {"ms/frame", 10, {}, 4}}});
+  columns.append(
+      {{"popping", &Row::popping, {"popping", {}, 4}, {"popping", 10, {}, 4}},
+       median_column<Row>(),
+       {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text, 4}, {"ms/frame", 10, {}, 4}}});
   return columns;
 }
 
@@ -82,8 +82,8 @@ struct OrderRow {
   Columns<Row> columns{{"order", &Row::order, {"order"}, {"order", -12}},
                        {"pose", &Row::pose, {"pose", {}, -1}, {"pose", -8, {}, -1}},
                        {"faces", [](const Row& row) { return row.faces_together ? "together" : "apart"; }, {"faces"}}};
-  append(columns, way_columns<Row>());
-  columns.push_back({"bytes", &Row::bytes, {"indices", bytes_text, 4}});
+  columns.append(way_columns<Row>());
+  columns.add({"bytes", &Row::bytes, {"indices", bytes_text, 4}});
   return columns;
 }
 
@@ -102,7 +102,7 @@ struct OrderModeRow {
   Columns<Row> columns{{"transparency", &Row::transparency, {"transparency"}, {"mode", -12}},
                        {"samples", &Row::samples, {"samples"}},
                        {"pose", &Row::pose, {"pose", {}, -1}, {"pose", -8, {}, -1}}};
-  append(columns, way_columns<Row>());
+  columns.append(way_columns<Row>());
   return columns;
 }
 
@@ -118,9 +118,9 @@ struct ThresholdRow {
   Columns<Row> columns{{"opaque_threshold", &Row::opaque_threshold, {"opaque from", "{:.3f}"}, {"", -20, "{:.3f}"}},
                        {"is_own", &Row::is_own},
                        {kNoKey, [](const Row& row) { return row.is_own ? "the asset's" : ""; }, {""}}};
-  append(columns, error_columns<Row>());
-  columns.push_back(median_column<Row>());
-  columns.push_back({kNoKey, [](const Row& row) { return row.is_own ? "  the asset's" : ""; }, {}, {"", 0, {}, 4}});
+  columns.append(error_columns<Row>());
+  columns.add(median_column<Row>());
+  columns.add({kNoKey, [](const Row& row) { return row.is_own ? "  the asset's" : ""; }, {}, {"", 0, {}, 4}});
   return columns;
 }
 

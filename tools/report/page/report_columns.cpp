@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coif {
@@ -20,7 +21,9 @@ Cell CellFormat::operator()(const ColumnValue& value) const {
   return {count != nullptr ? std::to_string(*count) : number_text(std::get<double>(value))};
 }
 
-nlohmann::ordered_json column_json(const ColumnValue& value) {
+namespace {
+
+nlohmann::ordered_json value_json(const ColumnValue& value) {
   if (const Cell* cell = std::get_if<Cell>(&value)) return cell->text;
   if (const bool* yes = std::get_if<bool>(&value)) return *yes;
   if (const std::uint64_t* count = std::get_if<std::uint64_t>(&value)) return *count;
@@ -29,6 +32,73 @@ nlohmann::ordered_json column_json(const ColumnValue& value) {
 
 std::string padded(const std::string& text, int width) {
   return width < 0 ? fmt::format("{:<{}}", text, -width) : fmt::format("{:>{}}", text, width);
+}
+
+/// Those that are in a form (&ReportColumn::page or text), in its order.
+template <typename Form>
+std::vector<const ReportColumn*> placed(const ColumnList& columns, Form ReportColumn::*form) {
+  std::vector<const ReportColumn*> shown;
+  for (const ReportColumn& column : columns) {
+    if ((column.*form).heading != nullptr) shown.push_back(&column);
+  }
+  std::ranges::stable_sort(shown, {}, [form](const ReportColumn* column) { return (column->*form).place; });
+  return shown;
+}
+
+}  // namespace
+
+nlohmann::ordered_json json_of(const ColumnList& columns, const void* record) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const ReportColumn& column : columns) {
+    if (column.key != nullptr) json[column.key] = value_json(column.value(record));
+  }
+  return json;
+}
+
+nlohmann::ordered_json json_list(const ColumnList& columns, const RecordList& records) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const void* record : records) array.push_back(json_of(columns, record));
+  return array;
+}
+
+Table page_table(const ColumnList& columns, const RecordList& records) {
+  const auto shown = placed(columns, &ReportColumn::page);
+  Table table;
+  for (const ReportColumn* column : shown) table.columns.push_back({column->page.heading, column->kind});
+  for (const void* record : records) {
+    table.rows.emplace_back();
+    for (const ReportColumn* column : shown) table.rows.back().push_back(column->page.format(column->value(record)));
+  }
+  return table;
+}
+
+std::string text_heading(const ColumnList& columns) {
+  std::string line = "  ";
+  for (const ReportColumn* column : placed(columns, &ReportColumn::text)) {
+    line += padded(column->text.heading, column->text.width);
+  }
+  return line + "\n";
+}
+
+std::string text_lines(const ColumnList& columns, const RecordList& records) {
+  const auto shown = placed(columns, &ReportColumn::text);
+  std::string text;
+  for (const void* record : records) {
+    text += "  ";
+    for (const ReportColumn* column : shown) {
+      text += padded(column->text.format(column->value(record)).text, column->text.width);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+ColumnList columns_without(const ColumnList& columns, std::initializer_list<std::string_view> keys) {
+  ColumnList rest = columns;
+  std::erase_if(rest, [&](const ReportColumn& column) {
+    return column.key != nullptr && std::ranges::find(keys, std::string_view(column.key)) != keys.end();
+  });
+  return rest;
 }
 
 std::string microseconds_text(double us) { return time_text(1e3 * us); }

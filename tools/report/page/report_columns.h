@@ -6,7 +6,6 @@
 #include "report/page/html_page.h"
 #include "report/page/report_heading.h"
 
-#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <initializer_list>
@@ -75,113 +74,105 @@ struct TextColumn {
 /// As a key: the column is in tables only.
 inline constexpr const char* kNoKey = nullptr;
 
-template <typename Record>
+/// A column, whatever records it is of.
 struct ReportColumn {
-  /// `of`: a member of the record, or a function of it; to text, a Cell, bool, an unsigned number or one that may be missing.
-  template <typename Of>
-  ReportColumn(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {})
-      : key(json_key), page(std::move(on_page)), text(std::move(in_text)) {
-    using Value = std::remove_cvref_t<std::invoke_result_t<Of, const Record&>>;
-    constexpr bool is_number = std::convertible_to<Value, std::optional<double>> && !std::same_as<Value, bool>;
-    kind = page.is_prose ? Column::Kind::kProse : is_number ? Column::Kind::kNumbers : Column::Kind::kWords;
-    value = [of](const Record& record) { return column_value<Value>(std::invoke(of, record)); };
-  }
-
-  const char* key;  ///< In JSON.
-  std::function<ColumnValue(const Record&)> value;
-  Column::Kind kind;
+  const char* key = kNoKey;                              ///< In JSON.
+  std::function<ColumnValue(const void* record)> value;  ///< Of a record of the list's type.
+  Column::Kind kind = Column::Kind::kWords;
   PageColumn page;
   TextColumn text;
 };
 
+/// A column of records of that type.
 template <typename Record>
-using Columns = std::vector<ReportColumn<Record>>;
-
-[[nodiscard]] nlohmann::ordered_json column_json(const ColumnValue& value);
-[[nodiscard]] std::string padded(const std::string& text, int width);
-
-/// Those that are in a form (&ReportColumn::page or text), in its order.
-template <typename Record, typename Form>
-[[nodiscard]] std::vector<const ReportColumn<Record>*> placed(const Columns<Record>& columns,
-                                                              Form ReportColumn<Record>::*form) {
-  std::vector<const ReportColumn<Record>*> shown;
-  for (const auto& column : columns) {
-    if ((column.*form).heading != nullptr) shown.push_back(&column);
+struct ColumnOf : ReportColumn {
+  /// `of`: a member of the record, or a function of it; to text, a Cell, bool, an unsigned number or one that may be missing.
+  template <typename Of>
+  ColumnOf(const char* json_key, Of of, PageColumn on_page = {}, TextColumn in_text = {}) {
+    using Value = std::remove_cvref_t<std::invoke_result_t<Of, const Record&>>;
+    constexpr bool is_number = std::convertible_to<Value, std::optional<double>> && !std::same_as<Value, bool>;
+    key = json_key;
+    value = [of](const void* record) {
+      return column_value<Value>(std::invoke(of, *static_cast<const Record*>(record)));
+    };
+    kind = on_page.is_prose ? Column::Kind::kProse : is_number ? Column::Kind::kNumbers : Column::Kind::kWords;
+    page = std::move(on_page);
+    text = std::move(in_text);
   }
-  std::ranges::stable_sort(shown, {}, [form](const auto* column) { return (column->*form).place; });
-  return shown;
+};
+
+using ColumnList = std::vector<ReportColumn>;
+using RecordList = std::vector<const void*>;
+
+/// A list of columns that knows what they are of. Only its making and the steps through records are compiled for each type.
+template <typename Record>
+class Columns {
+ public:
+  Columns(std::initializer_list<ColumnOf<Record>> columns) {
+    for (const ReportColumn& column : columns) list_.push_back(column);
+  }
+  void add(ColumnOf<Record> column) { list_.push_back(std::move(column)); }
+  /// Puts all of `more` behind these.
+  void append(const Columns& more) { list_.insert(list_.end(), more.list_.begin(), more.list_.end()); }
+  /// All but those with these keys.
+  [[nodiscard]] Columns without(std::initializer_list<std::string_view> keys) const;
+
+  [[nodiscard]] const ColumnList& list() const { return list_; }
+
+ private:
+  ColumnList list_;
+};
+
+[[nodiscard]] nlohmann::ordered_json json_of(const ColumnList& columns, const void* record);
+[[nodiscard]] nlohmann::ordered_json json_list(const ColumnList& columns, const RecordList& records);
+[[nodiscard]] Table page_table(const ColumnList& columns, const RecordList& records);
+[[nodiscard]] std::string text_heading(const ColumnList& columns);
+[[nodiscard]] std::string text_lines(const ColumnList& columns, const RecordList& records);
+[[nodiscard]] ColumnList columns_without(const ColumnList& columns, std::initializer_list<std::string_view> keys);
+
+template <typename Record>
+Columns<Record> Columns<Record>::without(std::initializer_list<std::string_view> keys) const {
+  Columns rest{};
+  rest.list_ = columns_without(list_, keys);
+  return rest;
+}
+
+template <typename Record>
+[[nodiscard]] RecordList places_of(const std::vector<Record>& records) {
+  RecordList places;
+  for (const Record& record : records) places.push_back(&record);
+  return places;
 }
 
 template <typename Record>
 [[nodiscard]] nlohmann::ordered_json json_of(const Columns<Record>& columns, const Record& record) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& column : columns) {
-    if (column.key != nullptr) json[column.key] = column_json(column.value(record));
-  }
-  return json;
+  return json_of(columns.list(), static_cast<const void*>(&record));
 }
 
 template <typename Record>
 [[nodiscard]] nlohmann::ordered_json json_list(const Columns<Record>& columns, const std::vector<Record>& records) {
-  nlohmann::ordered_json array = nlohmann::ordered_json::array();
-  for (const Record& record : records) array.push_back(json_of(columns, record));
-  return array;
+  return json_list(columns.list(), places_of(records));
 }
 
 template <typename Record>
 [[nodiscard]] Table page_table(const Columns<Record>& columns, const std::vector<Record>& records) {
-  const auto shown = placed(columns, &ReportColumn<Record>::page);
-  Table table;
-  for (const auto* column : shown) table.columns.push_back({column->page.heading, column->kind});
-  for (const Record& record : records) {
-    table.rows.emplace_back();
-    for (const auto* column : shown) table.rows.back().push_back(column->page.format(column->value(record)));
-  }
-  return table;
+  return page_table(columns.list(), places_of(records));
 }
 
 template <typename Record>
 [[nodiscard]] std::string text_heading(const Columns<Record>& columns) {
-  std::string line = "  ";
-  for (const auto* column : placed(columns, &ReportColumn<Record>::text)) {
-    line += padded(column->text.heading, column->text.width);
-  }
-  return line + "\n";
+  return text_heading(columns.list());
 }
 
 template <typename Record>
 [[nodiscard]] std::string text_lines(const Columns<Record>& columns, const std::vector<Record>& records) {
-  const auto shown = placed(columns, &ReportColumn<Record>::text);
-  std::string text;
-  for (const Record& record : records) {
-    text += "  ";
-    for (const auto* column : shown) {
-      text += padded(column->text.format(column->value(record)).text, column->text.width);
-    }
-    text += "\n";
-  }
-  return text;
+  return text_lines(columns.list(), places_of(records));
 }
 
 /// Heading and lines; nothing without records.
 template <typename Record>
 [[nodiscard]] std::string text_table(const Columns<Record>& columns, const std::vector<Record>& records) {
   return records.empty() ? "" : text_heading(columns) + text_lines(columns, records);
-}
-
-/// All columns but those with these keys.
-template <typename Record>
-[[nodiscard]] Columns<Record> without(Columns<Record> columns, std::initializer_list<std::string_view> keys) {
-  std::erase_if(columns, [&](const auto& column) {
-    return column.key != nullptr && std::ranges::find(keys, std::string_view(column.key)) != keys.end();
-  });
-  return columns;
-}
-
-/// Puts all of `more` behind `columns`.
-template <typename Record>
-void append(Columns<Record>& columns, const Columns<Record>& more) {
-  columns.insert(columns.end(), more.begin(), more.end());
 }
 
 /// time_text() of microseconds and of milliseconds.

@@ -58,10 +58,10 @@ struct ShadowRow {
 [[nodiscard]] inline Columns<ShadowRow> shadow_columns() {
   using Row = ShadowRow;
   Columns<Row> columns = technique_columns<Row>();
-  append(columns, {{"light", &Row::light, {"light"}}, {"pose", &Row::pose, {"pose"}}});
-  append(columns, shadow_error_columns<Row>());
-  append(columns,
-         {{"ms", &Row::ms}, {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}}});
+  columns.append({{"light", &Row::light, {"light"}}, {"pose", &Row::pose, {"pose"}}});
+  columns.append(shadow_error_columns<Row>());
+  columns.append(
+      {{"ms", &Row::ms}, {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}}});
   return columns;
 }
 
@@ -86,17 +86,17 @@ struct ShadowTotal {
     return "   " + number_text(total.worst_rmse) + " (" + total.worst_light + ", " + total.worst_pose + ")";
   };
   Columns<Total> columns = technique_columns<Total>();
-  append(columns, shadow_error_columns<Total>());
-  append(columns,
-         {{"worst_light", &Total::worst_light},
-          {"worst_pose", &Total::worst_pose},
-          {kNoKey, [](const Total& total) { return total.worst_light + ", " + total.worst_pose; }, {"worst light"}},
-          {"worst_rmse", &Total::worst_rmse, {"its RMS"}},
-          {kNoKey, worst, {}, {"   worst light of hair", -27}},
-          {"ms", &Total::ms},
-          {"bytes", &Total::bytes},
-          {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {"ms"}, {"ms", 8}},
-          {kNoKey, kibibytes, {"KiB", {"{:.0f}", "-"}}, {"KiB", 8, {"{:.0f}", "-"}}}});
+  columns.append(shadow_error_columns<Total>());
+  columns.append(
+      {{"worst_light", &Total::worst_light},
+       {"worst_pose", &Total::worst_pose},
+       {kNoKey, [](const Total& total) { return total.worst_light + ", " + total.worst_pose; }, {"worst light"}},
+       {"worst_rmse", &Total::worst_rmse, {"its RMS"}},
+       {kNoKey, worst, {}, {"   worst light of hair", -27}},
+       {"ms", &Total::ms},
+       {"bytes", &Total::bytes},
+       {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {"ms"}, {"ms", 8}},
+       {kNoKey, kibibytes, {"KiB", {"{:.0f}", "-"}}, {"KiB", 8, {"{:.0f}", "-"}}}});
   return columns;
 }
 

@@ -74,18 +74,17 @@ Columns<StabilityTotal> stability_total_columns() {
   using Total = StabilityTotal;
   Columns<Total> columns{{kNoKey, &Total::solver, {"solver"}, {"solver", -14}}};
   for (const Outcome outcome : kOutcomes) {
-    columns.emplace_back(
-        kNoKey, [outcome](const Total& total) { return total.count[std::size_t(outcome)]; },
-        PageColumn{name_of(outcome),
-                   [outcome](double count) {
-                     const CellLook look = count > 0 ? outcome_cell(outcome).look : CellLook::kPlain;
-                     return Cell{fmt::format("{}", count), look};
-                   }},
-        TextColumn{name_of(outcome), 10});
+    columns.add({kNoKey, [outcome](const Total& total) { return total.count[std::size_t(outcome)]; },
+                 PageColumn{name_of(outcome),
+                            [outcome](double count) {
+                              const CellLook look = count > 0 ? outcome_cell(outcome).look : CellLook::kPlain;
+                              return Cell{fmt::format("{}", count), look};
+                            }},
+                 TextColumn{name_of(outcome), 10}});
   }
-  append(columns, {{kNoKey, &Total::stretch_max_pct, {"worst stretch", percent_text}, {"stretch %", 12}},
-                   {kNoKey, &Total::penetration_max_pct, {"worst penetration", percent_text}, {"penetration %", 15}},
-                   {kNoKey, &Total::settle_error_pct, {"worst settle error", percent_text}, {"settle %", 10}}});
+  columns.append({{kNoKey, &Total::stretch_max_pct, {"worst stretch", percent_text}, {"stretch %", 12}},
+                  {kNoKey, &Total::penetration_max_pct, {"worst penetration", percent_text}, {"penetration %", 15}},
+                  {kNoKey, &Total::settle_error_pct, {"worst settle error", percent_text}, {"settle %", 10}}});
   return columns;
 }
 
