@@ -29,14 +29,21 @@ build() {
   return 1
 }
 
-# run PRESET PART ARGUMENTS...: the tests of that build tree which the arguments choose.
+# run PRESET PART ARGUMENTS...: the tests of that build tree which the arguments choose. A part that skips all is broken.
 run() {
   preset=$1
-  file=$PWD/build/$preset/results.$2.xml
+  part=$2
+  file=$PWD/build/$preset/results.$part.xml
   shift 2
   rm -f "$file"
   ctest --test-dir "build/$preset" "$@" --parallel "$jobs" --output-on-failure --output-junit "$file"
   results="$results $file"
+  case $(sh tests/count_results.sh "$file") in
+    0\ *)
+      echo "run.sh: no test of the part '$part' passed" >&2
+      broken=$((broken + 1))
+      ;;
+  esac
 }
 
 # sanitize PART FOLDERS...
