@@ -93,14 +93,6 @@ std::string text_lines(const ColumnList& columns, const RecordList& records) {
   return text;
 }
 
-ColumnList columns_without(const ColumnList& columns, std::initializer_list<std::string_view> keys) {
-  ColumnList rest = columns;
-  std::erase_if(rest, [&](const ReportColumn& column) {
-    return column.key != nullptr && std::ranges::find(keys, std::string_view(column.key)) != keys.end();
-  });
-  return rest;
-}
-
 std::string microseconds_text(double us) { return time_text(1e3 * us); }
 std::string milliseconds_text(double ms) { return time_text(1e6 * ms); }
 

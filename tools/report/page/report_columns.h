@@ -6,6 +6,7 @@
 #include "report/page/html_page.h"
 #include "report/page/report_heading.h"
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <initializer_list>
@@ -115,7 +116,13 @@ class Columns {
   /// Puts all of `more` behind these.
   void append(const Columns& more) { list_.insert(list_.end(), more.list_.begin(), more.list_.end()); }
   /// All but those with these keys.
-  [[nodiscard]] Columns without(std::initializer_list<std::string_view> keys) const;
+  [[nodiscard]] Columns without(std::initializer_list<std::string_view> keys) const {
+    Columns rest = *this;
+    std::erase_if(rest.list_, [&](const ReportColumn& column) {
+      return column.key != nullptr && std::ranges::find(keys, std::string_view(column.key)) != keys.end();
+    });
+    return rest;
+  }
 
   [[nodiscard]] const ColumnList& list() const { return list_; }
 
@@ -128,14 +135,6 @@ class Columns {
 [[nodiscard]] Table page_table(const ColumnList& columns, const RecordList& records);
 [[nodiscard]] std::string text_heading(const ColumnList& columns);
 [[nodiscard]] std::string text_lines(const ColumnList& columns, const RecordList& records);
-[[nodiscard]] ColumnList columns_without(const ColumnList& columns, std::initializer_list<std::string_view> keys);
-
-template <typename Record>
-Columns<Record> Columns<Record>::without(std::initializer_list<std::string_view> keys) const {
-  Columns rest{};
-  rest.list_ = columns_without(list_, keys);
-  return rest;
-}
 
 template <typename Record>
 [[nodiscard]] RecordList places_of(const std::vector<Record>& records) {

@@ -32,11 +32,11 @@ tl::expected<void, ToolError> check(const Asset& asset, const ShadowSettings& se
   const bool spacing_ok = settings.spacing >= kLeastSpacing && settings.spacing <= kMostSpacing;
   if (settings.sizes.empty() || !std::ranges::all_of(settings.sizes, size_ok) || !spacing_ok) {
     return failure(ToolError::Kind::kUsage,
-                "a shadow's map has 16 to 4096 texels each way, and the reference's lines are 0.5 to 20 mm apart");
+                   "a shadow's map has 16 to 4096 texels each way, and the reference's lines are 0.5 to 20 mm apart");
   }
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
     return failure(ToolError::Kind::kBadInput,
-                "the asset has no mesh to cast shadows; cook it again without leaving the mesh out");
+                   "the asset has no mesh to cast shadows; cook it again without leaving the mesh out");
   }
   return {};
 }
