@@ -53,6 +53,19 @@ TEST(StrandDirection, TheRootIsTheEndAtTheHeadEvenWhenItIsBelow) {
   for (const Eigen::Vector3f& tangent : strands_of(mesh).tangent) EXPECT_GT(tangent.y(), 0.99f);
 }
 
+TEST(StrandDirection, OnlyTheEndsSayWhichIsTheRoot) {
+  // A lock that stands off the side of the head and comes back: its middle is farther away than its tip.
+  SourceMesh lock = make_strip({.across = {0, 0, 0.03f}, .rows = 24, .v_upwards = true});
+  for (std::size_t v = 0; v < lock.positions.size(); ++v) {
+    const float along = float(v / 2) / 24;
+    lock.positions[v].x() = 0.09f + 0.07f * along + 0.3f * std::sin(3.1415927f * along);
+    lock.positions[v].y() = 1.6f - 0.02f * along;
+  }
+  const StrandField field = strands_of(hair_from(lock));
+  EXPECT_GT(field.tangent.front().x(), 0.9f) << "the root is where the lock leaves the head";
+  EXPECT_LT(field.place.front(), field.place.back());
+}
+
 TEST(StrandDirection, BonesSayMoreThanWhereTheEndsAre) {
   // A strip whose lower end is carried by the first bone: combed upwards.
   HairMesh mesh = hair_from(make_strip({.root = {0, 1.66f, -0.1f}, .along = {0, -0.1f, 0}}));

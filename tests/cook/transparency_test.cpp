@@ -91,6 +91,14 @@ TEST(Transparency, TheRecipeComesBeforeTheMaterial) {
   }
 }
 
+TEST(Transparency, WhatIsOpaqueIsDrawn) {
+  Recipe recipe = default_recipe();
+  recipe.discard_threshold = 1;
+  const auto chosen = chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kUnknown, recipe);
+  EXPECT_GT(chosen.made.opaque_threshold, 0);
+  EXPECT_LE(chosen.made.discard_threshold, chosen.made.opaque_threshold);
+}
+
 TEST(Transparency, FactorsMultiplyTheTexture) {
   Recipe recipe = default_recipe();
   recipe.base_color[3] = 0.8;
