@@ -120,7 +120,7 @@ AssetContents card_with_levels() {
 class DrawDistancesTest : public DrawnWigTest {
  protected:
   tl::expected<DrawDistances, ToolError> measure(const Asset& asset, std::vector<CrowdDistance> crowds,
-                                                 double seconds = 0.2) {
+                                                 double seconds = 1) {
     const auto stage = CrowdStage::create(asset, 96, 72);
     if (!stage) return tl::unexpected(stage.error());
     return measure_distances(asset, **stage, crowds, maker(), seconds);

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace coif {
@@ -146,6 +147,21 @@ bool AffordableCrowds::leave_out_slow(double seconds, std::uint32_t heads) {
   return true;
 }
 
+/// A frame that was held up by something else is not a slow one; those that take long anyway are drawn once.
+double AffordableCrowds::seconds_of_a_frame(std::uint32_t crowd) const {
+  constexpr int kTries = 4;
+  constexpr double kLong = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTries && least > longest_frame_; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    (void)stage_.draw({.crowd = crowd});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    least = std::min(least, seconds);
+    if (seconds > kLong) break;
+  }
+  return least;
+}
+
 tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(const CrowdView& view) {
   const auto heads = std::uint32_t(view.places.size());
   if (!left_out_.empty()) {
@@ -160,9 +176,7 @@ tl::expected<std::optional<std::uint32_t>, ToolError> AffordableCrowds::add(cons
   if (const Status status = stage_.draw({.crowd = number}); status != Status::kOk) {
     return failure(ToolError::Kind::kBadInput, std::string("the hair cannot be drawn: ") + describe(status));
   }
-  const auto begin = std::chrono::steady_clock::now();
-  (void)stage_.draw({.crowd = number});
-  last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  last_seconds_ = seconds_of_a_frame(number);
   last_heads_ = heads;
   if (leave_out_slow(last_seconds_, heads)) return std::nullopt;
   return number;

@@ -124,6 +124,7 @@ class AffordableCrowds {
 
  private:
   [[nodiscard]] double least_seconds(std::uint32_t heads) const;
+  [[nodiscard]] double seconds_of_a_frame(std::uint32_t crowd) const;
   bool leave_out_slow(double seconds, std::uint32_t heads);
 
   CrowdStage& stage_;
