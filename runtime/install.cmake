@@ -16,6 +16,14 @@ install(FILES ${PROJECT_BINARY_DIR}/coif-config.cmake ${PROJECT_BINARY_DIR}/coif
   ${CMAKE_CURRENT_LIST_DIR}/coif_cook.cmake
   DESTINATION ${package_folder})
 
+# What the headers point to, in the folders that they name, with what an engine of another renderer compiles.
+foreach(page LICENSE CHANGELOG.md formats/SPECIFICATION.md runtime/README.md runtime/docs/LANES.md runtime/docs/MODEL.md)
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/runtime PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN embed.cmake EXCLUDE)
+
 # Files for pkg-config, for games that are not built by CMake: one per library, and `coif` for the C interface's libcoif.so.
 # They find the installed tree from where they lie, wherever it is moved to.
 file(RELATIVE_PATH coif_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
@@ -29,6 +37,7 @@ includedir=${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
 
 Name: @file@
 Description: @description@
+# A C++ compiler has to be told -std=c++20 or later.
 Version: @PROJECT_VERSION@
 Requires: @requires@
 Cflags: -I${includedir}

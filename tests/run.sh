@@ -7,6 +7,7 @@
 #             hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
+#     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
 set -u
@@ -57,6 +58,13 @@ sanitize() {
   run asan "$part" -L "^($(echo "$*" | tr ' ' '|'))\$" -E '^(validate[.]schema|cook[.]artists_files)'
 }
 
+# The same bits, or LaneDeterminism fails; and no fused instruction, or guard.no_fused_arithmetic does.
+try_variants() {
+  for preset in fma avx2 native clang x86-32 arm64; do
+    build "$preset" -DCOIF_TESTS=ON all && run "$preset" "$preset"
+  done
+}
+
 compare_builds() {
   build debug -DCOIF_TESTS=OFF coif_cli && build release -DCOIF_TESTS=ON coif_cli &&
     run release debug -R '^cli[.]builds_cook_alike$'
@@ -64,7 +72,7 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm variants debug'
   for part in $part; do
     case $part in
       plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds)$' ;;
@@ -72,8 +80,9 @@ for part in ${*:-plain}; do
       asan-cook) sanitize asan-cook cook cache validate ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
+      variants) install fuzz variants && try_variants ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, variants, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

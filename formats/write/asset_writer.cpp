@@ -100,7 +100,8 @@ std::vector<ChunkEntry> lay_out(std::span<const PendingChunk> chunks) {
 
 std::vector<std::byte> write_chunks(std::span<const PendingChunk> chunks, std::uint16_t minor) {
   const std::vector<ChunkEntry> table = lay_out(chunks);
-  std::vector<std::byte> file(table.empty() ? sizeof(FileHeader) : table.back().offset + table.back().bytes);
+  const std::uint64_t bytes = table.empty() ? sizeof(FileHeader) : table.back().offset + table.back().bytes;
+  std::vector<std::byte> file(static_cast<std::size_t>(bytes));
   FileHeader header{};
   std::memcpy(header.magic, kAssetMagic, sizeof header.magic);
   header.major = kAssetMajor;

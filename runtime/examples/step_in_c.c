@@ -5,6 +5,7 @@
 #include <coif.h>
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -13,26 +14,33 @@ static int fail(const char* what, const char* why) {
   return EXIT_FAILURE;
 }
 
-/* Memory at a multiple of 64, as the asset and the hair want it. */
-static void* allocate(size_t bytes) { return aligned_alloc(64, (bytes + 63) / 64 * 64); }
+/* Memory that begins at a multiple of 64, as the asset and the hair want it; aligned_alloc() is not everywhere. */
+typedef struct block {
+  void* from_malloc;
+  unsigned char* bytes;
+  size_t size;
+} block;
 
-/* The whole file, for the caller to free; null where it cannot be read. */
-static void* read_file(const char* path, size_t* bytes) {
+static block allocate(size_t size) {
+  block made = {NULL, NULL, size};
+  made.from_malloc = malloc(size + 63);
+  if (made.from_malloc != NULL) made.bytes = (unsigned char*)(((uintptr_t)made.from_malloc + 63) / 64 * 64);
+  return made;
+}
+
+/* The whole file; of no bytes where it cannot be read. */
+static block read_file(const char* path) {
+  block content = {NULL, NULL, 0};
   FILE* file = fopen(path, "rb");
-  void* memory = NULL;
   long end;
-  if (file == NULL) return NULL;
+  if (file == NULL) return content;
   if (fseek(file, 0, SEEK_END) == 0 && (end = ftell(file)) > 0) {
-    *bytes = (size_t)end;
     rewind(file);
-    memory = allocate(*bytes);
-    if (memory != NULL && fread(memory, 1, *bytes, file) != *bytes) {
-      free(memory);
-      memory = NULL;
-    }
+    content = allocate((size_t)end);
+    if (content.bytes == NULL || fread(content.bytes, 1, content.size, file) != content.size) content.size = 0;
   }
   fclose(file);
-  return memory;
+  return content;
 }
 
 static coif_head_pose head_at(double seconds) {
@@ -57,37 +65,35 @@ static coif_status play(coif_hair* hair) {
   return status;
 }
 
-static int run(const void* asset, size_t asset_bytes) {
+static int run(const block* asset) {
   char why[160];
   coif_hair_desc desc;
   coif_hair* hair;
-  coif_status status;
-  void* memory;
-  size_t need;
+  coif_status status = COIF_MEMORY_TOO_SMALL;
+  block memory;
   uint32_t last;
-  if (!coif_check_asset(asset, asset_bytes, why, sizeof why)) return fail("asset", why);
+  if (!coif_check_asset(asset->bytes, asset->size, why, sizeof why)) return fail("asset", why);
   coif_hair_desc_init(&desc);
-  need = coif_hair_memory_need(asset, asset_bytes, &desc);
-  memory = allocate(need);
-  status = memory == NULL ? COIF_MEMORY_TOO_SMALL : coif_hair_create(asset, asset_bytes, &desc, memory, need, &hair);
+  memory = allocate(coif_hair_memory_need(asset->bytes, asset->size, &desc));
+  if (memory.bytes != NULL) {
+    status = coif_hair_create(asset->bytes, asset->size, &desc, memory.bytes, memory.size, &hair);
+  }
   if (status == COIF_OK) status = play(hair);
   if (status == COIF_OK) {
     last = coif_hair_bone_count(hair) - 1;
-    printf("coif %s: %u bones in %lu bytes, '%s' moved\n", coif_version(), (unsigned)last + 1, (unsigned long)need,
-           coif_hair_bone_name(hair, last));
+    printf("coif %s: %u bones in %lu bytes, '%s' moved\n", coif_version(), (unsigned)last + 1,
+           (unsigned long)memory.size, coif_hair_bone_name(hair, last));
   }
-  free(memory);
+  free(memory.from_malloc);
   return status == COIF_OK ? EXIT_SUCCESS : fail("play", coif_describe(status));
 }
 
 int main(int argument_count, char** arguments) {
-  size_t bytes = 0;
-  void* asset;
+  block asset;
   int result;
   if (argument_count != 2) return fail("usage", "step_in_c FILE.coif");
-  asset = read_file(arguments[1], &bytes);
-  if (asset == NULL) return fail(arguments[1], "cannot read, or empty");
-  result = run(asset, bytes);
-  free(asset);
+  asset = read_file(arguments[1]);
+  result = asset.size > 0 ? run(&asset) : fail(arguments[1], "cannot read, or empty");
+  free(asset.from_malloc);
   return result;
 }

@@ -52,7 +52,7 @@ typedef struct coif_hair_desc {
 } coif_hair_desc;
 
 typedef struct coif_step_settings {
-  float dt; /* seconds */
+  float dt; /* seconds, any finite number from 0 on; long ones see coif/hair.h */
   uint32_t substeps;
   uint32_t iterations;
   coif_vec3 gravity; /* world, m/s^2 */

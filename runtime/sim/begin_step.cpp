@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace coif {
 namespace {
@@ -15,18 +16,13 @@ Status check_environment(const Environment& environment) {
   return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
 }
 
-/// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
-constexpr float kMostScale = 1e6f;
-
-bool same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 bool same(const DynamicsScale& a, const DynamicsScale& b) {
   return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
 }
 
 /// False where hair at rest under the one would move under the other.
 bool rests_under_both(const StepSettings& a, const StepSettings& b) {
-  return same(a.environment.gravity, b.environment.gravity) && same(a.environment.wind, b.environment.wind) &&
+  return a.environment.gravity == b.environment.gravity && a.environment.wind == b.environment.wind &&
          same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
 }
 
@@ -46,30 +42,54 @@ void take_up_intervals(CrowdState& crowd) {
   }
 }
 
+/// Seconds; below, velocities would not fit a float. Such a step passes for one of no time.
+constexpr float kShortestStep = 1e-9f;
+
 /// A frame that is longer by rounding is not worth another part.
 float parts_of_tuning(const Asset& asset, float dt) {
   return asset.tuning() != nullptr ? std::ceil(dt * asset.tuning()->substep_rate - 1e-3f) : 0.0f;
 }
 
+float smaller(float a, float b) { return b < a ? b : a; }
+
 std::uint32_t in_range(float parts) {
   return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
 }
 
-std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, float dt) {
-  if (!crowd.solver->has_substeps) return 1;
-  // What several frames make up may be longer than a step may be.
-  const float least = std::ceil(dt / kMaxTimeStep - 1e-3f);
-  float parts = parts_of_tuning(crowd.asset, dt);
-  if (settings.substeps != 0) parts = float(settings.substeps) * std::ceil(dt / settings.dt - 1e-3f);
-  if (parts < least) parts = least;
-  return in_range(parts);
+/// The last frames together.
+struct Span {
+  float dt = 0;      ///< Seconds.
+  float steady = 0;  ///< Without what any of them has beyond kMaxTimeStep: what work is measured by.
+};
+
+Span last_frames(const CrowdState& crowd, std::uint32_t count) {
+  Span span;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    span.dt += crowd.last_dts[i];
+    span.steady += smaller(crowd.last_dts[i], kMaxTimeStep);
+  }
+  return span;
 }
 
-StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, float dt) {
+/// A frame that stalled has no more parts than one of kMaxTimeStep, or games that are late would become later.
+std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, const Span& span) {
+  // What several frames make up, or one that stalled, may be longer than may be computed at once.
+  const float least = std::ceil(smaller(span.dt, kLongestStep) / kMaxTimeStep - 1e-3f);
+  if (!crowd.solver->has_substeps) return span.steady < span.dt ? in_range(least) : 1;
+  float parts = parts_of_tuning(crowd.asset, span.steady);
+  if (settings.substeps != 0) {
+    parts = float(settings.substeps) * std::ceil(span.steady / smaller(settings.dt, kMaxTimeStep) - 1e-3f);
+  }
+  return in_range(parts < least ? least : parts);
+}
+
+StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, const Span& span) {
   const Environment& environment = settings.environment;
   StepParts parts;
-  parts.dt = dt;
-  parts.count = substeps_for(crowd, settings, dt);
+  parts.dt = smaller(span.dt, kLongestStep);
+  parts.carried = span.dt > kLongestStep ? 1.0f - kLongestStep / span.dt : 0.0f;
+  parts.has_stalled = span.steady < span.dt;
+  parts.count = substeps_for(crowd, settings, span);
   parts.gravity = environment.gravity;
   parts.wind = environment.wind;
   parts.air_follow = environment.air_follow;
@@ -132,6 +152,20 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const D
   for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, interval.terms, all);
 }
 
+bool is_still(const HeadLanes& heads, std::uint32_t i) {
+  return lane(heads.way, i) == Vec3{} && lane(heads.rotation, i) == lane(heads.next_rotation, i);
+}
+
+/// In no time nothing moves: a head with another pose than before was put there.
+void put_moved_heads(CrowdState& crowd) {
+  for (Block& block : crowd.blocks) {
+    if (block.treatment == kIdle) continue;
+    for (std::uint32_t i = 0; i < block.count; ++i) {
+      if (!is_still(block.heads, i)) block.teleports = std::uint16_t(block.teleports | 1u << i);
+    }
+  }
+}
+
 void choose_blocks(CrowdState& crowd) {
   crowd.job_count = 0;
   for (std::uint32_t block = 0; block < crowd.blocks.size(); ++block) {
@@ -146,7 +180,7 @@ void choose_blocks(CrowdState& crowd) {
 }  // namespace
 
 Status check_settings(const StepSettings& settings) {
-  if (!(settings.dt > 0.0f && settings.dt <= kMaxTimeStep)) return Status::kBadTimeStep;
+  if (!is_within(settings.dt, 0.0f, std::numeric_limits<float>::max())) return Status::kBadTimeStep;
   if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
   if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
   const DynamicsScale& scale = settings.dynamics;
@@ -158,12 +192,15 @@ Status check_settings(const StepSettings& settings) {
   return check_environment(settings.environment);
 }
 
-std::uint32_t tuned_substeps(const Asset& asset, float dt) { return in_range(parts_of_tuning(asset, dt)); }
+std::uint32_t tuned_substeps(const Asset& asset, float dt) {
+  return in_range(parts_of_tuning(asset, smaller(dt, kMaxTimeStep)));
+}
 
 void begin_step(CrowdState& crowd, const StepSettings& settings) {
   if (crowd.step_index != 0 && !rests_under_both(crowd.settings, settings)) wake_all(crowd);
   if (crowd.has_asked) take_up_intervals(crowd);
   crowd.settings = settings;
+  if (settings.dt < kShortestStep) return put_moved_heads(crowd);
   ++crowd.step_index;
   for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) crowd.last_dts[i] = crowd.last_dts[i - 1];
   crowd.last_dts[0] = settings.dt;
@@ -171,9 +208,7 @@ void begin_step(CrowdState& crowd, const StepSettings& settings) {
   choose_blocks(crowd);
   for (std::uint32_t power = 0; power < crowd.interval_count; ++power) {
     if (!crowd.intervals[power].is_due) continue;
-    float dt = 0;
-    for (std::uint32_t i = 0; i < (1u << power); ++i) dt += crowd.last_dts[i];
-    crowd.intervals[power].parts = parts_of(crowd, settings, dt);
+    crowd.intervals[power].parts = parts_of(crowd, settings, last_frames(crowd, 1u << power));
     renew_coefficients(crowd, power, settings.dynamics);
   }
 }

@@ -1,6 +1,7 @@
 #include <coif/hair.h>
 
 #include "crowd_step.h"
+#include "float_environment.h"
 #include "memory_carver.h"
 #include "vector_math.h"
 
@@ -80,9 +81,7 @@ void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
 }
 
 bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
-  const Quat now = coif::lane(heads.rotation, lane);
-  const Quat& then = unit.rotation;
-  return now.x == then.x && now.y == then.y && now.z == then.z && now.w == then.w &&
+  return coif::lane(heads.rotation, lane) == unit.rotation &&
          heads.next_position[0][lane] == unit.position[0] && heads.next_position[1][lane] == unit.position[1] &&
          heads.next_position[2][lane] == unit.position[2];
 }
@@ -105,6 +104,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   const MemoryNeed need = memory_need(asset, desc);
   if (need.bytes == 0 || memory.size() < need.bytes || !is_aligned(memory.data())) return Status::kMemoryTooSmall;
 
+  const FloatEnvironment plain;
   MemoryCarver carver(memory.data());
   CrowdState& crowd = carver.take<CrowdState>(1)[0];
   carve(carver, asset, desc, crowd);
@@ -134,6 +134,7 @@ std::uint32_t Hair::bone_count() const { return crowd_ == nullptr ? 0 : crowd_->
 Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
   Block* block = block_of(crowd_, instance);
   if (block == nullptr) return missing(crowd_);
+  const FloatEnvironment plain;
   HeadPose unit;
   if (const Status status = normalise_pose(pose, unit); status != Status::kOk) return status;
   if (crowd_->details[instance].asleep) {
@@ -148,6 +149,7 @@ Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
 Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
   if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
   if (crowd_->details[instance].asleep) wake(*crowd_, instance);
+  const FloatEnvironment plain;
   put_to_rest(*crowd_, crowd_->slots[instance]);
   return Status::kOk;
 }
@@ -175,6 +177,7 @@ Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   // Bones that were rigid have to find their own rest.
   if (own.asleep && (appears || refines)) wake(*crowd_, instance);
   sort_in(*crowd_, instance);
+  const FloatEnvironment plain;
   if (appears) come_into_view(*crowd_, crowd_->slots[instance]);
   return Status::kOk;
 }
@@ -187,6 +190,7 @@ Status Hair::begin_step(const StepSettings& settings) {
   if (crowd_ == nullptr) return Status::kNotCreated;
   crowd_->job_count = 0;
   if (const Status status = check_settings(settings); status != Status::kOk) return status;
+  const FloatEnvironment plain;
   coif::begin_step(*crowd_, settings);
   return Status::kOk;
 }
@@ -194,6 +198,7 @@ Status Hair::begin_step(const StepSettings& settings) {
 std::uint32_t Hair::job_count() const { return crowd_ == nullptr ? 0 : crowd_->job_count; }
 
 void Hair::run_job(std::uint32_t job) {
+  const FloatEnvironment plain;
   if (job < job_count()) step_block(*crowd_, crowd_->jobs[job]);
 }
 
@@ -220,6 +225,7 @@ Status Hair::bone_ends(std::uint32_t instance, std::span<Vec3> ends) const {
   if (ends.size() != bones.size()) return Status::kSizeMismatch;
   for (std::size_t i = 0; i < bones.size(); ++i) ends[i] = to_vec3(bones[i].joint);
   const std::uint32_t slot = crowd_->slots[instance];
+  const FloatEnvironment plain;
   const Quat rotation = lane(block->heads.rotation, slot % kLanes);
   const std::span<const Mat34> palette = crowd_->palette(instance);
   for_each_chain(*crowd_, slot, [&](const ChainRecord& chain, const ChainLane& lane) {

@@ -5,7 +5,7 @@ namespace coif {
 const char* describe(Status status) {
   switch (status) {
     case Status::kOk: return "ok";
-    case Status::kBadTimeStep: return "the time step is not a number, not above zero, or above 0.1 s";
+    case Status::kBadTimeStep: return "the time step is not a number, below zero or infinite";
     case Status::kBadPose: return "a pose has a NaN, an infinity or a rotation that is not a unit quaternion";
     case Status::kBadArgument: return "an argument is not finite or outside its documented range";
     case Status::kBadIndex: return "there is no such instance or bone";

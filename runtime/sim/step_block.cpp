@@ -28,19 +28,32 @@ void spread(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) {
   }
 }
 
+/// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by
+/// with the hair as it is.
+void carry_along(BlockStep& step, std::uint32_t i) {
+  HeadLanes& heads = step.block.heads;
+  const float share = step.interval.parts.carried;
+  const Quat by = rotation_by(lane(step.heads.turn, i) * share);
+  set_lane(heads.rotation, i, renormalised(by * lane(heads.rotation, i)));
+  set_lane(heads.way, i, lane(heads.way, i) * (1.0f - share));
+  turn_hair(step.crowd, step.index * kLanes + i, by);
+}
+
 /// Puts heads that appear somewhere else there, and ends with all ways known.
 void look_ahead(BlockStep& step) {
   CrowdState& crowd = step.crowd;
   crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
-  bool jumped = false;
+  const bool carries = step.interval.parts.carried > 0.0f;
+  bool moved = false;
   for (std::uint32_t i = 0; i < step.block.count; ++i) {
     const bool is_put = ((step.block.teleports >> i) & 1u) != 0 || step.heads.is_far.v[i] != 0.0f;
-    if (!is_put || ((step.block.is_lost >> i) & 1u) != 0) continue;
-    jump(crowd, step.index * kLanes + i, step.interval.parts.dt);
-    jumped = true;
+    if (!(is_put || carries) || ((step.block.is_lost >> i) & 1u) != 0) continue;
+    if (is_put) jump(crowd, step.index * kLanes + i, step.interval.parts.dt);
+    if (!is_put) carry_along(step, i);
+    moved = true;
   }
   step.block.teleports = 0;
-  if (jumped) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  if (moved) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
 }
 
 RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move) {

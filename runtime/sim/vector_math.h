@@ -15,6 +15,7 @@ constexpr float dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+constexpr bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 inline float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
 /// A unit vector at a right angle to the unit vector `v`.
@@ -30,6 +31,9 @@ inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinit
 constexpr Vec3 to_vec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 constexpr Quat to_quat(const float (&v)[4]) { return {v[0], v[1], v[2], v[3]}; }
 
+constexpr bool operator==(const Quat& a, const Quat& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
 /// First b, then a.
 constexpr Quat operator*(const Quat& a, const Quat& b) {
   return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,

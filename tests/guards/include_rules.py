@@ -42,6 +42,7 @@ HOMES = {
     "assimp/": ["tools/import"],
     "pugixml.hpp": ["tools/import"],
     "hwy/": ["runtime/sim"],
+    "xmmintrin.h": ["runtime/sim/float_environment.h"],
     "CLI/": ["tools/cli"],
     "meshoptimizer.h": ["tools/cook/lods", "tools/cook/pack"],
     "nlohmann/": ["tools/", "tests/"],

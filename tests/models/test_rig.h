@@ -80,6 +80,8 @@ class TestHair {
 
 /// All that this build has and this processor knows, kScalar included.
 [[nodiscard]] std::vector<InstructionSet> runnable_sets();
+/// What the others are compared with: kScalar, or the only one of a build for one.
+[[nodiscard]] InstructionSet plainest_set();
 
 [[nodiscard]] float distance(const Vec3& a, const Vec3& b);
 [[nodiscard]] float largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);

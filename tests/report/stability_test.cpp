@@ -60,11 +60,19 @@ TEST(StressRun, GentleCaseIsOkAndSettles) {
 }
 
 TEST(StressRun, RefusedStepsAreARejection) {
-  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     Stress stress = gentle();
     stress.dt = {1.0 / 60, bad};
     EXPECT_EQ(run(stress, "coif").outcome, Outcome::kRejected) << bad;
     EXPECT_EQ(run(stress, "implicit").outcome, Outcome::kRejected) << bad;
+  }
+}
+
+TEST(StressRun, StepsOfNoTimeAndOfHalfASecondAreTakenByTheRuntime) {
+  for (const double odd : {0.0, 0.5, 1.0}) {
+    Stress stress = gentle();
+    stress.dt = {1.0 / 60, odd};
+    EXPECT_EQ(run(stress, "coif").outcome, Outcome::kOk) << odd;
   }
 }
 

@@ -294,7 +294,7 @@ TEST(LaneContact, NeighboursAndInstructionSetsChangeNoBit) {
     for (const Quat& turn : turns) {
       std::vector<Vec3> expected;
       for (std::size_t i = 0; i < rig.simulated_count(); ++i) {
-        expected.push_back(ends_after_a_step(alone(rig, i), InstructionSet::kScalar, turn)[0]);
+        expected.push_back(ends_after_a_step(alone(rig, i), plainest_set(), turn)[0]);
       }
       for (const InstructionSet set : runnable_sets()) {
         for (const std::uint32_t instances : {1u, 17u}) {  // in rows by chains and by heads

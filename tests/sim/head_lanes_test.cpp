@@ -77,7 +77,7 @@ class HeadOnItsWay {
 
 /// The path over all frames, each in `count` parts.
 std::vector<Part> parts_of(const HeadMotion& motion, const std::vector<double>& frames, std::uint32_t count,
-                           InstructionSet set = InstructionSet::kScalar) {
+                           InstructionSet set = plainest_set()) {
   HeadOnItsWay head(set, motion(0));
   std::vector<Part> parts;
   double last = 0;
@@ -201,7 +201,7 @@ TEST(HeadLanes, VelocitiesAreOfSecondOrder) {
 }
 
 TEST(HeadLanes, ADoubledFrameIsAHalt) {
-  HeadOnItsWay head(InstructionSet::kScalar, {});
+  HeadOnItsWay head(plainest_set(), {});
   const HeadPose there{{0, 0, 1}, turned_about({0, 1, 0}, 1)};
   for (int i = 0; i < 2; ++i) (void)head.go(there, 0.1 * i, 0.1 * (i + 1), 1);
   const Part last = head.go(there, 0.2, 0.3, 1)[0];

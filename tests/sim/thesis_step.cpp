@@ -98,7 +98,7 @@ void ThesisStep::run() {
   AlignedBytes file(write_asset(rig_.contents()));
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
-  const std::vector<Particle> expected = stepped(asset, InstructionSet::kScalar);
+  const std::vector<Particle> expected = stepped(asset, plainest_set());
   const std::vector<Mat34> matrices = palette;
   for (const InstructionSet set : runnable_sets()) {
     const std::vector<Particle> found = stepped(asset, set);

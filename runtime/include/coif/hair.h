@@ -16,7 +16,10 @@ inline constexpr std::uint32_t kMaxInstances = 1'000'000;
 inline constexpr std::uint32_t kMaxSubsteps = 64;
 inline constexpr std::uint32_t kMaxIterations = 64;
 inline constexpr std::uint32_t kMaxInterval = 4;
-inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds; the thesis's own bound (5.2).
+inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds that are computed at once; the thesis's own bound (5.2).
+/// Seconds that one step simulates. Of more the hair is carried along with its head through what is over, keeping its
+/// shape, before the rest is simulated.
+inline constexpr float kLongestStep = 0.5f;
 
 /// How bones are moved. A program links only those that it names.
 struct Solver;
@@ -41,16 +44,24 @@ struct Environment {
   float air_follow = 1.0f;
 };
 
+/// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
+inline constexpr float kMostScale = 1e6f;
+
 /// Factors on what the asset's dynamics say; for parameters that a game changes while it runs.
 struct DynamicsScale {
-  float stiffness = 1;  ///< >= 0
-  float damping = 1;    ///< >= 0
-  float friction = 1;   ///< >= 0
+  float stiffness = 1;  ///< 0..kMostScale
+  float damping = 1;    ///< 0..kMostScale
+  float friction = 1;   ///< 0..kMostScale
 };
 
 struct StepSettings {
-  float dt = 1.0f / 60.0f;  ///< Seconds, > 0, at most kMaxTimeStep. A paused game does not step.
+  /// Seconds in which the heads went from the last poses to these: the game's own time, so what it clamps is clamped here
+  /// too. Any finite number from 0 on: a frame that took long is simulated over all of its time (see kLongestStep), in
+  /// parts of at most kMaxTimeStep, and costs no more than a step of kMaxTimeStep or five parts. At 0 nothing moves but heads, with
+  /// their hair as it is: those of a paused game that are moved have been put there.
+  float dt = 1.0f / 60.0f;
   /// kCoifSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
+  /// A step above kMaxTimeStep has as many as one of kMaxTimeStep, or more where they would be longer than that.
   std::uint32_t substeps = 0;
   std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
@@ -96,7 +107,8 @@ struct CrowdState;
 /// once, create() carves it up. Not thread safe but for run_job(); different Hair objects are independent.
 ///
 /// Results do not depend on the instruction set, on how many instances there are and in which order they were touched,
-/// nor on which thread runs which job: the same bits everywhere.
+/// nor on which thread runs which job, and how that thread rounds: the same bits everywhere. Where the host lets
+/// floating-point exceptions trap, nothing here does.
 class COIF_API Hair {
  public:
   Hair() = default;

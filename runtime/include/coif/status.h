@@ -9,7 +9,7 @@ namespace coif {
 /// Result of a runtime call. Anything but kOk leaves the state and every output as they were.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
-    kBadTimeStep,     ///< dt is not a number, not above zero, or above kMaxTimeStep.
+    kBadTimeStep,     ///< dt is not a number, below zero or infinite.
     kBadPose,         ///< A pose has a NaN, an infinity or a rotation that is not a unit quaternion.
     kBadArgument,     ///< Another argument is not finite or outside its documented range.
     kBadIndex,        ///< No such instance or bone.

@@ -130,6 +130,16 @@ HWY_INLINE V3<D> slope_at_end(D d, const V3<D>& mean, const V3<D>& mean_before, 
   return add_scaled(d, mean, sub(d, mean, mean_before), share);
 }
 
+/// The same after a frame that took long, in which a head that was on its way may have been held. As far as it is certain:
+/// by the parabola the head would now fly back as fast as it came.
+template <class D>
+HWY_INLINE V3<D> slope_after_stall(D d, const V3<D>& mean, const V3<D>& mean_before, V<D> share) {
+  const V3<D> change = scale(d, sub(d, mean, mean_before), share);
+  const auto size2 = dot(d, mean, mean), change2 = dot(d, change, change);
+  const auto kept = hn::Sqrt(hn::Div(size2, hn::Max(change2, hn::Set(d, 1e-30f))));
+  return add_scaled(d, mean, change, hn::Min(kept, hn::Set(d, 1.0f)));
+}
+
 /// Looks at the coming step: the rotation vector of the head's turn, and whether it is too far to be a movement.
 template <class D>
 HWY_INLINE void look_ahead(D d, const HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& out) {
@@ -149,9 +159,14 @@ HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::s
   const V3<D> mean_turn = scale(d, load(d, step.turn, lane), per_second);
   const auto dt = hn::Set(d, parts.dt), last_dt = load(d, heads.last_dt, lane);
   const auto share = hn::IfThenElseZero(hn::Gt(last_dt, hn::Zero(d)), hn::Div(dt, hn::Add(dt, last_dt)));
-  store(d, slope_at_end(d, mean, load(d, heads.mean_velocity, lane), share), step.next_velocity, lane);
-  store(d, slope_at_end(d, mean_turn, load(d, heads.mean_angular_velocity, lane), share), step.next_angular_velocity,
-        lane);
+  const V3<D> before = load(d, heads.mean_velocity, lane), turn_before = load(d, heads.mean_angular_velocity, lane);
+  if (HWY_UNLIKELY(parts.has_stalled)) {
+    store(d, slope_after_stall(d, mean, before, share), step.next_velocity, lane);
+    store(d, slope_after_stall(d, mean_turn, turn_before, share), step.next_angular_velocity, lane);
+  } else {
+    store(d, slope_at_end(d, mean, before, share), step.next_velocity, lane);
+    store(d, slope_at_end(d, mean_turn, turn_before, share), step.next_angular_velocity, lane);
+  }
   store(d, mean, heads.mean_velocity, lane);
   store(d, mean_turn, heads.mean_angular_velocity, lane);
   store(d, dt, heads.last_dt, lane);
