@@ -5,10 +5,11 @@
 
 # Highway asks for the whole of Haswell before it calls it AVX2 (AES and PCLMUL, which x86-64-v3 does not have, FMA, F16C),
 # and for ARM's crypto extensions. The simulation uses none of them. That it does without FMA is a promise: no instruction
-# set may round once where another rounds twice. SSSE3 adds nothing to what the portable code and SSE4 cover; vectors without
-# a fixed size cannot be members. On ARM, NEON is all that is left, so that there is nothing to choose at run time.
+# set may round once where another rounds twice. SSSE3 adds nothing to what the portable code and SSE4 cover, and AVX3_DL nothing
+# to AVX3 but an error with -march=native; vectors without a fixed size cannot be members. On ARM, NEON is all that is left, so
+# that there is nothing to choose at run time.
 set(COIF_HIGHWAY_DEFINITIONS HWY_DISABLE_PCLMUL_AES HWY_DISABLE_BMI2_FMA HWY_DISABLE_F16C TOOLCHAIN_MISS_SYS_AUXV_H
-  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
+  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 if(NOT COIF_SIMD STREQUAL "dispatch")
   list(APPEND COIF_HIGHWAY_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
 endif()

@@ -97,14 +97,13 @@ TEST(OpenMaterial, KeepsEveryNumberOfTheShadingInItsRange) {
     float MaterialRecord::*field;
     float low, high;
   };
-  for (const auto& [field, low, high] : {Range{&MaterialRecord::tilt, -kMostTilt, kMostTilt},
-                                         {&MaterialRecord::roughness, 0, kMostRoughness},
-                                         {&MaterialRecord::scatter, 0, 1},
-                                         {&MaterialRecord::light_cut, 0, 1}}) {
-    for (const float good : {low, high}) EXPECT_EQ(material_refusal([&](auto& m) { m.*field = good; }), LoadCode::kOk);
-    for (const float bad : {low - 0.01f, high + 0.01f, kNan}) {
-      EXPECT_EQ(material_refusal([&](auto& m) { m.*field = bad; }), LoadCode::kNotFinite) << bad;
-    }
+  for (const Range& range : {Range{&MaterialRecord::tilt, -kMostTilt, kMostTilt},
+                             {&MaterialRecord::roughness, 0, kMostRoughness},
+                             {&MaterialRecord::scatter, 0, 1},
+                             {&MaterialRecord::light_cut, 0, 1}}) {
+    const auto with = [&](float value) { return material_refusal([&](auto& m) { m.*range.field = value; }); };
+    for (const float good : {range.low, range.high}) EXPECT_EQ(with(good), LoadCode::kOk);
+    for (const float bad : {range.low - 0.01f, range.high + 0.01f, kNan}) EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
   }
 }
 

@@ -16,6 +16,7 @@ ALLOWED = {
     "sqrt", "sqrtf", "exp", "expf", "exp2f", "fabs", "fmodf", "pow", "powf", "sin", "sinf", "cos", "cosf", "sincosf",
     "atan2f", "acosf", "expm1", "sincos", "atan2", "ceilf",
     # Put in by the compiler, at the distribution's hardening level.
+    "__udivmoddi4", "__umoddi3", "__udivdi3", "__divdi3", "__moddi3",  # libgcc's division of 64 bits on 32
     "_GLOBAL_OFFSET_TABLE_", "__stack_chk_fail", "__memcpy_chk", "__memset_chk", "__snprintf_chk",
 }
 

@@ -38,7 +38,7 @@ def check(objdump, archives):
 
 def self_test(objdump, compiler):
     machine = subprocess.run([compiler, "-dumpmachine"], check=True, capture_output=True, text=True).stdout
-    flags = ["-mfma"] if re.match("x86_64|i.86", machine) else []
+    flags = ["-mfma", "-mfpmath=sse"] if re.match("x86_64|i.86", machine) else []
     fused = "float f(float a, float b, float c) { return __builtin_fmaf(a, b, c); }"
     plain = "float f(float a, float b, float c) { return a * b + c; }"
     bad = []

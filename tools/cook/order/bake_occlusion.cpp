@@ -19,6 +19,12 @@ using Eigen::Vector3f;
 
 constexpr float kLines = 128;          ///< Of a view, along the hair's longest side.
 constexpr float kMargin = 1.0f / 256;  ///< Of the same side: what lies this flat on a card may be the card itself.
+constexpr float kNoLight = 1.0e-7f;    ///< Far below what is stored: whatever else is in the way changes nothing.
+
+/// Lines that the triangles of one view may be tried against, so that neither time nor memory grows without bound where
+/// all triangles are as large as the hair. Of hair that artists made, the most that is known is a quarter of it.
+constexpr double kMostTries = 2.0e6;
+constexpr float kFewestLines = 8;
 
 /// Where light is gathered.
 struct Receiver {
@@ -68,11 +74,8 @@ Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
 /// What one direction brings to each receiver.
 class LitSide {
  public:
-  LitSide(const HairSurface& hair, std::span<const Vector3f> positions, const ViewGrid& grid)
-      : view_(hair, positions, grid),
-        hair_(hair),
-        towards_(grid.towards_eye),
-        margin_(kMargin * kLines * grid.spacing) {}
+  LitSide(const HairSurface& hair, std::span<const Vector3f> positions, const ViewGrid& grid, float margin)
+      : view_(hair, positions, grid), hair_(hair), towards_(grid.towards_eye), margin_(margin) {}
 
   [[nodiscard]] float reaching(const Receiver& receiver) const {
     if (solid_depth(hair_.solids, receiver.outside, -towards_) < -margin_) return 0;
@@ -86,7 +89,7 @@ class LitSide {
     const float depth = -receiver.point.dot(towards_);
     float passes = 1;
     for (const Fragment& fragment : view_.line(line)) {
-      if (fragment.depth >= depth) break;
+      if (fragment.depth >= depth || passes < kNoLight) break;
       if (!is_own(fragment, view_.place(line, fragment.depth) - receiver.point, receiver)) passes *= 1 - fragment.alpha;
     }
     return passes;
@@ -120,8 +123,33 @@ Direction direction_of(std::uint32_t cell) {
   return {towards, widths / (square * std::sqrt(square))};
 }
 
-/// Share of the light for each receiver, 0..1.
-std::vector<double> gather(const HairSurface& hair, std::span<const Vector3f> positions, unsigned threads) {
+/// Lines that all triangles are tried against, each those of the rectangle around it; about, for it takes one direction's
+/// rectangle for that of the others.
+double tries_per_view(const HairSurface& hair, std::span<const Vector3f> positions, float spacing) {
+  double sum = 0;
+  for (const HairSurface::Triangle& triangle : hair.triangles) {
+    Eigen::AlignedBox3f box;
+    for (const std::uint32_t v : triangle.vertex) box.extend(positions[v]);
+    const Eigen::Array3d lines = box.sizes().array().cast<double>() / double(spacing) + 1;
+    sum += std::max({lines.x() * lines.y(), lines.y() * lines.z(), lines.z() * lines.x()});
+  }
+  return sum;
+}
+
+/// Metres between lines: the hair's longest side in kLines, or in as many as may be tried.
+float choose_spacing(const HairSurface& hair, std::span<const Vector3f> positions, float side) {
+  const double most = std::max(kMostTries, 4.0 * double(hair.triangles.size()));
+  float lines = kLines;
+  while (lines > kFewestLines && tries_per_view(hair, positions, side / lines) > most) lines *= 0.8f;
+  return std::max(side / lines, 1.0e-6f);
+}
+
+struct Gathered {
+  std::vector<double> shares;  ///< Of the light for each receiver, 0..1.
+  bool is_coarse = false;      ///< By fewer lines than were wanted.
+};
+
+Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, unsigned threads) {
   std::vector<Receiver> receivers;
   Eigen::AlignedBox3f box;
   for (const Vector3f& point : positions) {
@@ -129,17 +157,19 @@ std::vector<double> gather(const HairSurface& hair, std::span<const Vector3f> po
     box.extend(point);
   }
   find_surface(hair, positions, receivers);
-  const float spacing = std::max(box.sizes().maxCoeff() / kLines, 1.0e-6f);
+  const float side = box.sizes().maxCoeff(), spacing = choose_spacing(hair, positions, side);
+  const float margin = kMargin * std::max(side, 1.0e-6f * kLines);
   std::vector<std::vector<float>> reaching(kViewCells);
   parallel_for(kViewCells, threads, [&](std::size_t cell) {
     const Vector3f towards = direction_of(std::uint32_t(cell)).towards_eye;
-    const LitSide side(hair, positions, {towards, spacing, spacing});
+    const LitSide lit(hair, positions, {towards, spacing, spacing}, margin);
     for (const Receiver& receiver : receivers) {
       const bool outside_only = !hair.double_sided && receiver.normal.dot(towards) <= 0;
-      reaching[cell].push_back(outside_only ? -1 : side.reaching(receiver));
+      reaching[cell].push_back(outside_only ? -1 : lit.reaching(receiver));
     }
   });
-  std::vector<double> shares;
+  Gathered gathered;
+  gathered.is_coarse = spacing > 1.01f * side / kLines && side > 0;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     double light = 0, all = 0;
     for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
@@ -148,9 +178,9 @@ std::vector<double> gather(const HairSurface& hair, std::span<const Vector3f> po
       light += width * double(reaching[cell][i]);
       all += width;
     }
-    shares.push_back(all > 0 ? light / all : 1);
+    gathered.shares.push_back(all > 0 ? light / all : 1);
   }
-  return shares;
+  return gathered;
 }
 
 }  // namespace
@@ -159,7 +189,9 @@ void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& conte
   if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return;
-  const std::vector<double> shares = gather(HairSurface(opened.asset()), posed_positions(opened.asset(), {}), threads);
+  const auto [shares, is_coarse] =
+      gather(HairSurface(opened.asset()), posed_positions(opened.asset(), {}), threads);
+  if (is_coarse) findings.note("occlusion: by fewer lines than usual, since the triangles are nearly as large as the hair");
   double sum = 0, least = 1;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double kept = 1 - recipe.occlusion_strength * (1 - shares[i]);
