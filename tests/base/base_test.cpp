@@ -1,16 +1,59 @@
 #include "base/encodings.h"
+#include "base/geometry.h"
+#include "base/parallel_for.h"
 #include "base/text.h"
 #include "base/timing.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstring>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace coif::base_test {
+
+TEST(ParallelFor, CallsEachOnceWhateverTheThreads) {
+  for (const unsigned threads : {0u, 1u, 3u, 64u}) {
+    std::vector<int> calls(20, 0);
+    parallel_for(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
+    EXPECT_EQ(std::ranges::count(calls, 1), 20) << threads;
+  }
+  parallel_for(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(ParallelFor, WhatACallThrowsArrives) {
+  for (const unsigned threads : {1u, 4u}) {
+    std::atomic<int> calls = 0;
+    const auto body = [&](std::size_t i) {
+      ++calls;
+      if (i == 3) throw std::bad_alloc();
+    };
+    EXPECT_THROW(parallel_for(10'000'000, threads, body), std::bad_alloc) << threads;
+    EXPECT_LT(calls, 10'000'000) << "the others go on";
+  }
+}
+
+TEST(WorkLimit, EndsWorkInPieces) {
+  WorkLimit::set(std::chrono::seconds(-1));
+  EXPECT_THROW(parallel_for(2, 2, [](std::size_t) {}), TookTooLong);
+  EXPECT_THROW(WorkLimit::check(), TookTooLong);
+  WorkLimit::set(std::chrono::hours(1));
+  EXPECT_NO_THROW(parallel_for(2, 2, [](std::size_t) {}));
+  WorkLimit::lift();
+  EXPECT_NO_THROW(WorkLimit::check());
+}
+
+TEST(SamplesAround, IsTheRectangleOfTheWidestView) {
+  const Eigen::Vector3f a(0, 0, 0), b(0.3f, 0, 0), c(0, 0.1f, 0.02f);
+  EXPECT_NEAR(samples_around(a, b, c, 0.01), 31 * 11, 0.01);
+  EXPECT_NEAR(samples_around(c, a, b, 0.01), 31 * 11, 0.01);
+  EXPECT_NEAR(samples_around(a, a, a, 0.01), 1, 1e-9);
+}
 
 TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }
 

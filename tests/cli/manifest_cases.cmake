@@ -21,3 +21,5 @@ coif_cli_case(cook_report_over_manifest EXIT 1 STDERR "m.json: is also an input;
   TEXT m.json "{}" ARGS cook --manifest m.json -o . --report m.json)
 coif_cli_case(cook_too_large EXIT 3 STDERR "long.glb: [0-9]+ bytes, and the limit is 1048576; "
   ARGS cook ${PROJECT_SOURCE_DIR}/sample_assets/long/long.glb -o out.coif --max-source-mb 1)
+coif_cli_case(cook_takes_too_long EXIT 3 STDERR "long.glb: the (importer|cook) exceeded 1 s"
+  ARGS cook ${PROJECT_SOURCE_DIR}/sample_assets/long/long.glb -o out.coif --max-seconds 1 --threads 1)

@@ -1,3 +1,4 @@
+#include "base/work_limit.h"
 #include "cook/cook.h"
 #include "cook/built_models.h"
 #include "models/small_asset.h"
@@ -7,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <random>
 #include <set>
 
 namespace coif::cook_test {
@@ -48,6 +52,45 @@ TEST(Cook, HeadSpaceStartsAtTheHeadsJoint) {
   float top = -1;
   for (const VertexRecord& v : asset.vertices()) top = std::max(top, v.position[1]);
   EXPECT_NEAR(top, 0.05f, 1.0e-6);
+}
+
+/// Triangles as large as the hair, all through each other: each view of them has thousands of layers.
+SourceModel triangle_soup(std::size_t triangles) {
+  SourceModel model = make_wig();
+  SourceMesh soup = make_strip({});
+  soup.positions.clear();
+  soup.uvs.clear();
+  soup.triangles.clear();
+  std::mt19937 engine(4);
+  std::uniform_real_distribution<float> place(-0.2f, 0.2f), uv(0, 1);
+  for (std::uint32_t v = 0; v < 3 * triangles; ++v) {
+    soup.positions.push_back({place(engine), 1.6f + place(engine), place(engine)});
+    soup.uvs.push_back({uv(engine), uv(engine)});
+    soup.triangles.push_back(v);
+  }
+  soup.node = 1;
+  model.meshes = {soup};
+  return model;
+}
+
+TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
+  Recipe recipe = default_recipe();
+  recipe.base_color[3] = 0.6;  // so that an order is searched
+  recipe.order_method = "single";
+  const CookResult result = cooked(triangle_soup(1200), 2, recipe);
+  const auto said = [&](const char* what) {
+    return std::ranges::any_of(result.report.notes, [&](const std::string& note) { return note.find(what) != note.npos; });
+  };
+  EXPECT_TRUE(said("occlusion: by fewer lines than usual"));
+  EXPECT_TRUE(said("of the usual lines of sight"));
+  const CookResult wig = cooked(make_wig(), 2, recipe);
+  for (const std::string& note : wig.report.notes) EXPECT_EQ(note.find("usual"), note.npos) << note;
+}
+
+TEST(Cook, EndsWhereItsTimeIsOver) {
+  WorkLimit::set(std::chrono::seconds(-1));
+  EXPECT_THROW((void)cook(make_wig(), default_recipe(), {}), TookTooLong);
+  WorkLimit::lift();
 }
 
 TEST(Cook, OneOrderGoesAcrossMeshes) {

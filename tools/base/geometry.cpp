@@ -33,6 +33,12 @@ Eigen::Quaternion<Scalar> turn(const Eigen::Vector3<Scalar>& from, const Eigen::
 Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) { return turn<float>(from, to); }
 Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return turn<double>(from, to); }
 
+double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, double spacing) {
+  const Eigen::Vector3f size = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+  const Eigen::Array3d n = size.cast<double>().array() / spacing + 1;
+  return std::max({n.x() * n.y(), n.y() * n.z(), n.z() * n.x()});
+}
+
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }
 
 Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right) {

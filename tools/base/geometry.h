@@ -21,6 +21,11 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 [[nodiscard]] Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to);
 [[nodiscard]] Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
+/// Samples, `spacing` metres from one to the next, in the rectangle around a triangle in a picture: what drawing it takes. Of
+/// the pictures along the three axes the one that shows most of it.
+[[nodiscard]] double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
+                                    double spacing);
+
 /// The rotation nearest to a transform's linear part, without scale and shear.
 [[nodiscard]] Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform);
 

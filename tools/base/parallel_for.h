@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/work_limit.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -16,7 +18,7 @@ inline unsigned all_threads() { return std::max(1u, std::thread::hardware_concur
 
 /// Calls body(i) for each i below `count` on up to `threads` threads. Each call must write only what belongs to its own i,
 /// so that the result does not depend on the number of threads. What a call throws ends the others before their next, and
-/// is thrown again here; of several one. Threads that the system does not give are done without.
+/// is thrown again here, of several one; TookTooLong is, where the process's time is over. Threads that the system does not give are done without.
 template <typename Body>
 void parallel_for(std::size_t count, unsigned threads, const Body& body) {
   const std::size_t workers = std::min<std::size_t>(std::max(threads, 1u), count);
@@ -25,7 +27,10 @@ void parallel_for(std::size_t count, unsigned threads, const Body& body) {
   std::atomic<bool> stopped = false;
   const auto work = [&](std::size_t first) {
     try {
-      for (std::size_t i = first; i < count && !stopped; i += workers) body(i);
+      for (std::size_t i = first; i < count && !stopped; i += workers) {
+        WorkLimit::check();
+        body(i);
+      }
     } catch (...) {
       const std::lock_guard guard(lock);
       if (!thrown) thrown = std::current_exception();

@@ -55,9 +55,11 @@ void add_limits(CLI::App& app, CookOptions& options) {
       ->type_name("N");
   add_number(app, "--max-source-mb", options.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")
       ->type_name("N");
-  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20, "Memory limit of the importer, MiB")
+  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20, "Memory that the importer may take, and then the cook, MiB")
       ->type_name("N");
-  add_number(app, "--max-seconds", options.max_seconds, 1u, 86400u, "Time limit of the importer, seconds")
+  app.add_option("--max-seconds", options.max_seconds,
+                 "Time that the importer may take, and then the cook, seconds (default: 120 and 1800)")
+      ->check(CLI::Range(1u, 86400u))
       ->type_name("N");
 }
 

@@ -3,8 +3,10 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "base/work_limit.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
+#include "cli/cook_limits.h"
 #include "cli/messages.h"
 #include "cook/cook.h"
 #include "payload_hash.h"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <new>
 
 namespace coif {
 namespace {
@@ -40,15 +43,36 @@ struct FinishedCook {
   bool from_cache = false;
 };
 
+/// Half an hour: a million triangles take minutes.
+constexpr std::uint32_t kUsualSeconds = 1800;
+
+/// `pass`: which one is at work.
+tl::expected<CookResult, ToolError> cook_within_limits(const SourceModel& model, const Recipe& recipe,
+                                                       const CookSettings& settings, const CookOptions& options,
+                                                       const char* const& pass) try {
+  const CookLimits limits(options.max_memory_mb << 20, options.max_seconds.value_or(kUsualSeconds), settings.threads);
+  return cook(model, recipe, settings);
+} catch (const TookTooLong&) {
+  return file_failure(ToolError::Kind::kBadInput, options.source(),
+                      "the cook exceeded {} s, in the pass '{}'; use fewer triangles, or allow more with --max-seconds",
+                      options.max_seconds.value_or(kUsualSeconds), pass);
+} catch (const std::bad_alloc&) {
+  return file_failure(ToolError::Kind::kBadInput, options.source(),
+                      "the cook exceeded {} MiB of memory, in the pass '{}'; use fewer triangles, or allow more with --max-memory-mb",
+                      options.max_memory_mb, pass);
+}
+
 /// Cooks as if there were no cache.
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
                                                 std::span<const std::byte> bytes) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress) progress.emplace(options.source());
-  const auto show = [&progress](const char* pass) {
+  const char* at = "import";
+  const auto show = [&](const char* pass) {
+    at = pass;
     if (progress) progress->show(pass);
   };
-  show("import");
+  show(at);
   const auto begin = std::chrono::steady_clock::now();
   const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe)));
   if (!model) return tl::unexpected(model.error());
@@ -58,7 +82,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes);
   settings.progress = show;
-  auto result = cook(*model, choice.recipe, settings);
+  auto result = cook_within_limits(*model, choice.recipe, settings, options, at);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
   return result;
@@ -103,7 +127,7 @@ tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, cons
 ImportSettings CookOptions::import_limits(ImportSettings settings) const {
   settings.max_file_bytes = max_source_mb << 20;
   settings.max_memory_bytes = max_memory_mb << 20;
-  settings.max_seconds = max_seconds;
+  settings.max_seconds = max_seconds.value_or(settings.max_seconds);
   return settings;
 }
 

@@ -48,7 +48,7 @@ struct CookOptions {
   std::optional<unsigned> threads;  ///< Of each cook.
   std::uint64_t max_source_mb = ImportSettings{}.max_file_bytes >> 20;
   std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
-  std::uint32_t max_seconds = ImportSettings{}.max_seconds;
+  std::optional<std::uint32_t> max_seconds;  ///< Of the importer and, after it, of the cook; none: what each has by itself.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
 

@@ -1,5 +1,6 @@
 #include "cook/cook.h"
 
+#include "base/work_limit.h"
 #include "cook/cooking.h"
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/rig/fit_chains.h"
@@ -154,6 +155,7 @@ const Pass kPasses[] = {
 
 Done run(const Pass& pass, Cooking& cooking) {
   if (cooking.settings.progress) cooking.settings.progress(pass.name);
+  WorkLimit::check();
   const auto start = std::chrono::steady_clock::now();
   Done done = pass.run(cooking);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;

@@ -18,6 +18,16 @@
 #include <utility>
 
 namespace coif {
+
+std::uint64_t address_space_in_use() {
+  unsigned long long pages = 0;
+  if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(statm, "%llu", &pages) != 1) pages = 0;
+    std::fclose(statm);
+  }
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -36,15 +46,6 @@ constexpr bool kMemoryIsLimited = true;
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};
   setrlimit(resource, &value);
-}
-
-std::uint64_t address_space_in_use() {
-  unsigned long long pages = 0;
-  if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(statm, "%llu", &pages) != 1) pages = 0;
-    std::fclose(statm);
-  }
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 void apply_limits(const ChildLimits& limits) {

@@ -38,6 +38,9 @@ struct ChildResult {
 [[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
                                        const std::function<std::vector<std::uint8_t>()>& work);
 
+/// Bytes of address space that this process has, what it only reserved included.
+[[nodiscard]] std::uint64_t address_space_in_use();
+
 /// Calls work(i) for each i below `count` in a process of its own, up to `jobs` at once, and returns what each call
 /// returned, in their order; nothing for a process that crashed, was killed or could not be started. The processes are
 /// forks without limits: call before starting threads. What `work` prints goes where this process prints.

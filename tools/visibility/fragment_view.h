@@ -123,6 +123,9 @@ struct SampleSettings {
   unsigned threads = 1;       ///< Of sample_views(); without influence on the result.
 };
 
+/// Metres between lines of sight, so that about so many of them meet hair in this pose.
+[[nodiscard]] float line_spacing(std::span<const Eigen::Vector3f> positions, std::size_t lines);
+
 /// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
 /// pose, at rest, comes every other time.
 [[nodiscard]] std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,

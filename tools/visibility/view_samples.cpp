@@ -59,6 +59,10 @@ std::uint32_t pose_of_view(std::uint32_t cell, std::uint32_t view, std::size_t p
 
 }  // namespace
 
+float line_spacing(std::span<const Eigen::Vector3f> positions, std::size_t lines) {
+  return float(std::sqrt(std::max(mean_outline(positions), 1.0e-8) / double(lines)));
+}
+
 Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
   constexpr float kEdges[5] = {-1, -kViewCellEdge, 0, kViewCellEdge, 1};
   const auto place = [&](double step, std::uint32_t column) {
@@ -75,14 +79,14 @@ Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
 
 std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
                                      const SampleSettings& settings, std::uint32_t cell) {
-  const double outline = mean_outline(poses.front());
+  const float spacing = line_spacing(poses.front(), settings.lines);
   std::vector<SampledView> views;
   for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
     const std::uint32_t turn = i + settings.seed;
     const std::uint32_t pose = pose_of_view(cell, turn, poses.size());
     ViewGrid grid;
     grid.towards_eye = direction_in_cell(cell, turn);
-    grid.spacing = float(std::sqrt(std::max(outline, 1.0e-8) / double(settings.lines)));
+    grid.spacing = spacing;
     grid.pixel = settings.pixel;
     grid.solid_alpha = settings.solid_alpha;
     const FragmentView view(hair, poses[pose], grid);

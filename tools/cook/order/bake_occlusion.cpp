@@ -1,3 +1,4 @@
+#include "base/geometry.h"
 #include "base/parallel_for.h"
 #include "cook/order/choose_order.h"
 #include "lab/rig.h"
@@ -123,15 +124,12 @@ Direction direction_of(std::uint32_t cell) {
   return {towards, widths / (square * std::sqrt(square))};
 }
 
-/// Lines that all triangles are tried against, each those of the rectangle around it; about, for it takes one direction's
-/// rectangle for that of the others.
+/// Lines that all triangles are tried against.
 double tries_per_view(const HairSurface& hair, std::span<const Vector3f> positions, float spacing) {
   double sum = 0;
   for (const HairSurface::Triangle& triangle : hair.triangles) {
-    Eigen::AlignedBox3f box;
-    for (const std::uint32_t v : triangle.vertex) box.extend(positions[v]);
-    const Eigen::Array3d lines = box.sizes().array().cast<double>() / double(spacing) + 1;
-    sum += std::max({lines.x() * lines.y(), lines.y() * lines.z(), lines.z() * lines.x()});
+    const auto& [a, b, c] = triangle.vertex;
+    sum += samples_around(positions[a], positions[b], positions[c], double(spacing));
   }
   return sum;
 }

@@ -1,5 +1,6 @@
 #include "cook/order/choose_order.h"
 
+#include "base/geometry.h"
 #include "cook/texture/alpha.h"
 #include "lab/rig.h"
 #include "motion/head_path.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <ranges>
 
@@ -27,6 +29,10 @@ constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell
 constexpr std::size_t kMostTriangles = 250'000;
 constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
+/// Lines that the triangles of the views of a cell may be tried against: what limits time and memory where all triangles are
+/// as large as the hair. Of hair that artists made, the most that is known is three quarters of it.
+constexpr double kMostTriesOfACell = 9.0e6;
+constexpr std::size_t kFewestLinesOfAView = 200;
 
 struct Moment {
   Motion motion;
@@ -97,6 +103,7 @@ class OrderChoice {
     const std::size_t triangles = contents.indices.size() / 3;
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
+    limit_work();
   }
 
   FoundOrders run() {
@@ -111,8 +118,28 @@ class OrderChoice {
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
+  /// Of the lines of sight that were wanted, how many there are; 1 but for triangles that are nearly as large as the hair.
+  [[nodiscard]] double share_of_lines() const { return share_of_lines_; }
 
  private:
+  /// Fewer views and, by as much, fewer lines in each.
+  void limit_work() {
+    const HairPositions& rest = poses_.front();
+    const double spacing = double(line_spacing(rest, settings_.lines_per_view));
+    double tries = 0;
+    for (std::size_t i = 0; i + 2 < contents_.indices.size(); i += 3) {
+      const std::uint32_t* const v = &contents_.indices[i];
+      tries += samples_around(rest[v[0]], rest[v[1]], rest[v[2]], spacing);
+    }
+    const std::size_t views = settings_.views_per_cell, lines = settings_.lines_per_view;
+    const double share = kMostTriesOfACell / (tries * double(views));
+    if (share >= 1) return;
+    settings_.views_per_cell = std::max<std::size_t>(1, std::size_t(double(views) * std::sqrt(share)));
+    const double left = share * double(views) / double(settings_.views_per_cell);
+    settings_.lines_per_view = std::max(kFewestLinesOfAView, std::size_t(double(lines) * std::min(left, 1.0)));
+    share_of_lines_ = double(settings_.views_per_cell * settings_.lines_per_view) / double(views * lines);
+  }
+
   [[nodiscard]] std::size_t most_orders() const {
     if (recipe_.order_method == "single") return 1;
     const std::size_t bytes_of_order = contents_.indices.size() / 3 * sizeof(std::uint32_t);
@@ -127,7 +154,7 @@ class OrderChoice {
     quick.min_gain = 0;
     quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
-    quick.lines_per_view = kQuickLines;
+    quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
     const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
     return search_orders(hair.surface, poses_, head_, quick);
   }
@@ -181,6 +208,7 @@ class OrderChoice {
   UnitOrder head_;
   float usual_threshold_;
   OrderSearchSettings settings_;
+  double share_of_lines_ = 1;
 };
 
 std::string quality_text(const OrderQuality& quality) {
@@ -226,6 +254,11 @@ tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const
   const FoundOrders found = choice.run();
   apply_orders(found, contents);
   report(found, choice.usual_threshold(), findings);
+  if (choice.share_of_lines() < 1) {
+    findings.note(fmt::format(
+        "draw order: searched with {:.1f} % of the usual lines of sight, since the triangles are nearly as large as the hair",
+        100 * choice.share_of_lines()));
+  }
   return {};
 }
 

@@ -16,6 +16,28 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr int kPixels = 192;  ///< Of the longer side: about two millimetres of a head of hair each.
+constexpr int kFewestPixels = 16;
+/// Pixels that the triangles of one view may be tried against: what limits time and memory where all triangles are as large
+/// as the hair. Of hair that artists made, the most that is known is a quarter of it.
+constexpr double kMostTries = 4.0e6;
+
+/// Of the longer side.
+int choose_pixels(const HairMesh& mesh) {
+  Eigen::AlignedBox3f box;
+  for (const std::uint32_t v : mesh.triangles) box.extend(mesh.positions[v]);
+  const double side = box.isEmpty() ? 0.0 : double(box.sizes().maxCoeff());
+  const double most = std::max(kMostTries, 4.0 * double(mesh.triangle_count()));
+  const auto tries = [&](int pixels) {
+    double sum = 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      sum += samples_around(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), std::max(side / pixels, 1.0e-6));
+    }
+    return sum;
+  };
+  int pixels = kPixels;
+  while (pixels > kFewestPixels && tries(pixels) > most) pixels = pixels * 4 / 5;
+  return pixels;
+}
 
 /// The axes and the diagonals of a cube; the opposite side of each sees the same pixels from behind.
 const Vector3f kDirection[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
@@ -26,12 +48,12 @@ struct Projection {
   Vector2f low{0, 0};
   float pixels_per_metre = 1;
 
-  Projection(const HairMesh& mesh, const Vector3f& direction) {
+  Projection(const HairMesh& mesh, const Vector3f& direction, int pixels) {
     turn = turn_between(direction, Vector3f::UnitZ()).toRotationMatrix();
     Eigen::AlignedBox2f box;
     for (std::uint32_t v : mesh.triangles) box.extend(Vector3f(turn * mesh.positions[v]).head<2>());
     low = box.min();
-    pixels_per_metre = (float(kPixels) - 1) / std::max(box.sizes().maxCoeff(), 1.0e-6f);
+    pixels_per_metre = (float(pixels) - 1) / std::max(box.sizes().maxCoeff(), 1.0e-6f);
   }
 
   [[nodiscard]] Vector3f operator()(const Vector3f& point) const {
@@ -46,9 +68,9 @@ float cross(const Vector2f& a, const Vector2f& b) { return a.x() * b.y() - a.y()
 /// Calls visit(pixel, weights) for the middle of the triangle and each pixel whose middle it covers; the weights of its
 /// corners add up to one. The triangle's own middle, so that none is too small to be found.
 template <typename Visit>
-void for_each_pixel(const std::array<Vector3f, 3>& corners, const Visit& visit) {
+void for_each_pixel(const std::array<Vector3f, 3>& corners, int pixels, const Visit& visit) {
   const Vector2f a = corners[0].head<2>(), b = corners[1].head<2>(), c = corners[2].head<2>();
-  const auto index = [](int x, int y) { return std::uint32_t(y * kPixels + x); };
+  const auto index = [pixels](int x, int y) { return std::uint32_t(y * pixels + x); };
   const Vector2f middle = (a + b + c) / 3;
   visit(index(int(middle.x()), int(middle.y())), Vector3f(1.0f / 3, 1.0f / 3, 1.0f / 3));
   const float area = cross(b - a, c - a);
@@ -84,15 +106,16 @@ bool AlphaTest::passes(const Vector2f& uv) const {
   return image->texels[4 * at + 3] * factor >= threshold * 255;
 }
 
-HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction) {
+HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction, int pixels) {
   const HairMesh& mesh = hair.mesh;
-  const Projection project(mesh, kDirection[direction].normalized());
+  const Projection project(mesh, kDirection[direction].normalized(), pixels);
   View view;
-  view.layers.assign(kPixels * kPixels, 0);
+  const std::size_t all = std::size_t(pixels) * std::size_t(pixels);
+  view.layers.assign(all, 0);
   view.cover.resize(hair.patches.count);
   view.seen.assign(hair.patches.count, 0);
   constexpr float kFar = std::numeric_limits<float>::infinity();
-  std::vector<Layer> front(kPixels * kPixels, {-kFar, kNoIndex}), back(kPixels * kPixels, {kFar, kNoIndex});
+  std::vector<Layer> front(all, {-kFar, kNoIndex}), back(all, {kFar, kNoIndex});
   const std::vector<PatchView> patches = hair.views();
   for (std::uint32_t patch = 0; patch < patches.size(); ++patch) {
     std::vector<std::uint32_t>& cover = view.cover[patch];
@@ -100,7 +123,7 @@ HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, 
       const std::uint32_t* v = &mesh.triangles[t];
       const std::array corners = {project(mesh.positions[v[0]]), project(mesh.positions[v[1]]),
                                   project(mesh.positions[v[2]])};
-      for_each_pixel(corners, [&](std::uint32_t pixel, const Vector3f& w) {
+      for_each_pixel(corners, pixels, [&](std::uint32_t pixel, const Vector3f& w) {
         const auto uv = [&]() -> Vector2f {
           return w.x() * mesh.uvs[v[0]] + w.y() * mesh.uvs[v[1]] + w.z() * mesh.uvs[v[2]];
         };
@@ -124,7 +147,8 @@ HairViews::View HairViews::draw(const HairStrips& hair, const AlphaTest& alpha, 
 }
 
 HairViews::HairViews(const HairStrips& hair, const AlphaTest& alpha, unsigned threads) : seen_(hair.patches.count, 0) {
-  parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d); });
+  const int pixels = choose_pixels(hair.mesh);
+  parallel_for(kDirections, threads, [&](std::size_t d) { views_[d] = draw(hair, alpha, d, pixels); });
   for (const View& view : views_) {
     for (std::uint32_t p = 0; p < seen_.size(); ++p) seen_[p] += view.seen[p];
     covered_ += std::size_t(std::ranges::count_if(view.layers, [](std::uint32_t layers) { return layers > 0; }));

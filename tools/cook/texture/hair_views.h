@@ -47,7 +47,7 @@ class HairViews {
     std::vector<std::vector<std::uint32_t>> cover;  ///< Per patch, its pixels.
     std::vector<std::uint32_t> seen;                ///< Per patch, from this side and from the opposite one.
   };
-  static View draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction);
+  static View draw(const HairStrips& hair, const AlphaTest& alpha, std::size_t direction, int pixels);
 
   std::array<View, kDirections> views_;
   std::vector<std::size_t> seen_;
