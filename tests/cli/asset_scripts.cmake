@@ -6,11 +6,15 @@ file(MAKE_DIRECTORY "${FOLDER}")
 # Files cut at several lengths, and one with a changed byte. ASSET: a good one.
 if(CASE STREQUAL "damaged_assets_are_refused")
   function(must_refuse name message)
+    set(wanted 3)
+    if(ARGN)
+      set(wanted ${ARGN})
+    endif()
     foreach(command "validate;${name}" "info;${name}" "simulate;${name};--motion;nod;-o;out.csv" "render;${name};-o;out.png")
       execute_process(COMMAND "${PROGRAM}" ${command} WORKING_DIRECTORY "${FOLDER}"
                       RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE err)
-      if(NOT code EQUAL 3 OR NOT err MATCHES "error: ${name}: ${message}")
-        message(FATAL_ERROR "${command}: exit code ${code}, wanted 3 and '${name}: ${message}'\n${err}")
+      if(NOT code EQUAL wanted OR NOT err MATCHES "error: ${name}: ${message}")
+        message(FATAL_ERROR "${command}: exit code ${code}, wanted ${wanted} and '${name}: ${message}'\n${err}")
       endif()
     endforeach()
   endfunction()
@@ -30,6 +34,13 @@ if(CASE STREQUAL "damaged_assets_are_refused")
   execute_process(COMMAND cat head byte WORKING_DIRECTORY "${FOLDER}" OUTPUT_FILE "${FOLDER}/changed.coif"
                   COMMAND_ERROR_IS_FATAL ANY)
   must_refuse(changed.coif "chunk TEXD: the bytes were changed after cooking")
+
+  # Of another major version, the ninth byte of a file: nothing is wrong with it, but this program cannot read it.
+  execute_process(COMMAND head -c 8 "${ASSET}" OUTPUT_FILE "${FOLDER}/head" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND tail -c +10 "${ASSET}" OUTPUT_FILE "${FOLDER}/tail" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND cat head byte tail WORKING_DIRECTORY "${FOLDER}" OUTPUT_FILE "${FOLDER}/newer.coif"
+                  COMMAND_ERROR_IS_FATAL ANY)
+  must_refuse(newer.coif "cooked for another major version" 5)
 endif()
 
 # The sample at the longest step the runtime takes, 0.1 s, through every motion: all numbers finite, and no hair farther

@@ -122,7 +122,7 @@ Command add_compare(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "compare", "Simulate two assets of one source, say a fitted rig and the artist's, and print how far they differ");
   const auto options = std::make_shared<CompareOptions>();
-  app->description(app->get_description() + "\n\n" + motion_help());
+  app->footer(motion_help());
   app->add_option("A", options->a, "A cooked asset: what is right")->required();
   app->add_option("B", options->b, "Another one with the same surface")->required();
   add_motions(*app, options->motions);

@@ -151,7 +151,7 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
 Command add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "report", "Measure how wrong every way to run or draw an asset is, what it survives or what it costs");
-  app->description(app->get_description() + "\n\n" + motion_help());
+  app->footer(motion_help());
   const auto options = std::make_shared<ReportOptions>();
   add_report_options(*app, *options);
   return {app, [options](const Messages& messages) { return run_report(*options, messages); }};

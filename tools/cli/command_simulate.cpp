@@ -107,7 +107,7 @@ Command add_simulate(CLI::App& program) {
   CLI::App* app = program.add_subcommand("simulate", "Run an asset through a head motion and write every frame");
   const auto options = std::make_shared<SimulateOptions>();
   RecordingSettings& recording = options->recording;
-  app->description(app->get_description() + "\n\n" + motion_help());
+  app->footer(motion_help());
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "CSV: bone ends; GLB: skinned animation for any glTF viewer")
       ->required()

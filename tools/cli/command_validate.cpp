@@ -16,6 +16,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <ranges>
 
 namespace coif {
 namespace {
@@ -176,11 +177,20 @@ tl::expected<void, ToolError> check_usage(const ValidateOptions& options) {
   return {};
 }
 
+/// Every error that the file has says that it cannot be read here.
+bool is_only_unsupported(const Verdict& verdict) {
+  const auto is_error = [](const Issue& issue) { return issue.severity == Severity::kError; };
+  auto errors = verdict.issues.shown | std::views::filter(is_error);
+  return !std::ranges::empty(errors) && std::ranges::all_of(errors, [](const Issue& e) { return is_unsupported(e.code); });
+}
+
 Exit exit_of(std::span<const Verdict> verdicts) {
   const auto unreadable = [](const Verdict& v) { return !v.readable; };
   const auto invalid = [](const Verdict& v) { return !v.issues.valid(); };
+  const auto wrong = [&](const Verdict& v) { return invalid(v) && !is_only_unsupported(v); };
   if (std::ranges::any_of(verdicts, unreadable)) return Exit::kFileAccess;
-  return std::ranges::any_of(verdicts, invalid) ? Exit::kBadInput : Exit::kOk;
+  if (std::ranges::any_of(verdicts, wrong)) return Exit::kBadInput;
+  return std::ranges::any_of(verdicts, invalid) ? Exit::kUnsupported : Exit::kOk;
 }
 
 tl::expected<Exit, ToolError> run_validate(const ValidateOptions& options, const Messages& messages) {
@@ -229,7 +239,7 @@ void add_origin(CLI::App& app, OriginOptions& origin) {
 }  // namespace
 
 Command add_validate(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("validate", "Check assets and sources; exit code 3 where one has an error");
+  CLI::App* app = program.add_subcommand("validate", "Check assets and sources; exit code 3 where one has an error, 5 where all that is wrong is that it is not read here");
   const auto options = std::make_shared<ValidateOptions>();
   app->add_option("FILE", options->files, "Cooked assets or models");
   add_policy(*app, options->policy);

@@ -49,7 +49,8 @@ Exit run_program(int argc, char** argv) {
   for (const auto add :
        {add_cook, add_validate, add_info, add_simulate, add_render, add_gallery, add_compare, add_report, add_strip}) {
     commands.push_back(add(program));
-    commands.back().app->footer(exit_code_help());
+    CLI::App& app = *commands.back().app;
+    app.footer(app.get_footer().empty() ? exit_code_help() : app.get_footer() + "\n" + exit_code_help());
   }
   try {
     program.parse(argc, argv);

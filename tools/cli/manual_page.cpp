@@ -122,6 +122,13 @@ std::string options(const CLI::App& app, bool positional) {
   return result;
 }
 
+/// What it is for, and what its help says at the end, without the exit codes, which have a section of their own.
+std::string text_of(const CLI::App& command) {
+  const std::string footer = command.get_footer(), codes = exit_code_help();
+  if (footer == codes || !footer.ends_with(codes)) return command.get_description();
+  return command.get_description() + "\n\n" + footer.substr(0, footer.size() - codes.size());
+}
+
 /// "coif cook [OPTIONS] [SOURCE...]"
 std::string usage(const CLI::App& command) {
   constexpr std::string_view kLabel = "Usage: ";
@@ -140,7 +147,7 @@ std::string manual_page(const CLI::App& program) {
   page += ".SH OPTIONS\n" + options(program, false);
   page += ".SH COMMANDS\n";
   for (const CLI::App* command : commands) {
-    page += fmt::format(".SS {}\n{}", escaped(usage(*command)), prose(command->get_description()));
+    page += fmt::format(".SS {}\n{}", escaped(usage(*command)), prose(text_of(*command)));
     page += options(*command, true) + options(*command, false);
   }
   page += ".SH EXIT STATUS\n";

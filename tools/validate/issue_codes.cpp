@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -110,6 +111,11 @@ void fold(const Issue& issue, JudgedIssues& judged) {
 bool may_ignore(std::string_view code) {
   const IssueCode* row = find_issue_code(code);
   return row != nullptr && row->severity != Severity::kError;
+}
+
+bool is_unsupported(std::string_view code) {
+  constexpr std::string_view kCodes[] = {"A104", "A110", "S102"};  // another version, an unknown chunk, another format
+  return std::ranges::find(kCodes, code) != std::end(kCodes);
 }
 
 JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy) {

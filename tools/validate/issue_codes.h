@@ -116,6 +116,9 @@ struct JudgedIssues {
 /// False for an error, which no build should let pass, and for what is no code.
 [[nodiscard]] bool may_ignore(std::string_view code);
 
+/// Whether an error of this code says that this program cannot read the file, not that something is wrong with it.
+[[nodiscard]] bool is_unsupported(std::string_view code);
+
 [[nodiscard]] JudgedIssues judge(std::vector<Issue> issues, const IssuePolicy& policy);
 
 }  // namespace coif
