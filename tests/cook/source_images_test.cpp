@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace coif::source_images_test {
 
@@ -150,6 +151,18 @@ TEST(TextureFolder, FollowsLinksThatStayInside) {
   files.write_flat("store/a1.png");
   fs::create_symlink("store/a1.png", files.path() / "hair.png");
   EXPECT_EQ(TextureFolder(files.source()).find("hair.png"), files.path() / "hair.png");
+}
+
+TEST(TextureFolder, FollowsLinksToWhereALinkedSourceLies) {
+  // As a build's sandbox has it: every file by itself a link into the tree.
+  const ImageFolder tree, sandbox;
+  tree.write_flat("hair.png");
+  std::ofstream(tree.source()) << "model";
+  fs::create_symlink(tree.source(), sandbox.source());
+  fs::create_symlink(tree.path() / "hair.png", sandbox.path() / "hair.png");
+  EXPECT_EQ(TextureFolder(sandbox.source()).find("hair.png"), sandbox.path() / "hair.png");
+  fs::create_symlink("/etc/hostname", sandbox.path() / "skin.png");
+  EXPECT_EQ(TextureFolder(sandbox.source()).find("skin.png"), std::nullopt) << "it lies in neither";
 }
 
 TEST(TextureFolder, AFolderThatIsNotThereIsEmpty) {

@@ -243,6 +243,34 @@ TEST_F(Conventions, AlphaOfOtherFormatsIsKnownByItsTextureOnly) {
   }
 }
 
+constexpr const char* kCardOfMaterials = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n";
+
+TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {
+  const SourceModel lost = import_or_fail(folder_.write("m.obj", kCardOfMaterials));
+  const auto says = [](const SourceModel& model, const char* what) {
+    return std::ranges::any_of(model.warnings, [&](const std::string& w) { return w.find(what) != w.npos; });
+  };
+  EXPECT_TRUE(says(lost, "'m.mtl' is named for the materials and was not read")) << "by the name that the model has";
+  EXPECT_TRUE(says(lost, "no such file beside the model"));
+  folder_.write("m.mtl", "newmtl card\nKd 1 0 0\n");
+  EXPECT_FALSE(says(import_or_fail(folder_.path() / "m.obj"), "named for the materials"));
+  const SourceModel none = import_or_fail(folder_.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_FALSE(says(none, "named for the materials")) << "it names none";
+}
+
+TEST_F(Conventions, MaterialsBesideALinkedModelAreReadWhereTheyLie) {
+  folder_.write("m.mtl", "newmtl card\nKd 1 0 0\n");
+  const auto real = folder_.write("m.obj", kCardOfMaterials);
+  const auto sandbox = folder_.path() / "sandbox";
+  std::filesystem::create_directory(sandbox);
+  std::filesystem::create_symlink(real, sandbox / "m.obj");
+  std::filesystem::create_symlink(folder_.path() / "m.mtl", sandbox / "m.mtl");
+  const SourceModel model = import_or_fail(sandbox / "m.obj");
+  ASSERT_FALSE(model.materials.empty());
+  EXPECT_TRUE(std::ranges::any_of(model.materials, [](const SourceMaterial& m) { return m.name == "card"; }));
+  EXPECT_TRUE(std::ranges::none_of(model.warnings, [](const auto& w) { return w.find("materials") != w.npos; }));
+}
+
 TEST_F(Conventions, ImporterIsNamedWithItsVersion) {
   const SourceModel model = import_or_fail(SmallGltf().write(folder_, "m.gltf"));
   EXPECT_EQ(model.importer.rfind("assimp ", 0), 0u);

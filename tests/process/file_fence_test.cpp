@@ -34,7 +34,7 @@ class FileFence : public testing::Test {
   /// Behind the fence around `model`: 'y' or 'n'; nothing where there can be no fence.
   std::string behind(const fs::path& file, const std::function<bool()>& attempt) {
     const auto result = run_in_child({std::uint64_t{1} << 30, 20, 64}, [&]() -> std::vector<std::uint8_t> {
-      if (!fence_files(root_ / "model", file)) return {};
+      if (!fence_files({root_ / "model"}, file)) return {};
       return {std::uint8_t(attempt() ? 'y' : 'n')};
     });
     EXPECT_EQ(result.end, ChildResult::End::kFinished);
@@ -79,7 +79,7 @@ TEST_F(FileFence, NothingIsWrittenMadeMovedOrRemoved) {
 }
 
 TEST_F(FileFence, NeedsAFolderThatIsThere) {
-  EXPECT_FALSE(fence_files(root_ / "absent", root_ / "secret.txt"));
+  EXPECT_FALSE(fence_files({root_ / "absent"}, root_ / "secret.txt"));
   EXPECT_TRUE(opens("/etc/passwd")) << "and leaves this process as it was";
 }
 

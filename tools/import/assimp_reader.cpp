@@ -13,9 +13,11 @@
 #include <assimp/version.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <new>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace coif {
@@ -41,26 +43,52 @@ void configure(Assimp::Importer& importer, const SourceSuffix& suffix, const Imp
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.up_axis.has_value());
 }
 
-/// Files as assimp sees them, with a record of every name that it looked for or opened, whether there was such a file or
-/// not: a model changes with each of them.
+/// What assimp asked for beside the model, by name.
+struct Asked {
+  std::set<std::string> names;          ///< Looked for or opened, whether there was such a file or not: a model changes with each.
+  std::vector<std::string> not_opened;  ///< In their order.
+};
+
+/// Files as assimp sees them, with a record.
 class AskedFiles : public Assimp::DefaultIOSystem {
  public:
-  /// `names` outlives this object.
-  explicit AskedFiles(std::set<std::string>& names) : names_(names) {}
+  /// `asked` outlives this object.
+  explicit AskedFiles(Asked& asked) : asked_(asked) {}
 
   bool Exists(const char* name) const override {
-    names_.insert(name);
+    asked_.names.insert(name);
     return DefaultIOSystem::Exists(name);
   }
 
   Assimp::IOStream* Open(const char* name, const char* mode) override {
-    names_.insert(name);
-    return DefaultIOSystem::Open(name, mode);
+    asked_.names.insert(name);
+    Assimp::IOStream* const file = DefaultIOSystem::Open(name, mode);
+    if (file == nullptr) asked_.not_opened.emplace_back(name);
+    return file;
   }
 
  private:
-  std::set<std::string>& names_;
+  Asked& asked_;
 };
+
+/// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word. The first that
+/// it asked for is the one that the model names; then it tries names of its own.
+void warn_of_lost_materials(const Asked& asked, const aiScene& scene, SourceModel& model) {
+  if (asked.not_opened.empty()) return;
+  const std::string name = std::filesystem::path(asked.not_opened.front()).filename().string();
+  std::error_code error;
+  const auto status = std::filesystem::symlink_status(asked.not_opened.front(), error);
+  const char* const why = std::filesystem::is_symlink(status) ? "it is a link that leads out of the model's folder"
+                          : std::filesystem::exists(status)   ? "it cannot be opened"
+                                                              : "there is no such file beside the model";
+  const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
+    return m->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME);
+  });
+  model.warnings.push_back(fmt::format(
+      "'{}' is named for the materials and was not read{}: {}; put the file beside the model, or export as .glb",
+      printable_text(name, 100), has_another ? "" : ", so that none has a colour or texture",
+      why));
+}
 
 std::vector<char> bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -121,7 +149,7 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
     const std::vector<char> text = bytes_of(path);
     if (auto fault = overrun_array({text.data(), text.size()})) return refusal(path, suffix, fault->c_str());
   }
-  std::set<std::string> asked;
+  Asked asked;
   Assimp::Importer importer;
   importer.SetIOHandler(new AskedFiles(asked));  // Owned by the importer.
   configure(importer, suffix, settings);
@@ -130,8 +158,9 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
     return refusal(path, suffix, importer.GetErrorString());
   }
   auto model = convert_scene(*scene, path, suffix, settings);
-  asked.erase(path.string());
-  if (model) model->side_files.assign(asked.begin(), asked.end());
+  asked.names.erase(path.string());
+  if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
+  if (model && suffix.format == SourceFormat::kObj) warn_of_lost_materials(asked, *scene, *model);
   return model;
 } catch (const std::bad_alloc&) {
   throw;

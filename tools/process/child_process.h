@@ -47,10 +47,10 @@ struct ChildResult {
 [[nodiscard]] std::vector<std::optional<std::string>> run_in_processes(
     std::size_t count, unsigned jobs, const std::function<std::string(std::size_t)>& work);
 
-/// From now on this thread and what it starts may read files in this folder and below, and this one file wherever a link
+/// From now on this thread and what it starts may read files in these folders and below, and this one file wherever a link
 /// leads for it; it may open, make, change, remove or run nothing else, nor reach the network. Descriptors that are open
 /// already stay as they are. There is no way back. False where the kernel cannot do that (Linux before 5.13, or Landlock
 /// is turned off); then nothing has changed.
-bool fence_files(const std::filesystem::path& folder, const std::filesystem::path& file);
+bool fence_files(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file);
 
 }  // namespace coif

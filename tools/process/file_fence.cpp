@@ -2,6 +2,7 @@
 
 #include <linux/landlock.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -56,11 +57,13 @@ bool allow(const Descriptor& ruleset, const std::filesystem::path& path, std::ui
 
 }  // namespace
 
-bool fence_files(const std::filesystem::path& folder, const std::filesystem::path& file) {
+bool fence_files(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file) {
   const Descriptor ruleset = make_ruleset();
   if (!ruleset.is_open()) return false;
-  const bool allowed = allow(ruleset, folder, LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR) &&
-                       allow(ruleset, file, LANDLOCK_ACCESS_FS_READ_FILE);
+  const auto readable = [&](const std::filesystem::path& folder) {
+    return allow(ruleset, folder, LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR);
+  };
+  const bool allowed = std::ranges::all_of(folders, readable) && allow(ruleset, file, LANDLOCK_ACCESS_FS_READ_FILE);
   return allowed && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          syscall(SYS_landlock_restrict_self, ruleset.get(), 0) == 0;
 }

@@ -42,7 +42,8 @@ namespace coif {
 
 /// The image files that belong to a source: in its own folder and in the folders below it that artists customarily use
 /// (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing outside
-/// the source's folder is ever found, not even through a link. Unreadable folders count as empty.
+/// the source's folder is ever found, not even through a link, but for links to where the source itself lies if that is a
+/// link (build systems and big stores link all that they hand out). Unreadable folders count as empty.
 class TextureFolder {
  public:
   explicit TextureFolder(const std::filesystem::path& source);
@@ -68,7 +69,7 @@ class TextureFolder {
   [[nodiscard]] std::optional<std::filesystem::path> find_by_name(const std::string& name) const;
 
   std::filesystem::path root_;       ///< As the source's path has it.
-  std::filesystem::path real_root_;  ///< Without links.
+  std::vector<std::filesystem::path> real_roots_;  ///< Without links: of that folder, and of the one that the source lies in.
   std::vector<std::filesystem::path> images_;
 };
 

@@ -39,8 +39,11 @@ std::optional<fs::path> entry_called(const fs::path& folder, const std::string& 
 TextureFolder::TextureFolder(const fs::path& source) : root_(source.parent_path()) {
   if (root_.empty()) root_ = ".";
   std::error_code error;
-  real_root_ = fs::canonical(root_, error);
+  const fs::path real = fs::canonical(root_, error);
   if (error) return;
+  real_roots_.push_back(real);
+  const fs::path real_source = fs::canonical(source, error);
+  if (!error) real_roots_.push_back(real_source.parent_path());
   list(root_);
   for (const fs::path& entry : entries_of(root_)) {
     const std::string name = lower_case(entry.filename().string());
@@ -60,8 +63,8 @@ void TextureFolder::list(const fs::path& folder) {
 bool TextureFolder::is_inside(const fs::path& path) const {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
-  if (error || real_root_.empty()) return false;
-  return std::ranges::mismatch(real_root_, real).in1 == real_root_.end();
+  if (error) return false;
+  return std::ranges::any_of(real_roots_, [&](const fs::path& root) { return std::ranges::mismatch(root, real).in1 == root.end(); });
 }
 
 std::optional<fs::path> TextureFolder::find(const std::string& written) const {
