@@ -70,7 +70,7 @@ function(coif_cook)
     cmake_path(APPEND COOK_OUTPUT_DIRECTORY "${stem}.coif" OUTPUT_VARIABLE asset)
     cmake_path(APPEND COOK_OUTPUT_DIRECTORY "${stem}.report.json" OUTPUT_VARIABLE report)
     add_custom_command(OUTPUT "${asset}" BYPRODUCTS "${report}"
-      COMMAND "${program}" cook "${source}" -o "${asset}" ${with_recipe} ${options}
+      COMMAND "${program}" cook "${source}" -o "${asset}" --quiet ${with_recipe} ${options}
               --report "${report}" --depfile "${asset}.d"
       DEPENDS "${source}" ${recipe} "${program}"
       DEPFILE "${asset}.d"

@@ -56,3 +56,12 @@ coif_cli_case(cook_one_flat_card EXIT 0 STDOUT "^card.coif: 1 triangle in 1 patc
 coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)
 coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
   ARGS cook ${sample} --list --format json)
+
+# Said where it is wanted.
+coif_cli_case(cook_quiet EXIT 0 WRITES out.coif STDERR "^$" STDOUT "^$"
+  TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet)
+coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "^$" JSON output bytes passes
+  TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet --format json)
+coif_cli_case(cook_lost_materials EXIT 3
+  STDERR "braid.obj: 'braid.mtl' is named for the materials and was not read.*warnings?, and --warnings-as-errors; nothing was written"
+  TEXT braid.obj "mtllib braid.mtl\nv 0 1.7 0\nv 0.1 1.7 0\nv 0 1.5 0\nusemtl hair\nf 1 3 2\n" ARGS cook braid.obj -o out.coif --quiet --warnings-as-errors)

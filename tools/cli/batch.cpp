@@ -185,7 +185,8 @@ tl::expected<Exit, ToolError> run_cook_batch(const CookOptions& options, const M
     const auto written = write_output(options.report, std::as_bytes(std::span(text)));
     if (!written) return tl::unexpected(written.error());
   }
-  print_result(options.format == OutputFormat::kJson ? batch_json(outcomes) : batch_text(outcomes));
+  const bool as_json = options.format == OutputFormat::kJson;
+  if (as_json || !options.quiet) print_result(as_json ? batch_json(outcomes) : batch_text(outcomes));
   return Exit(worst);
 }
 

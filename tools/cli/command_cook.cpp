@@ -18,7 +18,8 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   return Exit::kOk;
 }
 
-tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Messages& messages) {
+tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Messages& all_messages) {
+  const Messages messages = options.quiet ? all_messages.without_notes() : all_messages;
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
@@ -33,7 +34,8 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
   if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
   const auto summary = run_cook_job(options, *choice, messages);
   if (!summary) return tl::unexpected(summary.error());
-  print_result(options.format == OutputFormat::kJson ? cook_json(*summary) : cook_text(*summary));
+  const bool as_json = options.format == OutputFormat::kJson;
+  if (as_json || !options.quiet) print_result(as_json ? cook_json(*summary) : cook_text(*summary));
   return Exit::kOk;
 }
 
@@ -79,6 +81,8 @@ Command add_cook(CLI::App& program) {
   app->add_option("--cache", options->cache, "Keep results in this folder, and take them from there")->type_name("DIR");
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
   app->add_flag("--list", options->list, "Print the source's meshes, materials and nodes, cook nothing");
+  app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
+  app->add_flag("--warnings-as-errors", options->warnings_as_errors, "A warning is an error: nothing is written, exit code 3");
   add_many(*app, *options);
   add_limits(*app, *options);
   add_format(*app, options->format);

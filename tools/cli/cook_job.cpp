@@ -66,7 +66,7 @@ tl::expected<CookResult, ToolError> cook_within_limits(const SourceModel& model,
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
                                                 std::span<const std::byte> bytes) {
   std::optional<ProgressLine> progress;
-  if (options.shows_progress) progress.emplace(options.source());
+  if (options.shows_progress && !options.quiet) progress.emplace(options.source());
   const char* at = "import";
   const auto show = [&](const char* pass) {
     at = pass;
@@ -142,6 +142,10 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
   if (!depfile) return tl::unexpected(depfile.error());
 
   for (const std::string& warning : result.report.warnings) messages.warning(options.source() + ": " + warning);
+  if (const std::size_t count = result.report.warnings.size(); options.warnings_as_errors && count > 0) {
+    return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
+                        count, count == 1 ? "" : "s");
+  }
   CookSummary summary{options.output, result.asset.size(), result.report, cooked->from_cache};
   auto written = write_output(options.output, result.asset);
   if (written && !options.report.empty()) written = write_text(options.report, cook_json(summary));

@@ -51,6 +51,8 @@ struct CookOptions {
   std::optional<std::uint32_t> max_seconds;  ///< Of the importer and, after it, of the cook; none: what each has by itself.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
+  bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
+  bool warnings_as_errors = false;
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }
   [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;

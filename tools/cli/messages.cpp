@@ -17,7 +17,15 @@ Messages::Messages(std::string_view verb) : program_(verb.empty() ? "coif" : fmt
 
 void Messages::error(std::string_view text) const { write("error", text); }
 void Messages::warning(std::string_view text) const { write("warning", text); }
-void Messages::note(std::string_view text) const { write("note", text); }
+void Messages::note(std::string_view text) const {
+  if (tells_notes_) write("note", text);
+}
+
+Messages Messages::without_notes() const {
+  Messages copy = *this;
+  copy.tells_notes_ = false;
+  return copy;
+}
 
 void Messages::write(std::string_view severity, std::string_view text) const {
   fmt::print(stderr, "{}: {}: {}\n", program_, severity, text);

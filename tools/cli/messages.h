@@ -18,10 +18,14 @@ class Messages {
   void warning(std::string_view text) const;
   void note(std::string_view text) const;
 
+  /// The same, silent about what is only worth knowing.
+  [[nodiscard]] Messages without_notes() const;
+
  private:
   void write(std::string_view severity, std::string_view text) const;
 
   std::string program_;
+  bool tells_notes_ = true;
 };
 
 /// What the program is doing, on one line of a terminal that is written over and erased at the end. Writes nothing where
