@@ -1,16 +1,22 @@
 #include "base/encodings.h"
+#include "base/files.h"
 #include "base/geometry.h"
 #include "base/parallel_for.h"
 #include "base/text.h"
 #include "base/timing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <new>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -53,6 +59,29 @@ TEST(SamplesAround, IsTheRectangleOfTheWidestView) {
   EXPECT_NEAR(samples_around(a, b, c, 0.01), 31 * 11, 0.01);
   EXPECT_NEAR(samples_around(c, a, b, 0.01), 31 * 11, 0.01);
   EXPECT_NEAR(samples_around(a, a, a, 0.01), 1, 1e-9);
+}
+
+TEST(WriteOutput, ClearsAwayWhatAKilledProcessLeftOfTheSameFile) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("coif_write_output_{}", ::getpid());
+  fs::create_directories(folder);
+  const auto make = [&](const char* name, std::chrono::hours age) {
+    std::ofstream(folder / name) << "half";
+    fs::last_write_time(folder / name, fs::file_time_type::clock::now() - age);
+  };
+  constexpr auto kOld = std::chrono::hours(2), kNew = std::chrono::hours(0);
+  make("bob.coif.4711.0123abcd.tmp", kOld);
+  make("bob.coif.4712.0123abcd.tmp", kNew);       // somebody may be writing it
+  make("long.coif.4711.0123abcd.tmp", kOld);      // another output's
+  make("bob.coif.notes.tmp", kOld);               // somebody's own
+  make("bob.coif.4711.0123abcd.tmp.tmp", kOld);
+  ASSERT_TRUE(write_output(folder / "bob.coif", std::as_bytes(std::span("whole"))));
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder)) left.insert(entry.path().filename());
+  const std::set<std::string> expected{"bob.coif", "bob.coif.4712.0123abcd.tmp", "long.coif.4711.0123abcd.tmp", "bob.coif.notes.tmp",
+                                       "bob.coif.4711.0123abcd.tmp.tmp"};
+  EXPECT_EQ(left, expected);
+  fs::remove_all(folder);
 }
 
 TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }

@@ -2,6 +2,7 @@
 #include "cook/image_files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <functional>
@@ -144,6 +145,16 @@ TEST_F(CookCacheTest, ADamagedEntryIsAMissAndIsReplaced) {
   }
   store();
   EXPECT_EQ(files().size(), 1u);
+  EXPECT_TRUE(hits());
+}
+
+TEST_F(CookCacheTest, APipeInPlaceOfAnEntryIsAMissAndIsReplaced) {
+  store();
+  const fs::path entry = files().at(0);
+  fs::remove(entry);
+  ASSERT_EQ(mkfifo(entry.c_str(), 0600), 0);
+  EXPECT_FALSE(hits()) << "and nobody waits for a writer";
+  store();
   EXPECT_TRUE(hits());
 }
 

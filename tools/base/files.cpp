@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fcntl.h>
 #include <new>
@@ -112,6 +113,38 @@ tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
   return file_failure(ToolError::Kind::kUsage, output, "the suffix must be {}", fmt::join(allowed, " or "));
 }
 
+namespace {
+
+/// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
+std::string temporary_name(const std::string& name) {
+  // Machines and containers that share a folder have equal process numbers.
+  return name + fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+}
+
+bool is_temporary_of(const std::string& file, const std::string& name) {
+  constexpr std::string_view kEnd = ".tmp";
+  if (!file.starts_with(name + ".") || !file.ends_with(kEnd) || file.size() < name.size() + kEnd.size() + 3) return false;
+  const std::string middle = file.substr(name.size() + 1, file.size() - name.size() - 1 - kEnd.size());
+  const std::size_t dot = middle.find('.');
+  return dot != std::string::npos && middle.size() - dot == 9 && middle.find_first_not_of("0123456789") == dot &&
+         middle.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
+}
+
+/// What was left of this output by processes that were killed while they wrote it, long enough ago that none still does.
+void remove_old_temporaries(const fs::path& target) {
+  constexpr auto kOld = std::chrono::hours(1);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (!is_temporary_of(it->path().filename().string(), target.filename().string())) continue;
+    std::error_code ignored;
+    const auto written = fs::last_write_time(it->path(), ignored);
+    if (!ignored && fs::file_time_type::clock::now() - written > kOld) fs::remove(it->path(), ignored);
+  }
+}
+
+}  // namespace
+
 tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {
   std::error_code why;
   // Through a link, so that the link stays and its target is replaced.
@@ -121,9 +154,9 @@ tl::expected<void, ToolError> write_output(const fs::path& output, std::span<con
     if (const std::error_code failed = write_new_file(target, 0, bytes)) return cannot_write(output, failed.message());
     return {};
   }
+  remove_old_temporaries(target);
   fs::path temporary = target;
-  // Machines and containers that share a folder have equal process numbers.
-  temporary += fmt::format(".{}.{:08x}.tmp", ::getpid(), std::random_device{}());
+  temporary.replace_filename(temporary_name(target.filename().string()));
   std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes);
   if (!failed) fs::rename(temporary, target, failed);
   if (failed) {

@@ -174,6 +174,8 @@ tl::expected<void, ToolError> CookCache::store(const std::string& key, const Coo
                   fmt::format("{}: cannot create the cache's folder: {}", folder_.string(), error.message())});
   }
   const fs::path file = folder_of(key) / (content_digits(circumstances(entry)) + kSuffix);
+  // In place of an entry somebody has put something else: writing into a pipe would wait for a reader for ever.
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fs::remove(file, error);
   auto written = write_output(file, encode_entry(entry));
   remove_surplus(folder_of(key));
   return written;
