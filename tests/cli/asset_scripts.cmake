@@ -43,7 +43,7 @@ if(CASE STREQUAL "damaged_assets_are_refused")
   must_refuse(newer.coif "cooked for another major version" 5)
 endif()
 
-# The sample at the longest step the runtime takes, 0.1 s, through every motion: all numbers finite, and no hair farther
+# The sample at the longest step that is computed at once, 0.1 s, through every motion: all numbers finite, and no hair farther
 # from the head than a stretched chain could be. ASSET: a cooked asset.
 if(CASE STREQUAL "largest_step_stays_finite")
   foreach(motion still nod turn charge run jump tumble teleport)
