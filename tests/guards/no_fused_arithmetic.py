@@ -14,7 +14,7 @@ from pathlib import Path
 # and ARM's fmadd, fnmsub, fmla, vfma and vmla, the last of which fuses nothing but belongs to code that was not asked for.
 FUSED = re.compile(r"^(vfn?m(add|sub)|vfc?m(add|ul)c|fn?m(add|sub)\b|fml[as]|vfn?m[as]\b|vfn?m[as][.]|vmla[.]f|vmls[.]f)")
 FUNCTION = re.compile(r"^[0-9a-f]+ <(.+)>:$")
-INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\t([a-z][a-z0-9.]*)")
+INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\s+([a-z][a-z0-9.]*)")  # GNU's and LLVM's
 
 
 def check(objdump, archives):
