@@ -39,6 +39,14 @@ double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const 
   return std::max({n.x() * n.y(), n.y() * n.z(), n.z() * n.x()});
 }
 
+double samples_around(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices, double spacing) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    sum += samples_around(positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]], spacing);
+  }
+  return sum;
+}
+
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }
 
 Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right) {

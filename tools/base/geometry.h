@@ -8,7 +8,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace coif {
 
@@ -24,6 +26,10 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 /// Samples, `spacing` metres from one to the next, in the rectangle around a triangle in a picture: what drawing it takes. Of
 /// the pictures along the three axes the one that shows most of it.
 [[nodiscard]] double samples_around(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
+                                    double spacing);
+
+/// Those of all triangles together, three of `indices` each.
+[[nodiscard]] double samples_around(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                                     double spacing);
 
 /// The rotation nearest to a transform's linear part, without scale and shear.

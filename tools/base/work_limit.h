@@ -16,7 +16,9 @@ struct TookTooLong : std::exception {
 class WorkLimit {
  public:
   /// From now on; TookTooLong is thrown afterwards.
-  static void set(std::chrono::steady_clock::duration time) { end() = (std::chrono::steady_clock::now() + time).time_since_epoch().count(); }
+  static void set(std::chrono::steady_clock::duration time) {
+    end() = (std::chrono::steady_clock::now() + time).time_since_epoch().count();
+  }
   static void lift() { end() = kNever; }
   static void check() {
     const Ticks at = end();

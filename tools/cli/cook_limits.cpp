@@ -11,12 +11,6 @@
 namespace coif {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kMemoryIsLimited = false;
-#else
-constexpr bool kMemoryIsLimited = true;
-#endif
-
 /// Address space that a thread reserves for its stack and its share of the heap, used or not.
 constexpr std::uint64_t kBytesOfAThread = std::uint64_t{80} << 20;
 

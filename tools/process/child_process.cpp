@@ -37,11 +37,6 @@ constexpr int kPipeDescriptor = 3;      // in a limited child, after its other d
 constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
 constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
 constexpr int kExitFailed = 113;
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kMemoryIsLimited = false;
-#else
-constexpr bool kMemoryIsLimited = true;
-#endif
 
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};

@@ -38,6 +38,13 @@ struct ChildResult {
 [[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
                                        const std::function<std::vector<std::uint8_t>()>& work);
 
+/// False under AddressSanitizer, whose shadow needs terabytes of address space.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kMemoryIsLimited = false;
+#else
+inline constexpr bool kMemoryIsLimited = true;
+#endif
+
 /// Bytes of address space that this process has, what it only reserved included.
 [[nodiscard]] std::uint64_t address_space_in_use();
 

@@ -126,11 +126,7 @@ class OrderChoice {
   void limit_work() {
     const HairPositions& rest = poses_.front();
     const double spacing = double(line_spacing(rest, settings_.lines_per_view));
-    double tries = 0;
-    for (std::size_t i = 0; i + 2 < contents_.indices.size(); i += 3) {
-      const std::uint32_t* const v = &contents_.indices[i];
-      tries += samples_around(rest[v[0]], rest[v[1]], rest[v[2]], spacing);
-    }
+    const double tries = samples_around(rest, contents_.indices, spacing);
     const std::size_t views = settings_.views_per_cell, lines = settings_.lines_per_view;
     const double share = kMostTriesOfACell / (tries * double(views));
     if (share >= 1) return;

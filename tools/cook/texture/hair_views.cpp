@@ -28,11 +28,7 @@ int choose_pixels(const HairMesh& mesh) {
   const double side = box.isEmpty() ? 0.0 : double(box.sizes().maxCoeff());
   const double most = std::max(kMostTries, 4.0 * double(mesh.triangle_count()));
   const auto tries = [&](int pixels) {
-    double sum = 0;
-    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-      sum += samples_around(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), std::max(side / pixels, 1.0e-6));
-    }
-    return sum;
+    return samples_around(mesh.positions, mesh.triangles, std::max(side / pixels, 1.0e-6));
   };
   int pixels = kPixels;
   while (pixels > kFewestPixels && tries(pixels) > most) pixels = pixels * 4 / 5;
