@@ -1,9 +1,10 @@
-# coif_cook(TARGET name SOURCES file... [RECIPE r.json] [OUTPUT_DIRECTORY folder] [CACHE folder])
+# coif_cook(TARGET name SOURCES file... [RECIPE r.json] [OUTPUT_DIRECTORY folder] [CACHE folder] [ROOTS folder...])
 # A target, part of ALL, that cooks each source into OUTPUT_DIRECTORY/STEM.coif (default: the current binary directory), with
 # the cook's report beside it as STEM.report.json. Where no RECIPE is given each source takes the STEM.recipe.json beside it,
-# if there is one. An asset is cooked again when its source, its recipe, a file that either of them reads (textures, buffers,
-# material libraries) or the program changes. An image that appears where none was found before is noticed by the cache
-# alone, which is asked whenever something else changes. The target's property COIF_ASSETS lists the assets' paths.
+# if there is one. Files that a source names may lie in ROOTS, too, as where links lead (coif cook --root). An asset is cooked
+# again when its source, its recipe, a file that either of them reads (textures, buffers, material libraries) or the program
+# changes. An image that appears where none was found before is noticed by the cache alone, which is asked whenever something
+# else changes. The target's property COIF_ASSETS lists the assets' paths.
 # COIF_PROGRAM: the program, if it shall not be this build's, the installed one or that in PATH.
 cmake_policy(VERSION 3.20)  # also what depfiles of the functions below mean
 
@@ -33,8 +34,24 @@ function(coif_find_recipe source result)
   set(${result} "${recipe}" PARENT_SCOPE)
 endfunction()
 
+# Sets `result` to the rest of a command that repairs a depfile for what CMake does to it. For Ninja CMake (3.20 and all later
+# ones so far) reads the file and writes it anew without doubling dollar signs, so that Ninja finds no such file as "a$b.obj"
+# and cooks it in every build. Doubled once more beforehand they survive.
+function(coif_depfile_repair depfile result)
+  set(${result} "" PARENT_SCOPE)
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    set(script "${CMAKE_BINARY_DIR}/CMakeFiles/coif_double_dollars.cmake")
+    file(CONFIGURE OUTPUT "${script}" @ONLY CONTENT [[
+file(READ "${DEPFILE}" text)
+string(REPLACE "$" "$$" text "${text}")
+file(WRITE "${DEPFILE}" "${text}")
+]])
+    set(${result} COMMAND "${CMAKE_COMMAND}" -D "DEPFILE=${depfile}" -P "${script}" PARENT_SCOPE)
+  endif()
+endfunction()
+
 function(coif_cook)
-  cmake_parse_arguments(PARSE_ARGV 0 COOK "" "TARGET;RECIPE;OUTPUT_DIRECTORY;CACHE" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 0 COOK "" "TARGET;RECIPE;OUTPUT_DIRECTORY;CACHE" "SOURCES;ROOTS")
   if(NOT COOK_TARGET OR NOT COOK_SOURCES OR COOK_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "coif_cook: needs TARGET and SOURCES; unknown: '${COOK_UNPARSED_ARGUMENTS}'")
   endif()
@@ -49,6 +66,10 @@ function(coif_cook)
     cmake_path(ABSOLUTE_PATH COOK_CACHE BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE)
     list(APPEND options --cache "${COOK_CACHE}")
   endif()
+  foreach(root IN LISTS COOK_ROOTS)
+    cmake_path(ABSOLUTE_PATH root NORMALIZE)
+    list(APPEND options --root "${root}")
+  endforeach()
   list(LENGTH COOK_SOURCES count)
   if(count GREATER 1)
     list(APPEND options --threads 1)  # the build runs several cooks at once
@@ -69,9 +90,11 @@ function(coif_cook)
     cmake_path(GET source STEM LAST_ONLY stem)
     cmake_path(APPEND COOK_OUTPUT_DIRECTORY "${stem}.coif" OUTPUT_VARIABLE asset)
     cmake_path(APPEND COOK_OUTPUT_DIRECTORY "${stem}.report.json" OUTPUT_VARIABLE report)
+    coif_depfile_repair("${asset}.d" repair)
     add_custom_command(OUTPUT "${asset}" BYPRODUCTS "${report}"
       COMMAND "${program}" cook "${source}" -o "${asset}" --quiet ${with_recipe} ${options}
               --report "${report}" --depfile "${asset}.d"
+      ${repair}
       DEPENDS "${source}" ${recipe} "${program}"
       DEPFILE "${asset}.d"
       COMMENT "Cooking ${stem}.coif"

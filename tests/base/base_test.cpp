@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,6 +21,19 @@
 #include <span>
 #include <string>
 #include <vector>
+
+namespace coif::base_test {
+
+std::vector<std::string> synced;  ///< Paths of what was written through to the disk.
+
+}  // namespace coif::base_test
+
+/// In place of the library's, which it calls.
+extern "C" int fsync(int descriptor) {
+  std::error_code error;
+  coif::base_test::synced.push_back(std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor), error));
+  return int(::syscall(SYS_fsync, descriptor));
+}
 
 namespace coif::base_test {
 
@@ -82,6 +96,20 @@ TEST(WriteOutput, ClearsAwayWhatAKilledProcessLeftOfTheSameFile) {
                                        "bob.coif.4711.0123abcd.tmp.tmp"};
   EXPECT_EQ(left, expected);
   fs::remove_all(folder);
+}
+
+TEST(WriteOutput, WaitsForTheDiskWhereThatIsAsked) {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::path(testing::TempDir()) / fmt::format("coif_durable_{}", ::getpid());
+  synced = {};
+  ASSERT_TRUE(write_output(file, std::as_bytes(std::span("soon"))));
+  EXPECT_TRUE(synced.empty());
+  ASSERT_TRUE(write_output(file, std::as_bytes(std::span("now")), Durability::kNow));
+  // The file before it has its name, then the folder that holds the name.
+  ASSERT_EQ(synced.size(), 2u);
+  EXPECT_TRUE(synced[0].starts_with(file.string() + ".")) << synced[0];
+  EXPECT_EQ(synced[1], fs::canonical(testing::TempDir()).string());
+  fs::remove(file);
 }
 
 TEST(PrintableText, KeepsTextInEveryScript) { EXPECT_EQ(printable_text("Zöpfe 髪 \U0001F487"), "Zöpfe 髪 \U0001F487"); }

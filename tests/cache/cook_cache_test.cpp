@@ -189,12 +189,14 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 
 TEST(CookKey, ChangesWithEachPartOfTheIdentity) {
   const std::vector<std::byte> bytes = bytes_of("model"), others = bytes_of("Model");
-  const CookIdentity identity{"coif 1", "assimp 5", "/a/wig.obj", bytes, "{}"};
+  const CookIdentity identity{"coif 1", "assimp 5", {"/a/wig.obj", {}}, bytes, "{}"};
   const std::function<void(CookIdentity&)> changes[] = {
       [](CookIdentity&) {},
       [](CookIdentity& i) { i.tool = "coif 2"; },
       [](CookIdentity& i) { i.importer = "assimp 6"; },
-      [](CookIdentity& i) { i.source = "/a/wig.dae"; },
+      [](CookIdentity& i) { i.place.source = "/a/wig.dae"; },
+      [](CookIdentity& i) { i.place.roots = {"/store"}; },
+      [](CookIdentity& i) { i.place.roots = {"/store", "/annex"}; },
       [&](CookIdentity& i) { i.source_bytes = others; },
       [&](CookIdentity& i) { i.source_bytes = std::span(bytes).first(4); },
       [](CookIdentity& i) { i.recipe = "{ }"; },
@@ -208,15 +210,15 @@ TEST(CookKey, ChangesWithEachPartOfTheIdentity) {
 }
 
 TEST(CookKey, DoesNotTellFoldersApart) {
-  EXPECT_EQ(cook_key({"coif", "assimp", "/here/wig.obj", {}, "{}"}), cook_key({"coif", "assimp", "wig.obj", {}, "{}"}));
+  EXPECT_EQ(cook_key({"coif", "assimp", {"/here/wig.obj", {}, {"/here/store"}}, {}, "{}"}), cook_key({"coif", "assimp", {"/there/wig.obj", {}, {"/there/store"}}, {}, "{}"}));
 }
 
 TEST(CookKey, KnowsWhereOnePartEndsAndTheNextBegins) {
-  EXPECT_NE(cook_key({"ab", "c", "wig.obj", {}, ""}), cook_key({"a", "bc", "wig.obj", {}, ""}));
+  EXPECT_NE(cook_key({"ab", "c", {"wig.obj", {}}, {}, ""}), cook_key({"a", "bc", {"wig.obj", {}}, {}, ""}));
 }
 
 TEST(CookKey, IsAFileNameOf32Digits) {
-  const std::string key = cook_key({"coif", "assimp", "wig.obj", {}, "{}"});
+  const std::string key = cook_key({"coif", "assimp", {"wig.obj", {}}, {}, "{}"});
   EXPECT_EQ(key.size(), 32u);
   EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
 }

@@ -42,15 +42,15 @@ coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
 # The search for draw orders takes most of a cook's time and says nothing here.
 set(head_order "\"order\": {\"method\": \"head\"}")
 coif_cli_case(cook_text EXIT 0 WRITES out.coif
-  STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)].*next: coif render out.coif"
-  TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+  STDOUT "^out.coif: [1-9][0-9]* triangles in .* simulated.*\n  left out: twist of 9 bones in 3 of 3 chains: no motion bends them by 120 degrees.*[(][0-9]+ bytes a head, [0-9]+ ns a frame[)].*[0-9.]+ ms  import\n.*[0-9.]+ ms  write\n.*next: coif render out.coif"
+  TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif -v)
 coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
        simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame
   TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --report report.json --format json)
 coif_cli_case(cook_for_a_scene EXIT 0 WRITES out.coif
   STDOUT "left out: 12 bones, 9 of them simulated: \"scene.simulate\" is false [(][0-9]+ bytes, [0-9]+ ns a frame[)].*left out: bone names: \"scene.names\" is false [(][0-9]+ bytes[)]"
-  TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}, ${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+  TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}, ${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --verbose)
 coif_cli_case(cook_one_flat_card EXIT 0 STDOUT "^card.coif: 1 triangle in 1 patch " WRITES card.coif
   TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
 coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)
@@ -58,6 +58,17 @@ coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,
   ARGS cook ${sample} --list --format json)
 
 # Said where it is wanted.
+coif_cli_case(cook_says_five_lines EXIT 0 WRITES card.coif
+  STDOUT "^card.coif: 1 triangle [^\n]*\n[^\n]*simulated\n[^\n]*warnings?\n  [1-9][0-9]* notes, [0-9]+ things? left out: -v tells them\n  next: [^\n]*\n$"
+  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
+coif_cli_case(cook_names_files_that_it_read EXIT 0 WRITES card.coif
+  STDOUT "\n  read: card.mtl\n.*  looked for in vain: lost.mtl\n" STDERR "'lost.mtl' is named for the materials and was not read: there is no"
+  TEXT card.obj "mtllib lost.mtl\nmtllib card.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nKd 1 0 0\n"
+  ARGS cook card.obj -o card.coif -v)
+coif_cli_case(cook_quiet_and_verbose EXIT 1 STDERR "--quiet.*--verbose|--verbose.*--quiet" ARGS cook a.obj -o a.coif -q -v)
+coif_cli_case(cook_absent_root EXIT 1 STDERR "--root: Directory does not exist: nowhere" ARGS cook a.obj -o a.coif --root nowhere)
+coif_cli_case(cook_durable EXIT 0 WRITES card.coif report.json
+  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif --report report.json --durable -q)
 coif_cli_case(cook_quiet EXIT 0 WRITES out.coif STDERR "^$" STDOUT "^$"
   TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet)
 coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "^$" JSON output bytes passes

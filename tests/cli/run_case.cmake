@@ -8,6 +8,7 @@ set(before "")
 while(TEXT)
   list(POP_FRONT TEXT name content)
   file(WRITE "${FOLDER}/${name}" "${content}")
+  string(REGEX REPLACE "/.*" "" name "${name}")
   list(APPEND before "${name}")
 endwhile()
 

@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 MODELS = {".fbx", ".glb", ".gltf", ".vrm", ".obj", ".dae"}
-VERBS = "cook validate info simulate render gallery compare report strip".split()
+VERBS = "cook validate info simulate render gallery compare report strip cache".split()
 MOTIONS = "nod turn charge run jump tumble teleport".split()
 SHORT = {
     "accuracy": "--motion nod --fps 30,60 --substeps 1 --seconds 0.5".split(),

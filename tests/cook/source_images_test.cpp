@@ -165,6 +165,27 @@ TEST(TextureFolder, FollowsLinksToWhereALinkedSourceLies) {
   EXPECT_EQ(TextureFolder(sandbox.source()).find("skin.png"), std::nullopt) << "it lies in neither";
 }
 
+TEST(TextureFolder, FollowsLinksAndPathsIntoDeclaredRootsAlone) {
+  // As git-annex and Nix have it: each file in a folder of its own, somewhere else.
+  const ImageFolder files, store;
+  const fs::path kept = store.write_flat("a1/hair.png");
+  fs::create_symlink(kept, files.path() / "hair.png");
+  const fs::path secret = files.write_flat("../secret.png");
+  EXPECT_EQ(TextureFolder(files.source()).find("hair.png"), std::nullopt);
+  EXPECT_EQ(TextureFolder(files.source()).find_outside("maps\\hair.png"), fs::canonical(kept));
+
+  const std::vector<fs::path> roots{store.path()};
+  const TextureFolder folder(files.source(), roots);
+  EXPECT_EQ(folder.find("hair.png"), files.path() / "hair.png");
+  EXPECT_EQ(folder.find_outside("hair.png"), std::nullopt);
+  EXPECT_EQ(folder.find(kept.string()), kept) << "an absolute path into a root";
+  const std::string up = kept.lexically_relative(files.path()).string();
+  ASSERT_TRUE(up.starts_with(".."));
+  EXPECT_TRUE(folder.find(up)) << up;
+  EXPECT_EQ(folder.find("../secret.png"), std::nullopt);
+  EXPECT_EQ(folder.find(secret.string()), std::nullopt);
+}
+
 TEST(TextureFolder, AFolderThatIsNotThereIsEmpty) {
   const ImageFolder files;
   const TextureFolder folder(files.path() / "gone" / "wig.fbx");

@@ -258,6 +258,45 @@ TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {
   EXPECT_FALSE(says(none, "named for the materials")) << "it names none";
 }
 
+TEST_F(Conventions, EveryMaterialLibraryThatIsNotReadIsNamed) {
+  folder_.write("m.mtl", "newmtl card\nKd 1 0 0\n");
+  const SourceModel model = import_or_fail(folder_.write("m.obj", std::string("mtllib a.mtl\nmtllib m.mtl\nmtllib b.mtl\n") +
+                                                                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"));
+  const auto count = [&](const char* what) {
+    return std::ranges::count_if(model.warnings, [&](const std::string& w) { return w.find(what) != w.npos; });
+  };
+  EXPECT_EQ(count("'a.mtl' is named for the materials and was not read: there is no such file"), 1);
+  EXPECT_EQ(count("'b.mtl' is named"), 1);
+  EXPECT_EQ(count("'m.mtl' is named"), 0);
+}
+
+TEST_F(Conventions, MaterialsInADeclaredRootAreReadThere) {
+  // As git-annex and Nix have it: each file in a folder of its own, somewhere else.
+  const TemporaryFolder store;
+  std::filesystem::create_directory(store.path() / "a1");
+  const auto kept = store.write("a1/key.mtl", "newmtl card\nKd 1 0 0\n");
+  std::filesystem::create_symlink(kept, folder_.path() / "m.mtl");
+  const auto path = folder_.write("m.obj", kCardOfMaterials);
+  ImportSettings settings;
+  const auto has_card = [](const SourceModel& model) {
+    return std::ranges::any_of(model.materials, [](const SourceMaterial& m) { return m.base_color.y() == 0; });  // red
+  };
+  const auto warns_of_link = [](const SourceModel& model) {
+    return std::ranges::any_of(model.warnings, [](const auto& w) { return w.find("--root allows") != w.npos; });
+  };
+  // Without a fence (Linux before 5.13) the link is followed.
+  const SourceModel without = import_or_fail(path, settings);
+  EXPECT_NE(has_card(without), warns_of_link(without));
+  settings.roots = {store.path()};
+  const SourceModel with = import_or_fail(path, settings);
+  EXPECT_TRUE(has_card(with));
+  EXPECT_FALSE(warns_of_link(with));
+  EXPECT_EQ(with.roots, settings.roots);
+  // A path that leads there by itself, too.
+  const std::string up = kept.lexically_relative(folder_.path()).string();
+  EXPECT_TRUE(has_card(import_or_fail(folder_.write("up.obj", "mtllib " + up + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n"), settings)));
+}
+
 TEST_F(Conventions, MaterialsBesideALinkedModelAreReadWhereTheyLie) {
   folder_.write("m.mtl", "newmtl card\nKd 1 0 0\n");
   const auto real = folder_.write("m.obj", kCardOfMaterials);

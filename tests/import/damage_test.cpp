@@ -85,6 +85,26 @@ TEST_F(Damage, UvsThatAreNotFiniteBecomeZero) {
   EXPECT_TRUE(warns(model, "1 UVs")) << warnings_of(model);
 }
 
+// An asset holds none that large, and would be refused when all the work was done.
+TEST_F(Damage, AUvBeyondAllReasonIsNamedWithItsMeshVertexAndPlace) {
+  SmallGltf file = two_triangles();
+  file.uvs[6] = -3e30f;
+  const SourceModel model = import_or_fail(file);
+  EXPECT_TRUE(model.meshes.at(0).uvs[3].isZero());
+  EXPECT_FALSE(model.meshes.at(0).uvs[2].isZero());
+  EXPECT_TRUE(warns(model, "mesh 'card': 1 UVs set to (0, 0): vertex 3 at (1, 1, 0) m has (-3e+30, 1), V from the top"))
+      << warnings_of(model);
+  EXPECT_TRUE(warns(model, "unwrap it anew")) << warnings_of(model);
+}
+
+TEST_F(Damage, AVertexFartherThanAnAssetReachesIsNamedWithItsMeshAndPlace) {
+  SmallGltf file = two_triangles();
+  file.positions[9] = 5e5f;
+  const SourceModel model = import_or_fail(file);
+  EXPECT_EQ(model.meshes.at(0).triangles.size(), 3u);
+  EXPECT_TRUE(warns(model, "mesh 'card': 1 triangles dropped: vertex 3 stands at (500000, 1, 0) m")) << warnings_of(model);
+}
+
 SmallGltf skinned_strip() {
   SmallGltf file;
   file.nodes = R"([{"name": "strip", "mesh": 0, "skin": 0}, {"name": "a", "translation": [0, 1, 0]}])";

@@ -73,16 +73,31 @@ tl::expected<FileBytes, ToolError> FileBytes::read(const fs::path& path) {
   return result;
 }
 
+std::vector<fs::path> folders_of_source(const fs::path& source, std::span<const fs::path> roots) {
+  const auto here = [](const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; };
+  std::error_code error;
+  std::vector<fs::path> folders{fs::canonical(here(source.parent_path()), error)};
+  if (error) return {};
+  const fs::path real = fs::canonical(source, error);
+  if (!error) folders.push_back(real.parent_path());
+  for (const fs::path& root : roots) {
+    const fs::path place = fs::canonical(here(root), error);
+    if (!error) folders.push_back(place);
+  }
+  return folders;
+}
+
 namespace {
 
 tl::unexpected<ToolError> cannot_write(const fs::path& path, const std::string& why) {
   return file_failure(ToolError::Kind::kFileAccess, path, "cannot write: {}", why);
 }
 
-std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes) {
+std::error_code write_new_file(const fs::path& path, int flags, std::span<const std::byte> bytes, Durability durability) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return last_error();
   std::error_code why = write_all(file, bytes);
+  if (!why && durability == Durability::kNow && ::fsync(file) != 0) why = last_error();
   // close() reports what the disk refused late, for example on a full network share.
   if (::close(file) != 0 && !why) why = last_error();
   return why;
@@ -115,6 +130,19 @@ tl::expected<std::string, ToolError> choose_suffix(const fs::path& output,
 
 namespace {
 
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// Names that were changed in it are on the disk afterwards.
+std::error_code sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return last_error();
+  // A file system that keeps no folders on a disk says that it cannot.
+  const bool is_done = ::fsync(descriptor) == 0 || errno == EINVAL;
+  const std::error_code why = is_done ? std::error_code{} : last_error();
+  ::close(descriptor);
+  return why;
+}
+
 /// "NAME.PROCESS.RANDOM.tmp", beside the file called NAME.
 std::string temporary_name(const std::string& name) {
   // Machines and containers that share a folder have equal process numbers.
@@ -133,9 +161,8 @@ bool is_temporary_of(const std::string& file, const std::string& name) {
 /// What was left of this output by processes that were killed while they wrote it, long enough ago that none still does.
 void remove_old_temporaries(const fs::path& target) {
   constexpr auto kOld = std::chrono::hours(1);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  for (fs::directory_iterator it(folder_of(target), error), end; !error && it != end; it.increment(error)) {
     if (!is_temporary_of(it->path().filename().string(), target.filename().string())) continue;
     std::error_code ignored;
     const auto written = fs::last_write_time(it->path(), ignored);
@@ -145,20 +172,21 @@ void remove_old_temporaries(const fs::path& target) {
 
 }  // namespace
 
-tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes) {
+tl::expected<void, ToolError> write_output(const fs::path& output, std::span<const std::byte> bytes, Durability durability) {
   std::error_code why;
   // Through a link, so that the link stays and its target is replaced.
   const fs::path target = fs::is_symlink(output, why) ? fs::weakly_canonical(output, why) : output;
   if (fs::exists(target, why) && !fs::is_regular_file(target, why)) {
     // Renaming over /dev/stdout or a pipe would replace the device.
-    if (const std::error_code failed = write_new_file(target, 0, bytes)) return cannot_write(output, failed.message());
+    if (const std::error_code failed = write_new_file(target, 0, bytes, Durability::kSoon)) return cannot_write(output, failed.message());
     return {};
   }
   remove_old_temporaries(target);
   fs::path temporary = target;
   temporary.replace_filename(temporary_name(target.filename().string()));
-  std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes);
+  std::error_code failed = write_new_file(temporary, O_CREAT | O_EXCL | O_NOFOLLOW, bytes, durability);
   if (!failed) fs::rename(temporary, target, failed);
+  if (!failed && durability == Durability::kNow) failed = sync_folder(folder_of(target));
   if (failed) {
     fs::remove(temporary, why);
     return cannot_write(output, failed.message());

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace coif {
 
@@ -43,6 +44,12 @@ class FileBytes {
   std::size_t size_ = 0;
 };
 
+/// Folders in which the files that a source names may lie, without links: the one that its path says, the one that it really
+/// lies in where it is a link (build systems and big stores link all that they hand out), and those of `roots`, which whoever
+/// asks for the work has declared. What is absent is left out; empty where the source's own folder is.
+[[nodiscard]] std::vector<std::filesystem::path> folders_of_source(const std::filesystem::path& source,
+                                                                   std::span<const std::filesystem::path> roots);
+
 /// Finds out before the long work whether its result could be written: the folder exists, the path is no folder and
 /// is none of `inputs`. Errors: kFileAccess, kUsage.
 tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
@@ -52,9 +59,16 @@ tl::expected<void, ToolError> check_output(const std::filesystem::path& output,
 tl::expected<std::string, ToolError> choose_suffix(const std::filesystem::path& output,
                                                    std::initializer_list<std::string_view> allowed);
 
+/// When what was written is on the disk.
+enum class Durability {
+  kSoon,  ///< When the system finds time. After a loss of power the file may be empty.
+  kNow,   ///< Before the name is taken, which is on the disk as well when the call returns.
+};
+
 /// Writes the whole file or nothing: into a temporary file in the same folder, which then takes the name. An existing
 /// file is whole at every moment and survives a failure. Devices and pipes are written directly. Errors: kFileAccess.
-tl::expected<void, ToolError> write_output(const std::filesystem::path& output, std::span<const std::byte> bytes);
+tl::expected<void, ToolError> write_output(const std::filesystem::path& output, std::span<const std::byte> bytes,
+                                           Durability durability = Durability::kSoon);
 
 /// Writes all of the bytes to an open file or pipe, however often that takes; why it could not, else nothing.
 inline std::error_code write_all(int descriptor, std::span<const std::byte> bytes) {

@@ -14,9 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSuffix = ".entry";
 constexpr std::size_t kMostEntries = 16;  ///< Of one key: one source with so many states of its textures.
-constexpr std::chrono::hours kStale{24};  ///< Older temporary files are those of killed processes.
 constexpr const char* kFolderMark = "\x1f";
 
 struct AgedFile {
@@ -40,8 +38,8 @@ std::vector<AgedFile> files_in(const fs::path& folder) {
 void remove_surplus(const fs::path& folder) {
   std::size_t entries = 0;
   for (const AgedFile& file : files_in(folder)) {
-    const bool is_entry = file.path.extension() == kSuffix;
-    const bool stale = is_entry ? ++entries > kMostEntries : fs::file_time_type::clock::now() - file.time > kStale;
+    const bool is_entry = file.path.extension() == kCacheSuffix;
+    const bool stale = is_entry ? ++entries > kMostEntries : fs::file_time_type::clock::now() - file.time > kStaleInCache;
     std::error_code ignored;
     if (stale) fs::remove(file.path, ignored);
   }
@@ -103,7 +101,7 @@ bool are_unchanged(const std::vector<Dependency>& dependencies, const CookPlace&
 /// True where the folder of the source's textures gives the same answers as then.
 bool are_still_answered(const std::vector<TextureQuestion>& questions, const CookPlace& place) {
   if (questions.empty()) return true;
-  const TextureFolder folder(place.source);
+  const TextureFolder folder(place.source, place.roots);
   return std::ranges::all_of(questions, [&](const TextureQuestion& q) { return answer_to(q, folder) == q.answer; });
 }
 
@@ -131,6 +129,18 @@ CookResult result_from(CacheEntry entry, const CookPlace& place) {
   return result;
 }
 
+tl::expected<void, ToolError> write_entry(const fs::path& file, std::span<const std::byte> bytes) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) {
+    const fs::path cache = file.parent_path().parent_path().parent_path();
+    return file_failure(ToolError::Kind::kFileAccess, cache, "cannot create the cache's folder: {}", error.message());
+  }
+  // In place of an entry somebody has put something else: writing into a pipe would wait for a reader for ever.
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fs::remove(file, error);
+  return write_output(file, bytes);
+}
+
 }  // namespace
 
 fs::path CookPlace::source_directory() const { return or_here(source.parent_path()); }
@@ -145,7 +155,7 @@ fs::path CookCache::folder_of(const std::string& key) const { return folder_ / k
 
 std::optional<CookResult> CookCache::find(const std::string& key, const CookPlace& place) const {
   for (const AgedFile& file : files_in(folder_of(key))) {
-    if (file.path.extension() != kSuffix) continue;
+    if (file.path.extension() != kCacheSuffix) continue;
     const auto bytes = FileBytes::read(file.path);
     auto entry = bytes ? decode_entry(bytes->span()) : std::nullopt;
     if (!entry || !are_unchanged(entry->dependencies, place) || !are_still_answered(entry->questions, place)) continue;
@@ -166,17 +176,10 @@ tl::expected<void, ToolError> CookCache::store(const std::string& key, const Coo
   const std::string folder = place.source_directory().string();
   // A relative folder such as "." occurs in texts that mean something else.
   if (place.source.is_absolute()) replace_in_messages(entry.report, folder + "/", kFolderMark);
-  std::error_code error;
-  fs::create_directories(folder_of(key), error);
-  if (error) {
-    return tl::unexpected(
-        ToolError{ToolError::Kind::kFileAccess,
-                  fmt::format("{}: cannot create the cache's folder: {}", folder_.string(), error.message())});
-  }
-  const fs::path file = folder_of(key) / (content_digits(circumstances(entry)) + kSuffix);
-  // In place of an entry somebody has put something else: writing into a pipe would wait for a reader for ever.
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) fs::remove(file, error);
-  auto written = write_output(file, encode_entry(entry));
+  const fs::path file = folder_of(key) / (content_digits(circumstances(entry)) + kCacheSuffix);
+  auto written = write_entry(file, encode_entry(entry));
+  // Whoever trims the cache removes folders that are empty.
+  if (!written && !fs::exists(file.parent_path())) written = write_entry(file, encode_entry(entry));
   remove_surplus(folder_of(key));
   return written;
 }
@@ -186,14 +189,16 @@ std::string content_digits(std::span<const std::byte> bytes) {
 }
 
 std::string cook_key(const CookIdentity& identity) {
-  constexpr const char* kLayout = "coif cache 1";  // of the entries, too: another layout never meets this one's
+  constexpr const char* kLayout = "coif cache 2";  // of the entries, too: another layout never meets this one's
+  std::vector<std::string> parts{kLayout, identity.tool, identity.importer, identity.place.source.filename().string(),
+                                 content_digits(identity.source_bytes), identity.recipe};
+  for (const fs::path& root : identity.place.roots) {
+    std::error_code error;
+    parts.push_back(fs::proximate(root, identity.place.source_directory(), error).string());
+  }
   std::string text;
   // Lengths in front, so that no two different lists of parts read the same.
-  for (const std::string& part :
-       {std::string(kLayout), identity.tool, identity.importer, identity.source.filename().string(),
-        content_digits(identity.source_bytes), identity.recipe}) {
-    text += fmt::format("{}:{}", part.size(), part);
-  }
+  for (const std::string& part : parts) text += fmt::format("{}:{}", part.size(), part);
   return content_digits(std::as_bytes(std::span(text)));
 }
 

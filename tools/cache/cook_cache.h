@@ -16,10 +16,16 @@
 
 namespace coif {
 
+// How the files of a cache are called: K1/K2...K32/E1...E32.entry, digits of a key and of what an entry is the result of.
+inline constexpr std::size_t kDigitsOfEntry = 32;
+inline constexpr const char* kCacheSuffix = ".entry";
+inline constexpr std::chrono::hours kStaleInCache{24};  ///< Older temporary files are those of killed processes.
+
 /// Where a cook stands on this machine. What depends on it is kept relative to it.
 struct CookPlace {
   std::filesystem::path source;            ///< The source file.
   std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
+  std::vector<std::filesystem::path> roots{};  ///< ImportSettings::roots.
 
   [[nodiscard]] std::filesystem::path source_directory() const;
 };
@@ -38,14 +44,14 @@ struct Dependency {
 struct CookIdentity {
   std::string tool;      ///< The cooker: its version, and whatever tells two builds of one version apart.
   std::string importer;  ///< importer_name().
-  std::filesystem::path source;
+  CookPlace place;
   std::span<const std::byte> source_bytes;
   std::string recipe;  ///< print_recipe(): how a recipe is written, and its comments, change nothing.
 };
 
 /// 32 hexadecimal digits, from two XXH64 with different seeds: proof against accidents, not against forgers. Of the
-/// source's path the file's name counts alone (its suffix chooses the reader, its stem helps to find textures), so checkouts
-/// in different folders share a cache.
+/// source's path the file's name counts alone (its suffix chooses the reader, its stem helps to find textures), and roots count
+/// as they lie from it, so checkouts in different folders share a cache.
 [[nodiscard]] std::string cook_key(const CookIdentity& identity);
 
 /// The same digits for any bytes.

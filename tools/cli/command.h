@@ -58,5 +58,6 @@ Command add_gallery(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_strip(CLI::App& program);
+Command add_cache(CLI::App& program);
 
 }  // namespace coif

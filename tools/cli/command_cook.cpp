@@ -12,7 +12,7 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe)));
+  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -35,7 +35,7 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
   const auto summary = run_cook_job(options, *choice, messages);
   if (!summary) return tl::unexpected(summary.error());
   const bool as_json = options.format == OutputFormat::kJson;
-  if (as_json || !options.quiet) print_result(as_json ? cook_json(*summary) : cook_text(*summary));
+  if (as_json || !options.quiet) print_result(as_json ? cook_json(*summary) : cook_text(*summary, options.verbose));
   return Exit::kOk;
 }
 
@@ -79,9 +79,13 @@ Command add_cook(CLI::App& program) {
       ->type_name("REPORT.json");
   app->add_option("--depfile", options->depfile, "Also write what was read, for Make and Ninja")->type_name("D");
   app->add_option("--cache", options->cache, "Keep results in this folder, and take them from there")->type_name("DIR");
+  add_roots(*app, options->roots);
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
   app->add_flag("--list", options->list, "Print the source's meshes, materials and nodes, cook nothing");
-  app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
+  CLI::Option* quiet = app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
+  app->add_flag("-v,--verbose", options->verbose, "Print all notes, what each pass took, and the files that were read")
+      ->excludes(quiet);
+  app->add_flag("--durable", options->durable, "Outputs are on the disk when the cook ends, whatever happens to the power");
   app->add_flag("--warnings-as-errors", options->warnings_as_errors, "A warning is an error: nothing is written, exit code 3");
   add_many(*app, *options);
   add_limits(*app, *options);

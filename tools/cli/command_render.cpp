@@ -39,6 +39,7 @@ struct RenderOptions {
   bool moves = false;
   std::string body;
   std::string body_mesh;
+  std::vector<std::filesystem::path> roots;
   std::optional<std::string> recipe;
   std::optional<ShadingModel> shading;
   PictureSettings picture;
@@ -48,7 +49,7 @@ struct RenderOptions {
 tl::expected<SourceModel, ToolError> read_body(const RenderOptions& options, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  auto model = import_model(options.body, import_settings(choice->recipe));
+  auto model = import_model(options.body, import_settings(choice->recipe, options.roots));
   if (!model) return model;
   return keep_body(std::move(*model), options.body_mesh, choice->recipe);
 }
@@ -129,6 +130,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--recipe", options.recipe, "The recipe of the cook, for the body's units and which meshes are hair")
       ->type_name("R.json")
       ->needs(body);
+  add_roots(app, options.roots)->needs(body);
 }
 
 void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {

@@ -28,6 +28,7 @@ using Found = tl::expected<std::vector<Issue>, ToolError>;
 struct OriginOptions {
   std::string source;                 ///< Empty: nothing is compared.
   std::optional<std::string> recipe;  ///< None: the one beside the source, or the defaults.
+  std::vector<fs::path> roots;        ///< ImportSettings::roots.
   bool recook = false;                ///< Compare with the bytes of a new cook, too.
 };
 
@@ -74,7 +75,7 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
   if (!bytes) return tl::unexpected(bytes.error());
   const auto choice = choose_recipe(options.source, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  const auto model = import_model(options.source, import_settings(choice->recipe));
+  const auto model = import_model(options.source, import_settings(choice->recipe, options.roots));
   if (!model) return tl::unexpected(model.error());
   const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
   std::vector<Issue> issues = find_origin_issues(asset, now);
@@ -97,13 +98,12 @@ Found validate_asset(std::span<const std::byte> bytes, const OriginOptions& orig
   return issues;
 }
 
-std::vector<Issue> validate_source(const fs::path& path, const std::optional<std::string>& recipe,
-                                   const Messages& messages) {
-  const auto choice = choose_recipe(path, recipe, messages);
+std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& options, const Messages& messages) {
+  const auto choice = choose_recipe(path, options.recipe, messages);
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
-  const auto model = import_model(path, import_settings(used));
+  const auto model = import_model(path, import_settings(used, options.roots));
   const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;
@@ -120,7 +120,7 @@ tl::expected<Verdict, ToolError> validate_file(const std::string& path, const Va
   const auto bytes = FileBytes::read(path);
   if (!bytes) return Verdict{path, false, judge({make_issue("F101", bytes.error().message)}, options.policy), {}};
   const bool source = is_source(path, bytes->span());
-  auto issues = source ? Found(validate_source(path, options.origin.recipe, messages))
+  auto issues = source ? Found(validate_source(path, options.origin, messages))
                        : validate_asset(bytes->span(), options.origin, messages);
   if (!issues) return tl::unexpected(issues.error());
   Verdict verdict{path, true, judge(std::move(*issues), options.policy), {}};
@@ -233,6 +233,7 @@ void add_origin(CLI::App& app, OriginOptions& origin) {
           ->type_name("MODEL");
   app.add_option("--recipe", origin.recipe, "The source's recipe (default: its name with .recipe.json)")
       ->type_name("R.json");
+  add_roots(app, origin.roots);
   app.add_flag("--recook", origin.recook, "Cook the source again and compare what comes out")->needs(source);
 }
 

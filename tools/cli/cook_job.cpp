@@ -74,7 +74,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   };
   show(at);
   const auto begin = std::chrono::steady_clock::now();
-  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe)));
+  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookSettings settings;
@@ -98,9 +98,9 @@ tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, c
     return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
   }
   const CookCache cache(options.cache);
-  const CookPlace place{options.source(), choice.directory};
+  const CookPlace place{options.source(), choice.directory, options.roots};
   const std::string key =
-      cook_key({tool_identity(), importer_name(), options.source(), bytes->span(), print_recipe(choice.recipe)});
+      cook_key({tool_identity(), importer_name(), place, bytes->span(), print_recipe(choice.recipe)});
   if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
   auto result = fresh();
   if (!result) return tl::unexpected(result.error());
@@ -109,9 +109,6 @@ tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, c
   return FinishedCook{std::move(*result), false};
 }
 
-tl::expected<void, ToolError> write_text(const std::string& path, const std::string& text) {
-  return write_output(path, std::as_bytes(std::span(text)));
-}
 
 tl::expected<std::string, ToolError> depfile_of(const CookOptions& options, const RecipeChoice& choice,
                                                 const CookInputs& inputs) {
@@ -146,10 +143,15 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
     return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
                         count, count == 1 ? "" : "s");
   }
-  CookSummary summary{options.output, result.asset.size(), result.report, cooked->from_cache};
-  auto written = write_output(options.output, result.asset);
-  if (written && !options.report.empty()) written = write_text(options.report, cook_json(summary));
-  if (written && !options.depfile.empty()) written = write_text(options.depfile, *depfile);
+  CookSummary summary{options.output, result.asset.size(), result.report, cooked->from_cache, result.inputs.source_files};
+  summary.files.insert(summary.files.end(), result.inputs.recipe_files.begin(), result.inputs.recipe_files.end());
+  const auto write = [&](const std::string& path, std::span<const std::byte> bytes) {
+    return write_output(path, bytes, options.durable ? Durability::kNow : Durability::kSoon);
+  };
+  auto written = write(options.output, result.asset);
+  const std::string report = options.report.empty() ? "" : cook_json(summary);
+  if (written && !options.report.empty()) written = write(options.report, std::as_bytes(std::span(report)));
+  if (written && !options.depfile.empty()) written = write(options.depfile, std::as_bytes(std::span(*depfile)));
   if (!written) return tl::unexpected(written.error());
   return summary;
 }
@@ -172,23 +174,6 @@ std::string next_step(const CookSummary& summary) {
   return fmt::format("coif render {} -o picture.png", summary.output);
 }
 
-/// Up to a colon: what a line is about.
-std::string subject_of(const std::string& line) { return line.substr(0, line.find_first_of(":'")); }
-
-/// One line each, but no more than a few in a row about one subject; the JSON result has all.
-std::string folded(const std::vector<std::string>& lines, const char* prefix) {
-  constexpr std::size_t kMostInARow = 4;
-  std::string text;
-  for (std::size_t first = 0, end = 0; first < lines.size(); first = end) {
-    while (end < lines.size() && subject_of(lines[end]) == subject_of(lines[first])) ++end;
-    const std::size_t count = end - first, shown = count <= kMostInARow + 1 ? count : kMostInARow;
-    for (std::size_t i = first; i < first + shown; ++i) text += fmt::format("  {}{}\n", prefix, lines[i]);
-    if (shown < count)
-      text += fmt::format("  {}... and {} more like this (all with --format json)\n", prefix, count - shown);
-  }
-  return text;
-}
-
 nlohmann::ordered_json left_out_json(const CookReport& report) {
   auto list = nlohmann::ordered_json::array();
   for (const LeftOut& left_out : report.left_out) {
@@ -201,10 +186,24 @@ nlohmann::ordered_json left_out_json(const CookReport& report) {
   return list;
 }
 
-std::vector<std::string> left_out_lines(const CookReport& report) {
-  std::vector<std::string> lines;
-  for (const LeftOut& left_out : report.left_out) lines.push_back(left_out.text());
-  return lines;
+/// All that was found, what each pass took, and what was read.
+std::string details(const CookSummary& summary) {
+  const CookReport& report = summary.report;
+  std::string text;
+  for (const std::string& note : report.notes) text += fmt::format("  {}\n", note);
+  for (const LeftOut& left_out : report.left_out) text += fmt::format("  left out: {}\n", left_out.text());
+  for (const PassTime& pass : report.passes) text += fmt::format("  {:>9.1f} ms  {}\n", pass.ms, pass.name);
+  for (const std::filesystem::path& file : summary.files) {
+    std::error_code error;
+    text += fmt::format("  {}: {}\n", fs::exists(file, error) ? "read" : "looked for in vain", file.string());
+  }
+  return text;
+}
+
+std::string told_with_v(const CookReport& report) {
+  if (report.notes.empty() && report.left_out.empty()) return {};
+  return fmt::format("  {}, {} left out: -v tells them\n", counted(report.notes.size(), "note", "notes"),
+                     counted(report.left_out.size(), "thing", "things"));
 }
 
 }  // namespace
@@ -230,7 +229,7 @@ std::string cook_json(const CookSummary& summary) {
                     {"left_out", left_out_json(report)}});
 }
 
-std::string cook_text(const CookSummary& summary) {
+std::string cook_text(const CookSummary& summary, bool in_full) {
   const CookReport& report = summary.report;
   std::string text =
       fmt::format("{}: {} in {} ({} by index, {} by position)\n", summary.output,
@@ -241,8 +240,7 @@ std::string cook_text(const CookSummary& summary) {
   text += fmt::format("  {} bytes {} {:.0f} ms, {}\n", summary.bytes,
                       summary.from_cache ? "from the cache, once cooked in" : "in", total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
-  text += folded(report.notes, "");
-  text += folded(left_out_lines(report), "left out: ");
+  text += in_full ? details(summary) : told_with_v(report);
   return text + fmt::format("  next: {}\n", next_step(summary));
 }
 

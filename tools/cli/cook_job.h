@@ -24,13 +24,14 @@ struct CookSummary {
   std::size_t bytes = 0;    ///< Its size.
   CookReport report;        ///< Passes include the import; warnings include the importer's.
   bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
+  std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
 };
 
 /// The result as JSON; the keys are stable.
 [[nodiscard]] std::string cook_json(const CookSummary& summary);
 
-/// A few lines: what was made, what was left out, what to do next.
-[[nodiscard]] std::string cook_text(const CookSummary& summary);
+/// What was made and what to do next; `in_full` with all notes, what was left out, the passes' times and the files.
+[[nodiscard]] std::string cook_text(const CookSummary& summary, bool in_full);
 
 /// The command line of `coif cook`.
 struct CookOptions {
@@ -42,6 +43,7 @@ struct CookOptions {
   std::string report;
   std::string depfile;
   std::string cache;  ///< A folder; empty: none.
+  std::vector<std::filesystem::path> roots;
   bool print_recipe = false;
   bool list = false;
   unsigned jobs = all_threads();
@@ -52,6 +54,8 @@ struct CookOptions {
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
+  bool verbose = false;
+  bool durable = false;
   bool warnings_as_errors = false;
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }

@@ -67,8 +67,9 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
   return read_choice(beside);
 }
 
-ImportSettings import_settings(const Recipe& recipe) {
+ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots) {
   ImportSettings settings;
+  settings.roots = std::move(roots);
   if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
   if (recipe.up_axis == "x") settings.up_axis = UpAxis::kX;
   if (recipe.up_axis == "y") settings.up_axis = UpAxis::kY;

@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace coif {
 
@@ -50,8 +51,8 @@ struct RecipeChoice {
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages);
 
-/// What a recipe says about reading the source.
-[[nodiscard]] ImportSettings import_settings(const Recipe& recipe);
+/// What a recipe says about reading the source, and ImportSettings::roots.
+[[nodiscard]] ImportSettings import_settings(const Recipe& recipe, std::vector<std::filesystem::path> roots);
 
 /// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
 /// everything that a cook with this recipe would not take for hair. Errors: kBadInput where nothing is left, with the names

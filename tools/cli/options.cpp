@@ -23,6 +23,14 @@ void add_format(CLI::App& app, OutputFormat& format) {
   add_choice<OutputFormat>(app, "--format", format, kFormats, "How results are printed (default text)");
 }
 
+CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots) {
+  return app
+      .add_option("--root", roots, "Files that a source names may lie in this folder, too, as where links lead; once for each folder")
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->check(CLI::ExistingDirectory);
+}
+
 CLI::Option* add_size(CLI::App& app, PixelSize& size) {
   const auto parse = [&size](const std::string& text) {
     const auto pair = parse_pair<std::uint32_t>(text, 'x');

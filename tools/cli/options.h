@@ -89,6 +89,9 @@ struct PixelSize {
   std::uint32_t height = 0;
 };
 
+/// --root DIR, any number: ImportSettings::roots.
+CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots);
+
 /// WIDTHxHEIGHT, 16..8192 each; `size` holds the default.
 CLI::Option* add_size(CLI::App& app, PixelSize& size);
 

@@ -71,14 +71,24 @@ class AskedFiles : public Assimp::DefaultIOSystem {
   Asked& asked_;
 };
 
-/// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word. The first that
-/// it asked for is the one that the model names; then it tries names of its own.
-void warn_of_lost_materials(const Asked& asked, const aiScene& scene, SourceModel& model) {
-  if (asked.not_opened.empty()) return;
-  const std::string name = std::filesystem::path(asked.not_opened.front()).filename().string();
+/// The material libraries that a model names and that were not opened, each once. After each of them assimp tries one of the
+/// model's own name, which nobody may have named.
+std::vector<std::string> lost_libraries(const Asked& asked, const std::string& model) {
+  const std::string own = std::filesystem::path(model).replace_extension(".mtl").filename().string();
+  std::vector<std::string> lost;
+  for (const std::string& name : asked.not_opened) {
+    const bool is_guess = !lost.empty() && std::filesystem::path(name).filename() == own;
+    if (!is_guess && std::ranges::find(lost, name) == lost.end()) lost.push_back(name);
+  }
+  return lost;
+}
+
+/// Of a material library that was not read. assimp goes on without, and the hair would be brown without a word.
+void warn_of_lost_library(const std::string& library, const aiScene& scene, SourceModel& model) {
+  const std::string name = std::filesystem::path(library).lexically_proximate(std::filesystem::path(model.path).parent_path()).string();
   std::error_code error;
-  const auto status = std::filesystem::symlink_status(asked.not_opened.front(), error);
-  const char* const why = std::filesystem::is_symlink(status) ? "it is a link that leads out of the model's folder"
+  const auto status = std::filesystem::symlink_status(library, error);
+  const char* const why = std::filesystem::is_symlink(status) ? "it is a link that leads out of the model's folder, which --root allows"
                           : std::filesystem::exists(status)   ? "it cannot be opened"
                                                               : "there is no such file beside the model";
   const bool has_another = std::ranges::any_of(std::span(scene.mMaterials, scene.mNumMaterials), [](const aiMaterial* m) {
@@ -103,7 +113,7 @@ const aiScene* read_scene(Assimp::Importer& importer, const std::filesystem::pat
 }
 
 std::string cure_for(const std::string& reason) {
-  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb";
+  if (reason.find("referenced file") != std::string::npos) return "put that file beside it or export as .glb; where it is a link, allow with --root what it leads to";
   return kReexport;
 }
 
@@ -160,7 +170,9 @@ tl::expected<SourceModel, ToolError> read_with_assimp(const std::filesystem::pat
   auto model = convert_scene(*scene, path, suffix, settings);
   asked.names.erase(path.string());
   if (model) model->side_files.assign(asked.names.begin(), asked.names.end());
-  if (model && suffix.format == SourceFormat::kObj) warn_of_lost_materials(asked, *scene, *model);
+  if (model && suffix.format == SourceFormat::kObj) {
+    for (const std::string& library : lost_libraries(asked, model->path)) warn_of_lost_library(library, *scene, *model);
+  }
   return model;
 } catch (const std::bad_alloc&) {
   throw;

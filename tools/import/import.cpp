@@ -1,5 +1,6 @@
 #include "import/import.h"
 
+#include "base/files.h"
 #include "import/assimp_scene.h"
 #include "import/model_stream.h"
 #include "process/child_process.h"
@@ -45,16 +46,15 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
                         path.extension().string(), supported_suffixes());
   }
   const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
-  // Where the path says that it lies and where it does: build systems hand out links, to the files beside it as well.
-  std::vector<fs::path> folders{path.has_parent_path() ? path.parent_path() : fs::path(".")};
-  std::error_code error;
-  if (const fs::path real = fs::canonical(path, error); !error) folders.push_back(real.parent_path());
   const ChildResult result = run_in_child(limits, [&] {
-    fence_files(folders, path);  // where the kernel can; without it the other limits hold
+    fence_files(folders_of_source(path, settings.roots), path);  // where the kernel can; without it the other limits hold
     return encode_outcome(read_with_assimp(path, *suffix, settings));
   });
   ImportOutcome outcome;
-  if (result.end == ChildResult::End::kFinished && decode_outcome(result.output, outcome)) return outcome;
+  if (result.end == ChildResult::End::kFinished && decode_outcome(result.output, outcome)) {
+    if (outcome) outcome->roots = settings.roots;
+    return outcome;
+  }
   return explain(result, path, settings);
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coif {
 
@@ -18,6 +19,8 @@ enum class UpAxis { kX, kY, kZ };
 struct ImportSettings {
   std::optional<double> metres_per_unit;  ///< Overrides the file's unit.
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
+  /// Folders that files which the model names may lie in, beside its own: where links lead, or paths with "..".
+  std::vector<std::filesystem::path> roots;
   // Limits of the child process that parses the file. A file that exceeds one is refused; nothing else happens.
   std::uint64_t max_memory_bytes = std::uint64_t{4} << 30;  ///< Beside what this process has; none under ASan.
   std::uint32_t max_seconds = 120;                          ///< Processor and wall-clock time.

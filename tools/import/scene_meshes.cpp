@@ -13,8 +13,11 @@ namespace {
 
 Eigen::Vector3d vector(const aiVector3D& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
 
-// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model.
-constexpr float kFarthestVertex = 1e6f;
+// Metres. What lies farther out is damage (assimp reads past short arrays of a COLLADA file), not a model; an asset ends at
+// ten times that, so that whatever is measured between vertices fits into it.
+constexpr float kFarthestVertex = 1e4f;
+// Repeats of a texture. A strip that needs as many has no texels left between two of its vertices; NaN is no number of them.
+constexpr float kFarthestUv = 1e4f;
 
 bool usable(const Eigen::Vector3f& position) {
   return position.allFinite() && position.cwiseAbs().maxCoeff() <= kFarthestVertex;
@@ -58,6 +61,7 @@ std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVert
   std::size_t not_triangles = 0;
   std::size_t out_of_range = 0;
   std::size_t misplaced = 0;
+  std::uint32_t first_misplaced = kNoIndex;
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     if (face.mNumIndices != 3) {
       ++not_triangles;
@@ -66,8 +70,10 @@ std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVert
     std::uint32_t corner[3] = {face.mIndices[0], face.mIndices[1], face.mIndices[2]};
     if (std::ranges::any_of(corner, [&](std::uint32_t v) { return v >= placed.positions.size(); })) {
       ++out_of_range;
-    } else if (!std::ranges::all_of(corner, [&](std::uint32_t v) { return usable(placed.positions[v]); })) {
-      ++misplaced;
+    } else if (const auto* const bad =
+                   std::ranges::find_if(corner, [&](std::uint32_t v) { return !usable(placed.positions[v]); });
+               bad != std::end(corner)) {
+      if (misplaced++ == 0) first_misplaced = *bad;
     } else {
       const auto mirrored = std::ranges::count_if(corner, [&](std::uint32_t v) { return placed.mirrored[v]; });
       if (mirrored >= 2) std::swap(corner[1], corner[2]);
@@ -76,7 +82,12 @@ std::vector<std::uint32_t> usable_triangles(const aiMesh& mesh, const PlacedVert
   }
   warn_count(not_triangles, label, "points or lines dropped", warnings);
   warn_count(out_of_range, label, "triangles dropped: vertex index out of range", warnings);
-  warn_count(misplaced, label, "triangles dropped: vertex position not finite or beyond 1000 km", warnings);
+  if (misplaced != 0) {
+    const Eigen::Vector3f& at = placed.positions[first_misplaced];
+    warnings.push_back(fmt::format("{}: {} triangles dropped: vertex {} stands at ({:g}, {:g}, {:g}) m, and {:g} m is the "
+                                   "farthest; move or delete it and export again",
+                                   label, misplaced, first_misplaced, at.x(), at.y(), at.z(), kFarthestVertex));
+  }
   return triangles;
 }
 
@@ -99,16 +110,27 @@ void copy_uvs(const aiMesh& mesh, std::span<const std::uint32_t> kept, const std
               std::vector<std::string>& warnings) {
   if (!mesh.HasTextureCoords(0)) return;
   std::size_t unusable = 0;
-  for (const std::uint32_t v : kept) {
+  std::string first;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const aiVector3D& given = mesh.mTextureCoords[0][kept[i]];
     // assimp's V grows upwards whatever the file, this project's downwards.
-    Eigen::Vector2f uv(mesh.mTextureCoords[0][v].x, 1.0f - mesh.mTextureCoords[0][v].y);
-    if (!uv.allFinite()) {
+    Eigen::Vector2f uv(given.x, 1.0f - given.y);
+    // Not the maximum, which Eigen may take of a number and NaN as the number.
+    if (!uv.allFinite() || uv.cwiseAbs().maxCoeff() > kFarthestUv) {
+      const Eigen::Vector3f& at = out.positions[i];
+      if (unusable++ == 0) {
+        first = fmt::format("vertex {} at ({:.4g}, {:.4g}, {:.4g}) m has ({:g}, {:g}), V from the top", kept[i], at.x(),
+                            at.y(), at.z(), uv.x(), uv.y());
+      }
       uv.setZero();
-      ++unusable;
     }
     out.uvs.push_back(uv);
   }
-  warn_count(unusable, label, "UVs that are not finite set to zero", warnings);
+  if (unusable != 0) {
+    warnings.push_back(fmt::format("{}: {} UVs set to (0, 0): {}, and {:g} repeats are the most; unwrap it anew and export "
+                                   "again",
+                                   label, unusable, first, kFarthestUv));
+  }
 }
 
 void copy_influences(const SkinBinding& binding, std::span<const std::uint32_t> kept, SourceMesh& out) {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,7 @@ struct SourceImage {
 
 struct SourceModel {
   std::string path;
+  std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
   std::string importer;  ///< Name and version, for example "assimp 5.2.4".
   std::uint16_t importer_version[3] = {0, 0, 0};
   std::vector<SourceNode> nodes;  ///< Parents first.

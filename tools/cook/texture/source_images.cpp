@@ -108,6 +108,12 @@ void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::st
 }
 
 void SourceImages::warn_of_absent(const SourceMaterial& material) {
+  if (const auto outside = folder_.find_outside(material.base_texture.path)) {
+    return findings_.warn(
+        fmt::format("material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
+                    "--root {}; it is cooked without a base texture",
+                    material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
+  }
   note_question(TextureQuestion::Kind::kImages, {});
   const std::string there =
       folder_.images().empty()

@@ -41,17 +41,20 @@ namespace coif {
 [[nodiscard]] bool names_any(const std::string& stem, std::span<const std::string> names);
 
 /// The image files that belong to a source: in its own folder and in the folders below it that artists customarily use
-/// (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing outside
-/// the source's folder is ever found, not even through a link, but for links to where the source itself lies if that is a
-/// link (build systems and big stores link all that they hand out). Unreadable folders count as empty.
+/// (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing outside the
+/// source's folder is ever found, not even through a link, but for what lies beside the real source if that is a link, and in
+/// declared roots (folders_of_source()). Unreadable folders count as empty.
 class TextureFolder {
  public:
-  explicit TextureFolder(const std::filesystem::path& source);
+  explicit TextureFolder(const std::filesystem::path& source, std::span<const std::filesystem::path> roots = {});
 
   /// The file for a path as it stands in a source: with slashes or backslashes, absolute or relative, percent-encoded or
   /// not, in letters of either case. Looked for where the path says, if that is below the source's folder, then by its
   /// last name, then by the last name with the suffix of another image format.
   [[nodiscard]] std::optional<std::filesystem::path> find(const std::string& written) const;
+
+  /// Where a file that find() does not give because it is a link out of all those folders really lies.
+  [[nodiscard]] std::optional<std::filesystem::path> find_outside(const std::string& written) const;
 
   /// Images whose name says that they colour something called one of `names`, or hair. Normal maps and the like do not.
   [[nodiscard]] std::vector<std::filesystem::path> colors_of(std::span<const std::string> names) const;
@@ -65,11 +68,12 @@ class TextureFolder {
  private:
   void list(const std::filesystem::path& folder);
   [[nodiscard]] bool is_inside(const std::filesystem::path& path) const;
-  [[nodiscard]] std::optional<std::filesystem::path> follow(const std::string& written) const;
+  [[nodiscard]] std::optional<std::filesystem::path> follow(const std::string& written) const;  ///< Inside or not.
   [[nodiscard]] std::optional<std::filesystem::path> find_by_name(const std::string& name) const;
 
   std::filesystem::path root_;       ///< As the source's path has it.
-  std::vector<std::filesystem::path> real_roots_;  ///< Without links: of that folder, and of the one that the source lies in.
+  bool leaves_root_ = false;         ///< Paths may, since other folders are declared.
+  std::vector<std::filesystem::path> real_roots_;  ///< folders_of_source().
   std::vector<std::filesystem::path> images_;
 };
 
@@ -77,7 +81,8 @@ class TextureFolder {
 /// same questions, what else comes and goes there does not matter.
 struct TextureQuestion {
   enum class Kind {
-    kFind,    ///< `words`: one path as written in the source. Answered by the file's short name, or by nothing.
+    kFind,    ///< `words`: one path as written in the source. Answered by the file's short name, by two words where it
+              ///< leads outside, or by nothing.
     kColors,  ///< `words`: what the hair is called. Answered by the short names of the images that may colour it.
     kImages,  ///< No words. Answered by all images' short names.
   };
@@ -93,7 +98,7 @@ struct TextureQuestion {
 /// be had is a warning, never an error: hair without a texture is still hair.
 class SourceImages {
  public:
-  explicit SourceImages(const SourceModel& source) : source_(source), folder_(source.path) {}
+  explicit SourceImages(const SourceModel& source) : source_(source), folder_(source.path, source.roots) {}
 
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
   [[nodiscard]] const Image* of(const SourceMaterial& material);

@@ -1,3 +1,4 @@
+#include "base/files.h"
 #include "cook/texture/source_images.h"
 
 #include <algorithm>
@@ -36,15 +37,12 @@ std::optional<fs::path> entry_called(const fs::path& folder, const std::string& 
 
 }  // namespace
 
-TextureFolder::TextureFolder(const fs::path& source) : root_(source.parent_path()) {
+TextureFolder::TextureFolder(const fs::path& source, std::span<const fs::path> roots)
+    : root_(source.parent_path()), leaves_root_(!roots.empty()), real_roots_(folders_of_source(source, roots)) {
   if (root_.empty()) root_ = ".";
-  std::error_code error;
-  const fs::path real = fs::canonical(root_, error);
-  if (error) return;
-  real_roots_.push_back(real);
-  const fs::path real_source = fs::canonical(source, error);
-  if (!error) real_roots_.push_back(real_source.parent_path());
+  if (real_roots_.empty()) return;
   list(root_);
+  std::error_code error;
   for (const fs::path& entry : entries_of(root_)) {
     const std::string name = lower_case(entry.filename().string());
     const bool customary = std::ranges::find(kCustomaryFolders, name) != std::end(kCustomaryFolders);
@@ -70,10 +68,20 @@ bool TextureFolder::is_inside(const fs::path& path) const {
 std::optional<fs::path> TextureFolder::find(const std::string& written) const {
   const std::string slashes = with_slashes(written);
   for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
-    if (auto path = follow(spelling)) return path;
+    if (auto path = follow(spelling); path && is_inside(*path)) return path;
   }
   for (const std::string& spelling : {slashes, percent_decoded(slashes)}) {
     if (auto path = find_by_name(last_name(spelling))) return path;
+  }
+  return {};
+}
+
+std::optional<fs::path> TextureFolder::find_outside(const std::string& written) const {
+  const std::string slashes = percent_decoded(with_slashes(written));
+  for (const std::string& spelling : {slashes, last_name(slashes)}) {
+    const auto path = follow(spelling);
+    std::error_code error;
+    if (path && !is_inside(*path)) return fs::canonical(*path, error);
   }
   return {};
 }
@@ -83,15 +91,14 @@ std::optional<fs::path> TextureFolder::follow(const std::string& written) const 
   for (const fs::path& part : fs::path(written)) {
     const std::string name = part.string();
     if (name == ".") continue;
-    const bool leaves =
-        name.empty() || name == ".." || name.find_first_of(std::string_view("/:\0", 3)) != std::string::npos;
-    const auto next = leaves ? std::nullopt : entry_called(at, name);
+    const bool is_way_out = name == ".." || name == "/";
+    const bool is_name = !name.empty() && name.find_first_of(std::string_view("/:\0", 3)) == std::string::npos;
+    const auto next = is_way_out && leaves_root_ ? std::optional(at / part) : is_name && !is_way_out ? entry_called(at, name) : std::nullopt;
     if (!next) return {};
     at = *next;
   }
   std::error_code error;
-  const bool usable = fs::is_regular_file(at, error) && is_inside(at);
-  return usable ? std::optional(at) : std::nullopt;
+  return fs::is_regular_file(at, error) ? std::optional(at) : std::nullopt;
 }
 
 std::optional<fs::path> TextureFolder::find_by_name(const std::string& name) const {
@@ -117,7 +124,7 @@ std::vector<fs::path> TextureFolder::colors_of(std::span<const std::string> name
 }
 
 std::string TextureFolder::short_name(const fs::path& path) const {
-  return path.lexically_relative(root_).generic_string();
+  return path.lexically_proximate(root_).generic_string();
 }
 
 namespace {
@@ -134,7 +141,9 @@ std::vector<std::string> answer_to(const TextureQuestion& question, const Textur
   switch (question.kind) {
     case TextureQuestion::Kind::kFind: {
       const auto found = question.words.empty() ? std::nullopt : folder.find(question.words[0]);
-      return found ? std::vector{folder.short_name(*found)} : std::vector<std::string>{};
+      if (found) return {folder.short_name(*found)};
+      if (!question.words.empty() && folder.find_outside(question.words[0])) return {"leads", "outside"};
+      return {};
     }
     case TextureQuestion::Kind::kColors: return short_names(folder, folder.colors_of(question.words));
     case TextureQuestion::Kind::kImages: return short_names(folder, folder.images());
