@@ -19,7 +19,9 @@
 #include <new>
 #include <set>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace coif::base_test {
@@ -66,6 +68,28 @@ TEST(WorkLimit, EndsWorkInPieces) {
   EXPECT_NO_THROW(parallel_for(2, 2, [](std::size_t) {}));
   WorkLimit::lift();
   EXPECT_NO_THROW(WorkLimit::check());
+}
+
+TEST(WorkLimit, EndsAPartBeforeTheWholeAndSaysWhich) {
+  const auto is_of_part = [] {
+    try {
+      WorkLimit::check();
+    } catch (const TookTooLong& late) {
+      return late.is_part;
+    }
+    throw std::logic_error("not late");
+  };
+  WorkLimit::set(std::chrono::hours(1), std::chrono::seconds(-1));
+  EXPECT_TRUE(is_of_part());
+  WorkLimit::set(std::chrono::seconds(-2), std::chrono::seconds(-1));
+  EXPECT_FALSE(is_of_part());
+  WorkLimit::set(std::chrono::hours(1), std::chrono::milliseconds(50));
+  EXPECT_NO_THROW(WorkLimit::check());
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_TRUE(is_of_part());
+  WorkLimit::begin_part();
+  EXPECT_NO_THROW(WorkLimit::check()) << "the next one has its own";
+  WorkLimit::lift();
 }
 
 TEST(SamplesAround, IsTheRectangleOfTheWidestView) {

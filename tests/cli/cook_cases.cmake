@@ -65,6 +65,9 @@ coif_cli_case(cook_names_files_that_it_read EXIT 0 WRITES card.coif
   STDOUT "\n  read: card.mtl\n.*  looked for in vain: lost.mtl\n" STDERR "'lost.mtl' is named for the materials and was not read: there is no"
   TEXT card.obj "mtllib lost.mtl\nmtllib card.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nKd 1 0 0\n"
   ARGS cook card.obj -o card.coif -v)
+coif_cli_case(cook_max_pass_seconds EXIT 3 TIMEOUT 120
+  STDERR "coif cook: error: .*bob.glb: the pass '[a-z ]+' exceeded 1 s; use fewer triangles, or allow more with --max-pass-seconds"
+  TEXT R.json "{\"order\": {\"max_orders\": 32}}" ARGS cook ${sample} --recipe R.json -o out.coif --threads 1 --max-pass-seconds 1)
 coif_cli_case(cook_quiet_and_verbose EXIT 1 STDERR "--quiet.*--verbose|--verbose.*--quiet" ARGS cook a.obj -o a.coif -q -v)
 coif_cli_case(cook_absent_root EXIT 1 STDERR "--root: Directory does not exist: nowhere" ARGS cook a.obj -o a.coif --root nowhere)
 coif_cli_case(cook_durable EXIT 0 WRITES card.coif report.json

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Cooks damaged copies of models and watches that nothing crashes, hangs or leaves half an output.
 
-usage: tests/fuzz/mutate_sources.py PROGRAM COUNT SEED MODEL...
+usage: tests/fuzz/mutate_sources.py PROGRAM COUNT SEED MODEL... [--max-seconds N] [--recipe R.json] [--jobs N]
 
 COUNT copies of each model are damaged, each in one of several ways that its number and SEED choose: bytes changed, a part
 cut off, repeated or moved, a number of a text replaced by an extreme one. Every copy is cooked in a folder of its own, the
 model's neighbours beside it. A cook may succeed or refuse (exit codes 0, 3, 4, 5); whatever else it does is a finding: its
-copy is kept in the current folder. Prints what was tried, and ends with 1 where there was a finding.
+copy is kept in the current folder. So is a cook that takes more than twice --max-seconds, which bounds the importer and then the
+cook, and five seconds; and one that finds only at its end that no asset can be made. Prints what was tried and the longest time
+for each model, and ends with 1 where there was a finding.
 """
+import argparse
 import collections
 import os
 import pathlib
@@ -20,7 +23,6 @@ import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-SECONDS = 150  # more than the importer's own limit
 ALLOWED = {0: "cooked", 3: "refused", 4: "over budget", 5: "unsupported"}
 EXTREMES = [b"0", b"-1", b"1e38", b"-1e38", b"1e400", b"nan", b"2147483648", b"4294967295", b"-2147483648", b"65536", b"0.5"]
 NUMBER = re.compile(rb"(?<![\w.])-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -79,7 +81,7 @@ def neighbours(model, folder):
             (folder / entry.name).symlink_to(entry)
 
 
-def judge(program, model, original, seed):
+def judge(given, model, original, seed):
     """What became of one copy: a word, and a sentence where it is a finding."""
     with tempfile.TemporaryDirectory(prefix="coif_fuzz_") as name:
         folder = pathlib.Path(name) / "in"
@@ -88,23 +90,33 @@ def judge(program, model, original, seed):
         copy, recipe, output = folder / model.name, pathlib.Path(name) / "r.json", pathlib.Path(name) / "out"
         copy.unlink(missing_ok=True)
         copy.write_bytes(damaged(original, seed))
-        recipe.write_text(RECIPE)
+        recipe.write_text(given.recipe.read_text() if given.recipe else RECIPE)
         output.mkdir()
-        command = [program, "cook", copy, "-o", output / "out.coif", "--recipe", recipe, "--threads", "1"]
+        command = [given.program, "cook", copy, "-o", output / "out.coif", "--recipe", recipe, "--threads", "1",
+                   "--max-seconds", str(given.max_seconds), "--root", model.parent]
+        most, begin = 2 * given.max_seconds + 5, time.monotonic()
         try:
-            done = subprocess.run(command, timeout=SECONDS, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+            done = subprocess.run(command, timeout=most, stdin=subprocess.DEVNULL, capture_output=True, check=False)
         except subprocess.TimeoutExpired:
-            return "hung", keep(copy, seed, f"did not end in {SECONDS} s")
-        left = sorted(path.name for path in output.iterdir())
-        if done.returncode not in ALLOWED:
-            return "crashed", keep(copy, seed, f"exit code {done.returncode}: {done.stderr[-300:]!r}")
-        if left != (["out.coif"] if done.returncode == 0 else []):
-            return "left files", keep(copy, seed, f"exit code {done.returncode}, but left {left}")
-        if done.returncode != 0 and b"error" not in done.stderr:
-            return "silent", keep(copy, seed, f"exit code {done.returncode} without an error message")
-        if done.returncode == 0 and subprocess.run([program, "validate", output / "out.coif"], capture_output=True).returncode:
-            return "invalid", keep(copy, seed, "cooked an asset that does not validate")
-        return ALLOWED[done.returncode], None
+            return "hung", keep(copy, seed, f"did not end in {most} s"), most
+        seconds = time.monotonic() - begin
+        return *judge_end(given, copy, output, done, seed), seconds
+
+
+def judge_end(given, copy, output, done, seed):
+    """The same, without the seconds, of one that ended."""
+    if b"internal error" in done.stderr or b"the cooked asset is not valid" in done.stderr:
+        return "late", keep(copy, seed, f"exit code {done.returncode}: {done.stderr[-300:]!r}")
+    left = sorted(path.name for path in output.iterdir())
+    if done.returncode not in ALLOWED:
+        return "crashed", keep(copy, seed, f"exit code {done.returncode}: {done.stderr[-300:]!r}")
+    if left != (["out.coif"] if done.returncode == 0 else []):
+        return "left files", keep(copy, seed, f"exit code {done.returncode}, but left {left}")
+    if done.returncode != 0 and b"error" not in done.stderr:
+        return "silent", keep(copy, seed, f"exit code {done.returncode} without an error message")
+    if done.returncode == 0 and subprocess.run([given.program, "validate", output / "out.coif"], capture_output=True).returncode:
+        return "invalid", keep(copy, seed, "cooked an asset that does not validate")
+    return ALLOWED[done.returncode], None
 
 
 def keep(copy, seed, sentence):
@@ -114,20 +126,27 @@ def keep(copy, seed, sentence):
 
 
 def main():
-    if len(sys.argv) < 5:
-        sys.exit(__doc__)
-    program, count, seed = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2]), int(sys.argv[3])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("count", type=int)
+    parser.add_argument("seed", type=int)
+    parser.add_argument("models", nargs="+", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("--max-seconds", type=int, default=60)
+    parser.add_argument("--recipe", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    given = parser.parse_args()
     begin, findings, total = time.time(), 0, 0
-    for model in [pathlib.Path(name).resolve() for name in sys.argv[4:]]:
+    for model in given.models:
         original = model.read_bytes()
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = list(pool.map(lambda i: judge(program, model, original, seed * 1_000_003 + i), range(count)))
-        words = collections.Counter(word for word, _ in results)
-        print(f"{model.name}: " + ", ".join(f"{n} {word}" for word, n in sorted(words.items())), flush=True)
-        for sentence in [s for _, s in results if s]:
+        with ThreadPoolExecutor(given.jobs) as pool:
+            results = list(pool.map(lambda i: judge(given, model, original, given.seed * 1_000_003 + i), range(given.count)))
+        words = collections.Counter(word for word, _, _ in results)
+        longest = max(seconds for _, _, seconds in results)
+        print(f"{model.name}: " + ", ".join(f"{n} {word}" for word, n in sorted(words.items())) + f"; {longest:.1f} s at most", flush=True)
+        for sentence in [s for _, s, _ in results if s]:
             print(f"  {sentence}", flush=True)
             findings += 1
-        total += count
+        total += given.count
     print(f"{total} files, {time.time() - begin:.0f} s, {findings} findings")
     sys.exit(1 if findings else 0)
 

@@ -63,6 +63,9 @@ void add_limits(CLI::App& app, CookOptions& options) {
                  "Time that the importer may take, and then the cook, seconds (default: 120 and 1800)")
       ->check(CLI::Range(1u, 86400u))
       ->type_name("N");
+  app.add_option("--max-pass-seconds", options.max_pass_seconds, "Time that each pass of the cook may take, seconds (default: the cook's)")
+      ->check(CLI::Range(1u, 86400u))
+      ->type_name("N");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/work_limit.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
+#include "cli/command.h"
 #include "cli/cook_limits.h"
 #include "cli/messages.h"
 #include "cook/cook.h"
@@ -13,7 +14,9 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <new>
 
 namespace coif {
@@ -47,27 +50,39 @@ struct FinishedCook {
 constexpr std::uint32_t kUsualSeconds = 1800;
 
 /// `pass`: which one is at work.
+std::string too_long(const CookOptions& options, const char* pass, bool is_of_pass) {
+  const std::uint32_t whole = options.max_seconds.value_or(kUsualSeconds);
+  const std::string what = is_of_pass
+                               ? fmt::format("the pass '{}' exceeded {} s", pass, options.max_pass_seconds.value_or(whole))
+                               : fmt::format("the cook exceeded {} s, in the pass '{}'", whole, pass);
+  return fmt::format("{}: {}; use fewer triangles, or allow more with --max-{}seconds", options.source(), what,
+                     is_of_pass ? "pass-" : "");
+}
+
 tl::expected<CookResult, ToolError> cook_within_limits(const SourceModel& model, const Recipe& recipe,
                                                        const CookSettings& settings, const CookOptions& options,
-                                                       const char* const& pass) try {
-  const CookLimits limits(options.max_memory_mb << 20, options.max_seconds.value_or(kUsualSeconds), settings.threads);
+                                                       const std::atomic<const char*>& pass, const Messages& messages) try {
+  const std::chrono::seconds whole(options.max_seconds.value_or(kUsualSeconds));
+  const std::chrono::seconds part(options.max_pass_seconds.value_or(std::uint32_t(whole.count())));
+  const CookLimits limits({options.max_memory_mb << 20, whole, part, settings.threads}, [&] {
+    messages.error(too_long(options, pass, false));
+    std::_Exit(int(Exit::kBadInput));  // Nothing is written yet.
+  });
   return cook(model, recipe, settings);
-} catch (const TookTooLong&) {
-  return file_failure(ToolError::Kind::kBadInput, options.source(),
-                      "the cook exceeded {} s, in the pass '{}'; use fewer triangles, or allow more with --max-seconds",
-                      options.max_seconds.value_or(kUsualSeconds), pass);
+} catch (const TookTooLong& late) {
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, too_long(options, pass, late.is_part)});
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, options.source(),
                       "the cook exceeded {} MiB of memory, in the pass '{}'; use fewer triangles, or allow more with --max-memory-mb",
-                      options.max_memory_mb, pass);
+                      options.max_memory_mb, pass.load());
 }
 
 /// Cooks as if there were no cache.
 tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, const RecipeChoice& choice,
-                                                std::span<const std::byte> bytes) {
+                                                std::span<const std::byte> bytes, const Messages& messages) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
-  const char* at = "import";
+  std::atomic<const char*> at = "import";
   const auto show = [&](const char* pass) {
     at = pass;
     if (progress) progress->show(pass);
@@ -82,7 +97,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes);
   settings.progress = show;
-  auto result = cook_within_limits(*model, choice.recipe, settings, options, at);
+  auto result = cook_within_limits(*model, choice.recipe, settings, options, at, messages);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
   return result;
@@ -93,7 +108,7 @@ tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, c
   const auto begin = file_time_now();
   const auto bytes = FileBytes::read(options.source());
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto fresh = [&] { return cook_source(options, choice, bytes->span()); };
+  const auto fresh = [&] { return cook_source(options, choice, bytes->span(), messages); };
   if (options.cache.empty()) {
     return fresh().map([](CookResult result) { return FinishedCook{std::move(result), false}; });
   }

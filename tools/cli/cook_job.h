@@ -51,6 +51,7 @@ struct CookOptions {
   std::uint64_t max_source_mb = ImportSettings{}.max_file_bytes >> 20;
   std::uint64_t max_memory_mb = ImportSettings{}.max_memory_bytes >> 20;
   std::optional<std::uint32_t> max_seconds;  ///< Of the importer and, after it, of the cook; none: what each has by itself.
+  std::optional<std::uint32_t> max_pass_seconds;  ///< Of each pass of the cook; none: as the whole.
   OutputFormat format = OutputFormat::kText;
   bool shows_progress = true;
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.

@@ -4,9 +4,11 @@
 #include "cli/command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -28,9 +30,24 @@ Exit flush_results(Exit code, const Messages& messages) {
   return code == Exit::kOk ? Exit::kFileAccess : code;
 }
 
+/// What the command line names without an option's name: the files that a command is about.
+std::string named_files(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional()) names.insert(names.end(), option->results().begin(), option->results().end());
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+tl::expected<Exit, ToolError> run_in_memory(const Command& command, const Messages& messages) try {
+  return command.run(messages);
+} catch (const std::bad_alloc&) {
+  return tl::unexpected(ToolError{ToolError::Kind::kBadInput, named_files(*command.app) + ": not enough memory for this"});
+}
+
 Exit run(const Command& command) {
   const Messages messages(command.app->get_name());
-  const auto result = command.run(messages);
+  const auto result = run_in_memory(command, messages);
   if (!result) {
     messages.error(result.error().message);
     return flush_results(exit_code(result.error().kind), messages);

@@ -156,6 +156,7 @@ const Pass kPasses[] = {
 Done run(const Pass& pass, Cooking& cooking) {
   if (cooking.settings.progress) cooking.settings.progress(pass.name);
   WorkLimit::check();
+  WorkLimit::begin_part();
   const auto start = std::chrono::steady_clock::now();
   Done done = pass.run(cooking);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;

@@ -1,5 +1,6 @@
 #include "lab/measure_runtime.h"
 
+#include "base/work_limit.h"
 #include "lab/hair_segment.h"
 #include "lab/runtime_solver.h"
 
@@ -40,6 +41,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   RuntimeError error;
   std::size_t sample = 0;
   for (std::uint32_t frame = 1; sample < reference.times.size(); ++frame) {
+    WorkLimit::check();
     const double time = double(frame) / rate;
     if (!solver.step(path->pose(time), 1.0 / rate)) return {NAN, NAN, NAN, NAN};
     meter.look(solver.bone_ends());

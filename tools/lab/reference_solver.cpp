@@ -1,5 +1,6 @@
 #include "lab/reference_solver.h"
 
+#include "base/work_limit.h"
 #include "lab/reference_model.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ class TreeRun {
     double now = 0;
     std::size_t sample = 0;
     for (const Stop& stop : stops_) {
+      WorkLimit::check();
       go(now, stop, coarse_rate);
       now = stop.seconds;
       if (!stop.is_sample) continue;

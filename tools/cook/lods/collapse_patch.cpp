@@ -1,5 +1,6 @@
 #include "cook/lods/collapse_patch.h"
 
+#include "base/work_limit.h"
 #include "cook/lods/patch_surface.h"
 #include "cook/select/triangle_distance.h"
 
@@ -157,6 +158,7 @@ CollapseSequence Collapser::run() {
   const double fewest = limits_.fewest_share * shrinking_.triangles_left();
   std::vector<std::uint32_t> around;
   while (!queue_.empty() && shrinking_.triangles_left() > fewest) {
+    WorkLimit::check();
     const Candidate best = queue_.top();
     queue_.pop();
     if (best.version != version_[best.from]) continue;

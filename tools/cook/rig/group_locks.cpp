@@ -1,3 +1,4 @@
+#include "base/work_limit.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/rig/hair_cells.h"
 #include "cook/select/mesh_topology.h"
@@ -89,15 +90,13 @@ class StrandGroups {
 
   void merge_up_to(double limit) {
     const auto distance = [&](std::size_t i, std::size_t j) { return at(i, j); };
-    while (merge_best(distance, limit, 0)) {
-    }
+    while (merge_best(distance, limit, 0)) WorkLimit::check();
   }
 
   /// Merges what is near and short first until at most `most` groups are longer than `shortest`.
   void merge_down_to(std::size_t most, double shortest) {
     const auto loss = [&](std::size_t i, std::size_t j) { return at(i, j) * std::min(length_[i], length_[j]); };
-    while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest)) {
-    }
+    while (count_longer(shortest) > most && merge_best(loss, std::numeric_limits<double>::max(), shortest)) WorkLimit::check();
   }
 
   [[nodiscard]] std::size_t group_of(std::size_t strand) const { return group_[strand]; }

@@ -1,5 +1,6 @@
 #include "cook/rig/hair_cells.h"
 
+#include "base/work_limit.h"
 #include "cook/select/mesh_topology.h"
 #include "payload_hash.h"
 
@@ -127,6 +128,7 @@ class CellBuilder {
     const auto columns = std::max(1, int(std::ceil(base / step)));
     const auto rows = base > 0 ? std::max(1, int(std::ceil(doubled / base / step))) : 1;
     for (int row = 0; row < rows; ++row) {
+      WorkLimit::check();
       const double up = (row + 0.5) / rows;
       for (int column = 0; column < columns; ++column) {
         const Corner sample = between(between(a, b, (column + 0.5) / columns), c, up);

@@ -1,3 +1,4 @@
+#include "base/work_limit.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/strands/strand_evidence.h"
@@ -149,6 +150,7 @@ class RibbonMerger {
   void run() {
     for (std::uint32_t a = 0; a < neighbours_.size(); ++a) propose_all(a);
     while (!queue_.empty()) {
+      WorkLimit::check();
       const Pair pair = queue_.top();
       queue_.pop();
       // Whoever was joined since has a new proposal in the queue.

@@ -1,6 +1,7 @@
 #include "cook/strands/strand_direction.h"
 
 #include "base/parallel_for.h"
+#include "base/work_limit.h"
 #include "cook/strands/strand_evidence.h"
 
 #include <fmt/format.h>
@@ -108,6 +109,7 @@ std::vector<float> settle_beliefs(std::span<const float> scores,
   std::vector<float> belief(scores.size()), next(scores.size());
   for (std::size_t p = 0; p < scores.size(); ++p) belief[p] = std::tanh(scores[p]);
   for (int round = 0; round < kRounds; ++round) {
+    WorkLimit::check();
     for (std::size_t p = 0; p < scores.size(); ++p) {
       float sum = scores[p];
       for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];

@@ -1,5 +1,7 @@
 #include "cook/strands/strand_evidence.h"
 
+#include "base/work_limit.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,6 +71,7 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
   std::vector<std::uint32_t> met;
   float total = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    WorkLimit::check();
     const Sample& sample = samples[i];
     const Eigen::Vector3f& at = mesh.positions[sample.vertex];
     for_each_near(grid, cell_of(at, reach), [&](const Sample& other) {
