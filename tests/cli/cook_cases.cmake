@@ -57,6 +57,14 @@ coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)
 coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
   ARGS cook ${sample} --list --format json)
 
+# What a checkout without Git LFS holds.
+set(pointer "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146a0a7\nsize 396190\n")
+coif_cli_case(cook_lfs_pointer EXIT 3 STDERR "coif cook: error: wig.fbx: Git LFS has not fetched what is in this file; run 'git lfs pull'"
+  TEXT wig.fbx "${pointer}" ARGS cook wig.fbx -o wig.coif)
+coif_cli_case(cook_lfs_texture EXIT 0 WRITES card.coif STDERR "card.png: Git LFS has not fetched what is in this file; run 'git lfs pull'; it is cooked without"
+  TEXT card.obj "mtllib card.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nmap_Kd card.png\n" card.png "${pointer}"
+  ARGS cook card.obj -o card.coif)
+
 # Said where it is wanted.
 coif_cli_case(cook_says_five_lines EXIT 0 WRITES card.coif
   STDOUT "^card.coif: 1 triangle [^\n]*\n[^\n]*simulated\n[^\n]*warnings?\n  [1-9][0-9]* notes, [0-9]+ things? left out: -v tells them\n  next: [^\n]*\n$"

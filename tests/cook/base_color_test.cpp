@@ -75,6 +75,19 @@ TEST(BaseColor, WhatWasAskedOfTheFolderIsToldWithItsAnswer) {
   EXPECT_TRUE(base_color_of(model, recipe).questions.empty()) << "the recipe leaves nothing to ask";
 }
 
+TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
+  const ImageFolder folder;
+  folder.write_flat("strands.png", kRed);
+  SourceModel model = model_beside(folder, "wig.obj");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  model.materials[0].opacity_texture = "strands_alpha.png";
+  const SaidColor color = base_color_of(model);
+  const auto count = std::ranges::count_if(color.warnings, [](const std::string& warning) {
+    return warning.find("opacity texture 'strands_alpha.png' is not read") != std::string::npos;
+  });
+  EXPECT_EQ(count, 1);
+}
+
 TEST(BaseColor, ATextureInVainIsAskedForAndEveryImageIsListed) {
   const ImageFolder folder;
   folder.write_flat("sofa.png");

@@ -243,6 +243,16 @@ TEST_F(Conventions, AlphaOfOtherFormatsIsKnownByItsTextureOnly) {
   }
 }
 
+TEST_F(Conventions, AnOpacityTextureIsNamedUnlessItIsTheBaseTexture) {
+  folder_.write("m.mtl", "newmtl own\nmap_Kd hair.png\nmap_d alpha.png\nnewmtl same\nmap_Kd hair.png\nmap_d hair.png\n");
+  const SourceModel model = import_or_fail(
+      folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl own\nf 1 2 3\nusemtl same\nf 1 3 2\n"));
+  for (const SourceMesh& mesh : model.meshes) {
+    const SourceMaterial& material = model.materials.at(mesh.material);
+    EXPECT_EQ(material.opacity_texture, material.name == "own" ? "alpha.png" : "");
+  }
+}
+
 constexpr const char* kCardOfMaterials = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n";
 
 TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {

@@ -73,6 +73,10 @@ tl::expected<FileBytes, ToolError> FileBytes::read(const fs::path& path) {
   return result;
 }
 
+bool is_lfs_pointer(std::string_view bytes) {
+  return bytes.size() < 1024 && bytes.starts_with("version https://git-lfs.github.com/spec/");
+}
+
 std::vector<fs::path> folders_of_source(const fs::path& source, std::span<const fs::path> roots) {
   const auto here = [](const fs::path& folder) { return folder.empty() ? fs::path(".") : folder; };
   std::error_code error;

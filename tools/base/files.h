@@ -44,6 +44,10 @@ class FileBytes {
   std::size_t size_ = 0;
 };
 
+/// True for the few lines that Git LFS leaves in place of a file whose content was not fetched.
+[[nodiscard]] bool is_lfs_pointer(std::string_view bytes);
+inline constexpr const char* kLfsPointer = "Git LFS has not fetched what is in this file; run 'git lfs pull'";
+
 /// Folders in which the files that a source names may lie, without links: the one that its path says, the one that it really
 /// lies in where it is a link (build systems and big stores link all that they hand out), and those of `roots`, which whoever
 /// asks for the work has declared. What is absent is left out; empty where the source's own folder is.

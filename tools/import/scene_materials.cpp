@@ -41,6 +41,13 @@ aiString base_texture_path(const aiMaterial& material) {
   return aiString();
 }
 
+// Empty where it is the base colour's own, as exporters write it for an image with alpha.
+std::string opacity_path(const aiMaterial& material, const aiString& base) {
+  aiString path;
+  if (material.GetTexture(aiTextureType_OPACITY, 0, &path) != AI_SUCCESS || path == base) return {};
+  return text_of(path);
+}
+
 // glTF says it; elsewhere a texture of its own for opacity is the only sign that exporters agree on.
 void convert_alpha(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
   if (format != SourceFormat::kGltf) {
@@ -109,6 +116,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     aiString name;
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
+    out.opacity_texture = opacity_path(material, path);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);
     int two_sided = 0;

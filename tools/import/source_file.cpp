@@ -1,6 +1,8 @@
 
 #include "import/import.h"
 
+#include "base/files.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -25,6 +27,9 @@ tl::expected<void, ToolError> check_readable(const fs::path& path, std::uint64_t
   if (!std::ifstream(path, std::ios::binary)) {
     return file_failure(Kind::kFileAccess, path, "cannot open: {}; check its permissions", std::strerror(errno));
   }
+  std::string begin(128, '\0');
+  std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+  if (is_lfs_pointer(begin)) return file_failure(Kind::kBadInput, path, "{}", kLfsPointer);
   const std::uintmax_t size = fs::file_size(path, code);
   if (code) return file_failure(Kind::kFileAccess, path, "cannot open: {}", code.message());
   if (size == 0) return file_failure(Kind::kBadInput, path, "the file is empty; {}", kReexport);

@@ -1,5 +1,6 @@
 #include "cook/texture/image.h"
 
+#include "base/files.h"
 #include "process/child_process.h"
 
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ tl::expected<Image, std::string> read_image(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return tl::unexpected(fmt::format("cannot open: {}", std::strerror(errno)));
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (is_lfs_pointer({bytes.data(), bytes.size()})) return tl::unexpected(std::string(kLfsPointer));
   return decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 

@@ -28,6 +28,7 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 }  // namespace
 
 const Image* SourceImages::of(const SourceMaterial& material) {
+  if (!material.opacity_texture.empty()) warn_of_opacity(material);
   if (material.base_texture.image < source_.images.size()) return embedded(material);
   return material.base_texture.path.empty() ? nullptr : beside(material);
 }
@@ -124,6 +125,13 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
       fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
                   "folders; {}; it is cooked without a base texture",
                   material.name, material.base_texture.path, there));
+}
+
+void SourceImages::warn_of_opacity(const SourceMaterial& material) {
+  std::string text = fmt::format("material '{}': its opacity texture '{}' is not read; put what it holds into the alpha of the base texture",
+                                 material.name, material.opacity_texture);
+  const bool is_new = std::ranges::find(findings_.warnings, text) == findings_.warnings.end();
+  if (is_new) findings_.warn(std::move(text));
 }
 
 namespace {

@@ -122,6 +122,7 @@ class SourceImages {
   const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
   void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
   void warn_of_absent(const SourceMaterial& material);
+  void warn_of_opacity(const SourceMaterial& material);
 
   const SourceModel& source_;
   TextureFolder folder_;
