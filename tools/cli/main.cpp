@@ -61,7 +61,6 @@ Exit run_program(int argc, char** argv) {
   program.require_subcommand(0, 1);
   bool wants_manual = false;
   program.add_flag("--man", wants_manual, "Print the manual page: coif --man | man -l -");
-  program.footer(exit_code_help());
   std::vector<Command> commands;
   for (const auto add :
        {add_cook, add_validate, add_info, add_simulate, add_render, add_gallery, add_compare, add_report, add_strip, add_cache}) {
@@ -69,6 +68,7 @@ Exit run_program(int argc, char** argv) {
     CLI::App& app = *commands.back().app;
     app.footer(app.get_footer().empty() ? exit_code_help() : app.get_footer() + "\n" + exit_code_help());
   }
+  program.footer(exit_code_help());  // Now, for commands begin with a copy of what the program has.
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

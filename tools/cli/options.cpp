@@ -28,7 +28,7 @@ CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots)
       .add_option("--root", roots, "Files that a source names may lie in this folder, too, as where links lead; once for each folder")
       ->type_name("DIR")
       ->allow_extra_args(false)
-      ->check(CLI::ExistingDirectory);
+      ->check(CLI::Validator(CLI::ExistingDirectory).description(""));
 }
 
 CLI::Option* add_size(CLI::App& app, PixelSize& size) {
