@@ -1,8 +1,6 @@
 #include "cli/cook_job.h"
 
 #include "base/files.h"
-#include "base/json.h"
-#include "base/text.h"
 #include "base/work_limit.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
@@ -169,94 +167,6 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
   if (written && !options.depfile.empty()) written = write(options.depfile, std::as_bytes(std::span(*depfile)));
   if (!written) return tl::unexpected(written.error());
   return summary;
-}
-
-namespace {
-
-double total_ms(const CookReport& report) {
-  double sum = 0;
-  for (const PassTime& pass : report.passes) sum += pass.ms;
-  return sum;
-}
-
-std::string next_step(const CookSummary& summary) {
-  const CookReport& report = summary.report;
-  if (report.simulated_bones == 0) {
-    return "nothing will move: 'coif cook SOURCE --list' prints the bones; name the hair's in a recipe "
-           "('coif cook --print-recipe')";
-  }
-  if (report.triangles == 0) return fmt::format("coif simulate {} --motion turn -o turn.csv", summary.output);
-  return fmt::format("coif render {} -o picture.png", summary.output);
-}
-
-nlohmann::ordered_json left_out_json(const CookReport& report) {
-  auto list = nlohmann::ordered_json::array();
-  for (const LeftOut& left_out : report.left_out) {
-    list.push_back({{"what", left_out.what},
-                    {"why", left_out.why},
-                    {"bytes", left_out.bytes},
-                    {"bytes_per_head", left_out.bytes_per_head},
-                    {"ns_per_frame", left_out.ns_per_frame}});
-  }
-  return list;
-}
-
-/// All that was found, what each pass took, and what was read.
-std::string details(const CookSummary& summary) {
-  const CookReport& report = summary.report;
-  std::string text;
-  for (const std::string& note : report.notes) text += fmt::format("  {}\n", note);
-  for (const LeftOut& left_out : report.left_out) text += fmt::format("  left out: {}\n", left_out.text());
-  for (const PassTime& pass : report.passes) text += fmt::format("  {:>9.1f} ms  {}\n", pass.ms, pass.name);
-  for (const std::filesystem::path& file : summary.files) {
-    std::error_code error;
-    text += fmt::format("  {}: {}\n", fs::exists(file, error) ? "read" : "looked for in vain", file.string());
-  }
-  return text;
-}
-
-std::string told_with_v(const CookReport& report) {
-  if (report.notes.empty() && report.left_out.empty()) return {};
-  return fmt::format("  {}, {} left out: -v tells them\n", counted(report.notes.size(), "note", "notes"),
-                     counted(report.left_out.size(), "thing", "things"));
-}
-
-}  // namespace
-
-std::string cook_json(const CookSummary& summary) {
-  const CookReport& report = summary.report;
-  auto passes = nlohmann::ordered_json::array();
-  for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
-  return json_text({{"output", summary.output},
-                    {"bytes", summary.bytes},
-                    {"from_cache", summary.from_cache},
-                    {"passes", std::move(passes)},
-                    {"warnings", report.warnings},
-                    {"triangles", report.triangles},
-                    {"vertices", report.vertices},
-                    {"patches", report.patches},
-                    {"patches_by_index", report.patches_by_index},
-                    {"patches_by_position", report.patches_by_position},
-                    {"chains", report.chains},
-                    {"bones", report.bones},
-                    {"simulated_bones", report.simulated_bones},
-                    {"notes", report.notes},
-                    {"left_out", left_out_json(report)}});
-}
-
-std::string cook_text(const CookSummary& summary, bool in_full) {
-  const CookReport& report = summary.report;
-  std::string text =
-      fmt::format("{}: {} in {} ({} by index, {} by position)\n", summary.output,
-                  counted(report.triangles, "triangle", "triangles"), counted(report.patches, "patch", "patches"),
-                  report.patches_by_index, report.patches_by_position);
-  text += fmt::format("  {} of {}, {} of them simulated\n", counted(report.chains, "chain", "chains"),
-                      counted(report.bones, "bone", "bones"), report.simulated_bones);
-  text += fmt::format("  {} bytes {} {:.0f} ms, {}\n", summary.bytes,
-                      summary.from_cache ? "from the cache, once cooked in" : "in", total_ms(report),
-                      counted(report.warnings.size(), "warning", "warnings"));
-  text += in_full ? details(summary) : told_with_v(report);
-  return text + fmt::format("  next: {}\n", next_step(summary));
 }
 
 }  // namespace coif
