@@ -1,6 +1,7 @@
 #include "cook/cook.h"
 #include "cook/sample_meshes.h"
 #include "import/import.h"
+#include "models/cook_fingerprint.h"
 #include "models/small_asset.h"
 #include "sample/bob.h"
 #include "sample/head_shape.h"
@@ -193,6 +194,7 @@ TEST(LongSample, CooksWithoutWarningsIntoAHundredChainsOfSixteenBones) {
   EXPECT_EQ(asset.bones().size(), 1u + 3u + 1600u) << "head, scalp, chains";
   ASSERT_EQ(asset.chains().size(), 100u);
   for (const ChainRecord& chain : asset.chains()) EXPECT_EQ(chain.bone_count, 16u);
+  EXPECT_TRUE(is_cooked_as_before("long", asset));
 }
 
 TEST(LongSample, NamesItsBonesByLockAndPlace) {

@@ -1,5 +1,6 @@
 #include "golden/golden_cases.h"
 #include "models/absent.h"
+#include "models/cook_fingerprint.h"
 #include "render/egl_context.h"
 #include "report/order/drawn_way.h"
 
@@ -59,6 +60,13 @@ class Golden : public testing::Test {
 
   const LoadedAsset sample_{COIF_COOKED_SAMPLE};
 };
+
+/// Without pictures, so also where none can be drawn.
+TEST(GoldenCook, ChunksAreAsTheyWere) {
+  const LoadedAsset sample(COIF_COOKED_SAMPLE);
+  ASSERT_TRUE(sample.asset().is_open()) << COIF_COOKED_SAMPLE " is absent: ctest cooks it, test cli.cook_sample";
+  EXPECT_TRUE(is_cooked_as_before("bob", sample.asset()));
+}
 
 TEST_F(Golden, EveryPictureLooksAsItDid) {
   for (const GoldenCase& golden : golden_cases()) {
