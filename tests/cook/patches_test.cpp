@@ -150,6 +150,32 @@ TEST(Weld, JoinsEqualVerticesAndDropsUnusedOnes) {
   EXPECT_EQ(mesh.triangle_count(), 8u);
 }
 
+TEST(Weld, WhatDiffersInOneAttributeStaysApart) {
+  HairMesh copied = hair_from(make_strip({}));
+  const auto joined = std::uint32_t(copied.positions.size());
+  for (std::uint32_t& v : copied.triangles) {
+    if (v == 3) v = copied.append_vertex(copied, 3);
+  }
+  const std::uint32_t copy = joined;
+  const std::function<void(HairMesh&)> changes[] = {
+      [](HairMesh&) {},
+      [&](HairMesh& mesh) { mesh.positions[copy].x() += 1e-6f; },
+      [&](HairMesh& mesh) { mesh.uvs[copy].y() += 1e-6f; },
+      [&](HairMesh& mesh) { mesh.influences[mesh.influence_begin[copy]].node = 1; },
+      [&](HairMesh& mesh) { mesh.influences[mesh.influence_begin[copy]].weight = 0.5f; },
+      [&](HairMesh& mesh) {
+        mesh.normals.assign(mesh.positions.size(), Eigen::Vector3f::UnitY());
+        mesh.normals[copy] = Eigen::Vector3f::UnitZ();
+      },
+  };
+  for (std::size_t i = 0; i < std::size(changes); ++i) {
+    HairMesh mesh = copied;
+    changes[i](mesh);
+    weld_vertices(mesh);
+    EXPECT_EQ(mesh.positions.size(), i == 0 ? joined : joined + 1) << i;
+  }
+}
+
 TEST(Weld, PlacesAreFoundAcrossCellBordersAndOnlyWithinTheDistance) {
   const std::vector<Eigen::Vector3f> positions{
       {0.0009999f, 0, 0}, {0.0010001f, 0, 0}, {0.0050f, 0, 0}, {-0.0000001f, 0, 0}};

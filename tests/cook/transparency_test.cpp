@@ -258,6 +258,20 @@ TEST(UsedTexels, SliversCountWhereTheyPass) {
   EXPECT_EQ(count(line), kSmallSide) << "narrower than a texel, as high as the image";
 }
 
+TEST(UsedTexels, ATriangleWithinOneRowCountsToItsCorners) {
+  SourceMesh sliver = strip_over({0, 0}, {1, 1});
+  sliver.triangles.resize(3);
+  const Eigen::Vector2f corners[] = {{2.5f, 20.2f}, {30.5f, 20.5f}, {9.5f, 20.8f}};
+  for (int k = 0; k < 3; ++k) sliver.uvs[sliver.triangles[std::size_t(k)]] = corners[k] / float(kSide);
+  const Image used = used_texels(hair_from(sliver), kSide, kSide);
+  for (std::uint32_t y = 0; y < kSide; ++y) {
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      const bool is_in = y == 20 && x >= 2 && x <= 30;
+      ASSERT_EQ(used.texels[std::size_t(y) * kSide + x] != 0, is_in) << x << ", " << y;
+    }
+  }
+}
+
 TEST(UsedTexels, RepeatsShowEverything) {
   EXPECT_EQ(count(used_by({0, 0}, {3, 3})), kSmallSide * kSmallSide);
   EXPECT_EQ(count(used_by({0, 0}, {3000, 2000})), kSmallSide * kSmallSide);

@@ -2,6 +2,7 @@
 
 #include "models/small_asset.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -178,6 +179,20 @@ TEST(OpenLods, RefusesLevelsThatDoNotCoverThePatches) {
     a.lod_bones[2] = 1;
   };
   EXPECT_EQ(refusal(too_few), LoadCode::kLodCover) << "the last patch is in no level";
+}
+
+TEST(OpenLods, TellWhatWasExpectedAndWhatWasFound) {
+  const auto evidence = [](const auto& change) {
+    AssetContents contents = small_asset();
+    change(contents);
+    const LoadStatus status = open_written(contents);
+    EXPECT_EQ(status.chunk, chunk::kLods);
+    return std::array<std::uint64_t, 3>{status.item, status.expected, status.found};
+  };
+  using Evidence = std::array<std::uint64_t, 3>;
+  EXPECT_EQ(evidence([](auto& a) { a.lods[1].first_patch = 1; }), (Evidence{1, 2, 1})) << "where it begins";
+  EXPECT_EQ(evidence([](auto& a) { a.lods[1].patch_count = 7; }), (Evidence{1, 1, 7})) << "of how many are left";
+  EXPECT_EQ(evidence([](auto& a) { make_levels(a, kMaxLods + 1); }), (Evidence{0, kMaxLods, kMaxLods + 1}));
 }
 
 TEST(OpenLods, RefusesLevelsWithoutPatches) {

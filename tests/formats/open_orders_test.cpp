@@ -63,6 +63,18 @@ TEST(OpenOrders, EveryLevelKeepsItsOwnTriangles) {
     a.orders = {2, 0, 1, 1, 2, 0};
   };
   EXPECT_EQ(refusal(one_level), LoadCode::kOk);
+  const auto without_levels = [&](std::vector<std::uint32_t> orders) {
+    AssetContents contents = small_asset();
+    clear_group("lods", contents);
+    contents.orders = std::move(orders);
+    return open_written(contents);
+  };
+  const LoadStatus beyond = without_levels({2, 0, 1, 1, 3, 0});
+  EXPECT_EQ(beyond.code, LoadCode::kReference);
+  EXPECT_EQ(beyond.item, 4u);
+  EXPECT_EQ(beyond.expected, 3u) << "so many there are";
+  EXPECT_EQ(beyond.found, 3u);
+  EXPECT_EQ(without_levels({2, 0, 1, 1, 2, 2}).code, LoadCode::kOrderCover);
 }
 
 TEST(OpenOrders, RefusesATriangleThatIsDrawnTwice) {

@@ -25,22 +25,24 @@ import suites as test_suites
 
 HEADER = """#pragma once
 #ifdef __cplusplus
-#include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 namespace coif_mutants {
+// A file in memory, so that what crashes and what a child does is known as well.
+inline unsigned char* shared() {
+  static unsigned char own[4096];
+  const char* const name = std::getenv("COIF_MUTANTS_SEEN");
+  const int file = name ? ::open(name, O_RDWR | O_CREAT | O_CLOEXEC, 0666) : -1;
+  if (file < 0 || ::ftruncate(file, sizeof own) != 0) return own;
+  void* const all = ::mmap(nullptr, sizeof own, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  ::close(file);
+  return all == MAP_FAILED ? own : static_cast<unsigned char*>(all);
+}
+inline unsigned char* const seen = shared();
 inline const int chosen = std::getenv("COIF_MUTANT") ? std::atoi(std::getenv("COIF_MUTANT")) : 0;
-inline unsigned char seen[4096] = {};
 inline bool at(int number) { seen[number] = 1; return number == chosen; }
-struct Writer {
-  ~Writer() {
-    const char* const name = std::getenv("COIF_MUTANTS_SEEN");
-    std::FILE* const file = name ? std::fopen(name, "a") : nullptr;
-    if (!file) return;
-    for (int i = 0; i < 4096; ++i) if (seen[i]) std::fprintf(file, "%d\\n", i);
-    std::fclose(file);
-  }
-};
-inline const Writer writer;
 struct Less { int number; };
 struct LessEqual { int number; };
 struct Greater { int number; };
@@ -164,10 +166,9 @@ def build(project, work, drawn, arguments):
 
 
 def choose(drawn, count):
-    """As many of each kind, and the first of them."""
-    share = -(-count // len(subtle_mistakes.KINDS))
-    of_kind = [[m for m in drawn if m.kind == kind][:share] for kind in subtle_mistakes.KINDS]
-    return [m for kind in of_kind for m in kind][:count]
+    """As many of each kind, and the first of them, one of each kind after the other."""
+    of_kind = [[m for m in drawn if m.kind == kind] for kind in subtle_mistakes.KINDS]
+    return [m for round_ in zip(*of_kind) for m in round_][:count]
 
 
 def read_arguments():
@@ -177,10 +178,11 @@ def read_arguments():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=lambda text: [int(number) for number in text.split(",")], help="numbers of mistakes")
     parser.add_argument("--folders", type=lambda text: text.split(","), default=["formats", "runtime/sim", "tools/cook"])
-    parser.add_argument("--tests", default="", help="names of the tests that may notice, by default all")
+    parser.add_argument("--tests", default="", help="names of the tests and suites that may notice, by default all")
     parser.add_argument("--longest", type=float, default=20, help="seconds that a suite may take to be asked")
+    parser.add_argument("--shortest", type=float, default=0, help="seconds that a suite must take; to go on where a run has ended")
     parser.add_argument("--without", default=r"^(consumer|guard|farm|bench|fuzz|example|other_builds)\b|^cli\.(report|galler)",
-                        help="names of tests that are not asked")
+                        help="names of tests and of suites (program:suite) that are not asked")
     return parser.parse_known_args()
 
 
@@ -194,9 +196,9 @@ def main():
     if failed := test_suites.learn_reach(suites, given.work, is_as_before, given.longest):
         print("fails without a mistake: " + " ".join(failed))
         return 2
-    left_out = [suite for suite in suites if suite.seconds > given.longest]
+    left_out = [suite for suite in suites if not given.shortest <= suite.seconds <= given.longest]
     suites = [suite for suite in suites if suite not in left_out]
-    print(f"{len(left_out)} suites left out that take longer than {given.longest} s")
+    print(f"{len(left_out)} suites left out that take less than {given.shortest} s or more than {given.longest} s")
     print(f"{len(suites)} suites, {sum(suite.seconds for suite in suites):.0f} s", flush=True)
     sample, untouched = given.work / "build/sample", given.work / "sample"
     shutil.rmtree(untouched, ignore_errors=True)

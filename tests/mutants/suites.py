@@ -46,8 +46,6 @@ def list_suites(work, wanted, unwanted):
     for test in json.loads(listed.stdout)["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}
         name, command = test["name"], test["command"]
-        if re.search(unwanted, name) or not re.search(wanted, name):
-            continue
         chosen = [a for a in command if a.startswith("--gtest_filter=")]
         if chosen:
             case = chosen[0].split("=", 1)[1]
@@ -58,7 +56,7 @@ def list_suites(work, wanted, unwanted):
     for (program, name), filters in cases.items():
         command = [program, "--gtest_brief=1", "--gtest_fail_fast", "--gtest_filter=" + ":".join(filters)]
         suites.append(Suite(f"{pathlib.Path(program).name}:{name}", command, build_folder / "tests", 900, False))
-    return suites
+    return [s for s in suites if re.search(wanted, s.name) and not re.search(unwanted, s.name)]
 
 
 def learn_reach(suites, work, is_known, longest):
@@ -74,7 +72,7 @@ def learn_reach(suites, work, is_known, longest):
             return True
         file = work / "seen" / str(suites.index(suite))
         passed = suite.run({"COIF_MUTANTS_SEEN": str(file)}, 900)
-        suite.reached = {int(line) for line in file.read_text().split()} if file.exists() else set()
+        suite.reached = {number for number, seen in enumerate(file.read_bytes()) if seen} if file.exists() else set()
         return passed
     shutil.rmtree(work / "seen", ignore_errors=True)
     (work / "seen").mkdir()

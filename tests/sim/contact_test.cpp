@@ -261,6 +261,31 @@ TEST(LaneContact, TurnsABoneToTheSurfaceAndNoFurtherThanItTakes) {
   }
 }
 
+// What pushes into a wall is taken away there: hair that lay against it for long leaves it as hair does that just came.
+TEST(LaneContact, AWallFromWithinStoresNoSpeed) {
+  for (const bool is_capsule : {false, true}) {
+    TestRig rig;
+    rig.add({.joint = {0, 0.05f, 0}, .rest_direction = {0, -1, 0}, .length = 0.1f, .stiffness = 0, .damping = 1});
+    if (is_capsule) rig.add_capsule({0, 0, -0.1f}, {0, 0, 0.1f}, 0.1f);
+    if (!is_capsule) rig.add_sphere({0, 0, 0}, 0.1f);
+    rig.colliders[0].flags = kColliderKeepsInside;
+    const auto left = [&](int frames) {
+      TestHair test(rig);
+      StepSettings settings{.dt = 1.0f / 60};
+      const auto run = [&](float gravity, int count) {
+        settings.environment.gravity = {gravity, 0, 0};
+        for (int i = 0; i < count; ++i) EXPECT_EQ(test.hair.step(settings), Status::kOk);
+      };
+      run(9.81f, frames);
+      EXPECT_GT(test.ends()[0].x, 0.09f) << "it lies against the wall";
+      run(-9.81f, 12);
+      return test.ends()[0].x;
+    };
+    EXPECT_LT(left(60), 0.085f);
+    EXPECT_NEAR(left(60), left(600), 1e-4f);
+  }
+}
+
 TEST(LaneContact, LeavesBonesAloneThatAreClear) {
   for (const ColliderShape shape : kShapes) {
     const TestRig rig = crossing_bones(shape, 7, 64);

@@ -76,12 +76,15 @@ TEST(Hitch, FollowsTheMotionOfItsTime) {
 }
 
 TEST(Hitch, AHeadThatWasHeldStopsAsIfItHadStopped) {
-  const HeadMotion held = until(3, glide);
-  TestHair hitched(rig()), smooth(rig());
-  const float swing = largest_swing(hitched, held, 0.25f, {});
-  const float usual = largest_swing(smooth, held, 1.0f / 60, {});
-  EXPECT_GT(usual, 0.02f) << "or it had not moved";
-  EXPECT_LT(swing, usual);
+  const auto spin = [](double t) { return HeadPose{{0, 0, 0}, turned_about({0, 1, 0}, 6 * t)}; };
+  for (const HeadMotion& motion : {HeadMotion(glide), HeadMotion(spin)}) {
+    const HeadMotion held = until(3, motion);
+    TestHair hitched(rig()), smooth(rig());
+    const float swing = largest_swing(hitched, held, 0.25f, {});
+    const float usual = largest_swing(smooth, held, 1.0f / 60, {});
+    EXPECT_GT(usual, 0.02f) << "or it had not moved";
+    EXPECT_LT(swing, usual);
+  }
 }
 
 TEST(Hitch, CostsNoMoreThanTheLongestPart) {
