@@ -100,6 +100,32 @@ TEST(OrderBones, ChainsFollowEachOtherAndHoldTheirBonesParentsFirst) {
   EXPECT_EQ(next, skeleton.bones.size());
 }
 
+/// The same tree, its bones listed in another order, parents first.
+std::vector<std::uint32_t> listed_otherwise(const std::vector<std::uint32_t>& parents, std::mt19937& random) {
+  std::vector<std::uint32_t> place(parents.size(), kNone), ready = {0}, listed;
+  while (!ready.empty()) {
+    const std::size_t next = random() % ready.size();
+    const std::uint32_t bone = ready[next];
+    ready.erase(ready.begin() + std::ptrdiff_t(next));
+    place[bone] = std::uint32_t(listed.size());
+    listed.push_back(parents[bone] == kNone ? kNone : place[parents[bone]]);
+    for (std::uint32_t child = 0; child < parents.size(); ++child) {
+      if (parents[child] == bone) ready.push_back(child);
+    }
+  }
+  return listed;
+}
+
+TEST(OrderBones, EqualTreesGetOneShapeInWhateverOrderTheirBonesAreListed) {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::vector<std::uint32_t> tree = random_tree(14, random);
+    Skeleton skeleton = skeleton_of({tree, listed_otherwise(tree, random)});
+    (void)order_bones(skeleton);
+    ASSERT_EQ(shape_of(skeleton, skeleton.chains[0]), shape_of(skeleton, skeleton.chains[1])) << "trial " << trial;
+  }
+}
+
 TEST(OrderBones, ChainsOfEqualShapeAreNeighbours) {
   const std::vector<std::uint32_t> path = {kNone, 0, 1, 2}, fork = {kNone, 0, 0, 1}, same_fork = {kNone, 0, 0, 2};
   Skeleton skeleton = skeleton_of({path, fork, path, {kNone, 0}, same_fork, path, {kNone, 0}});

@@ -159,6 +159,26 @@ TEST(HeadLanes, AngularVelocityTurnsTheRotationWhereItsAxisTurnsToo) {
   }
 }
 
+// A head that was thrown round in a millisecond and then has fifty to come back flies on round and round at first.
+TEST(HeadLanes, PathsOfSeveralTurnsInOneFrameTurnAsTheirRatesSay) {
+  constexpr std::uint32_t kParts = 4096;
+  const auto whirl = [](double t) { return HeadPose{{}, turned_about({0, 1, 0}, t > 5e-4 && t < 0.01 ? 2.9 : 0.0)}; };
+  for (const InstructionSet set : runnable_sets()) {
+    const std::vector<Part> parts = parts_of(whirl, {0.001, 0.051}, kParts, set);
+    const double h = parts.back().to - parts.back().from;
+    double turned = 0, farthest = 0;
+    for (std::size_t i = kParts; i + 1 < parts.size(); ++i) {
+      const Quat &from = parts[i].rotation_before, &to = parts[i + 1].rotation;
+      const Quat turn = product(to, {-from.x, -from.y, -from.z, from.w});
+      const double rate = std::atan2(double(turn.y), double(turn.w)) / h;  // half the angle, in twice the time
+      ASSERT_NEAR(parts[i].angular_velocity.y, rate, 0.3 + 0.002 * std::fabs(rate)) << name_of(set) << ", part " << i;
+      turned += double(parts[i].angular_velocity.y) * h;
+      farthest = std::max(farthest, std::fabs(turned));
+    }
+    EXPECT_GT(farthest, 4 * 3.14159) << "or it was not several turns";
+  }
+}
+
 TEST(HeadLanes, ParabolasAreExactAtUnevenFrames) {
   const auto parabola = [](double t) {
     return HeadPose{{t * (3 - 2 * t), 4 * t * t, 1 - t}, turned_about({0, 0.6f, 0.8f}, t * (1.5 - t))};
