@@ -5,11 +5,21 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 namespace coif::recipe_test {
 
 std::string message_of(const std::string& text) {
   const auto recipe = parse_recipe(text, "r.json");
   return recipe ? "" : recipe.error().message;
+}
+
+// Keys, defaults and ranges are what recipes that lie in a studio's store rely on.
+TEST(Recipe, IsAsItWasPrinted) {
+  std::ifstream file(COIF_GOLDEN_FOLDER "/recipe.json");
+  const std::string kept(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(print_recipe(default_recipe()), kept) << "where that is meant: tests/golden/renew.sh BUILD_FOLDER";
 }
 
 TEST(Recipe, EveryDefaultIsWithinItsOwnRange) {

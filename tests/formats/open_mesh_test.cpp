@@ -93,18 +93,24 @@ TEST(OpenMaterial, KnowsThreeShadingModels) {
   EXPECT_EQ(material_refusal([](auto& m) { m.shading = ShadingModel(3); }), LoadCode::kEnumerator);
 }
 
-TEST(OpenMaterial, KeepsEveryNumberOfTheShadingInItsRange) {
+TEST(OpenMaterial, KeepsEveryNumberInItsRange) {
   struct Range {
     float MaterialRecord::*field;
     float low, high;
   };
   for (const Range& range : {Range{&MaterialRecord::tilt, -kMostTilt, kMostTilt},
                              {&MaterialRecord::roughness, 0, kMostRoughness},
+                             {&MaterialRecord::primary_exponent, 1e-3f, 1e5f},
+                             {&MaterialRecord::secondary_exponent, 1e-3f, 1e5f},
+                             {&MaterialRecord::primary_shift, -10, 10},
+                             {&MaterialRecord::secondary_shift, -10, 10},
+                             {&MaterialRecord::opaque_threshold, 0, 1},
+                             {&MaterialRecord::discard_threshold, 0, 1},
                              {&MaterialRecord::scatter, 0, 1},
                              {&MaterialRecord::light_cut, 0, 1}}) {
     const auto with = [&](float value) { return material_refusal([&](auto& m) { m.*range.field = value; }); };
     for (const float good : {range.low, range.high}) EXPECT_EQ(with(good), LoadCode::kOk);
-    for (const float bad : {range.low - 0.01f, range.high + 0.01f, kNan}) EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
+    for (const float bad : {std::nextafter(range.low, -2e5f), std::nextafter(range.high, 2e5f), kNan}) EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
   }
 }
 
@@ -179,6 +185,16 @@ TEST(OpenLods, RefusesLevelsThatDoNotCoverThePatches) {
     a.lod_bones[2] = 1;
   };
   EXPECT_EQ(refusal(too_few), LoadCode::kLodCover) << "the last patch is in no level";
+}
+
+TEST(OpenPatches, TellWhichBoneTheyNameAndHowManyThereAre) {
+  AssetContents contents = small_asset();
+  contents.patches[1].bone = 77;
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.code, LoadCode::kReference);
+  EXPECT_EQ(status.item, 1u);
+  EXPECT_EQ(status.expected, contents.bones.size());
+  EXPECT_EQ(status.found, 77u);
 }
 
 TEST(OpenLods, TellWhatWasExpectedAndWhatWasFound) {

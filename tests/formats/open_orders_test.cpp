@@ -51,6 +51,11 @@ TEST(OpenOrders, RefusesOrdersThatAreNotWholeOrTooMany) {
   };
   EXPECT_EQ(refusal(with(kMaxOrders - 1)), LoadCode::kOk);
   EXPECT_EQ(refusal(with(kMaxOrders)), LoadCode::kChunkSize);
+  AssetContents contents = small_asset();
+  with(kMaxOrders + 4)(contents);
+  const LoadStatus status = open_written(contents);
+  EXPECT_EQ(status.expected, kMaxOrders - 1u);
+  EXPECT_EQ(status.found, kMaxOrders + 4u);
 }
 
 TEST(OpenOrders, EveryLevelKeepsItsOwnTriangles) {

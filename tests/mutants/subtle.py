@@ -2,14 +2,16 @@
 """Puts subtle mistakes into a copy of the project, one at a time, and lists those that no test notices.
 
   tests/mutants/subtle.py WORK [--count 300] [--seed 1] [--only NUMBER,...] [--folders formats,runtime/sim,tools/cook]
-                          [--tests REGEX] [--longest SECONDS] [-D... for CMake]
+                          [--tests REGEX] [--without REGEX] [--shortest SECONDS] [--longest SECONDS] [-D... for CMake]
 
 A mistake is a constant a tenth larger, `<` for `<=`, a call left out or two arguments swapped. Where they are made is drawn by
-lot from all such places of the folders, as many of each kind. Left out are only those that do not compile; of numbers those that are 0, and whole ones
-below 8. All are compiled in at once, each behind a condition that is true where COIF_MUTANT holds its number. Tests
-are taken suite by suite. First each suite runs without a mistake and says which mistakes' places it comes through; then, for
-each mistake, those suites run that come through it, the quickest first, until one fails. Prints a line for each mistake, and a
-sum by folder and by kind; ends with 1 where more than a tenth survived, and with 2 where a suite fails without a mistake.
+lot from all such places of the folders, as many of each kind. Left out are only those that do not compile, and of numbers
+those that are 0 and whole ones below 8. All are compiled in at once, each behind a condition that is true where COIF_MUTANT
+holds its number. Tests are taken suite by suite. First each suite runs without a mistake and says which mistakes' places it
+comes through; then, for each mistake, those suites run that come through it, the quickest first, until one fails. Prints a line
+for each mistake, and a sum by folder and by kind; ends with 1 where more than a tenth survived, and with 2 where a suite fails
+without a mistake. Some survivors change nothing that anybody can see: `<` for `<=` between lengths, a limit that a second one
+repeats. WORK keeps what was built and learned; --only goes on with those that an earlier run left.
 """
 import argparse
 import collections

@@ -2,7 +2,7 @@
 import re
 
 # Arguments of these may be swapped without a difference.
-COMMUTATIVE = {"max", "min", "dot", "hypot", "Max", "Min", "Add", "Mul", "fmax", "fmin", "gcd", "lcm", "swap", "And", "Or", "Xor", "Eq", "Ne"}
+COMMUTATIVE = {"add", "smaller", "larger", "distance", "squared_distance", "angle_between", "max", "min", "dot", "hypot", "Max", "Min", "Add", "Mul", "fmax", "fmin", "gcd", "lcm", "swap", "And", "Or", "Xor", "Eq", "Ne"}
 KEYWORDS = {"if", "for", "while", "switch", "return", "sizeof", "catch", "alignof", "alignas", "decltype", "static_assert", "noexcept",
             "operator", "co_return", "else", "throw", "new", "delete", "requires", "explicit", "assert", "defined", "using"}
 OPERATORS = {"<": "Less", "<=": "LessEqual", ">": "Greater", ">=": "GreaterEqual"}
