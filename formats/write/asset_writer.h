@@ -44,7 +44,7 @@ struct PendingChunk {
   std::uint32_t id = 0;
   std::uint32_t flags = 0;
   std::span<const std::byte> bytes;
-  std::size_t alignment = 16;  ///< Of its place in the file.
+  std::size_t alignment = 1;  ///< Of its place in the file.
 };
 
 /// Header, table and chunks in the order given, as close to each other as their alignment allows, hashes filled in.

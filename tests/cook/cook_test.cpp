@@ -23,6 +23,16 @@ CookResult cooked(const SourceModel& model, unsigned threads = 1, const Recipe& 
   return result ? *result : CookResult{};
 }
 
+TEST(Cook, NormalsALittleTooLongStayWhatTheyAre) {
+  SourceModel model = make_wig();
+  model.meshes[0].normals.assign(model.meshes[0].positions.size(), {0, 0, 1.009f});
+  const CookResult result = cooked(model);
+  AlignedBytes file(result.asset);
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  for (const VertexRecord& vertex : asset.vertices()) EXPECT_EQ(vertex.normal[2], 32767);
+}
+
 TEST(Cook, TheWigBecomesAnAssetThatOpens) {
   const CookResult result = cooked(make_wig());
   AlignedBytes file(result.asset);
@@ -217,7 +227,7 @@ std::vector<std::byte> cooked_wig() {
   recipe.texture_max_size = 4;
   const auto result = cook(model, recipe, {});
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
-  EXPECT_TRUE(result && result->report.warnings.empty());
+  EXPECT_TRUE(result && result->report.warnings.empty()) << (result ? result->report.warnings[0] : "");
   return result ? result->asset : std::vector<std::byte>{};
 }
 

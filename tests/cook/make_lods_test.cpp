@@ -144,6 +144,7 @@ using Bones = std::vector<bool>;
 TEST(LodBones, ChainsLoseTheirTipsFirstAndShortOnesAllTheirBones) {
   const Skeleton skeleton = forked_chain();
   EXPECT_EQ(moving_bones(skeleton, 0), Bones({0, 0, 1, 1, 1, 1, 1}));
+  EXPECT_FALSE(moving_bones(skeleton, skeleton.bones[6].length())[6]) << "as long as what stands still";
   EXPECT_EQ(moving_bones(skeleton, 0.03), Bones({0, 0, 1, 1, 1, 0, 1})) << "the branch is shorter";
   EXPECT_EQ(moving_bones(skeleton, 0.06), Bones({0, 0, 1, 1, 1, 0, 0})) << "so is the second chain";
   EXPECT_EQ(moving_bones(skeleton, 0.15), Bones({0, 0, 1, 1, 0, 0, 0})) << "the long chain's last bone";

@@ -183,6 +183,23 @@ TEST(Weld, PlacesAreFoundAcrossCellBordersAndOnlyWithinTheDistance) {
   EXPECT_EQ(place[1], place[0]);
   EXPECT_EQ(place[2], 2u);
   EXPECT_EQ(place[3], 3u);
+  const std::vector<Eigen::Vector3f> apart{{0, 0, 0}, {0.5f, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(weld_places(apart, 0.5), (std::vector<std::uint32_t>{0, 0, 2})) << "the distance itself is within";
+}
+
+TEST(FindPieces, OneCornerInCommonIsEnoughWhicheverItIs) {
+  SourceMesh mesh;
+  for (int i = 0; i < 5; ++i) mesh.positions.emplace_back(float(i), float(i * i), 0);
+  for (std::uint32_t first = 0; first < 3; ++first) {
+    for (std::uint32_t second = 0; second < 3; ++second) {
+      mesh.triangles = {0, 0, 0, 0, 0, 0};
+      for (std::uint32_t k = 1; k < 3; ++k) {
+        mesh.triangles[(first + k) % 3] = k;
+        mesh.triangles[3 + (second + k) % 3] = 2 + k;
+      }
+      EXPECT_EQ(find_pieces(mesh, 0).count, 1u) << first << " and " << second;
+    }
+  }
 }
 
 TEST(SortPatches, InnerPatchesComeFirstAndEqualOnesKeepTheirOrder) {

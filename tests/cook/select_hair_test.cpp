@@ -241,4 +241,15 @@ TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
   EXPECT_EQ(hair.made->uvs.size(), hair.made->positions.size());
 }
 
+TEST(GuessHeadNode, AMeshCalledHeadIsNoBoneUnlessTheSkeletonGoesOn) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  const std::uint32_t head = add_node(model, "head", 0, {0, 1.6, 0});
+  model.meshes.push_back(make_strip({}));
+  model.meshes[0].node = head;
+  EXPECT_EQ(guess_head_node(model), kNoIndex);
+  add_node(model, "hair", head, {0, 1.7, 0});
+  EXPECT_EQ(guess_head_node(model), head);
+}
+
 }  // namespace coif::select_hair_test

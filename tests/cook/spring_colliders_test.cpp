@@ -140,4 +140,24 @@ TEST_F(SpringCollidersTest, MoreShapesThanAnAssetHoldsAreLeftOut) {
   EXPECT_EQ(found.left_out.size(), 3u);
 }
 
+TEST_F(SpringCollidersTest, WhatHoldsHairAtRestIsToldAndWhatIsOutOfReachIsLeftOut) {
+  for (std::uint32_t b = 1; b < 3; ++b) {
+    skeleton_.bones[b].start = {b == 1 ? -0.1 : 0.1, 1.6, 0};
+    skeleton_.bones[b].tail = skeleton_.bones[b].start - Eigen::Vector3d(0, 0.2, 0);
+  }
+  const std::uint32_t around_a = add_collider(Shape::kSphere, kHead), far = add_collider(Shape::kSphere, kHead);
+  model_.colliders[around_a].center = skeleton_.bones[1].tail;
+  model_.colliders[far].center = {9, 1.6, 0};
+  for (SourceSpring& spring : model_.springs) spring.colliders = {around_a, far};
+  const HeadBone head{.node = kHead};
+  const auto found = told([&](Findings& findings) {
+    return find_colliders(model_, head, FittedHead{}, skeleton_, default_recipe(), findings);
+  });
+  EXPECT_EQ(found.made.shapes.size(), 1u);
+  ASSERT_EQ(found.left_out.size(), 1u);
+  EXPECT_NE(found.left_out[0].text().find("collider 1"), std::string::npos) << found.left_out[0].text();
+  ASSERT_EQ(found.warnings.size(), 1u);
+  EXPECT_NE(found.warnings[0].find("1 bones are inside a collider at rest"), std::string::npos) << found.warnings[0];
+}
+
 }  // namespace coif::spring_colliders_test

@@ -44,6 +44,14 @@ TEST(TextureAtlas, NoTileTouchesAnother) {
   }
 }
 
+TEST(TextureAtlas, MayBeAsWideAsImagesMayBe) {
+  Surfaces surfaces(Rectangles{{{0, 0}, {1, 1}}});
+  std::uint32_t width = kMaxImageSide;
+  auto layout = lay_out_atlas(surfaces.hair, surfaces.of_triangle, std::vector<ImageSize>{{width, 4}});
+  while (!layout) layout = lay_out_atlas(surfaces.hair, surfaces.of_triangle, std::vector<ImageSize>{{--width, 4}});
+  EXPECT_EQ(layout->width, kMaxImageSide);
+}
+
 TEST(TextureAtlas, FourMipsKeepSurfacesApart) {
   Surfaces surfaces(Rectangles{{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}, {{0.3f, 0.1f}, {0.7f, 0.6f}}});
   const Rgba colors[] = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}};

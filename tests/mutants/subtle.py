@@ -10,8 +10,9 @@ those that are 0 and whole ones below 8. All are compiled in at once, each behin
 holds its number. Tests are taken suite by suite. First each suite runs without a mistake and says which mistakes' places it
 comes through; then, for each mistake, those suites run that come through it, the quickest first, until one fails. Prints a line
 for each mistake, and a sum by folder and by kind; ends with 1 where more than a tenth survived, and with 2 where a suite fails
-without a mistake. Some survivors change nothing that anybody can see: `<` for `<=` between lengths, a limit that a second one
-repeats. WORK keeps what was built and learned; --only goes on with those that an earlier run left.
+without a mistake. Some survivors change nothing that anybody can see: `<` for `<=` in a minimum, a limit that a second one
+repeats. harmless.txt tells them with the reason; they are listed and not counted, and one of them that a test notices, or whose
+line is gone, is an error (1). WORK keeps what was built and learned; --only goes on with those that an earlier run left.
 """
 import argparse
 import collections
@@ -151,7 +152,8 @@ def build(project, work, drawn, arguments):
     useless = set(known.read_text().split()) if known.exists() else set()
     drawn[:] = [m for m in drawn if m.lot not in useless]
     configure = ["cmake", "-S", source, "-B", work / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
-                 f"-DCMAKE_CXX_FLAGS=-include {header} -w", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCOIF_INSTALL=OFF", *arguments]
+                 f"-DCMAKE_CXX_FLAGS=-include {header} -w", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS",
+                 "-DCOIF_INSTALL=OFF", *arguments]
     while True:
         write_source(project, source, drawn)
         subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
@@ -173,6 +175,18 @@ def choose(drawn, count):
     return [m for round_ in zip(*of_kind) for m in round_][:count]
 
 
+def read_harmless(project):
+    """{(path, line, kind): reason}, of lines that are there; ends the program where one is not."""
+    known, text = {}, (project / "tests/mutants/harmless.txt").read_text()
+    for entry in re.split(r"\n\n+", re.sub(r"^#.*\n", "", text, flags=re.MULTILINE).strip()):
+        place, line, told = (part.strip() for part in entry.split("\n", 2))
+        kind, reason = told.split(": ", 1)
+        if line not in [other.strip() for other in (project / place).read_text().splitlines()]:
+            sys.exit(f"tests/mutants/harmless.txt: {place} has no such line: {line}")
+        known[pathlib.Path(place), line, kind] = " ".join(reason.split())
+    return known
+
+
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("work", type=lambda text: pathlib.Path(text).resolve())
@@ -192,6 +206,7 @@ def main():
     given, cmake_arguments = read_arguments()
     project = pathlib.Path(__file__).resolve().parents[2]
     given.work.mkdir(parents=True, exist_ok=True)
+    harmless = read_harmless(project)
     drawn = draw_mistakes(project, given.folders, given.count, given.seed)
     is_as_before = build(project, given.work, drawn, cmake_arguments)
     suites = test_suites.list_suites(given.work, given.tests, given.without)
@@ -205,16 +220,22 @@ def main():
     sample, untouched = given.work / "build/sample", given.work / "sample"
     shutil.rmtree(untouched, ignore_errors=True)
     shutil.copytree(sample, untouched)
-    survivors, tried = [], []
-    for m in choose(drawn, given.count) if not given.only else [m for m in drawn if m.number in given.only]:
+    survivors, tried, noticed = [], [], []
+    chosen = choose(drawn, given.count) if not given.only else [m for m in drawn if m.number in given.only]
+    for m in chosen:
         caught = test_suites.find_test(suites, m.number)
         if any(suite.is_fixture and m.number in suite.reached for suite in suites):
             shutil.copytree(untouched, sample, dirs_exist_ok=True)
-        tried.append(m)
         reach = sum(m.number in suite.reached for suite in suites)
         verdict = f"caught by {caught}" if caught else f"SURVIVED {reach} suites"
-        if not caught:
-            survivors.append(m)
+        reason = harmless.get((m.path, m.text, m.kind))
+        if reason and caught:
+            noticed.append(m)
+        elif reason:
+            verdict = f"harmless, {reason}"
+        if not reason or caught:
+            tried.append(m)
+            survivors += [] if caught else [m]
         print(f"{m.number:4} {m.kind}: {verdict}: {m.path}:{m.line}: {m.text}  =>  {m.place[3]}", flush=True)
     for what in ("folder", "kind"):
         name = (lambda m: m.kind) if what == "kind" else (lambda m: next(f for f in given.folders if m.path.is_relative_to(f)))
@@ -222,7 +243,10 @@ def main():
         print(f"by {what}: " + ", ".join(f"{key} {left[key]} of {every[key]} survived" for key in sorted(every)))
     share = len(survivors) / max(1, len(tried))
     print(f"{len(tried)} mistakes, {len(tried) - len(survivors)} caught, {len(survivors)} survived ({100 * share:.1f} %)")
-    return 1 if share > 0.1 else 0
+    print(f"not counted: {len([m for m in chosen if m not in tried])} that tests/mutants/harmless.txt says to change nothing")
+    for m in noticed:
+        print(f"tests/mutants/harmless.txt is wrong: {m.path}:{m.line} is noticed")
+    return 1 if share > 0.1 or noticed else 0
 
 
 if __name__ == "__main__":

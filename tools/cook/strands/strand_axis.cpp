@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -159,7 +160,8 @@ float texture_preference(const HairMesh& mesh, const PatchView& patch) {
   if (mesh.uvs.empty()) return 0;
   Eigen::AlignedBox2f range;
   for (std::uint32_t v : patch.vertices) range.extend(mesh.uvs[v]);
-  float length[2] = {0, 0}, mapped = 0, flat = 0;
+  std::array<float, 2> length{0, 0};
+  float mapped = 0, flat = 0;
   for (std::size_t t : patch.triangles) {
     const auto axes = texture_axes(mesh, t);
     const float area = doubled_area(mesh, t);
@@ -167,7 +169,7 @@ float texture_preference(const HairMesh& mesh, const PatchView& patch) {
       flat += area;
       continue;
     }
-    for (int k = 0; k < 2; ++k) length[k] += axes[std::size_t(k)].norm() * range.sizes()[k] * area;
+    for (std::size_t k = 0; k < 2; ++k) length[k] += axes[k].norm() * range.sizes()[Eigen::Index(k)] * area;
     mapped += area;
   }
   if (mapped <= 0 || flat > kMostFlat * (mapped + flat)) return 0;
