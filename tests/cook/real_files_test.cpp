@@ -2,6 +2,7 @@
 // and says so.
 
 #include "cook/cook.h"
+#include "cook/select/head.h"
 #include "cook/select/select_hair.h"
 #include "cook/texture/base_color.h"
 #include "cook/told.h"
@@ -41,6 +42,10 @@ const RealFile kFiles[] = {
     {"quaternius_witch/Witch.glb", "witch", 2316, 4, 20, 2, 0},
     {"rocketbox_Female_Adult_03/Female_Adult_03.fbx", "rocketbox", 728 - 58, 360 - 29, 10, 1, 0},
     {"moz_french-braids-double/hair_french-braids-double-brown.glb", "moz_braids", 1237 - 2, 0, 5, 2, 0},
+    {"mh2013_curly/curly.obj", "curly", 10584, 0, 60, 5, 0},
+    {"mh_bob01/bob01.obj", "bob01", 8474, 313, 35, 1, 0},
+    {"moz_pigtails-1/hair_pigtails-1-red.glb", "pigtails", 1792, 0, 8, 2, 0, false},
+    {"rocketbox_Business_Female_04/Export/Business_Female_04.fbx", "ponytail_strips", 344, 172, 8, 1, 0},
 };
 
 /// Without the search for draw orders, which takes most of a cook's time and changes none of what most tests look at.
@@ -127,6 +132,21 @@ TEST_P(RealFiles, AreOfAHeadsSizeInMetres) {
   EXPECT_LT(high - low, 1.5f);
   EXPECT_LT(high, 0.6f) << "head space starts at the head's joint";
   EXPECT_LT(reach, 1.6f);
+}
+
+TEST_P(RealFiles, HaveHardlyAnyHairInTheirHeadsAndHeadsOfAHeadsSize) {
+  const SourceModel& source = cook_once(path_).source;
+  const auto hair = select_hair(source, default_recipe(), unheard());
+  ASSERT_TRUE(hair);
+  const auto bone = find_head_bone(source, *hair, "");
+  ASSERT_TRUE(bone);
+  const FittedHead head = fit_head(source, *hair, *bone, default_recipe(), unheard());
+  const HairInside inside = hair_inside(*hair, head);
+  EXPECT_LE(inside.area, 0.03);
+  EXPECT_LE(inside.vertices, 0.03);
+  EXPECT_LE(inside.pokes, 0.006) << "the head comes out through the hair";
+  EXPECT_GT(head.radii.minCoeff(), 0.055);
+  EXPECT_LT(head.radii.maxCoeff(), 0.23) << "Mozilla's are for avatars with large heads";
 }
 
 TEST_P(RealFiles, HaveStrandsThatMostlyHang) {

@@ -10,8 +10,6 @@
 #include "cook/texture/alpha.h"
 #include "cook/texture/hair_views.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
 
 namespace coif {
@@ -52,9 +50,8 @@ const Pass kPasses[] = {
      [](Cooking& c) { return keep(find_head_bone(c.source, c.hair.mesh, c.recipe.head_bone), c.head_bone); }},
     {"head",
      [](Cooking& c) -> Done {
-       c.head = fit_head(c.source, c.hair.mesh, c.head_bone, c.recipe);
+       c.head = fit_head(c.source, c.hair.mesh, c.head_bone, c.recipe, c.report);
        if (c.head_bone.node == kNoIndex) c.head_bone.joint = c.head.center;
-       c.report.note(fmt::format("head: {}; moved by '{}'", c.head.origin, c.head_bone.name));
        return {};
      }},
 

@@ -4,7 +4,7 @@
 
 #include "import/source_model.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstdint>
 #include <span>
@@ -26,6 +26,11 @@ struct HairMesh {
   std::uint32_t material = kNoIndex;            ///< Of the source: the one with most triangles.
 
   [[nodiscard]] std::size_t triangle_count() const { return triangles.size() / 3; }
+  [[nodiscard]] Eigen::AlignedBox3d box() const {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3f& p : positions) box.extend(p.cast<double>());
+    return box;
+  }
   /// Position of a triangle's corner, 0..2.
   [[nodiscard]] const Eigen::Vector3f& corner(std::size_t triangle, std::size_t k) const {
     return positions[triangles[3 * triangle + k]];

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
+#include "cook/select/head_room.h"
 
 #include <Eigen/Core>
 #include <tl/expected.hpp>
@@ -41,23 +43,15 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
 
 /// The head as the cooker sees it: an ellipsoid. Roots are near it, patches are sorted by the distance from its centre,
 /// and unless there are better colliders hair stays out of it.
-struct FittedHead {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Model space, metres.
-  Eigen::Vector3d radii = Eigen::Vector3d::Zero();   ///< Semi-axes along the model's axes, > 0.
-  std::string origin;                                ///< Where it comes from, for the report.
-  bool declared = false;                             ///< By the recipe: not to be shrunk.
-
-  /// Distance of a point from the surface, metres, negative inside; exact on spheres, else along the ray to the centre.
-  [[nodiscard]] double distance(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d from = point - center;
-    const double scaled = from.cwiseQuotient(radii).norm();
-    return scaled > 0 ? from.norm() * (1 - 1 / scaled) : -radii.minCoeff();
-  }
+struct FittedHead : HeadEllipsoid {
+  std::string origin;     ///< Where it comes from, for the report.
+  bool declared = false;  ///< By the recipe: not to be shrunk.
 };
 
-/// As the recipe declares it, else the box of the vertices outside of the hair's meshes that follow the head bone, else
-/// the inside of the hair.
+/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone, or without such
+/// ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
+/// hardly any hair is inside. Notes where it is and how much hair is inside; warns where that is much.
 [[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
-                                  const Recipe& recipe);
+                                  const Recipe& recipe, Findings& findings);
 
 }  // namespace coif

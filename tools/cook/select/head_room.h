@@ -1,0 +1,50 @@
+#pragma once
+
+#include "cook/select/hair_mesh.h"
+
+#include <Eigen/Core>
+
+namespace coif {
+
+/// An ellipsoid whose semi-axes lie along the model's axes; metres, model space.
+struct HeadEllipsoid {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Eigen::Vector3d radii = Eigen::Vector3d::Ones();  ///< > 0.
+
+  /// 1 on the surface, less inside.
+  [[nodiscard]] double scaled_distance(const Eigen::Vector3d& point) const {
+    return (point - center).cwiseQuotient(radii).norm();
+  }
+  /// Metres from the surface, negative inside; exact on spheres, else along the ray to the centre.
+  [[nodiscard]] double distance(const Eigen::Vector3d& point) const {
+    const double scaled = scaled_distance(point);
+    return scaled > 0 ? (point - center).norm() * (1 - 1 / scaled) : -radii.minCoeff();
+  }
+};
+
+/// What a head is taken for before its hair is looked at, and how far that may be wrong: standard deviations.
+struct HeadGuess {
+  HeadEllipsoid shape;
+  Eigen::Vector3d center_spread;  ///< Of the centre, in mean radii.
+  double shape_spread = 0;        ///< Of the logarithm of each radius beside their common size.
+  double size_spread = 0;         ///< Of the logarithm of that size.
+};
+
+/// The head that a guess and the hair agree on best. Seen from the head's middle, the innermost hair lies close to the head all
+/// around; a little of it is sunk in, as roots are, which counts for far more than that some of it hovers; and nowhere does the
+/// head come out through the outermost. Deterministic; bounded work, whatever the mesh.
+[[nodiscard]] HeadEllipsoid fit_head_room(const HairMesh& hair, const HeadGuess& guess);
+
+/// How much of the hair a head has inside it, shares 0..1.
+struct HairInside {
+  double area = 0;      ///< Of the hair's surface.
+  double vertices = 0;  ///< Of its vertices.
+  double pokes = 0;     ///< Of the directions in which there is hair near the head, those in which none is outside of it.
+};
+
+[[nodiscard]] HairInside hair_inside(const HairMesh& hair, const HeadEllipsoid& head);
+
+/// The largest share, at most 1, of a head's size that keeps within `most` in each way.
+[[nodiscard]] double share_with_room(const HairMesh& hair, const HeadEllipsoid& head, const HairInside& most);
+
+}  // namespace coif
