@@ -174,6 +174,51 @@ TEST(BaseColor, SeveralImagesThatFitAreListedAndNoneIsTaken) {
   EXPECT_NE(only_warning(color).find(R"("textures": {"base_color": "hair_red.png"})"), std::string::npos);
 }
 
+TEST(BaseColor, OfSeveralImagesThatFitTheOneWithTheNameAsAWordIsTaken) {
+  const ImageFolder folder;
+  folder.write_flat("curly2_texture.png", kGreen);
+  folder.write_flat("curly_texture.png", kRed);
+  SourceModel model = model_beside(folder, "curly.obj");
+  add_surface(model, "strands");
+  EXPECT_TRUE(has_color(base_color_of(model), kRed));
+}
+
+TEST(BaseColor, TheOnlyImageBesideASourceIsTakenWhateverItsNameUnlessItIsAnothersOrTells) {
+  const ImageFolder folder;
+  folder.write_flat("untitled.png", kRed);
+  folder.write_flat("untitled_normal.png");
+  SourceModel model = model_beside(folder, "wig.obj");
+  add_surface(model, "strands");
+  const SaidColor color = base_color_of(model);
+  EXPECT_TRUE(has_color(color, kRed));
+  EXPECT_NE(only_warning(color).find("untitled.png is taken"), std::string::npos) << only_warning(color);
+  SourceMaterial face;
+  face.base_texture.path = "untitled.png";
+  model.materials.push_back(face);
+  EXPECT_FALSE(base_color_of(model).image) << "a face's";
+  model.materials.pop_back();
+  folder.write_flat("second.png");
+  EXPECT_FALSE(base_color_of(model).image) << "one of two";
+}
+
+TEST(BaseColor, TheNormalMapComesWithItWhereThereIsOneSurface) {
+  const ImageFolder folder;
+  folder.write_flat("hair.png", kRed);
+  folder.write_flat("maps/hair_n.png", kGreen);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  SourceMaterial& material = add_surface(model, "strands");
+  material.base_texture.path = "hair.png";
+  material.normal_texture.path = "C:\\maps\\hair_n.png";
+  const SaidColor color = base_color_of(model);
+  ASSERT_TRUE(color.normals);
+  EXPECT_EQ(texel_at(*color.normals, {0.5f, 0.5f}), kGreen);
+  EXPECT_EQ(color.files.size(), 2u);
+  model.materials[0].normal_texture.path = "lost.png";
+  const SaidColor without = base_color_of(model);
+  EXPECT_FALSE(without.normals);
+  EXPECT_TRUE(without.warnings.empty()) << "it only helps";
+}
+
 TEST(BaseColor, AGltfWithoutATextureMeansIt) {
   const ImageFolder folder;
   folder.write_flat("hair.png");

@@ -42,7 +42,7 @@ const RealFile kFiles[] = {
     {"quaternius_witch/Witch.glb", "witch", 2316, 4, 20, 2, 0},
     {"rocketbox_Female_Adult_03/Female_Adult_03.fbx", "rocketbox", 728 - 58, 360 - 29, 10, 1, 0},
     {"moz_french-braids-double/hair_french-braids-double-brown.glb", "moz_braids", 1237 - 2, 0, 5, 2, 0},
-    {"mh2013_curly/curly.obj", "curly", 10584, 0, 60, 5, 0},
+    {"mh2013_curly/curly.obj", "curly", 10584 + 720, 0, 60, 5, 0},
     {"mh_bob01/bob01.obj", "bob01", 8474, 313, 35, 1, 0},
     {"moz_pigtails-1/hair_pigtails-1-red.glb", "pigtails", 1792, 0, 8, 2, 0, false},
     {"rocketbox_Business_Female_04/Export/Business_Female_04.fbx", "ponytail_strips", 344, 172, 8, 1, 0},

@@ -241,6 +241,64 @@ TEST(SelectHair, MeshesWithAndWithoutTextureCoordinatesJoin) {
   EXPECT_EQ(hair.made->uvs.size(), hair.made->positions.size());
 }
 
+TEST(ChooseHair, ABodyOfWhichNothingIsKnownToBeHairIsNeverTaken) {
+  SourceModel model = make_wig();
+  for (SourceNode& node : model.nodes) node.name = node.name == "Head" ? "Head" : "bone";
+  model.nodes.back().name = "LeftFoot";
+  for (SourceInfluence& influence : model.meshes[0].influences) influence.node = std::uint32_t(model.nodes.size() - 1);
+  model.meshes[0].name = "Body";
+  model.materials.resize(1);
+  model.materials[0].name = "Skin";
+  model.meshes[0].material = 0;
+  const auto hair = select_hair(model, default_recipe(), unheard());
+  ASSERT_FALSE(hair);
+  EXPECT_EQ(hair.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_NE(hair.error().message.find("{\"hair\": {\"meshes\": [\"Body\"]}}; there are: mesh 'Body' (material 'Skin')"), std::string::npos)
+      << hair.error().message;
+}
+
+/// A hemisphere of `radius` around (0, 1.6, 0), or all of the ball.
+SourceMesh shell(const std::string& name, float radius, bool whole) {
+  SourceMesh mesh;
+  mesh.name = name;
+  constexpr std::uint32_t kColumns = 24, kRows = 10;
+  for (std::uint32_t row = 0; row <= kRows; ++row) {
+    const float down = (whole ? 3.1f : 1.5f) * float(row) / kRows;
+    for (std::uint32_t c = 0; c <= kColumns; ++c) {
+      const float turn = 6.2832f * float(c) / kColumns;
+      mesh.positions.emplace_back(radius * std::sin(down) * std::sin(turn), 1.6f + radius * std::cos(down),
+                                  radius * std::sin(down) * std::cos(turn));
+    }
+  }
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t c = 0; c < kColumns; ++c) {
+      const std::uint32_t v = row * (kColumns + 1) + c;
+      mesh.triangles.insert(mesh.triangles.end(), {v, v + kColumns + 1, v + 1, v + 1, v + kColumns + 1, v + kColumns + 2});
+    }
+  }
+  return mesh;
+}
+
+TEST(ChooseHair, ACapUnderTheHairIsHairAndTheHeadIsNot) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  model.meshes = {shell("hair", 0.1f, false), shell("calotta", 0.095f, false), shell("face", 0.09f, true)};
+  SourceMesh eyes = shell("eyes", 0.02f, true);
+  for (Eigen::Vector3f& p : eyes.positions) p += Eigen::Vector3f(0, 0.02f, 0.07f);
+  model.meshes.push_back(eyes);
+  Findings findings;
+  const auto choice = choose_hair(model, default_recipe(), findings);
+  ASSERT_TRUE(choice);
+  EXPECT_FALSE(choice->taken[0].empty());
+  EXPECT_FALSE(choice->taken[1].empty()) << "close under the hair";
+  EXPECT_TRUE(choice->taken[2].empty()) << "the lower half is bare";
+  EXPECT_TRUE(choice->taken[3].empty()) << "small";
+  ASSERT_EQ(findings.notes.size(), 2u);
+  EXPECT_NE(findings.notes[1].find("it lies under the hair, on the scalp"), std::string::npos) << findings.notes[1];
+  model.meshes[1].name = "hair_net";
+  EXPECT_TRUE(choose_hair(model, default_recipe(), unheard())->taken[1].empty()) << "what is worn is no cap";
+}
+
 TEST(GuessHeadNode, AMeshCalledHeadIsNoBoneUnlessTheSkeletonGoesOn) {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});

@@ -111,6 +111,17 @@ TEST(TextureFolder, LooksIntoTheCustomaryFoldersAlone) {
   EXPECT_EQ(folder.images().size(), 1u);
 }
 
+TEST(TextureFolder, LooksIntoTheCustomaryFoldersBesideTheSourcesAfterItsOwn) {
+  const ImageFolder files;
+  const fs::path beside = files.write_flat("../Textures/hair.png");
+  files.write_flat("../backup/old.png");
+  fs::create_directory_symlink(files.path().parent_path() / "backup", files.path().parent_path() / "maps");
+  EXPECT_TRUE(fs::equivalent(TextureFolder(files.source()).find("D:\\work\\hair.tga").value(), beside));
+  EXPECT_EQ(TextureFolder(files.source()).find("old.png"), std::nullopt) << "a link that leads elsewhere";
+  const fs::path own = files.write_flat("hair.png");
+  EXPECT_EQ(TextureFolder(files.source()).find("hair.png"), own);
+}
+
 TEST(TextureFolder, TakesThePathAsItIsWrittenBeforeOthersOfThatName) {
   const ImageFolder files;
   files.write_flat("hair.png");

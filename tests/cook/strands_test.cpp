@@ -47,6 +47,16 @@ TEST_P(StrandConventions, TangentsRunFromRootToTip) {
 INSTANTIATE_TEST_SUITE_P(AllLayouts, StrandConventions,
                          testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
 
+TEST(StrandDirection, LinesInTheImageTellTheAxisOfWhatIsWiderThanLong) {
+  // A fringe, three times as wide as long, whose strands hang.
+  const HairMesh mesh = hair_from(make_strip({.root = {0, 1.6f, 0.1f}, .along = {0, -0.08f, 0}, .across = {0.24f, 0, 0}}));
+  StrandSettings settings;
+  settings.lines = {0.8f};
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_LT(tangent.y(), -0.99f);
+  settings.lines = {-0.8f};
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(std::abs(tangent.x()), 0.99f);
+}
+
 TEST(StrandDirection, TheRootIsTheEndAtTheHeadEvenWhenItIsBelow) {
   // A spike that stands up from the crown.
   const HairMesh mesh = hair_from(make_strip({.root = {0, 1.69f, 0}, .along = {0, 0.3f, 0}}));

@@ -253,6 +253,16 @@ TEST_F(Conventions, AnOpacityTextureIsNamedUnlessItIsTheBaseTexture) {
   }
 }
 
+TEST_F(Conventions, NormalAndBumpMapsAreKnownByTheirNames) {
+  folder_.write("m.mtl", "newmtl bumped\nmap_Kd hair.png\nmap_Bump bump.png\nnewmtl mapped\nnorm normals.png\nnewmtl flat\nKd 1 1 1\n");
+  const SourceModel model = import_or_fail(folder_.write(
+      "m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl bumped\nf 1 2 3\nusemtl mapped\nf 1 3 2\nusemtl flat\nf 2 3 1\n"));
+  for (const SourceMesh& mesh : model.meshes) {
+    const SourceMaterial& material = model.materials.at(mesh.material);
+    EXPECT_EQ(material.normal_texture.path, material.name == "bumped" ? "bump.png" : material.name == "mapped" ? "normals.png" : "");
+  }
+}
+
 constexpr const char* kCardOfMaterials = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl card\nf 1 3 2\n";
 
 TEST_F(Conventions, MaterialsThatAreNotThereAreMissed) {

@@ -9,6 +9,7 @@
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/hair_views.h"
+#include "cook/texture/strand_lines.h"
 
 #include <chrono>
 
@@ -68,7 +69,8 @@ const Pass kPasses[] = {
     {"strands",
      [](Cooking& c) {
        const StrandSettings settings{c.recipe.strand_root, c.extracted.chosen != "position",
-                                     depths_below(c.source, c.head_bone.node), c.settings.threads};
+                                     depths_below(c.source, c.head_bone.node),
+                                     find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
        return keep(find_strand_direction(c.hair, c.head, settings, c.report), c.hair.strands);
      }},
     {"shells",

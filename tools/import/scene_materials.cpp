@@ -41,6 +41,15 @@ aiString base_texture_path(const aiMaterial& material) {
   return aiString();
 }
 
+// Exporters write one or the other under several names: what matters is where it is steep.
+aiString normal_texture_path(const aiMaterial& material) {
+  aiString path;
+  for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}) {
+    if (material.GetTexture(type, 0, &path) == AI_SUCCESS && path.length != 0) return path;
+  }
+  return aiString();
+}
+
 // Empty where it is the base colour's own, as exporters write it for an image with alpha.
 std::string opacity_path(const aiMaterial& material, const aiString& base) {
   aiString path;
@@ -116,6 +125,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     aiString name;
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
+    out.normal_texture = textures.find(normal_texture_path(material));
     out.opacity_texture = opacity_path(material, path);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);

@@ -54,6 +54,7 @@ struct SourceMaterial {
   std::string name;
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
+  SourceTexture normal_texture;            ///< A normal or bump map; the same.
   std::string opacity_texture;             ///< Another image that holds the alpha, as written; for messages. Empty: none.
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.

@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "cook/select/hair_evidence.h"
+#include "cook/select/scalp_cap.h"
 #include "cook/select/select_hair.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,7 @@ class Chooser {
   }
 
   [[nodiscard]] bool found() const { return found_ > 0; }
+  [[nodiscard]] const HairChoice& so_far() const { return choice_; }
 
   void take_mesh(std::uint32_t m, const std::string& why) {
     const std::size_t count = source_.meshes[m].triangles.size() / 3;
@@ -196,6 +198,25 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
   }
 }
 
+void take_caps(const SourceModel& source, Chooser& chooser) {
+  const std::vector<bool> caps = find_scalp_caps(source, chooser.so_far());
+  for (std::uint32_t m = 0; m < caps.size(); ++m) {
+    if (!caps[m] || is_called_adornment(source.meshes[m].name) || is_called_adornment(material_name(source, source.meshes[m]))) continue;
+    chooser.take_mesh(m, "it lies under the hair, on the scalp");
+  }
+}
+
+/// A character without anything that says what is hair on it: a body is never cooked.
+tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
+  std::vector<std::string> meshes;
+  for (const SourceMesh& mesh : source.meshes) {
+    meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
+  }
+  return bad_input(source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent on the head; "
+                                       "name what is hair in a recipe, as in {{\"hair\": {{\"meshes\": [\"{}\"]}}}}; there are: {}",
+                                       source.meshes.empty() ? "..." : source.meshes[0].name, fmt::join(meshes, ", ")));
+}
+
 void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     chooser.take_mesh(m, "nothing in the file says what is hair, so all of it is");
@@ -220,7 +241,9 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   choose_by_name(source, bones, head, chooser);
   if (!chooser.found()) choose_by_bones(source, bones, head, chooser);
   if (!chooser.found()) choose_by_transparency(source, bones, head, chooser);
+  if (!chooser.found() && moves_limbs(source)) return no_hair_on(source);
   if (!chooser.found()) take_everything(source, head, chooser);
+  take_caps(source, chooser);
   return std::move(chooser).finish();
 }
 

@@ -81,6 +81,26 @@ bool is_called_transparent(std::string_view name) {
   return matches_any(name, words);
 }
 
+bool moves_limbs(const SourceModel& source) {
+  constexpr double kGoodPart = 0.02;  // Of all vertices: feet have few.
+  static const Names limbs{"*foot*", "*toe*",  "*hand*", "*finger*",  "*thumb*",    "*thigh*",   "*calf*",
+                           "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*",   "*lowerleg*"};
+  std::vector<bool> is_limb;
+  for (const SourceNode& node : source.nodes) is_limb.push_back(matches_any(node.name, limbs));
+  std::size_t moved = 0, all = 0;
+  for (const SourceMesh& mesh : source.meshes) {
+    all += mesh.positions.size();
+    for (std::size_t v = 0; v + 1 < mesh.influence_begin.size(); ++v) {
+      float weight = 0;
+      for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) {
+        if (is_limb[mesh.influences[k].node]) weight += mesh.influences[k].weight;
+      }
+      moved += weight > 0.5f ? 1 : 0;
+    }
+  }
+  return double(moved) > kGoodPart * double(all);
+}
+
 std::uint32_t guess_head_node(const SourceModel& source) {
   if (source.head_node != kNoIndex) return source.head_node;
   std::vector<std::size_t> below(source.nodes.size(), 1);

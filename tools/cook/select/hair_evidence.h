@@ -25,6 +25,9 @@ namespace coif {
 /// node of a mesh is no bone, whatever it is called.
 [[nodiscard]] std::vector<bool> find_hair_bones(const SourceModel& source);
 
+/// True where hands, feet, arms or legs move a good part of some mesh: the model is, or has, a body.
+[[nodiscard]] bool moves_limbs(const SourceModel& source);
+
 /// The head bone as far as names tell: declared by the file, else the node called head with most nodes below it. kNoIndex
 /// without one.
 [[nodiscard]] std::uint32_t guess_head_node(const SourceModel& source);

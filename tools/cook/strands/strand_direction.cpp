@@ -17,6 +17,7 @@ using Eigen::Vector3f;
 constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
 constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
 constexpr float kLongerWeight = 0.7f;     ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
+constexpr float kLinesWeight = 2.0f;      ///< What it counts that lines in the images run along an axis.
 constexpr float kClearEnds = 3.0f;        ///< More evidence at the ends counts no more for the axis.
 constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
 constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
@@ -28,6 +29,7 @@ constexpr double kBackwards = 0.5;        ///< Share of the mean strand along -Z
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
+  float lines = 0;       ///< StrandSettings::lines.
   float area = 0;
   StrandAxis axis;
   RootEvidence evidence;
@@ -59,8 +61,8 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Along which texture axis the strands run: the one the patch is longer along, whose ends differ more as roots and tips
-/// do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
+/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines, whose ends
+/// differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
 void choose_axis(const HairStrips& hair, const PatchView& view, const FittedHead& head,
                  std::span<const float> depth_of_node, int common, PatchStrands& patch) {
   const bool textured = patch.preference != 0;
@@ -70,7 +72,8 @@ void choose_axis(const HairStrips& hair, const PatchView& view, const FittedHead
     const RootEvidence evidence = weigh_ends(hair.mesh, view, axis, head, depth_of_node);
     const float longer = candidate == 1 ? patch.preference : -patch.preference;
     const float ends = std::min(std::abs(evidence.sum()), kClearEnds);
-    const float score = kLongerWeight * longer + ends + (candidate == common ? kCommonAxis : 0.0f);
+    const float seen = candidate == 1 ? patch.lines : -patch.lines;
+    const float score = kLongerWeight * longer + kLinesWeight * seen + ends + (candidate == common ? kCommonAxis : 0.0f);
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);
@@ -196,6 +199,7 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
     strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
+    strands[p].lines = settings.lines.empty() ? 0 : settings.lines[p];
   });
   const int common = common_texture_axis(strands);
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {

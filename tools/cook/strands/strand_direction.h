@@ -14,6 +14,7 @@ struct StrandSettings {
   std::string root = "auto";         ///< As in the recipe: the side of the texture where all roots are.
   bool trust_texture = true;         ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
+  std::vector<float> lines;          ///< Per patch, -1 where images show lines along U .. 1 along V; empty: nothing is known.
   unsigned threads = 1;              ///< The result does not depend on it.
 };
 

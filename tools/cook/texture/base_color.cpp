@@ -16,6 +16,7 @@ constexpr int kMostScales = 64;  ///< Tried for an atlas; a limit on size below 
 BaseColor whole(const SurfaceLook& look) {
   BaseColor color;
   if (look.image != nullptr) color.image = *look.image;
+  if (look.normals != nullptr) color.normals = *look.normals;
   color.factor = look.factor;
   color.alpha_use = look.alpha_use;
   color.alpha_cutoff = look.alpha_cutoff;

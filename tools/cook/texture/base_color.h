@@ -13,6 +13,7 @@ namespace coif {
 struct SurfaceLook {
   std::string name;              ///< Of the first material; for messages.
   const Image* image = nullptr;  ///< Null: the factor alone.
+  const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;
@@ -53,6 +54,7 @@ struct BaseColor {
   AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
   float alpha_cutoff = 0.5f;                         ///< For kMask.
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
+  std::optional<Image> normals;                      ///< A normal or bump map; none where several surfaces share the image.
   std::vector<std::filesystem::path> files;          ///< Image files that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
 };

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -29,12 +31,22 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 
 const Image* SourceImages::of(const SourceMaterial& material) {
   if (!material.opacity_texture.empty()) warn_of_opacity(material);
-  if (material.base_texture.image < source_.images.size()) return embedded(material);
+  if (material.base_texture.image < source_.images.size()) return embedded(material, material.base_texture.image);
   return material.base_texture.path.empty() ? nullptr : beside(material);
 }
 
-const Image* SourceImages::embedded(const SourceMaterial& material) {
-  const std::uint32_t index = material.base_texture.image;
+const Image* SourceImages::normals_of(const SourceMaterial& material) {
+  const SourceTexture& texture = material.normal_texture;
+  if (texture.image < source_.images.size()) return embedded(material, texture.image);
+  if (texture.path.empty()) return nullptr;
+  const std::optional<fs::path> path = folder_.find(texture.path);
+  note_question(TextureQuestion::Kind::kFind, {texture.path});
+  if (path) return read(*path, fmt::format("material '{}': normal map {}", material.name, path->string()));
+  findings_.note(fmt::format("material '{}': normal map '{}' is not beside the source", material.name, texture.path));
+  return nullptr;
+}
+
+const Image* SourceImages::embedded(const SourceMaterial& material, std::uint32_t index) {
   const SourceImage& image = source_.images[index];
   const std::string key = fmt::format("{}", index);
   if (const auto known = decoded_.find(key); known != decoded_.end()) {
@@ -60,8 +72,18 @@ const Image* SourceImages::beside(const SourceMaterial& material) {
 }
 
 const Image* SourceImages::guess(std::span<const std::string> names) {
-  const std::vector<fs::path> candidates = folder_.colors_of(names);
+  std::vector<fs::path> candidates = folder_.colors_of(names);
   note_question(TextureQuestion::Kind::kColors, {names.begin(), names.end()});
+  if (candidates.empty()) {
+    note_question(TextureQuestion::Kind::kImages, {});
+    candidates = named_by_none();
+    if (candidates.size() > 1) candidates.clear();
+  } else if (candidates.size() > 1) {
+    std::vector<fs::path> worded;
+    std::ranges::copy_if(candidates, std::back_inserter(worded),
+                         [&](const fs::path& path) { return names_as_word(stem_of_image(path.filename().string()), names); });
+    if (worded.size() == 1) candidates = worded;
+  }
   if (candidates.empty()) {
     findings_.note("no material of the hair names a texture");
     return nullptr;
@@ -76,11 +98,24 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
   const Image* image = read(candidates[0], candidates[0].string());
   if (image != nullptr) {
     findings_.warn(
-        fmt::format("no material of the hair names a texture; {} is taken, since its name fits; say "
+        fmt::format("no material of the hair names a texture; {} is taken, which fits best; say "
                     "\"textures\": {{\"base_color\": ...}} in the recipe if it is another",
                     folder_.short_name(candidates[0])));
   }
   return image;
+}
+
+std::vector<fs::path> SourceImages::named_by_none() const {
+  std::vector<fs::path> left;
+  for (const fs::path& image : folder_.images()) {
+    if (!names_color(stem_of_image(image.filename().string()))) continue;
+    const bool is_named = std::ranges::any_of(source_.materials, [&](const SourceMaterial& material) {
+      const auto found = material.base_texture.path.empty() ? std::nullopt : folder_.find(material.base_texture.path);
+      return found && *found == image;
+    });
+    if (!is_named) left.push_back(image);
+  }
+  return left;
 }
 
 const Image* SourceImages::read(const fs::path& path, const std::string& for_what) {
@@ -95,7 +130,7 @@ const Image* SourceImages::read(const fs::path& path, const std::string& for_wha
 const Image* SourceImages::keep(const std::string& key, tl::expected<Image, std::string> image,
                                 const std::string& for_what) {
   if (!image) {
-    findings_.warn(fmt::format("{}: {}; it is cooked without a base texture", for_what, image.error()));
+    findings_.warn(fmt::format("{}: {}; it is cooked without this texture", for_what, image.error()));
     decoded_.emplace(key, std::nullopt);
     return nullptr;
   }
@@ -228,6 +263,21 @@ bool names_color(const std::string& stem) {
     return is_one_of(word, kOtherWords) ||
            std::ranges::any_of(kOtherBeginnings, [&](std::string_view begin) { return word.starts_with(begin); });
   });
+}
+
+bool names_as_word(const std::string& stem, std::span<const std::string> names) {
+  constexpr std::size_t kShortest = 3;
+  std::string word;
+  const std::string lower = lower_case(stem) + ' ';
+  for (const char c : lower) {
+    const bool is_part = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_part) word += c;
+    if (is_part || word.empty()) continue;
+    const bool is_name = std::ranges::any_of(names, [&](const std::string& name) { return lower_case(name) == word; });
+    if (is_name && word.size() >= kShortest) return true;
+    word.clear();
+  }
+  return false;
 }
 
 bool names_any(const std::string& stem, std::span<const std::string> names) {

@@ -36,14 +36,17 @@ namespace coif {
 /// False where a word in the name says that the image is something else than colour: a normal map, a mask, a thumbnail.
 [[nodiscard]] bool names_color(const std::string& stem);
 
+/// True where one of `names`, of three letters or more, is a word of the name, whatever the case: "curly" of "curly_texture".
+[[nodiscard]] bool names_as_word(const std::string& stem, std::span<const std::string> names);
+
 /// True where the name holds "hair" or one of `names`. Letters and digits count alone; names that every program gives
 /// ("Material.001", "defaultobject") and those of one or two letters do not count.
 [[nodiscard]] bool names_any(const std::string& stem, std::span<const std::string> names);
 
-/// The image files that belong to a source: in its own folder and in the folders below it that artists customarily use
-/// (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing outside the
-/// source's folder is ever found, not even through a link, but for what lies beside the real source if that is a link, and in
-/// declared roots (folders_of_source()). Unreadable folders count as empty.
+/// The image files that belong to a source: in its own folder, and in the folders below it and beside it that artists
+/// customarily use (textures, maps, tex ...). Paths written in a source are those of another machine and may be hostile: nothing
+/// outside of these folders is ever found, not even through a link, but for what lies beside the real source if that is a link,
+/// and in declared roots (folders_of_source()). Unreadable folders count as empty.
 class TextureFolder {
  public:
   explicit TextureFolder(const std::filesystem::path& source, std::span<const std::filesystem::path> roots = {});
@@ -103,8 +106,13 @@ class SourceImages {
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
   [[nodiscard]] const Image* of(const SourceMaterial& material);
 
+  /// Its normal or bump map; null where it names none or has none that can be read, which is a note: such maps only help to tell
+  /// how strands run.
+  [[nodiscard]] const Image* normals_of(const SourceMaterial& material);
+
   /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair or
-  /// something called one of `names`. Where several do, a warning lists them.
+  /// something called one of `names`, or the only one that no other material names. Of several the one in whose name one of
+  /// `names` stands as a word; where that leaves several, a warning lists them.
   [[nodiscard]] const Image* guess(std::span<const std::string> names);
 
   [[nodiscard]] const Findings& findings() const { return findings_; }
@@ -116,8 +124,9 @@ class SourceImages {
  private:
   using Decoded = std::map<std::string, std::optional<Image>>;
 
-  const Image* embedded(const SourceMaterial& material);
+  const Image* embedded(const SourceMaterial& material, std::uint32_t index);
   const Image* beside(const SourceMaterial& material);
+  [[nodiscard]] std::vector<std::filesystem::path> named_by_none() const;
   const Image* read(const std::filesystem::path& path, const std::string& for_what);
   const Image* keep(const std::string& key, tl::expected<Image, std::string> image, const std::string& for_what);
   void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);

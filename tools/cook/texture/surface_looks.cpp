@@ -15,6 +15,7 @@ SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32
   const SourceMaterial& material = source.materials[index];
   look.name = material.name;
   look.image = images.of(material);
+  look.normals = images.normals_of(material);
   look.factor = color_factor(material);
   look.alpha_use = material.alpha_use;
   if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
@@ -94,7 +95,12 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
       const SurfaceLook found = look_of(source, images, material);
       const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
       look = std::uint32_t(known - result.looks.begin());
-      if (known == result.looks.end()) result.looks.push_back(found);
+      // Materials that differ in their normal maps alone are one look, of which no map is known.
+      if (known == result.looks.end()) {
+        result.looks.push_back(found);
+      } else if (known->normals != found.normals) {
+        known->normals = nullptr;
+      }
       triangles.resize(result.looks.size());
     }
     result.of_triangle.push_back(look);

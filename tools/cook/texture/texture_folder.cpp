@@ -35,6 +35,17 @@ std::optional<fs::path> entry_called(const fs::path& folder, const std::string& 
   return same == entries.end() ? std::nullopt : std::optional(*same);
 }
 
+std::vector<fs::path> customary_folders_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::path& entry : entries_of(folder)) {
+    const std::string name = lower_case(entry.filename().string());
+    const bool customary = std::ranges::find(kCustomaryFolders, name) != std::end(kCustomaryFolders);
+    if (customary && fs::is_directory(entry, error)) found.push_back(entry);
+  }
+  return found;
+}
+
 }  // namespace
 
 TextureFolder::TextureFolder(const fs::path& source, std::span<const fs::path> roots)
@@ -42,11 +53,17 @@ TextureFolder::TextureFolder(const fs::path& source, std::span<const fs::path> r
   if (root_.empty()) root_ = ".";
   if (real_roots_.empty()) return;
   list(root_);
+  for (const fs::path& folder : customary_folders_in(root_)) {
+    if (is_inside(folder)) list(folder);
+  }
+  // "Export/hair.fbx" beside "Textures": a link is not followed from there.
   std::error_code error;
-  for (const fs::path& entry : entries_of(root_)) {
-    const std::string name = lower_case(entry.filename().string());
-    const bool customary = std::ranges::find(kCustomaryFolders, name) != std::end(kCustomaryFolders);
-    if (customary && fs::is_directory(entry, error) && is_inside(entry)) list(entry);
+  const fs::path above = real_roots_[0].parent_path();
+  for (const fs::path& folder : customary_folders_in(root_ / "..")) {
+    const fs::path real = fs::canonical(folder, error);
+    if (error || fs::is_symlink(folder, error) || real.parent_path() != above || real == real_roots_[0]) continue;
+    real_roots_.push_back(real);
+    list(folder);
   }
 }
 
