@@ -33,13 +33,25 @@ coif_cli_case(render_text EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240,
 coif_cli_case(render_json EXIT 0 SAMPLE WRITES bob.png JSON output width height heads triangles draw_ms device
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --view=-30,5 --motion nod --time 0.5 --transparency opaque
        --component specular --heads 4 -o bob.png --format json)
+coif_cli_case(look_asset EXIT 0 SAMPLE WRITES look.png TIMEOUT 120 STDOUT "look.png: 368x[0-9]+, 25 pictures\n  device: "
+  ARGS look ${COIF_COOKED_SAMPLE} --size 64x64 -o look.png)
+coif_cli_case(look_source EXIT 0 WRITES look.png TIMEOUT 120 JSON output width height pictures device
+  ARGS look ${PROJECT_SOURCE_DIR}/sample_assets/bob/bob.glb --size 64x64 -o look.png --format json)
+coif_cli_case(look_small_pictures EXIT 1 SAMPLE
+  STDERR "coif look: error: .*bob.coif: a picture of a sheet has 64 to 1024 pixels each way, not 32 x 64"
+  ARGS look ${COIF_COOKED_SAMPLE} --size 32x64 -o look.png)
+coif_cli_case(look_text_file EXIT 3 STDERR "coif look: error: notes.coif: not a cooked hair asset"
+  TEXT notes.coif "this text is long enough for a header" ARGS look notes.coif -o look.png)
+coif_cli_case(look_no_png EXIT 1 SAMPLE STDERR "coif look: error: look.jpg: the suffix must be .png"
+  ARGS look ${COIF_COOKED_SAMPLE} -o look.jpg)
+
 coif_cli_case(gallery_text EXIT 0 SAMPLE WRITES sheet.png TIMEOUT 120
   STDOUT "sheet.png: 440x[0-9]+, 48 pictures, drawn in [0-9.]+ ms\n  device: "
   ARGS gallery ${COIF_COOKED_SAMPLE} --size 64x64 -o sheet.png)
 coif_cli_case(gallery_json EXIT 0 SAMPLE WRITES sheet.png JSON output width height pictures draw_ms device
   ARGS gallery ${COIF_COOKED_SAMPLE} --only 4 --size 64x80 -o sheet.png --format json)
 coif_cli_case(gallery_small_pictures EXIT 1 SAMPLE
-  STDERR "coif gallery: error: .*bob.coif: a picture of a gallery has 64 to 1024 pixels each way, not 32 x 64"
+  STDERR "coif gallery: error: .*bob.coif: a picture of a sheet has 64 to 1024 pixels each way, not 32 x 64"
   ARGS gallery ${COIF_COOKED_SAMPLE} --size 32x64 -o sheet.png)
 coif_cli_case(gallery_text_file EXIT 3 STDERR "coif gallery: error: notes.coif: not a cooked hair asset"
   TEXT notes.coif "this text is long enough for a header" ARGS gallery notes.coif -o sheet.png)

@@ -54,6 +54,7 @@ Command add_validate(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
+Command add_look(CLI::App& program);
 Command add_gallery(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_report(CLI::App& program);

@@ -44,15 +44,6 @@ struct ValidateOptions {
 constexpr Choice<Severity> kSeverities[] = {
     {"error", Severity::kError}, {"warning", Severity::kWarning}, {"info", Severity::kInfo}};
 
-bool has_asset_magic(std::span<const std::byte> bytes) {
-  return bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
-}
-
-/// A file is taken for a source only by a suffix that the importer knows; everything else should be an asset.
-bool is_source(const fs::path& path, std::span<const std::byte> bytes) {
-  return find_suffix(path).has_value() && !has_asset_magic(bytes);
-}
-
 Found compare_with_new_cook(const Asset& asset, const SourceModel& model, const RecipeChoice& choice,
                             std::uint64_t source_hash) {
   CookSettings settings;

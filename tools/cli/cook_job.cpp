@@ -141,6 +141,12 @@ ImportSettings CookOptions::import_limits(ImportSettings settings) const {
   return settings;
 }
 
+tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {
+  const auto bytes = FileBytes::read(options.source());
+  if (!bytes) return tl::unexpected(bytes.error());
+  return cook_source(options, choice, bytes->span(), messages);
+}
+
 tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,
                                                   const Messages& messages) {
   if (auto checked = check_outputs(options, choice); !checked) return tl::unexpected(checked.error());

@@ -63,6 +63,9 @@ struct CookOptions {
   [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
 };
 
+/// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
+tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
+
 /// Of the first of `options.sources`: cooks, or takes the result from the cache, tells the warnings, and writes asset, report
 /// and depfile, each whole or not at all and none without the asset.
 tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, const RecipeChoice& choice,

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -25,6 +26,11 @@ const char* cure(LoadCode code) {
 
 }  // namespace
 
+bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const bool is_asset = bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
+  return !is_asset && find_suffix(path).has_value();
+}
+
 LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
   LoadStatus status = asset.open(bytes);
   if (status) status = asset.verify_draw_data();
@@ -35,7 +41,11 @@ LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
 tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
   auto bytes = FileBytes::read(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  AssetFile file(std::move(*bytes));
+  return open(path, std::move(*bytes));
+}
+
+tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path, FileBytes bytes) {
+  AssetFile file(std::move(bytes));
   const LoadStatus status = open_whole(file.bytes_.span(), file.asset_);
   if (!status) {
     return tl::unexpected(ToolError{

@@ -26,6 +26,8 @@ class AssetFile {
   /// Errors: those of FileBytes::read(), and kBadInput or kUnsupported (another format version) for what the reader
   /// refuses, with its evidence.
   static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path);
+  /// Bytes that are in hand already; the path is for messages.
+  static tl::expected<AssetFile, ToolError> open(const std::filesystem::path& path, FileBytes bytes);
 
   [[nodiscard]] const Asset& asset() const { return asset_; }
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_.span(); }
@@ -39,6 +41,9 @@ class AssetFile {
 
 /// open() with every hash compared: a tool's files are looked at by people, who want to know.
 LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
+
+/// A file is taken for a source only by a suffix that the importer knows; everything else should be an asset.
+[[nodiscard]] bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct RecipeChoice {
   Recipe recipe;

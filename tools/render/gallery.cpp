@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -116,18 +117,6 @@ void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
   }
 }
 
-tl::expected<void, ToolError> check(const GallerySettings& settings) {
-  const auto side_ok = [](std::uint32_t side) { return side >= 64 && side <= 1024; };
-  if (!side_ok(settings.width) || !side_ok(settings.height)) {
-    return usage("a picture of a gallery has 64 to 1024 pixels each way, not " + std::to_string(settings.width) +
-                 " x " + std::to_string(settings.height));
-  }
-  if (settings.only > kGalleries) {
-    return usage("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
-  }
-  return {};
-}
-
 }  // namespace
 
 std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings) {
@@ -139,29 +128,47 @@ std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings&
   return galleries;
 }
 
-tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
-                                                     const std::function<void(const std::string&)>& progress) {
-  if (const auto checked = check(settings); !checked) return tl::unexpected(checked.error());
+tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t height) {
+  const auto side_ok = [](std::uint32_t side) { return side >= 64 && side <= 1024; };
+  if (side_ok(width) && side_ok(height)) return {};
+  return usage(fmt::format("a picture of a sheet has 64 to 1024 pixels each way, not {} x {}", width, height));
+}
+
+tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries, std::uint32_t columns,
+                                                 std::vector<SheetSection> last,
+                                                 const std::function<void(const std::string&)>& progress) {
   auto maker = PictureMaker::create(asset);
   if (!maker) return tl::unexpected(maker.error());
   GallerySheet result;
   double draw_ms = 0;
+  std::string device;
   std::vector<SheetSection> sections;
-  for (const Gallery& gallery : thesis_galleries(asset, settings)) {
+  for (const Gallery& gallery : galleries) {
     SheetSection& section = sections.emplace_back(gallery.title);
     for (const auto& [caption, picture] : gallery.pictures) {
       progress(gallery.title + ", " + caption);
       auto taken = maker->take(picture);
       if (!taken) return tl::unexpected(taken.error());
       draw_ms += taken->draw_ms;
+      device = taken->device;
       section.tiles.push_back({caption, std::move(*taken)});
       ++result.pictures;
     }
   }
-  result.sheet = contact_sheet(sections, kGalleryColumns);
-  result.sheet.device = sections.front().tiles.front().picture.device;
+  std::ranges::move(last, std::back_inserter(sections));
+  result.sheet = contact_sheet(sections, columns);
+  result.sheet.device = device;
   result.sheet.draw_ms = draw_ms;
   return result;
+}
+
+tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
+                                                     const std::function<void(const std::string&)>& progress) {
+  if (const auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
+  if (settings.only > kGalleries) {
+    return usage("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
+  }
+  return draw_sheet(asset, thesis_galleries(asset, settings), kGalleryColumns, {}, progress);
 }
 
 namespace {

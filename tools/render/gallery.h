@@ -73,6 +73,15 @@ struct GallerySheet {
   std::uint32_t pictures = 0;
 };
 
+/// Takes the pictures of `galleries` (not empty) in one OpenGL context and puts them on a sheet, `last` below them. `progress`
+/// hears of each one's caption before. Errors: those of PictureMaker.
+tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries, std::uint32_t columns,
+                                                 std::vector<SheetSection> last,
+                                                 const std::function<void(const std::string&)>& progress);
+
+/// kUsage where a picture of a sheet is not to be so large or so small.
+tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t height);
+
 /// Takes the pictures in one OpenGL context and puts them on a sheet. `progress` hears of each one's caption before. The
 /// same asset and driver give the same pixels. Errors: kUsage for settings out of range; those of PictureMaker.
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,

@@ -1,0 +1,114 @@
+#include "base/files.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "cli/command.h"
+#include "cli/cook_job.h"
+#include "cli/input_files.h"
+#include "cli/messages.h"
+#include "cli/options.h"
+#include "render/look.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+namespace coif {
+namespace {
+
+struct LookOptions {
+  std::string file;
+  std::string output;
+  std::optional<std::string> recipe;
+  std::vector<std::filesystem::path> roots;
+  PixelSize size{LookSettings{}.width, LookSettings{}.height};
+  OutputFormat format = OutputFormat::kText;
+};
+
+/// Bytes of an asset, and what was said where they were cooked here.
+struct LookedAt {
+  FileBytes bytes;
+  std::vector<std::string> told;
+};
+
+/// A source is cooked as far as it can be seen: the search for draw orders takes longest and changes soft edges alone.
+tl::expected<LookedAt, ToolError> asset_of(const LookOptions& options, const Messages& messages) {
+  auto bytes = FileBytes::read(options.file);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (!is_source(options.file, bytes->span())) return LookedAt{std::move(*bytes), {}};
+  auto choice = choose_recipe(options.file, options.recipe, messages);
+  if (!choice) return tl::unexpected(choice.error());
+  choice->recipe.order_method = "head";
+  CookOptions cook;
+  cook.sources = {options.file};
+  cook.roots = options.roots;
+  const auto cooked = cook_alone(cook, *choice, messages);
+  if (!cooked) return tl::unexpected(cooked.error());
+  LookedAt result{FileBytes::copy(cooked->asset), {}};
+  for (const std::string& warning : cooked->report.warnings) {
+    messages.warning(options.file + ": " + warning);
+    result.told.push_back("WARNING: " + warning);
+  }
+  for (const std::string& note : cooked->report.notes) result.told.push_back(note);
+  for (const LeftOut& left_out : cooked->report.left_out) result.told.push_back("left out: " + left_out.text());
+  return result;
+}
+
+std::string title_of(const LookOptions& options, const Asset& asset) {
+  return fmt::format("{}: {}, {}, {}", std::filesystem::path(options.file).filename().string(),
+                     counted(asset.lod_indices(0).size() / 3, "triangle", "triangles"),
+                     counted(asset.lod_patches(0).size(), "patch", "patches"), counted(asset.chains().size(), "chain", "chains"));
+}
+
+std::string result_text(const LookOptions& options, const GallerySheet& look) {
+  const Picture& sheet = look.sheet;
+  if (options.format == OutputFormat::kJson) {
+    return json_text({{"output", options.output},
+                      {"width", sheet.width},
+                      {"height", sheet.height},
+                      {"pictures", look.pictures},
+                      {"device", sheet.device}});
+  }
+  return fmt::format("{}: {}x{}, {}\n  device: {}\n", options.output, sheet.width, sheet.height,
+                     counted(look.pictures, "picture", "pictures"), sheet.device);
+}
+
+tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Messages& messages) {
+  if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
+  if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
+  auto looked = asset_of(options, messages);
+  if (!looked) return tl::unexpected(looked.error());
+  const auto file = AssetFile::open(options.file, std::move(looked->bytes));
+  if (!file) return tl::unexpected(file.error());
+  const Asset& asset = file->asset();
+  ProgressLine line(options.file);
+  const LookSettings settings{options.size.width, options.size.height, title_of(options, asset), looked->told};
+  const auto look = render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });
+  line.erase();
+  if (!look) return tl::unexpected(ToolError{look.error().kind, options.file + ": " + look.error().message});
+  const std::vector<std::uint8_t> png = encode_png(look->sheet);
+  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
+  if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
+    return tl::unexpected(written.error());
+  }
+  print_result(result_text(options, *look));
+  return Exit::kOk;
+}
+
+}  // namespace
+
+Command add_look(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "look",
+      "Show on one sheet whether a cook comes out right: all sides, strands, patches, colliders, motions, textures, warnings");
+  const auto options = std::make_shared<LookOptions>();
+  app->add_option("FILE", options->file, "A cooked asset, or a source, which is cooked for it in head order")->required();
+  app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png");
+  app->add_option("--recipe", options->recipe, "For a source (default: STEM.recipe.json beside it, if there is one)")->type_name("R.json");
+  add_roots(*app, options->roots);
+  add_size(*app, options->size)->description("Pixels of one picture, 64 to 1024 each way");
+  add_format(*app, options->format);
+  return {app, [options](const Messages& messages) { return run_look(*options, messages); }};
+}
+
+}  // namespace coif

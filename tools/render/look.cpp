@@ -1,0 +1,123 @@
+#include "render/look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kColumns = 5;
+
+struct Side {
+  const char* name;
+  double yaw_degrees, pitch_degrees;
+};
+
+constexpr Side kSides[] = {{"front", 0, 5}, {"left side", 90, 5}, {"back", 180, 5}, {"right side", -90, 5}, {"from above", 0, 70}};
+
+PictureSettings seen_from(PictureSettings picture, const Side& side) {
+  picture.yaw_degrees = side.yaw_degrees;
+  picture.pitch_degrees = side.pitch_degrees;
+  return picture;
+}
+
+Gallery from_all_sides(const std::string& title, const PictureSettings& picture) {
+  Gallery gallery{0, title, {}};
+  for (const Side& side : kSides) gallery.pictures.push_back({side.name, seen_from(picture, side)});
+  return gallery;
+}
+
+/// Hair that lets see what is in it.
+MaterialRecord like_glass(const Asset& asset) {
+  constexpr float kAlpha = 0.3f;
+  MaterialRecord material = thesis_material(asset);
+  material.base_color[3] = kAlpha;
+  material.opaque_threshold = 1;
+  material.discard_threshold = 0;
+  return material;
+}
+
+struct Moment {
+  const char* caption;
+  Motion motion;
+  double time, yaw_degrees;
+};
+
+constexpr Moment kMoments[] = {{"turn, 0.4 s", Motion::kTurn, 0.4, 30},
+                               {"nod, 0.4 s", Motion::kNod, 0.4, 75},
+                               {"nod, 0.9 s", Motion::kNod, 0.9, 75},
+                               {"charge, 0.2 s", Motion::kCharge, 0.2, 75},
+                               {"charge, 0.5 s", Motion::kCharge, 0.5, 75}};
+
+Gallery in_motion(PictureSettings picture) {
+  Gallery gallery{0, "In motion", {}};
+  picture.margin = 1.25;  // for hair that is thrown
+  for (const Moment& moment : kMoments) {
+    picture.motion = moment.motion;
+    picture.time = moment.time;
+    picture.yaw_degrees = moment.yaw_degrees;
+    gallery.pictures.push_back({moment.caption, picture});
+  }
+  return gallery;
+}
+
+std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& settings) {
+  PictureSettings picture;
+  picture.width = settings.width;
+  picture.height = settings.height;
+  picture.warm_up = false;
+  std::vector<Gallery> galleries{from_all_sides(settings.title, picture)};
+  PictureSettings part = picture;
+  part.component = Component::kDirection;
+  galleries.push_back(from_all_sides("Strands: green at the root, red at the tip, spikes point to the tip", part));
+  part = picture;
+  part.patches = true;
+  galleries.push_back(from_all_sides("Patches, each in a colour", part));
+  part = picture;
+  part.material = like_glass(asset);
+  galleries.push_back(from_all_sides("Colliders through the hair", part));
+  if (!asset.chains().empty()) galleries.push_back(in_motion(picture));
+  return galleries;
+}
+
+/// As much of the texture as a tile shows, and beside it its alpha alone.
+std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& settings) {
+  const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
+  if (texture == nullptr || texture->format != TexelFormat::kSrgb8Alpha8) return {};
+  const std::span<const std::byte> texels = asset.texels(*texture, 0);
+  SheetTile color{fmt::format("{} x {} texels", texture->width, texture->height), {}}, alpha{"alpha", {}};
+  for (SheetTile* tile : {&color, &alpha}) {
+    tile->picture.width = settings.width;
+    tile->picture.height = settings.height;
+  }
+  for (std::uint32_t y = 0; y < settings.height; ++y) {
+    for (std::uint32_t x = 0; x < settings.width; ++x) {
+      const std::size_t at = std::size_t(y) * texture->height / settings.height * texture->width +
+                             std::size_t(x) * texture->width / settings.width;
+      const auto channel = [&](std::size_t c) { return std::to_integer<std::uint8_t>(texels[4 * at + c]); };
+      color.picture.rgba.insert(color.picture.rgba.end(), {channel(0), channel(1), channel(2), 255});
+      alpha.picture.rgba.insert(alpha.picture.rgba.end(), {channel(3), channel(3), channel(3), 255});
+    }
+  }
+  return {std::move(color), std::move(alpha)};
+}
+
+std::string as_ascii(std::string text) {
+  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
+}  // namespace
+
+tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
+                                                  const std::function<void(const std::string&)>& progress) {
+  if (const auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
+  std::vector<SheetSection> last;
+  if (auto tiles = base_texture(asset, settings); !tiles.empty()) last.push_back({"Base texture", std::move(tiles)});
+  for (const std::string& told : settings.told) last.push_back({as_ascii(told), {}});
+  return draw_sheet(asset, what_to_look_at(asset, settings), kColumns, std::move(last), progress);
+}
+
+}  // namespace coif
