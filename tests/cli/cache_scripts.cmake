@@ -87,10 +87,13 @@ if(CASE STREQUAL "cache_knows_what_changed")
   file(REMOVE "${FOLDER}/card.mtl")
   must_take(miss "a material library that went" card.obj)
 
-  # The same things elsewhere are the same.
-  file(MAKE_DIRECTORY "${FOLDER}/elsewhere")
-  file(COPY "${FOLDER}/card.obj" "${FOLDER}/textures" DESTINATION "${FOLDER}/elsewhere")
-  must_take(hit "another folder" elsewhere/card.obj)
+  # The same things elsewhere are the same, unless there are textures beside that folder.
+  foreach(folder far/elsewhere elsewhere)
+    file(MAKE_DIRECTORY "${FOLDER}/${folder}")
+    file(COPY "${FOLDER}/card.obj" "${FOLDER}/textures" DESTINATION "${FOLDER}/${folder}")
+  endforeach()
+  must_take(hit "another folder" far/elsewhere/card.obj)
+  must_take(miss "a folder with textures beside it" elsewhere/card.obj)
 endif()
 
 # Whatever happens to a cache, a cook gives the right asset. SOURCE: a model whose cook takes a while.
