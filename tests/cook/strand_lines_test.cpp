@@ -16,9 +16,10 @@ constexpr std::uint32_t kSide = 128;
 float lines_in(const Image& image, bool as_normals = false) {
   BaseColor color;
   (as_normals ? color.normals : color.image) = image;
-  const std::vector<float> lines = find_strand_lines(strips_from(hair_from(strip_over({0.02f, 0.02f}, {0.98f, 0.98f}))), color, 1);
-  EXPECT_EQ(lines.size(), 1u);
-  return lines.at(0);
+  const std::vector<SeenStrands> seen =
+      find_strand_lines(strips_from(hair_from(strip_over({0.02f, 0.02f}, {0.98f, 0.98f}))), color, 1);
+  EXPECT_EQ(seen.size(), 1u);
+  return seen.at(0).lines;
 }
 
 /// Lines of uneven strength at `degrees` from the vertical, V.
@@ -58,12 +59,26 @@ TEST(StrandLines, AHighlightAcrossThemIsOutvoted) {
   EXPECT_GT(lines_in(image), 0.5f);
 }
 
+TEST(StrandLines, FadeTowardsTheirTips) {
+  BaseColor color;
+  color.image = painted(kSide, kSide, [](std::uint32_t, std::uint32_t y) {
+    return Rgba{200, 150, 100, std::uint8_t(255 - 255 * y / kSide)};
+  });
+  const HairStrips hair = strips_from(hair_from(strip_over({0, 0}, {1, 1})));
+  const SeenStrands faded = find_strand_lines(hair, color, 1).at(0);
+  EXPECT_NEAR(faded.fade[1], 0.75f, 0.03f) << "V is 0 where alpha is 1";
+  EXPECT_NEAR(faded.fade[0], 0, 0.03f);
+  EXPECT_GE(faded.differ[1], faded.fade[1]);
+  color.alpha_use = AlphaUse::kOpaque;
+  EXPECT_EQ(find_strand_lines(hair, color, 1).at(0).fade[1], 0) << "alpha that is not used says nothing";
+}
+
 TEST(StrandLines, HairWithoutTextureCoordinatesHasNone) {
   HairMesh mesh = hair_from(make_strip({}));
   mesh.uvs.clear();
   BaseColor color;
   color.image = lined(0);
-  EXPECT_EQ(find_strand_lines(strips_from(mesh), color, 1), std::vector<float>{0});
+  EXPECT_TRUE(find_strand_lines(strips_from(mesh), color, 1).empty());
 }
 
 }  // namespace coif::strand_lines_test

@@ -47,13 +47,26 @@ TEST_P(StrandConventions, TangentsRunFromRootToTip) {
 INSTANTIATE_TEST_SUITE_P(AllLayouts, StrandConventions,
                          testing::Combine(testing::Bool(), testing::Bool(), testing::Bool()));
 
+TEST(StrandDirection, WithoutTextureRowsAreLevelHoweverManyThereAre) {
+  for (const std::uint32_t rows : {4u, 20u, 100u, 400u}) {
+    const float length = 0.075f * float(rows);
+    HairMesh mesh = hair_from(make_strip({.along = {0, -length, 0}, .rows = rows}));
+    mesh.uvs.clear();
+    const StrandField field = strands_of(mesh);
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+      ASSERT_NEAR(field.place[v], (1.6f - mesh.positions[v].y()) / length, 0.02) << rows << " rows, vertex " << v;
+    }
+  }
+}
+
 TEST(StrandDirection, LinesInTheImageTellTheAxisOfWhatIsWiderThanLong) {
   // A fringe, three times as wide as long, whose strands hang.
-  const HairMesh mesh = hair_from(make_strip({.root = {0, 1.6f, 0.1f}, .along = {0, -0.08f, 0}, .across = {0.24f, 0, 0}}));
+  const HairMesh mesh =
+      hair_from(make_strip({.root = {0, 1.6f, 0.1f}, .along = {0, -0.08f, 0}, .across = {0.24f, 0, 0}}));
   StrandSettings settings;
-  settings.lines = {0.8f};
+  settings.seen = {{.lines = 0.8f}};
   for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_LT(tangent.y(), -0.99f);
-  settings.lines = {-0.8f};
+  settings.seen = {{.lines = -0.8f}};
   for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(std::abs(tangent.x()), 0.99f);
 }
 
@@ -96,6 +109,45 @@ TEST(StrandDirection, APatchThatCannotTellFollowsTheTextureOfTheOthers) {
   const HairMesh mesh = hair_from(strips);
   const StrandField field = strands_of(mesh);
   for (std::uint32_t v = first; v < mesh.positions.size(); ++v) EXPECT_LT(field.tangent[v].x(), -0.9f);
+}
+
+TEST(StrandDirection, StrandsThatAreCombedOverTheHeadToATailEndThere) {
+  // Over the skull from the forehead to the back, both ends on it and level, where another strip hangs free.
+  SourceMesh combed = make_strip({.across = {0.03f, 0, 0}, .rows = 12});
+  for (std::size_t v = 0; v < combed.positions.size(); ++v) {
+    const float turn = 0.3f + 2.5f * float(v / 2) / 12;
+    combed.positions[v].y() = 1.6f + 0.091f * std::sin(turn);
+    combed.positions[v].z() = -0.091f * std::cos(turn) * -1;
+  }
+  SourceMesh tail = make_strip({.root = {0, 1.62f, -0.1f}, .along = {0, -0.4f, -0.1f}, .rows = 12});
+  for (SourceMesh* strip : {&combed, &tail}) strip->uvs.clear();
+  const std::size_t of_comb = combed.positions.size();
+  append_piece(combed, tail, 0);
+  const StrandField field = strands_of(hair_from(combed));
+  EXPECT_LT(field.tangent[of_comb / 2].z(), -0.9f) << "towards the tail";
+  EXPECT_LT(field.tangent[of_comb + 12].y(), -0.9f);
+}
+
+TEST(StrandDirection, TipsArePaintedThinner) {
+  // Lies level beside the head: nothing else tells its ends apart.
+  const HairMesh mesh =
+      hair_from(make_strip({.root = {-0.15f, 1.69f, 0}, .along = {0.3f, 0, 0}, .across = {0, 0, 0.05f}}));
+  for (const float fade : {0.6f, -0.6f}) {
+    StrandSettings settings;
+    settings.seen = {{.lines = 1, .fade = {0, fade}}};
+    EXPECT_GT(strands_of(mesh, settings).tangent.front().x() * fade, 0.5f);
+  }
+}
+
+TEST(StrandDirection, PatchesThatNothingTellsAboutAreNamedByTheirPlace) {
+  HairMesh mesh = hair_from(make_strip({.root = {-0.15f, 1.69f, 0}, .along = {0.3f, 0, 0}, .across = {0, 0, 0.05f}}));
+  mesh.uvs.clear();
+  StrandSettings settings;
+  settings.depth_of_node.assign(1, 0.0f);
+  const auto said =
+      told([&](Findings& f) { return find_strand_direction(patched(mesh, "index"), head_of_hair(), settings, f); });
+  ASSERT_EQ(said.notes.size(), 1u);
+  EXPECT_TRUE(said.notes[0].ends_with("1 unsure: around (0.000, 1.690, 0.000)")) << said.notes[0];
 }
 
 TEST(StrandDirection, APatchWithoutTextureFollowsItsNeighbours) {

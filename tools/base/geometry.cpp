@@ -47,6 +47,16 @@ double samples_around(std::span<const Eigen::Vector3f> positions, std::span<cons
   return sum;
 }
 
+Eigen::Vector2d spread_in_square(std::size_t n) {
+  const double x = double(n) * 0.7548776662466927, y = double(n) * 0.5698402909980532;
+  return {x - std::floor(x), y - std::floor(y)};
+}
+
+Eigen::Vector2d spread_in_triangle(std::size_t n) {
+  const Eigen::Vector2d point = spread_in_square(n);
+  return point.sum() > 1 ? Eigen::Vector2d(1 - point.x(), 1 - point.y()) : point;
+}
+
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }
 
 Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right) {

@@ -32,6 +32,14 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 [[nodiscard]] double samples_around(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> indices,
                                     double spacing);
 
+/// Point `n` (from 1 on) of a sequence that fills the square 0..1 evenly however far it goes: of the first so many none lies
+/// nearer to another, across the square's edges too, than half of one over their root. Source: Roberts 2018, "The unreasonable
+/// effectiveness of quasirandom sequences".
+[[nodiscard]] Eigen::Vector2d spread_in_square(std::size_t n);
+
+/// The same in a triangle: the weights of its second and third corner, the first one's is what is left of one.
+[[nodiscard]] Eigen::Vector2d spread_in_triangle(std::size_t n);
+
 /// The rotation nearest to a transform's linear part, without scale and shear.
 [[nodiscard]] Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform);
 

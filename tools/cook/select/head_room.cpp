@@ -1,5 +1,6 @@
 #include "cook/select/head_room.h"
 
+#include "base/geometry.h"
 #include "base/work_limit.h"
 
 #include <Eigen/Geometry>
@@ -31,8 +32,7 @@ constexpr int kRounds = 6;  ///< What is innermost depends on the head's middle.
 constexpr int kMostSweeps = 100;
 constexpr double kFirstStep = 0.2, kLaterStep = 0.05, kLastStep = 0.004;
 
-/// Points for the same share of the hair's surface each. Inside triangles they follow the additive sequence of Roberts 2018,
-/// "The unreasonable effectiveness of quasirandom sequences".
+/// Points for the same share of the hair's surface each.
 std::vector<Vector3d> sample_surface(const HairMesh& hair) {
   const auto corner = [&](std::size_t t, std::size_t k) { return Vector3d(hair.corner(t, k).cast<double>()); };
   std::vector<double> areas;
@@ -46,10 +46,8 @@ std::vector<Vector3d> sample_surface(const HairMesh& hair) {
   double due = 0;
   for (std::size_t t = 0; t < areas.size() && each > 0; ++t) {
     for (due += areas[t]; due > each / 2; due -= each) {
-      const double n = double(samples.size() + 1);
-      double u = std::fmod(n * 0.7548776662466927, 1.0), v = std::fmod(n * 0.5698402909980532, 1.0);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      samples.push_back(corner(t, 0) + u * (corner(t, 1) - corner(t, 0)) + v * (corner(t, 2) - corner(t, 0)));
+      const Eigen::Vector2d at = spread_in_triangle(samples.size() + 1);
+      samples.push_back(corner(t, 0) + at.x() * (corner(t, 1) - corner(t, 0)) + at.y() * (corner(t, 2) - corner(t, 0)));
     }
   }
   return samples;

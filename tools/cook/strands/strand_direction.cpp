@@ -2,7 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "base/work_limit.h"
-#include "cook/strands/strand_evidence.h"
+#include "cook/strands/root_beliefs.h"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -14,22 +14,22 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kSure = 0.5f;             ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
-constexpr float kLonger = 0.33f;          ///< A patch twice as long along one texture axis has its strands along it.
-constexpr float kLongerWeight = 0.7f;     ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
-constexpr float kLinesWeight = 2.0f;      ///< What it counts that lines in the images run along an axis.
-constexpr float kClearEnds = 3.0f;        ///< More evidence at the ends counts no more for the axis.
-constexpr float kCommonAxis = 0.3f;       ///< What it counts that the other patches have the same axis.
-constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
-constexpr int kRounds = 16;
-constexpr double kBeside = 0.15;  ///< Patches nearer than this share of the head's radius are beside each other.
-constexpr float kUnsure = 0.2f;   ///< Of a belief: told in the report.
-constexpr float kConsensusWeight = 1.0f;  ///< What it counts where the others have their roots.
-constexpr double kBackwards = 0.5;        ///< Share of the mean strand along -Z.
+constexpr float kSure = 0.5f;          ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
+constexpr float kLonger = 0.33f;       ///< A patch twice as long along one texture axis has its strands along it.
+constexpr float kLongerWeight = 0.7f;  ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
+constexpr float kLinesWeight = 2.0f;   ///< What it counts that lines in the images run along an axis.
+constexpr float kClearEnds = 3.0f;     ///< More evidence at the ends counts no more for the axis.
+constexpr float kCommonAxis = 0.3f;    ///< What it counts that the other patches have the same axis.
+constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this much were painted as root and tip.
+constexpr float kHabit = 0.25f;        ///< What it counts where others have their roots where nothing is painted.
+constexpr double kBeside = 0.15;       ///< Patches nearer than this share of the head's radius are beside each other.
+constexpr float kUnsure = 0.2f;        ///< Of a belief: told in the report.
+constexpr std::size_t kMostNamed = 6;
+constexpr double kBackwards = 0.5;  ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
   float preference = 0;  ///< texture_preference().
-  float lines = 0;       ///< StrandSettings::lines.
+  SeenStrands seen;
   float area = 0;
   StrandAxis axis;
   RootEvidence evidence;
@@ -61,66 +61,26 @@ int common_texture_axis(std::span<const PatchStrands> patches) {
   return sum >= 0 ? 1 : 0;
 }
 
-/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines, whose ends
-/// differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say nothing. Fills axis and evidence.
-void choose_axis(const HairStrips& hair, const PatchView& view, const FittedHead& head,
-                 std::span<const float> depth_of_node, int common, PatchStrands& patch) {
+/// Along which texture axis the strands run: the one the patch is longer along, along which the images have lines, whose
+/// ends differ more as roots and tips do, and which the other patches have; -1 where texture coordinates say nothing.
+/// Fills axis and evidence.
+void choose_axis(const HairStrips& hair, const PatchView& view, const Surroundings& around, int common,
+                 PatchStrands& patch) {
   const bool textured = patch.preference != 0;
   float best = -10;
   for (int candidate = textured ? 0 : -1; candidate < (textured ? 2 : 0); ++candidate) {
     StrandAxis axis = strand_axis(hair, view, candidate);
-    const RootEvidence evidence = weigh_ends(hair.mesh, view, axis, head, depth_of_node);
+    const RootEvidence evidence = weigh_ends(hair.mesh, view, axis, patch.seen, around);
     const float longer = candidate == 1 ? patch.preference : -patch.preference;
-    const float ends = std::min(std::abs(evidence.sum()), kClearEnds);
-    const float seen = candidate == 1 ? patch.lines : -patch.lines;
-    const float score = kLongerWeight * longer + kLinesWeight * seen + ends + (candidate == common ? kCommonAxis : 0.0f);
+    const float ends = std::min(std::abs(evidence.of_axis()), kClearEnds);
+    const float seen = candidate == 1 ? patch.seen.lines : -patch.seen.lines;
+    const float score =
+        kLongerWeight * longer + kLinesWeight * seen + ends + (candidate == common ? kCommonAxis : 0.0f);
     if (score <= best) continue;
     best = score;
     patch.axis = std::move(axis);
     patch.evidence = evidence;
   }
-}
-
-/// Where the sure patches have their roots in the texture, per axis: -1 at the high end .. 1 at the low end.
-std::array<float, 2> root_consensus(std::span<const PatchStrands> patches) {
-  std::array<float, 2> sum{0, 0}, area{0, 0};
-  for (const PatchStrands& patch : patches) {
-    if (patch.axis.texture_axis < 0 || std::abs(patch.evidence.sum()) < kSure) continue;
-    const auto axis = std::size_t(patch.axis.texture_axis);
-    sum[axis] += patch.area * (patch.evidence.sum() > 0 ? 1.0f : -1.0f);
-    area[axis] += patch.area;
-  }
-  for (std::size_t k = 0; k < 2; ++k) sum[k] = area[k] > 0 ? sum[k] / area[k] : 0;
-  return sum;
-}
-
-/// What a patch says itself and the texture of the others says about it.
-std::vector<float> own_scores(std::span<const PatchStrands> patches) {
-  const std::array<float, 2> consensus = root_consensus(patches);
-  std::vector<float> scores;
-  for (const PatchStrands& patch : patches) {
-    const int axis = patch.axis.texture_axis;
-    scores.push_back(patch.evidence.sum() + (axis < 0 ? 0 : kConsensusWeight * consensus[std::size_t(axis)]));
-  }
-  return scores;
-}
-
-/// Belief of each patch that its low end is the root, -1..1: its own evidence and that of the patches beside it, since
-/// hair combed one way runs one way. Mean-field iteration; few rounds carry a belief across a head.
-std::vector<float> settle_beliefs(std::span<const float> scores,
-                                  const std::vector<std::vector<Neighbour>>& neighbours) {
-  std::vector<float> belief(scores.size()), next(scores.size());
-  for (std::size_t p = 0; p < scores.size(); ++p) belief[p] = std::tanh(scores[p]);
-  for (int round = 0; round < kRounds; ++round) {
-    WorkLimit::check();
-    for (std::size_t p = 0; p < scores.size(); ++p) {
-      float sum = scores[p];
-      for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
-      next[p] = std::tanh(sum);
-    }
-    belief.swap(next);
-  }
-  return belief;
 }
 
 /// Where the strands run on the whole: from the middle of its first half to that of its second.
@@ -178,6 +138,31 @@ void warn_of_up_axis(const HairMesh& mesh, const StrandField& field, Findings& f
       "\"source.up_axis\": \"z\" in the recipe");
 }
 
+/// What the patches bring to the question where their roots are.
+std::vector<RootVote> votes_of(std::span<const PatchStrands> patches) {
+  std::vector<RootVote> votes;
+  for (const PatchStrands& patch : patches) {
+    const int axis = patch.axis.texture_axis;
+    const float differ = axis < 0 ? 0 : patch.seen.differ[std::size_t(axis)];
+    votes.push_back({axis, patch.evidence.sum(), patch.area, std::clamp(differ / kPainted, kHabit, 1.0f)});
+  }
+  return votes;
+}
+
+/// ": around (0.10, 1.62, 0.03), ..." in the model, of the first few.
+std::string where_they_are(const HairMesh& mesh, const std::vector<PatchView>& views,
+                           std::span<const std::size_t> patches) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(patches.size(), kMostNamed); ++i) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t v : views[patches[i]].vertices) middle += mesh.positions[v].cast<double>();
+    middle /= double(views[patches[i]].vertices.size());
+    text += fmt::format("{}({:.3f}, {:.3f}, {:.3f})", i == 0 ? ": around " : ", ", middle.x(), middle.y(), middle.z());
+  }
+  if (patches.size() > kMostNamed) text += fmt::format(" and {} more", patches.size() - kMostNamed);
+  return text;
+}
+
 void turn_round(const PatchView& view, StrandField& field) {
   for (std::uint32_t v : view.vertices) {
     field.place[v] = 1 - field.place[v];
@@ -199,31 +184,34 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
     strands[p].preference = settings.trust_texture ? texture_preference(mesh, views[p]) : 0;
-    strands[p].lines = settings.lines.empty() ? 0 : settings.lines[p];
+    if (!settings.seen.empty()) strands[p].seen = settings.seen[p];
   });
   const int common = common_texture_axis(strands);
+  const FreeHair free_hair(mesh, views, head);
+  const Surroundings around{head, free_hair, settings.depth_of_node};
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     if (declared.texture_axis >= 0 && strands[p].preference != 0) {
       strands[p].axis = strand_axis(hair, views[p], declared.texture_axis);
     } else {
-      choose_axis(hair, views[p], head, settings.depth_of_node, common, strands[p]);
+      choose_axis(hair, views[p], around, common, strands[p]);
     }
   });
   parallel_for(views.size(), settings.threads,
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
-  const std::vector<float> belief =
-      settle_beliefs(own_scores(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
-  std::size_t sure = 0, unsure = 0;
+  const std::vector<float> belief = settle_beliefs(
+      mesh, views, votes_of(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
+  std::size_t sure = 0;
+  std::vector<std::size_t> unsure;
   for (std::size_t p = 0; p < views.size(); ++p) {
     const bool by_recipe = declared.texture_axis >= 0 && strands[p].axis.texture_axis >= 0;
     if (by_recipe ? declared.at_high_end : belief[p] < 0) turn_round(views[p], field);
     sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
-    unsure += std::abs(belief[p]) < kUnsure ? 1 : 0;
+    if (!by_recipe && std::abs(belief[p]) < kUnsure) unsure.push_back(p);
   }
   field.along_u = (declared.texture_axis < 0 ? common : declared.texture_axis) == 0 && !mesh.uvs.empty();
   findings.note(
-      fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure", sure,
-                  views.size(), unsure));
+      fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}", sure,
+                  views.size(), unsure.size(), where_they_are(mesh, views, unsure)));
   warn_of_up_axis(mesh, field, findings);
   return field;
 }

@@ -2,7 +2,7 @@
 
 #include "cook/recipe/findings.h"
 #include "cook/select/head.h"
-#include "cook/strands/hair_strips.h"
+#include "cook/strands/strand_evidence.h"
 
 #include <cstdint>
 #include <string>
@@ -14,15 +14,13 @@ struct StrandSettings {
   std::string root = "auto";         ///< As in the recipe: the side of the texture where all roots are.
   bool trust_texture = true;         ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
-  std::vector<float> lines;          ///< Per patch, -1 where images show lines along U .. 1 along V; empty: nothing is known.
+  std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
   unsigned threads = 1;              ///< The result does not depend on it.
 };
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
-/// the surface from end to end where texture coordinates say nothing. The root is the end that is nearer to the head,
-/// follows bones nearer to it, is higher and wider. Where that says little, the side of the texture counts that has the
-/// roots in other patches, since one artist paints them on one side, and which way the patches beside run. Patches are
-/// separate. Notes how roots were told from tips; warns where strands run as if another axis pointed up.
+/// the surface from end to end where texture coordinates say nothing. The root is the end that RootEvidence points to, as far
+/// as other patches do not contradict (settle_beliefs()). Patches are separate. Notes how roots were told from tips, and where nothing tells them; warns where strands run as if another axis pointed up.
 [[nodiscard]] StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head,
                                                 const StrandSettings& settings, Findings& findings);
 

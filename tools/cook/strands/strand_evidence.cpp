@@ -97,7 +97,11 @@ std::vector<std::vector<Neighbour>> find_neighbours(const HairMesh& mesh, const 
 
 namespace {
 
-constexpr float kEnd = 0.25f;  ///< Share of the patch at each end that is looked at.
+constexpr double kMostHeight = 1.5;  ///< Of the head's radius: hanging farther says no more.
+constexpr double kAround = 0.45;     ///< Of the head's radius: side of the cells in which free hair is counted.
+constexpr double kFree = 0.5;        ///< Of the head's radius: hair this far off the head hangs free.
+constexpr double kTied = 3;          ///< A third more of the hair around free: no doubt.
+constexpr float kEnd = 0.25f;        ///< Share of the patch at each end that is looked at.
 
 struct End {
   double distance = 0, depth = 0, height = 0;
@@ -138,14 +142,38 @@ float limited(double value) { return float(std::clamp(value, -1.0, 1.0)); }
 
 }  // namespace
 
-RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, const FittedHead& head,
-                        std::span<const float> depth_of_node) {
+FreeHair::FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head)
+    : cell_size_(kAround * head.radii.mean()) {
+  for (const Sample& sample : take_samples(views)) {
+    const Eigen::Vector3f& p = mesh.positions[sample.vertex];
+    Amount& amount = cells_[cell_of(p, cell_size_)];
+    amount.free += std::clamp(head.distance(p.cast<double>()) / (kFree * head.radii.mean()), 0.0, 1.0);
+    amount.all += 1;
+  }
+}
+
+double FreeHair::at(const Eigen::Vector3d& point) const {
+  const Cell home = cell_of(point.cast<float>(), cell_size_);
+  Amount sum;
+  for (int n = 0; n < 27; ++n) {
+    const auto found = cells_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
+    if (found == cells_.end()) continue;
+    sum.free += found->second.free;
+    sum.all += found->second.all;
+  }
+  return sum.all > 0 ? sum.free / sum.all : 0;
+}
+
+RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis, const SeenStrands& seen,
+                        const Surroundings& around) {
+  const FittedHead& head = around.head;
   End low, high;
   for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
     const float at = axis.coordinate[i];
     if (at > kEnd && at < 1 - kEnd) continue;
     const std::uint32_t v = patch.vertices[i];
-    (at <= kEnd ? low : high).add(mesh.positions[v].cast<double>(), head, double(depth_of(mesh, v, depth_of_node)));
+    (at <= kEnd ? low : high)
+        .add(mesh.positions[v].cast<double>(), head, double(depth_of(mesh, v, around.depth_of_node)));
   }
   low.finish();
   high.finish();
@@ -156,8 +184,10 @@ RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const Stra
   const double away = std::clamp(std::max(high.distance, low.distance) / (0.5 * size), 0.0, 1.0);
   evidence.distance = limited(away * (high.distance - low.distance) / (0.5 * size));
   evidence.bones = limited(high.depth - low.depth);
-  evidence.height = limited((low.height - high.height) / size);
+  evidence.height = float(std::clamp((low.height - high.height) / size, -kMostHeight, kMostHeight));
   evidence.taper = limited((low.spread() - high.spread()) / std::max(low.spread() + high.spread(), 1.0e-9));
+  evidence.tied = limited(kTied * (around.free_hair.at(high.sum) - around.free_hair.at(low.sum)));
+  if (axis.texture_axis >= 0) evidence.fade = seen.fade[std::size_t(axis.texture_axis)];
   return evidence;
 }
 

@@ -4,6 +4,8 @@
 #include "cook/strands/hair_strips.h"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,16 @@ struct StrandAxis {
 /// one that is farthest from everything else.
 [[nodiscard]] StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis);
 
+/// What images show of the strands of one patch.
+struct SeenStrands {
+  float lines = 0;  ///< -1 where lines run along U .. 1 where they run along V; 0: nothing or neither is seen.
+  std::array<float, 2> fade{0, 0};  ///< Along U and V: mean alpha at the low end less that at the high end, -1..1.
+  std::array<float, 2> differ{kUnseen,
+                              kUnseen};  ///< Along U and V: how far the mean colours of the two ends are apart, 0..1.
+
+  static constexpr float kUnseen = 0.05f;  ///< Without an image: perhaps there is one somewhere that was painted on.
+};
+
 /// How the strands of two patches that lie beside each other run.
 struct Neighbour {
   std::uint32_t patch = 0;
@@ -42,20 +54,47 @@ struct Neighbour {
                                                                   std::span<const Eigen::Vector3f> tangents,
                                                                   double reach);
 
+/// Where hair is off the head: strands that are combed over the skull to a tail or a bun end beside hair that hangs free,
+/// and those that grow from the skull's skin do not start there.
+class FreeHair {
+ public:
+  FreeHair(const HairMesh& mesh, const std::vector<PatchView>& views, const FittedHead& head);
+
+  /// Of the hair around a point, how free it is: 0 on the head .. 1 half a radius away from it; 0 where there is none.
+  [[nodiscard]] double at(const Eigen::Vector3d& point) const;
+
+ private:
+  struct Amount {
+    double free = 0, all = 0;
+  };
+  double cell_size_;
+  std::map<std::array<std::int64_t, 3>, Amount> cells_;
+};
+
 /// What the two ends of a patch say about which one is the root. Each from -1 (the high end of the coordinate is it) to 1
-/// (the low end), 0 where it says nothing.
+/// (the low end), 0 where it says nothing; height up to 1.5 either way.
 struct RootEvidence {
   float distance = 0;  ///< Roots are nearer to the head's surface.
   float bones = 0;     ///< Roots follow bones that are nearer to the head bone.
   float height = 0;    ///< Hair hangs.
   float taper = 0;     ///< Tips are narrower.
+  float tied = 0;      ///< Where hair hangs free beside an end that is on the head, that end is not the root.
+  float fade = 0;      ///< Tips are painted thinner.
 
   /// What the patch says on its own: positive where the low end is the root.
-  [[nodiscard]] float sum() const { return distance + 1.5f * bones + 0.35f * height + 0.25f * taper; }
+  [[nodiscard]] float sum() const { return of_axis() + tied; }
+  /// Without what says nothing about whether the strands run from end to end at all: it differs from side to side too.
+  [[nodiscard]] float of_axis() const { return distance + 1.5f * bones + 0.35f * height + 0.25f * taper + fade; }
 };
 
-/// `depth_of_node`: bones between each node of the source and the head.
+/// What the ends are compared by.
+struct Surroundings {
+  const FittedHead& head;
+  const FreeHair& free_hair;
+  std::span<const float> depth_of_node;  ///< Bones between each node of the source and the head.
+};
+
 [[nodiscard]] RootEvidence weigh_ends(const HairMesh& mesh, const PatchView& patch, const StrandAxis& axis,
-                                      const FittedHead& head, std::span<const float> depth_of_node);
+                                      const SeenStrands& seen, const Surroundings& around);
 
 }  // namespace coif

@@ -1,29 +1,56 @@
 #include "cook/texture/strand_lines.h"
 
+#include "base/geometry.h"
 #include "base/parallel_for.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace coif {
 namespace {
 
 using Eigen::Vector2f;
 
-constexpr std::size_t kPlaces = 4096;     ///< Places looked at per patch, about.
+constexpr std::size_t kPlaces = 4096;  ///< Places looked at per patch, about.
 constexpr std::size_t kMostPerTriangle = 256;
-constexpr int kReach = 2;                  ///< Texels to each side, and all between: painted strands are one to ten wide.
-constexpr double kSteep = 6;               ///< Of 255, per channel: less is noise of the image's compression.
-constexpr double kEnough = 0.3;            ///< Share of places that are steep; with fewer the answer counts for less.
-constexpr float kInside = 0.8f;            ///< Of a triangle: what lies beyond its edge is another part of the picture.
+constexpr int kReach = 2;        ///< Texels to each side, and all between: painted strands are one to ten wide.
+constexpr double kSteep = 6;     ///< Of 255, per channel: less is noise of the image's compression.
+constexpr double kEnough = 0.3;  ///< Share of places that are steep; with fewer the answer counts for less.
+constexpr float kEnd = 0.25f;    ///< Share of the patch's range at each end where alpha is looked at.
+constexpr float kInside = 0.8f;  ///< Of a triangle: what lies beyond its edge is another part of the picture.
 
 /// Votes of the places in one patch.
 struct Votes {
   double along_v = 0, all = 0, asked = 0;
 
-  [[nodiscard]] double answer() const {
-    return all > 0 ? along_v / all * std::min(1.0, all / asked / kEnough) : 0;
+  [[nodiscard]] double answer() const { return all > 0 ? along_v / all * std::min(1.0, all / asked / kEnough) : 0; }
+};
+
+/// Mean colour and alpha at the ends of one patch, 0..1.
+struct Ends {
+  Eigen::AlignedBox2f range;
+  std::array<std::array<Eigen::Vector4d, 2>, 2> sum;  ///< Along U and V, low and high end.
+  std::array<std::array<double, 2>, 2> count{};
+
+  Ends() {
+    sum = {{{Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()}, {Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()}}};
+  }
+
+  void add(const Vector2f& uv, const Eigen::Vector4d& color) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto k = Eigen::Index(axis);
+      const float at = (uv[k] - range.min()[k]) / std::max(range.sizes()[k], 1.0e-12f);
+      if (at > kEnd && at < 1 - kEnd) continue;
+      sum[axis][at > 0.5f ? 1 : 0] += color;
+      count[axis][at > 0.5f ? 1 : 0] += 1;
+    }
+  }
+  /// Low end less high end.
+  [[nodiscard]] Eigen::Vector4d difference(std::size_t axis) const {
+    if (!(count[axis][0] > 0 && count[axis][1] > 0)) return Eigen::Vector4d::Zero();
+    return sum[axis][0] / count[axis][0] - sum[axis][1] / count[axis][1];
   }
 };
 
@@ -62,11 +89,12 @@ std::array<Vector2f, 3> uvs_of(const HairMesh& mesh, std::size_t t) {
   return {mesh.uvs[mesh.triangles[t]], mesh.uvs[mesh.triangles[t + 1]], mesh.uvs[mesh.triangles[t + 2]]};
 }
 
-Votes votes_of(const HairMesh& mesh, const PatchView& patch, const Image& image) {
+/// Calls `visit` with texture coordinates spread over the patch, about kPlaces of them, as dense as it has texels.
+template <typename Visit>
+void for_each_place(const HairMesh& mesh, const PatchView& patch, const Image& image, const Visit& visit) {
   double total = 0;
   for (const std::size_t t : patch.triangles) total += texels_of(uvs_of(mesh, t), image);
-  Votes votes;
-  if (!(total > 0) || !std::isfinite(total)) return votes;
+  if (!(total > 0) || !std::isfinite(total)) return;
   std::size_t n = 0;
   for (const std::size_t t : patch.triangles) {
     const auto uv = uvs_of(mesh, t);
@@ -74,31 +102,51 @@ Votes votes_of(const HairMesh& mesh, const PatchView& patch, const Image& image)
     const double share = texels_of(uv, image) / total;
     const auto count = std::min(kMostPerTriangle, std::size_t(std::ceil(share * double(kPlaces))));
     for (std::size_t i = 0; i < count; ++i) {
-      // Roberts 2018, as in head_room.cpp.
-      ++n;
-      float u = float(std::fmod(double(n) * 0.7548776662466927, 1.0)), v = float(std::fmod(double(n) * 0.5698402909980532, 1.0));
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      const Vector2f place = uv[0] + u * (uv[1] - uv[0]) + v * (uv[2] - uv[0]);
-      ask(image, middle + kInside * (place - middle), votes);
+      const Vector2f at = spread_in_triangle(++n).cast<float>();
+      const Vector2f place = uv[0] + at.x() * (uv[1] - uv[0]) + at.y() * (uv[2] - uv[0]);
+      visit(Vector2f(middle + kInside * (place - middle)));
     }
   }
-  return votes;
+}
+
+float lines_of(const HairMesh& mesh, const PatchView& patch, const BaseColor& color) {
+  double sum = 0;
+  for (const std::optional<Image>* image : {&color.image, &color.normals}) {
+    if (!*image) continue;
+    Votes votes;
+    for_each_place(mesh, patch, **image, [&](const Vector2f& uv) { ask(**image, uv, votes); });
+    sum += votes.answer();
+  }
+  return float(std::clamp(sum, -1.0, 1.0));
+}
+
+void compare_ends(const HairMesh& mesh, const PatchView& patch, const Image& image, bool has_alpha, SeenStrands& seen) {
+  Ends ends;
+  for (const std::uint32_t v : patch.vertices) ends.range.extend(mesh.uvs[v]);
+  for_each_place(mesh, patch, image, [&](const Vector2f& uv) {
+    const std::size_t texel = repeated(uv.y(), image.height) * image.width + repeated(uv.x(), image.width);
+    const std::uint8_t* c = &image.texels[4 * texel];
+    const double alpha = has_alpha ? c[3] / 255.0 : 1;
+    ends.add(uv, {alpha * c[0] / 255.0, alpha * c[1] / 255.0, alpha * c[2] / 255.0, alpha});
+  });
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector4d difference = ends.difference(axis);
+    seen.fade[axis] = float(difference.w());
+    seen.differ[axis] = float(difference.cwiseAbs().maxCoeff());
+  }
 }
 
 }  // namespace
 
-std::vector<float> find_strand_lines(const HairStrips& hair, const BaseColor& color, unsigned threads) {
+std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color, unsigned threads) {
+  if (hair.mesh.uvs.empty() || !(color.image || color.normals)) return {};
   const std::vector<PatchView> views = hair.views();
-  std::vector<float> lines(views.size(), 0.0f);
-  if (hair.mesh.uvs.empty()) return lines;
+  std::vector<SeenStrands> seen(views.size());
   parallel_for(views.size(), threads, [&](std::size_t p) {
-    double sum = 0;
-    for (const std::optional<Image>* image : {&color.image, &color.normals}) {
-      if (*image) sum += votes_of(hair.mesh, views[p], **image).answer();
-    }
-    lines[p] = float(std::clamp(sum, -1.0, 1.0));
+    seen[p].lines = lines_of(hair.mesh, views[p], color);
+    if (color.image) compare_ends(hair.mesh, views[p], *color.image, color.alpha_use != AlphaUse::kOpaque, seen[p]);
   });
-  return lines;
+  return seen;
 }
 
 }  // namespace coif

@@ -1,16 +1,17 @@
 #pragma once
 
-#include "cook/strands/hair_strips.h"
+#include "cook/strands/strand_evidence.h"
 #include "cook/texture/base_color.h"
 
 #include <vector>
 
 namespace coif {
 
-/// What the images show of how strands run, per patch: -1 where lines run along U .. 1 where they run along V; 0 where nothing
-/// or neither is seen. Strands are drawn as lines in colour, alpha and, most clearly, in normal maps: across them an image is
+/// What the images show of how strands run, per patch; empty where there is no image. Strands are drawn as lines in colour, alpha and, most clearly, in normal maps: across them an image is
 /// steep, along them it is not (the structure tensor of Foerstner and Guelch 1987, looked at along the texture's axes). Every
-/// place that is steep at all has one vote, so that a few highlights painted across the strands do not outvote them.
-[[nodiscard]] std::vector<float> find_strand_lines(const HairStrips& hair, const BaseColor& color, unsigned threads);
+/// place that is steep at all has one vote, so that a few highlights painted across the strands do not outvote them. Towards
+/// their tips strands are painted thinner and fewer: alpha fades.
+[[nodiscard]] std::vector<SeenStrands> find_strand_lines(const HairStrips& hair, const BaseColor& color,
+                                                         unsigned threads);
 
 }  // namespace coif

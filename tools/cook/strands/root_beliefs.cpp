@@ -1,0 +1,109 @@
+#include "cook/strands/root_beliefs.h"
+
+#include "base/work_limit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr int kBeliefRounds = 16;
+constexpr float kNeighbourWeight = 1.0f;  ///< What it counts how the patches beside run.
+constexpr float kIslandWeight =
+    1.0f;  ///< What it counts where others have their roots in the same part of the texture.
+constexpr float kCommonWeight = 0.5f;  ///< What it counts where they have them anywhere in the texture.
+constexpr std::uint32_t kCells = 64;   ///< Of the texture, to each side.
+
+/// Row or column of a texture that repeats.
+std::uint32_t cell_at(float coordinate) {
+  const float fraction = coordinate - std::floor(coordinate);
+  return std::min(std::uint32_t(fraction * float(kCells)), kCells - 1);
+}
+
+/// Who shows which part of the texture, and which side of it they take for the roots.
+class TextureConsensus {
+ public:
+  TextureConsensus(const HairMesh& mesh, const std::vector<PatchView>& views, std::span<const RootVote> votes)
+      : votes_(votes), cells_of_(views.size()) {
+    if (mesh.uvs.empty()) return;
+    for (auto& sums : cells_) sums.assign(std::size_t(kCells) * kCells, {});
+    for (std::size_t p = 0; p < views.size(); ++p) {
+      if (votes[p].texture_axis < 0) continue;
+      std::vector<std::uint32_t>& cells = cells_of_[p];
+      for (const std::size_t t : views[p].triangles) {
+        const Eigen::Vector2f middle =
+            (mesh.uvs[mesh.triangles[t]] + mesh.uvs[mesh.triangles[t + 1]] + mesh.uvs[mesh.triangles[t + 2]]) / 3;
+        cells.push_back(cell_at(middle.y()) * kCells + cell_at(middle.x()));
+      }
+      std::ranges::sort(cells);
+      cells.erase(std::ranges::unique(cells).begin(), cells.end());
+    }
+  }
+
+  void gather(std::span<const float> belief) {
+    common_ = {};
+    for (auto& sums : cells_) std::ranges::fill(sums, Sum{});
+    for (std::size_t p = 0; p < cells_of_.size(); ++p) {
+      if (votes_[p].texture_axis < 0) continue;
+      const auto axis = std::size_t(votes_[p].texture_axis);
+      common_[axis].add(belief[p], votes_[p].area);
+      for (const std::uint32_t cell : cells_of_[p]) cells_[axis][cell].add(belief[p], votes_[p].area);
+    }
+  }
+
+  /// What the others say about a patch.
+  [[nodiscard]] float about(std::size_t p, float own_belief) const {
+    if (votes_[p].texture_axis < 0) return 0;
+    const auto axis = std::size_t(votes_[p].texture_axis);
+    float island = 0;
+    for (const std::uint32_t cell : cells_of_[p]) island += cells_[axis][cell].without(own_belief, votes_[p].area);
+    if (!cells_of_[p].empty()) island /= float(cells_of_[p].size());
+    return votes_[p].painted *
+           (kIslandWeight * island + kCommonWeight * common_[axis].without(own_belief, votes_[p].area));
+  }
+
+ private:
+  struct Sum {
+    double belief = 0, area = 0;
+
+    void add(float one, float its_area) {
+      belief += double(one) * double(its_area);
+      area += double(its_area);
+    }
+    /// Mean belief of the others; a few small ones beside a large one say less.
+    [[nodiscard]] float without(float one, float its_area) const {
+      const double others = area - double(its_area);
+      return others > 1e-6 * area ? float((belief - double(one) * double(its_area)) / std::max(others, 0.5 * area)) : 0;
+    }
+  };
+
+  std::span<const RootVote> votes_;
+  std::vector<std::vector<std::uint32_t>> cells_of_;
+  std::array<std::vector<Sum>, 2> cells_;  ///< Per axis.
+  std::array<Sum, 2> common_{};
+};
+
+}  // namespace
+
+std::vector<float> settle_beliefs(const HairMesh& mesh, const std::vector<PatchView>& views,
+                                  std::span<const RootVote> votes,
+                                  const std::vector<std::vector<Neighbour>>& neighbours) {
+  TextureConsensus texture(mesh, views, votes);
+  std::vector<float> belief(votes.size()), next(votes.size());
+  for (std::size_t p = 0; p < votes.size(); ++p) belief[p] = std::tanh(votes[p].evidence);
+  for (int round = 0; round < kBeliefRounds; ++round) {
+    WorkLimit::check();
+    texture.gather(belief);
+    for (std::size_t p = 0; p < votes.size(); ++p) {
+      float sum = votes[p].evidence + texture.about(p, belief[p]);
+      for (const Neighbour& other : neighbours[p]) sum += kNeighbourWeight * other.agreement * belief[other.patch];
+      next[p] = std::tanh(sum);
+    }
+    belief.swap(next);
+  }
+  return belief;
+}
+
+}  // namespace coif
