@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -97,6 +98,36 @@ TEST(SamplesAround, IsTheRectangleOfTheWidestView) {
   EXPECT_NEAR(samples_around(a, b, c, 0.01), 31 * 11, 0.01);
   EXPECT_NEAR(samples_around(c, a, b, 0.01), 31 * 11, 0.01);
   EXPECT_NEAR(samples_around(a, a, a, 0.01), 1, 1e-9);
+}
+
+TEST(SpreadInSquare, NoneOfTheFirstSoManyLiesNearAnother) {
+  std::vector<Eigen::Vector2d> points;
+  double nearest = 1;
+  for (std::size_t n = 1; n <= 1000; ++n) {
+    const Eigen::Vector2d point = spread_in_square(n);
+    EXPECT_GE(point.minCoeff(), 0);
+    EXPECT_LT(point.maxCoeff(), 1);
+    for (const Eigen::Vector2d& other : points) {
+      const Eigen::Array2d way = (point - other).array().abs();
+      nearest = std::min(nearest, way.min(1 - way).matrix().norm());
+    }
+    points.push_back(point);
+    if (n > 1) {
+      ASSERT_GT(nearest, 0.5 / std::sqrt(double(n))) << n << " points";
+    }
+  }
+}
+
+TEST(SpreadInTriangle, FillsItEvenly) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t n = 1; n <= 1000; ++n) {
+    const Eigen::Vector2d point = spread_in_triangle(n);
+    EXPECT_GE(point.minCoeff(), 0);
+    EXPECT_LE(point.sum(), 1);
+    sum += point / 1000;
+  }
+  EXPECT_NEAR(sum.x(), 1.0 / 3, 0.005);
+  EXPECT_NEAR(sum.y(), 1.0 / 3, 0.005);
 }
 
 TEST(WriteOutput, ClearsAwayWhatAKilledProcessLeftOfTheSameFile) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace coif::alpha_mips_test {
 
@@ -128,6 +130,46 @@ TEST(AlphaMips, TexelsThatNothingUsesDoNotCount) {
   mips.keep();
   for (std::size_t level = 1; level < 5; ++level) {
     EXPECT_NEAR(mips.of(level).opaque, mips.of(0).opaque, 0.02) << level;
+  }
+}
+
+/// A base texture whose first so many texels, row by row, are solid in each mip and all others clear.
+AssetContents solid_texels(std::uint32_t side, const std::vector<std::size_t>& solid) {
+  AssetContents contents;
+  TextureRecord record{};
+  record.role = TextureRole::kBaseColor;
+  record.format = TexelFormat::kSrgb8Alpha8;
+  record.width = record.height = side;
+  record.mip_count = std::uint32_t(solid.size());
+  contents.textures = {record};
+  for (std::size_t level = 0; level < solid.size(); ++level) {
+    const std::size_t texels = std::size_t(side >> level) * (side >> level);
+    for (std::size_t i = 0; i < 4 * texels; ++i) {
+      contents.texels.push_back(i % 4 == 3 && i / 4 >= solid[level] ? std::byte{0} : std::byte{255});
+    }
+  }
+  MaterialRecord material{};
+  for (float& c : material.base_color) c = 1;
+  material.opaque_threshold = 0.8f;
+  material.discard_threshold = 0.02f;
+  contents.material = {material};
+  return contents;
+}
+
+TEST(ReportCoverage, AMipIsNotOffByWhatHalfATexelChanges) {
+  // 2080 of 4096 texels are 32.5 of the 64 in the smallest mip that is looked at.
+  std::vector<Image> used;
+  for (const std::uint32_t side : {64u, 32u, 16u, 8u}) {
+    used.push_back({side, side, 1, std::vector<std::uint8_t>(std::size_t(side) * side, 255)});
+  }
+  for (const auto& [smallest, off] : {std::pair{32u, "0.0"}, {33u, "0.0"}, {31u, "4.6"}}) {
+    Findings findings;
+    report_coverage(used, solid_texels(64, {2080, 520, 130, smallest}), findings);
+    ASSERT_EQ(findings.notes.size(), 1u);
+    EXPECT_TRUE(findings.notes[0].starts_with("mips: 50.8 % of the hair's texels opaque, ")) << findings.notes[0];
+    EXPECT_NE(findings.notes[0].find(std::string("smaller mips are within ") + off + " % and "), std::string::npos)
+        << findings.notes[0];
+    EXPECT_TRUE(findings.notes[0].ends_with("down to mip 3")) << findings.notes[0];
   }
 }
 

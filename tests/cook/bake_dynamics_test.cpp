@@ -108,7 +108,7 @@ TEST(SpringJoints, AJointsSettingsGoToItsOwnNodesBone) {
   EXPECT_EQ(joints[3].joint->node, 4u) << "not the last joint, whose vertices the bone carries";
   model.springs[0].joints[2].length = 0.07;  // as the leaf of a VRM 0.x: it has no bone of its own
   EXPECT_EQ(joints_of_bones(model, wig_skeleton())[3].joint->node, 4u);
-  model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
+  model.springs[0].joints.pop_back();
   model.springs[0].joints[1].length = 0;
   EXPECT_FALSE(joints_of_bones(model, wig_skeleton())[3]) << "an end turns nothing";
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace coif::blunt_ends_test {
 
@@ -70,6 +71,18 @@ TEST(BluntEnds, AStripThatNarrowsDoesNot) {
   }
 }
 
+TEST(BluntEnds, AStripMayBeWidestAnywhereBeforeItsTip) {
+  for (int widest = 0; widest < 9; ++widest) {
+    StripDesc desc = kStrip;
+    desc.rows = 100;
+    SourceMesh strip = make_strip(desc);
+    for (std::uint32_t row = 10 * std::uint32_t(widest) + 3; row <= 10 * std::uint32_t(widest) + 7; ++row) {
+      for (std::uint32_t v = 2 * row; v < 2 * row + 2; ++v) strip.positions[v].x() *= 2.5f;
+    }
+    EXPECT_EQ(blunt_ends(strip), 0u) << "its tip is two fifths as wide as it is at " << 0.1 * widest + 0.05;
+  }
+}
+
 /// Alpha by place along the strip.
 Image fading(const std::function<double(double)>& alpha) {
   return painted(8, 128, [&](auto, std::uint32_t y) { return Rgba{9, 9, 9, std::uint8_t(255 * alpha(y / 128.0))}; });
@@ -84,6 +97,8 @@ TEST(BluntEnds, AlphaThatFadesMakesThemSoft) {
   EXPECT_EQ(blunt_ends(make_strip(kStrip), with(late, 0.8)), 0u);
   EXPECT_EQ(blunt_ends(make_strip(kStrip), with(never, 0.8)), 1u);
   EXPECT_EQ(blunt_ends(make_strip(kStrip), with(even, 0)), 1u) << "all of it is drawn as opaque";
+  const Image faint = fading([](double) { return 0.5; });
+  EXPECT_EQ(blunt_ends(make_strip(kStrip), with(faint, 0.8)), 0u) << "opaque nowhere";
 }
 
 TEST(BluntEnds, StrandsThatThinOutAreSoftAndThoseCutAtOnceAreHard) {
@@ -137,6 +152,33 @@ TEST(BluntEnds, AnEdgeThatAnotherPatchContinuesIsNotFree) {
   below.root = {0, 1.6f - 0.25f, 0.12f};
   wig.add(make_strip(below));
   EXPECT_EQ(wig.ends().made, std::vector<std::uint32_t>{1});
+}
+
+TEST(BluntEnds, HalfOfItsEdgeMustBeFree) {
+  // Columns of equal width; below all but so many of them another patch goes on.
+  for (const auto& [columns, free, hard] : {std::tuple{2, 2, true}, {2, 1, true}, {4, 1, false}, {4, 2, true}}) {
+    Wig wig;
+    SourceMesh strip, below;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column <= columns; ++column) {
+        SourceMesh& mesh = row < 2 ? strip : below;
+        mesh.positions.emplace_back(0.03125f * float(column), 1.5f - 0.25f * float(row), 0.125f);
+        mesh.uvs.emplace_back(0.0f, float(row % 2));
+      }
+    }
+    below.positions.insert(below.positions.begin(), strip.positions.begin() + columns + 1, strip.positions.end());
+    below.uvs.insert(below.uvs.begin(), strip.uvs.begin(), strip.uvs.begin() + columns + 1);
+    for (int column = 0; column < columns; ++column) {
+      const auto a = std::uint32_t(column), b = a + std::uint32_t(columns) + 1;
+      for (const std::uint32_t corner : {a, b, a + 1, a + 1, b, b + 1}) {
+        strip.triangles.push_back(corner);
+        if (column >= free) below.triangles.push_back(corner);
+      }
+    }
+    wig.add(strip);
+    wig.add(below);
+    EXPECT_EQ(std::ranges::count(wig.ends().made, 0u), hard ? 1 : 0) << free << " of " << columns;
+  }
 }
 
 TEST(BluntEnds, EndsUnderOtherHairDoNotShow) {

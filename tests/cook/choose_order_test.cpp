@@ -127,6 +127,21 @@ TEST(ChooseOrder, RecipeDecidesHowManyOrdersThereAre) {
   EXPECT_TRUE(contents.orders.empty());
 }
 
+/// What the cooker says of the order by distance from the head.
+std::string head_quality(AssetContents contents) {
+  const auto notes = choose(recipe_with("auto"), contents);
+  const std::size_t from = notes.at(0).find("by distance from the head"), to = notes[0].find(", the best");
+  return from < to && to != std::string::npos ? notes[0].substr(from, to - from) : notes[0];
+}
+
+TEST(ChooseOrder, DistanceFromTheHeadIsThatWhateverTheOrderInTheFile) {
+  std::vector<Card> cards;
+  for (const int i : {2, 0, 3, 1}) cards.push_back({.center = {0, 0, -0.02f * float(i)}, .alpha = 150});
+  const std::string sorted = head_quality(stack());
+  EXPECT_NE(sorted.find(" dB (median "), std::string::npos) << sorted;
+  EXPECT_EQ(head_quality(card_contents(cards)), sorted);
+}
+
 void expect_untouched(const Recipe& recipe, AssetContents contents) {
   const std::vector<std::byte> before = write_asset(contents);
   EXPECT_TRUE(choose(recipe, contents).empty());
@@ -239,6 +254,13 @@ TEST(BakeOcclusion, ATransparentShellTakesItsAlphasShare) {
         baked(card_contents(std::array{card({0, 0, 0.01f}, 0.3f, alpha), card({0, 0, 0}, 0.01f)}));
     EXPECT_NEAR(light_on(contents, 1), 1 - 0.5 * alpha / 255.0, 0.05) << alpha;
   }
+}
+
+TEST(BakeOcclusion, AFoldedCardShadesItself) {
+  AssetContents contents = card_contents(std::array{card({0, 0, 0.01f}, 0.3f), card({0, 0, 0}, 0.01f)});
+  contents.patches[0].index_count += contents.patches[1].index_count;
+  contents.patches.pop_back();
+  EXPECT_NEAR(light_on(baked(std::move(contents)), 1), 0.5, 0.05);
 }
 
 TEST(BakeOcclusion, InnerLayersGetLessThanOuterOnes) {

@@ -48,6 +48,23 @@ TEST(ChooseTwist, KeepsItInTheChainThatFallsOverAndNamesIt) {
   EXPECT_NE(chosen.notes[0].find("twist: carried in chain "), std::string::npos) << chosen.notes[0];
 }
 
+TEST(ChooseTwist, NamesFourChainsAndCountsTheOthers) {
+  for (const int chains : {1, 4, 5, 7}) {
+    TestRig rig;
+    for (int i = 0; i < chains; ++i) {
+      rig.add(
+          {.rest_direction = {0.28f, 0.96f, 0}, .length = 0.1f, .stiffness = 1, .damping = 20, .torsion = kTorsion});
+    }
+    const auto chosen = chosen_for(rig.contents());
+    ASSERT_EQ(chosen.notes.size(), 1u);
+    const char* const named = chains == 1   ? "in chain 0, where"
+                              : chains == 4 ? "in chains 0, 1, 2, 3, where"
+                              : chains == 5 ? "in chains 0, 1, 2, 3, 1 more, where"
+                                            : "in chains 0, 1, 2, 3, 3 more, where";
+    EXPECT_NE(chosen.notes[0].find(named), std::string::npos) << chosen.notes[0];
+  }
+}
+
 TEST(ChooseTwist, TakesALimitAtItsWord) {
   AssetContents limited = upright_and_hanging(1);
   limited.dynamics[1].angle_limit = 1;

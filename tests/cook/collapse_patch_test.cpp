@@ -1,3 +1,4 @@
+#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/lods/collapse_patch.h"
 #include "cook/select/triangle_distance.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -47,6 +49,22 @@ TEST(ShrinkingSurface, TheEndOfATextureSeamDoesNotMoveAlongIt) {
     ShrinkingSurface shrinking(surface);
     const std::uint32_t middle = surface.triangles[0].point[2], above = surface.triangles[0].point[0];
     EXPECT_EQ(shrinking.may_collapse(middle, above), seam == 0) << seam;
+  }
+}
+
+/// Four triangles around a raised point: where it moves to the one above, two of them turn by so much.
+TEST(ShrinkingSurface, ATriangleMayTurnByAbout75Degrees) {
+  SourceMesh fan;
+  fan.triangles = {1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 0};
+  for (const auto& [degrees, may] : {std::pair{30.0, true}, {74.5, true}, {76.5, false}, {89.0, false}}) {
+    const auto height = float(std::tan(degrees * std::numbers::pi / 180) / std::numbers::sqrt2);
+    fan.positions = {{0, 0, height}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 0}};
+    fan.uvs.clear();
+    for (const Eigen::Vector3f& p : fan.positions) fan.uvs.emplace_back(p.x(), p.y());
+    const Made made(fan);
+    ShrinkingSurface shrinking(made.surface);
+    const std::uint32_t middle = made.surface.triangles[0].point[2], above = made.surface.triangles[0].point[0];
+    EXPECT_EQ(shrinking.may_collapse(middle, above), may) << degrees;
   }
 }
 
@@ -283,6 +301,12 @@ TEST(TriangleDistance, IsThatOfTheNearestOfManyPointsOnIt) {
     EXPECT_LE(distance, nearest + 1.0e-9);
     EXPECT_GE(distance, nearest - 0.06);
   }
+}
+
+TEST(CollapsePatch, EndsWhereItsTimeIsOver) {
+  WorkLimit::set(std::chrono::seconds(-1));
+  EXPECT_THROW((void)collapsed(make_card({})), TookTooLong);
+  WorkLimit::lift();
 }
 
 }  // namespace coif::collapse_patch_test

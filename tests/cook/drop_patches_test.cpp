@@ -110,6 +110,36 @@ TEST(HairViews, CountsWhatIsCoveredAloneAndByOthers) {
   EXPECT_EQ(views.alone(0), views.pixels(0));
 }
 
+/// Pixels, from all sides, of a sliver before a square of 191 m: seen from the front, pixels are 1 m wide. It goes from
+/// pixel 20 to 120 one way, and at `place` the other.
+std::size_t pixels_of_sliver(float place, bool level) {
+  const auto rectangle = [](SourceMesh& mesh, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (const float y : {low.y(), high.y()}) {
+      for (const float x : {low.x(), high.x()}) {
+        mesh.positions.emplace_back(x, y, 0.0f);
+        mesh.uvs.emplace_back(0.0f, 0.0f);
+      }
+    }
+    for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u}) mesh.triangles.push_back(first + corner);
+  };
+  SourceMesh mesh;
+  rectangle(mesh, {0, 0}, {191, 191});
+  const Eigen::Vector2f low(20.25f, place - 0.02f), high(120.25f, place + 0.02f);
+  rectangle(mesh, level ? low : Eigen::Vector2f(low.y(), low.x()), level ? high : Eigen::Vector2f(high.y(), high.x()));
+  const HairViews views(strips_from(hair_from(mesh), {{0, 0, 1, 1}, 2}), {}, 1);
+  return views.pixels(1);
+}
+
+TEST(HairViews, APixelIsCoveredWhereItsMiddleIs) {
+  for (const bool level : {false, true}) {
+    for (const float beside : {-0.05f, 0.05f}) {
+      EXPECT_GE(pixels_of_sliver(70.5f, level), pixels_of_sliver(70.5f + beside, level) + 90) << level << beside;
+    }
+    EXPECT_GE(pixels_of_sliver(190.5f, level), pixels_of_sliver(190.4f, level) + 90) << "the last row counts too";
+  }
+}
+
 TEST(AlphaTest, TheTextureRepeats) {
   const Image image{2, 1, 4, {0, 0, 0, 0, 0, 0, 0, 255}};
   const AlphaTest test{.image = &image, .factor = 1, .threshold = 0.5};

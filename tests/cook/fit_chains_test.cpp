@@ -141,6 +141,16 @@ TEST(FitChains, NeverMakesMoreBonesThanAnAssetHolds) {
   EXPECT_LE(wig.rig.skeleton.bones.size(), kMaxBones);
 }
 
+TEST(FitChains, AFewWispsAreCarriedOnByTheLastBone) {
+  for (const auto& [share, end] : {std::pair{0.5f, 1.2}, {0.1f, 1.3}}) {
+    SourceMesh tail = make_tail(180, 0.4f, 400);
+    for (auto& p : tail.positions) p.x() *= p.y() < 1.3f ? share : 1;
+    const FittedWig wig = fit_wig({tail});
+    ASSERT_EQ(wig.rig.skeleton.chains.size(), 1u);
+    EXPECT_NEAR(wig.joints(0).back().y(), end, 0.015) << share << " of the width from three quarters on";
+  }
+}
+
 TEST(FitChains, CurvedTailGetsACurvedChain) {
   SourceMesh tail = make_tail(180, 0.4f);
   const double radius = 0.4 / 3;  // 3 radians of a circle

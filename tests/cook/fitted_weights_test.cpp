@@ -65,6 +65,39 @@ TEST(FittedWeights, ChangeLittleBetweenNeighbouringCards) {
   EXPECT_GT(pairs, 100u) << "the cards are not neighbours";
 }
 
+TEST(FittedWeights, OneLocksWeightsBecomeTheNextsOverCentimetres) {
+  const FittedWig wig = fit_wig(curtain());
+  const std::vector<ChainRecord>& chains = wig.rig.skeleton.chains;
+  ASSERT_GT(chains.size(), 1u);
+  const auto of_chain = [&](std::uint32_t v, std::size_t c) {
+    double sum = 0;
+    for (std::uint32_t b = 0; b < chains[c].bone_count; ++b) sum += wig.weight(v, chains[c].first_bone + b);
+    return sum;
+  };
+  const auto heaviest = [&](std::uint32_t v) {
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < chains.size(); ++c) best = of_chain(v, c) > of_chain(v, best) ? c : best;
+    return best;
+  };
+  // Level with the middle of the hair: whose vertex is how far from the next lock's.
+  std::vector<std::uint32_t> level;
+  for (std::uint32_t v = 0; v < wig.hair.positions.size(); ++v) {
+    if (std::abs(wig.hair.positions[v].y() - 1.4f) < 0.001f) level.push_back(v);
+  }
+  std::size_t looked_at = 0;
+  for (const std::uint32_t v : level) {
+    const std::size_t own = heaviest(v);
+    float nearest = 1;
+    for (const std::uint32_t w : level) {
+      if (heaviest(w) != own) nearest = std::min(nearest, (wig.hair.positions[v] - wig.hair.positions[w]).norm());
+    }
+    if (nearest < 0.011f || nearest > 0.017f) continue;
+    ++looked_at;
+    EXPECT_LT(of_chain(v, own), 0.95) << "a third of the head's radius, 3 cm, goes from one to the next";
+  }
+  EXPECT_GT(looked_at, 0u);
+}
+
 TEST(FittedWeights, AreEqualAtOnePlace) {
   SourceMesh left = make_strip({.root = {-0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});
   SourceMesh right = make_strip({.root = {0.01f, 1.6f, -0.105f}, .across = {0.02f, 0, 0}, .rows = 40});

@@ -1,5 +1,6 @@
 #include "cook/select/head.h"
 
+#include "base/work_limit.h"
 #include "cook/built_models.h"
 #include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
@@ -94,6 +95,33 @@ TEST(HeadRoom, KnowsWhatIsInsideAndWhereTheHeadComesOut) {
   EXPECT_LT(roots.area, 0.1);
 }
 
+TEST(HeadRoom, DirectionsCountAlikeAboveAndBelow) {
+  // Hair all around, below or above a level inside the head and outside of it on the other side.
+  for (const double level : {-0.6, 0.0, 0.6}) {
+    for (const bool upper : {false, true}) {
+      SourceMesh ball;
+      constexpr std::uint32_t kAround = 64, kRows = 48;
+      for (std::uint32_t row = 0; row <= kRows; ++row) {
+        const double down = std::numbers::pi * row / kRows;
+        const double lift = (std::cos(down) > level) == upper ? 0.9 : 1.1;
+        for (std::uint32_t c = 0; c <= kAround; ++c) {
+          const double turn = 2 * std::numbers::pi * c / kAround;
+          const Vector3d way(std::sin(down) * std::sin(turn), std::cos(down), std::sin(down) * std::cos(turn));
+          ball.positions.push_back((lift * way).cast<float>());
+        }
+      }
+      for (std::uint32_t row = 0; row < kRows; ++row) {
+        for (std::uint32_t c = 0; c < kAround; ++c) {
+          const std::uint32_t v = row * (kAround + 1) + c;
+          ball.triangles.insert(ball.triangles.end(), {v, v + kAround + 1, v + 1, v + 1, v + kAround + 1, v + kAround + 2});
+        }
+      }
+      const double inside = 0.5 * (upper ? 1 - level : 1 + level);
+      EXPECT_NEAR(hair_inside(hair_from(ball), {}).pokes, inside, 0.12) << level;
+    }
+  }
+}
+
 TEST(HeadRoom, TheShareThatHasRoomKeepsToIt) {
   const HairMesh hair = mesh_of({.root_lift = 0.8});
   const HeadEllipsoid large{kHead.center, 1.3 * kHead.radii};
@@ -112,6 +140,13 @@ TEST(HeadRoom, HairTellsTheHeadThatAGuessMissed) {
     const HeadEllipsoid head = fit_head_room(mesh_of({}), guess);
     expect_close(head, 0.15);
   }
+}
+
+TEST(HeadRoom, EndsWhereItsTimeIsOver) {
+  const HeadGuess guess{kHead, {0.15, 0.4, 0.4}, 0.12, 0.5};
+  WorkLimit::set(std::chrono::seconds(-1));
+  EXPECT_THROW((void)fit_head_room(mesh_of({}), guess), TookTooLong);
+  WorkLimit::lift();
 }
 
 TEST(FitHead, ComesOutThroughNoHair) {
@@ -135,6 +170,7 @@ TEST(FitHead, ATailBehindItDoesNotMoveIt) {
   SourceModel model = model_of({});
   const FittedHead alone = head_of(model);
   append_piece(model.meshes[0], make_strip({.root = {0.01f, 1.7f, -0.12f}, .along = {0, -0.8f, -0.1f}, .rows = 30}), 0);
+  model.meshes[0].uvs.clear();  // its other strips have none
   const FittedHead with_tail = head_of(model);
   EXPECT_LT((with_tail.center - alone.center).norm(), 0.01);
   EXPECT_LT((with_tail.radii - alone.radii).norm(), 0.01);
@@ -164,6 +200,22 @@ TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
   const FittedHead head = head_of(model);
   EXPECT_NE(head.origin.find("400 vertices"), std::string::npos) << head.origin;
   expect_close(head, 0.15);
+}
+
+TEST(FitHead, AMeshThatHoldsAQuarterOfTheHairIsNoHead) {
+  for (const auto& [inside, is_head] : {std::pair{10u, true}, {48u, true}, {52u, false}}) {
+    SourceModel model;
+    add_node(model, "root", kNoIndex, {0, 0, 0});
+    SourceMesh hair =
+        make_strip({.root = {0.01f, 1.7f, -0.1f}, .along = {0, -0.5f, -0.05f}, .across = {0.1f, 0, 0}, .rows = 99});
+    for (std::uint32_t v = 0; v < inside; ++v) {
+      hair.positions[v] = kHead.center.cast<float>() + Eigen::Vector3f(v % 2 ? 0.02f : -0.02f, 0.001f * float(v), 0);
+    }
+    model.meshes.push_back(hair);
+    add_head(model);
+    model.meshes[0].node = 1;
+    EXPECT_EQ(head_of(model).origin.find("400 vertices") != std::string::npos, is_head) << inside << " of 200";
+  }
 }
 
 TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {

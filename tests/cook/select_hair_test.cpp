@@ -299,6 +299,27 @@ TEST(ChooseHair, ACapUnderTheHairIsHairAndTheHeadIsNot) {
   EXPECT_TRUE(choose_hair(model, default_recipe(), unheard())->taken[1].empty()) << "what is worn is no cap";
 }
 
+TEST(ChooseHair, ACapIsWithinATenthOfTheHairsWidth) {
+  for (const auto& [radius, is_cap] : {std::pair{0.09f, true}, {0.081f, true}, {0.0795f, false}, {0.07f, false}}) {
+    SourceModel model;
+    add_node(model, "root", kNoIndex, {0, 0, 0});
+    model.meshes = {shell("hair", 0.1f, false), shell("calotta", radius, false)};
+    const auto choice = choose_hair(model, default_recipe(), unheard());
+    ASSERT_TRUE(choice);
+    EXPECT_EQ(!choice->taken[1].empty(), is_cap) << radius;
+  }
+}
+
+TEST(ChooseHair, HairWithoutDepthHasNoCap) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  model.meshes = {make_strip({.root = {0, 1.6f, 0}, .rows = 8}), make_strip({.root = {0, 1.6f, 0}, .rows = 4})};
+  model.meshes[1].name = "calotta";
+  const auto choice = choose_hair(model, default_recipe(), unheard());
+  ASSERT_TRUE(choice);
+  EXPECT_TRUE(choice->taken[1].empty());
+}
+
 TEST(GuessHeadNode, AMeshCalledHeadIsNoBoneUnlessTheSkeletonGoesOn) {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});

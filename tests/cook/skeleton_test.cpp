@@ -78,6 +78,31 @@ TEST(BuildSkeleton, WhatABoneCarriesByHalfIsItsOwn) {
   EXPECT_GT(tail(0.48f), tail(1.0f) + 0.01);
 }
 
+/// Where the bone of node 0 ends that starts at the origin below one that comes from the side, 0.2 m. It has so much of one
+/// vertex 0.1 m below and of another 0.2 m below.
+Eigen::Vector3d tail_by_weights(float upper, float lower) {
+  SourceModel model;
+  add_node(model, "hair", kNoIndex, {0, 0, 0});
+  HairMesh hair;
+  hair.positions = {{0, -0.1f, 0}, {0, -0.2f, 0}};
+  hair.influences = {{0, upper}, {0, lower}};
+  hair.influence_begin = {0, 1, 2};
+  SkeletonBone parent;
+  parent.start = {-0.2, 0, 0};
+  return find_bone_tail(model, hair, 0, {}, Eigen::Vector3d::Zero(), parent);
+}
+
+TEST(FindBoneTail, ABoneHasWhatItCarriesByHalfElseHalfAsMuchAsOfItsHeaviest) {
+  EXPECT_NEAR(tail_by_weights(1.0f, 0.3f).y(), -0.1, 1.0e-6);
+  EXPECT_NEAR(tail_by_weights(0.52f, 0.3f).y(), -0.1, 1.0e-6);
+  EXPECT_NEAR(tail_by_weights(0.48f, 0.3f).y(), -0.2, 1.0e-6);
+  EXPECT_NEAR(tail_by_weights(0.48f, 0.2f).y(), -0.1, 1.0e-6);
+}
+
+TEST(FindBoneTail, WithoutVerticesItIsAsFarAgainAsTheParent) {
+  EXPECT_NEAR((tail_by_weights(0, 0) - Eigen::Vector3d(0.2, 0, 0)).norm(), 0, 1.0e-9);
+}
+
 TEST(BuildSkeleton, ABoneAloneBelowTheHeadIsSimulated) {
   SourceModel model = make_wig();
   for (SourceInfluence& influence : model.meshes[0].influences) influence.node = 2;
@@ -187,6 +212,22 @@ TEST(HeadColliders, HaveTheShapeThatTheRecipeWants) {
   EXPECT_EQ(capsule.shape, ColliderShape::kCapsule);
   EXPECT_NEAR(capsule.center.y() - capsule.radii.x(), 1.52, 1.0e-9) << "as low as the ellipsoid";
   EXPECT_NEAR(capsule.center.y() + capsule.axis.y() + capsule.radii.x(), 1.68, 1.0e-9) << "as high";
+}
+
+TEST(HeadColliders, AHeadThatShrinksFarEnoughSaysNothingOfBonesInside) {
+  Skeleton skeleton = *skeleton_of(make_wig());
+  skeleton.bones[3].tail = skeleton.bones[2].tail;
+  FittedHead head;
+  head.radii.setConstant(0.25);
+  for (const auto& [share, inside] : {std::pair{0.75, false}, {0.5, false}, {0.4, true}}) {
+    head.center = skeleton.bones[2].tail + Eigen::Vector3d(0, 0, share * 0.25);
+    Findings findings;
+    (void)head_colliders(head, skeleton, default_recipe(), findings);
+    ASSERT_EQ(findings.warnings.size(), 1u);
+    const std::string percent = share == 0.75 ? "75 %" : "50 %";
+    EXPECT_NE(findings.warnings[0].find("shrunk to " + percent), std::string::npos) << findings.warnings[0];
+    EXPECT_EQ(findings.warnings[0].find("still end inside") != std::string::npos, inside) << findings.warnings[0];
+  }
 }
 
 TEST(ColliderReach, BonesThatCannotGetThereAreNeverTested) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace coif::texture_atlas_test {
 
@@ -41,6 +42,21 @@ TEST(TextureAtlas, NoTileTouchesAnother) {
     for (std::uint32_t y = tile.y; y < tile.y + tile.height; ++y) {
       for (std::uint32_t x = tile.x; x < tile.x + tile.width; ++x) ASSERT_EQ(owner.texels[y * owner.width + x]++, 0);
     }
+  }
+}
+
+TEST(TextureAtlas, IsAsLargeWhateverTheOrderOfItsImages) {
+  const std::vector<ImageSize> sorted{{96, 160}, {96, 128}, {96, 96}, {96, 64}, {96, 32}, {96, 16}};
+  Surfaces surfaces(Rectangles(sorted.size(), {{0, 0}, {1, 1}}));
+  const auto side_lengths = [&](const std::vector<ImageSize>& images) {
+    const auto layout = lay_out_atlas(surfaces.hair, surfaces.of_triangle, images);
+    EXPECT_TRUE(layout);
+    return layout ? std::pair(layout->width, layout->height) : std::pair(0u, 0u);
+  };
+  for (const auto& order : {std::vector{5, 0, 4, 1, 3, 2}, {5, 4, 3, 2, 1, 0}, {0, 3, 1, 4, 2, 5}}) {
+    std::vector<ImageSize> images;
+    for (const int i : order) images.push_back(sorted[std::size_t(i)]);
+    EXPECT_EQ(side_lengths(images), side_lengths(sorted)) << "the highest come first";
   }
 }
 

@@ -77,6 +77,14 @@ TEST(Transparency, WarnsOfHairWithoutAnOpaqueCore) {
   const auto chosen = chosen_for(faint, used_part(0, 1), AlphaUse::kUnknown);
   ASSERT_EQ(chosen.warnings.size(), 1u);
   EXPECT_NE(chosen.warnings[0].find("paint opaque cores"), std::string::npos);
+  EXPECT_TRUE(chosen.warnings[0].starts_with("only 0.0 % of the hair's texels have alpha 0.50")) << chosen.warnings[0];
+  const Image core = painted(kSide, kSide, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{9, 9, 9, x == 0 && y < 32 ? std::uint8_t{255} : std::uint8_t{90}};
+  });
+  const Image all{kSide, kSide, 1, std::vector<std::uint8_t>(std::size_t(kSide) * kSide, 255)};
+  const auto small = chosen_for(core, all, AlphaUse::kUnknown);
+  ASSERT_EQ(small.warnings.size(), 1u);
+  EXPECT_TRUE(small.warnings[0].starts_with("only 0.8 % ")) << "32 of 4096: " << small.warnings[0];
   EXPECT_TRUE(chosen_for(hair_beside_a_face(), used_part(0.01f, 0.48f), AlphaUse::kUnknown).warnings.empty());
 }
 

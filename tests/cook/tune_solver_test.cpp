@@ -90,17 +90,52 @@ TEST(TuneSolver, ACostLimitsTheSubSteps) {
   EXPECT_LE(tuned(budget(0, 0, 100 * free.cost)).substep_rate, free.substep_rate) << "but no more than can be seen";
 }
 
+TEST(TuneSolver, ACostMayBeSpentToTheLast) {
+  const TuningRecord free = tuned(budget(0.3));
+  EXPECT_EQ(tuned(budget(0.3, 0, double(free.cost))).substep_rate, free.substep_rate);
+}
+
+TEST(TuneSolver, OfManyChainsThoseThatTellTheMostTellOfAll) {
+  // The stiff ones between them are not run: only the softest and the longest are.
+  TestRig rig;
+  const TestRig calm = rig_of_chain({.bones = 4, .length = kLength, .damping_ratio = 1});
+  for (int chain = 0; chain < 8; ++chain) {
+    std::uint32_t parent = 0;
+    for (int i = 1; i <= 4; ++i) {
+      const DynamicsRecord& soft = calm.dynamics[std::size_t(i)];
+      const float stiffer = chain == 5 ? 1 : 4;
+      parent = rig.add({.parent = parent,
+                        .joint = {0, 0.02f, -0.12f},
+                        .rest_direction = {0, -0.8f, -0.6f},
+                        .length = kLength / 4 * (chain == 2 ? 1.01f : 1),
+                        .stiffness = stiffer * soft.stiffness,
+                        .damping = std::sqrt(stiffer) * soft.damping,
+                        .torsion = 20});
+    }
+  }
+  const AssetContents many = rig.contents(), telling = chains_alone(many, std::vector<std::uint32_t>{2, 5});
+  const auto all = tune_solver(many, budget(1), 2, unheard()), two = tune_solver(telling, budget(1), 2, unheard());
+  ASSERT_TRUE(all && two);
+  ASSERT_EQ(all->quality.size(), two->quality.size());
+  for (std::size_t i = 0; i < all->quality.size(); ++i) {
+    EXPECT_NEAR(all->quality[i].rms_error, two->quality[i].rms_error, 1e-6f);
+    EXPECT_GT(all->quality[i].cost, two->quality[i].cost) << "all of them cost";
+  }
+}
+
 TEST(TuneSolver, AnImpossibleBudgetIsRefusedWithBothFigures) {
   const ToolError too_accurate = refusal(budget(1e-6));
   EXPECT_EQ(too_accurate.kind, ToolError::Kind::kOverBudget);
   EXPECT_NE(too_accurate.message.find("1e-06 % of the chain's length was asked for and 0."), std::string::npos)
       << too_accurate.message;
+  EXPECT_NE(too_accurate.message.find(" with 480 sub-steps a second; "), std::string::npos)
+      << "sixteen in each of thirty frames: " << too_accurate.message;
 
   const ToolError too_cheap = refusal(budget(0, 0, 7));
   EXPECT_EQ(too_cheap.kind, ToolError::Kind::kOverBudget);
   const float least = tuned(budget(50)).cost;
-  EXPECT_NE(too_cheap.message.find("7 ns per frame were allowed; the least is with " + std::to_string(int(least))),
-            std::string::npos)
+  EXPECT_TRUE(too_cheap.message.starts_with("\"budget\": 7 ns per frame were allowed; the least is with " +
+                                            std::to_string(int(least))))
       << too_cheap.message;
 
   const ToolError both = refusal(budget(0.3, 0, least));

@@ -42,7 +42,6 @@ std::vector<std::uint32_t> chains_to_run(const AssetContents& contents) {
   for (const ChainGroup& group : group_chains(contents)) {
     chains.insert(chains.end(), group.telling.begin(), group.telling.end());
   }
-  std::ranges::sort(chains);
   return chains;
 }
 
@@ -128,14 +127,13 @@ Budget budget_of(const Recipe& recipe, double longest) {
 }
 
 /// All frame rates, with sub-steps of the same rate. The dearest of the parts and the worst of the errors.
-TuningRecord try_rate(Bench& bench, std::span<const std::uint32_t> rates, double substep_rate) {
+TuningRecord try_rate(Bench& bench, std::span<const std::uint32_t> rates, std::uint32_t substep_rate) {
   TuningRecord tuning{};
   tuning.substep_rate = float(substep_rate);
   tuning.slowest_rate = float(rates.front());
   tuning.fastest_rate = float(rates.back());
   for (const std::uint32_t rate : rates) {
-    const auto parts = std::uint32_t(std::max(1.0, std::ceil(substep_rate / rate - 1e-6)));
-    const QualityRecord& row = bench.at(rate, parts);
+    const QualityRecord& row = bench.at(rate, (substep_rate + rate - 1) / rate);
     tuning.reached_error = std::max(tuning.reached_error, row.rms_error);
     tuning.cost = std::max(tuning.cost, row.cost);
   }
@@ -179,7 +177,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
 
   TuningRecord best{};
   for (const std::uint32_t parts : kParts) {
-    TuningRecord tried = try_rate(bench, rates, double(parts) * rates.front());
+    TuningRecord tried = try_rate(bench, rates, parts * rates.front());
     tried.asked_error = float(budget.error);
     tried.asked_cost = float(budget.cost);
     const bool affordable = budget.cost <= 0 || tried.cost <= budget.cost;

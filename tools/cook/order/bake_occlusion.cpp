@@ -43,8 +43,8 @@ void find_surface(const HairSurface& hair, std::span<const Vector3f> positions, 
     for (const std::uint32_t v : triangle.vertex) {
       Receiver& receiver = receivers[v];
       // Triangles of a card for both sides may be wound either way.
-      const bool turned = hair.double_sided && receiver.normal.dot(normal) < 0;
-      receiver.normal += turned ? Vector3f(-normal) : normal;
+      const float side = hair.double_sided ? std::copysign(1.0f, receiver.normal.dot(normal)) : 1.0f;
+      receiver.normal += side * normal;
       receiver.patch = triangle.patch;
     }
   }

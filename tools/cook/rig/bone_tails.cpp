@@ -87,9 +87,9 @@ Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, 
     tail = end_of_vertices(hair, node, start);
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
-  // A rigid parent has no length of its own, but a joint that this bone leads away from.
-  const Eigen::Vector3d above = parent.length() >= kShortestBone ? parent.tail - parent.start : start - parent.start;
-  const double length = above.norm() >= kShortestBone ? above.norm() : kShortestBone;
+  // Along a simulated parent, at whose tail this bone starts; a rigid one has no length, but a joint to lead away from.
+  const Eigen::Vector3d above = start - parent.start;
+  const double length = std::max(above.norm(), kShortestBone);
   const Eigen::Vector3d direction =
       above.norm() >= kShortestBone ? Eigen::Vector3d(above.normalized()) : -Eigen::Vector3d::UnitY();
   // A tail at its own start means joints that lie on each other: keep the bone, as short as may be.

@@ -34,9 +34,9 @@ struct LockCurve {
   std::vector<double> depth;            ///< Of each joint, ascending from 0: hair of this depth is level with it.
 };
 
-/// The middle of the lock from where it leaves the scalp to its tip, cut into `recipe.chain_bone_length` or, where that
-/// would be more than `most_bones`, into longer equal bones. Joints are outside of the head, so that its collider does
-/// not push the modelled pose.
+/// The middle of the lock from where it leaves the scalp to its tip, or to where only a few wisps go on, cut into
+/// `recipe.chain_bone_length` or, where that would be more than `most_bones`, into longer equal bones. Joints are outside
+/// of the head, so that its collider does not push the modelled pose.
 [[nodiscard]] LockCurve fit_lock_curve(const HangingHair& hair, const HairLock& lock, const FittedHead& head,
                                        const Recipe& recipe, std::size_t most_bones);
 

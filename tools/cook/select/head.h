@@ -48,8 +48,8 @@ struct FittedHead : HeadEllipsoid {
   bool declared = false;  ///< By the recipe: not to be shrunk.
 };
 
-/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone, or without such
-/// ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
+/// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a quarter
+/// of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
 /// hardly any hair is inside. Notes where it is and how much hair is inside; warns where that is much.
 [[nodiscard]] FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone,
                                   const Recipe& recipe, Findings& findings);

@@ -85,10 +85,9 @@ class MipAlpha {
   /// Contrast of the solid texels decides how many samples between texels are solid, that of the others what is
   /// hidden in all.
   void approach(const AlphaCoverage& wanted) {
-    const bool blends = least_passing(thresholds_.discard) < least_passing(thresholds_.opaque);
     for (int round = 0; round < kSearchRounds; ++round) {
       search(solid_factor_, wanted.seen_opaque, &AlphaCoverage::seen_opaque);
-      if (blends) search(blend_factor_, wanted.opacity, &AlphaCoverage::opacity);
+      search(blend_factor_, wanted.opacity, &AlphaCoverage::opacity);
     }
     apply();
   }

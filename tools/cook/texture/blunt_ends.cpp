@@ -89,7 +89,7 @@ class TipEnds {
   [[nodiscard]] bool is_open(std::uint32_t patch, std::span<const RimEdge> rim, const FittedHead& head) const {
     float free = 0, looked_at = 0, shown = 0;
     for (const RimEdge& edge : rim) free += edge.across;
-    if (!(free > 0) || free < kRimAtLeast * width(patch, kTip.back(), false)) return false;
+    if (!(free >= kRimAtLeast * width(patch, kTip.back(), false))) return false;
     // A finely modelled end has no more to say than some of its edges.
     const std::size_t step = (rim.size() + kRimEdges - 1) / kRimEdges;
     for (std::size_t i = 0; i < rim.size(); i += step) {
