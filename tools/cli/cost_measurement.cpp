@@ -36,8 +36,10 @@ bool can_be_drawn(const Asset& asset, std::uint32_t heads) {
 }
 
 DrawCostSettings drawing_settings(const Asset& asset, const CostChoice& choice) {
-  DrawCostSettings settings{
-      .heads = {}, .width = choice.width, .height = choice.height, .seconds = (1 - kSimulationShare) * choice.seconds};
+  DrawCostSettings settings{.heads = {},
+                            .width = choice.width,
+                            .height = choice.height,
+                            .time = {(1 - kSimulationShare) * choice.seconds, {}}};
   std::ranges::copy_if(choice.simulation.heads, std::back_inserter(settings.heads),
                        [&asset](std::uint32_t heads) { return can_be_drawn(asset, heads); });
   return settings;
@@ -94,7 +96,7 @@ tl::expected<void, ToolError> add_thesis_table(const Asset& asset, const CostCho
   table.width = choice.thesis_width;
   table.height = choice.thesis_height;
   const auto drawn =
-      measure_thesis_crowds(asset, {.width = table.width, .height = table.height, .seconds = choice.seconds}, make);
+      measure_thesis_crowds(asset, {.width = table.width, .height = table.height, .time = {choice.seconds, {}}}, make);
   if (!drawn) return tl::unexpected(drawn.error());
   for (const ThesisCrowdRow& row : drawn->rows) table.rows.push_back(to_row(row));
   add_left_out(drawn->left_out, kThesisTable, report);

@@ -84,15 +84,16 @@ tl::expected<FramesOfRows, ToolError> put_up_crowds(CrowdStage& stage, const Dra
 
 tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const DrawCostSettings& settings,
                                                   const MakeCrowd& make_crowd) {
-  if (auto checked = check(settings.heads, settings.distances, settings.seconds); !checked) {
+  if (auto checked = check(settings.heads, settings.distances, settings.time.seconds); !checked) {
     return tl::unexpected(checked.error());
   }
   auto stage = CrowdStage::create(asset, settings.width, settings.height);
   if (!stage) return tl::unexpected(stage.error());
 
-  const double distance_seconds = settings.distances.empty() ? 0 : kDistanceShare * settings.seconds;
-  const double seconds = settings.seconds - distance_seconds;
-  AffordableCrowds crowds(**stage, make_crowd, kLargestShare * seconds / kFramesOfACrowd);
+  const double distance_seconds = settings.distances.empty() ? 0 : kDistanceShare * settings.time.seconds;
+  const double seconds = settings.time.seconds - distance_seconds;
+  const double affordable = kLargestShare * seconds / kFramesOfACrowd;
+  AffordableCrowds crowds(**stage, make_crowd, settings.time.longest_frame.value_or(affordable));
   auto found = put_up_crowds(**stage, settings, crowds);
   if (!found) return tl::unexpected(found.error());
   const std::vector<FrameTime> times = time_frames(**stage, found->frames, seconds);
@@ -100,7 +101,8 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
 
   DrawCost cost{(*stage)->device(), std::move(found->rows), {}, crowds.left_out()};
   if (settings.distances.empty()) return cost;
-  auto distances = measure_distances(asset, **stage, settings.distances, make_crowd, distance_seconds);
+  const DrawTime rest{distance_seconds, settings.time.longest_frame};
+  auto distances = measure_distances(asset, **stage, settings.distances, make_crowd, rest);
   if (!distances) return tl::unexpected(distances.error());
   cost.distances = std::move(*distances);
   return cost;
@@ -108,8 +110,8 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
 
 namespace {
 
-constexpr unsigned kFramesOfAThesisCrowd = 2 * (kLeastFrames + 1);
-constexpr double kLargestThesisShare = 0.5;  // of the time, for one crowd
+constexpr unsigned kFramesOfADistance = 2 * (kLeastFrames + 1);
+constexpr double kLargestDistanceShare = 0.5;  // of the time, for one crowd
 
 /// As a game with this camera asks.
 double screen_share_of(const CrowdView& view, double height) {
@@ -140,10 +142,11 @@ double head_height(const Asset& asset) {
 
 tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
                                                          std::span<const CrowdDistance> crowds,
-                                                         const MakeCrowd& make_crowd, double seconds) {
+                                                         const MakeCrowd& make_crowd, const DrawTime& time) {
   DrawDistances found;
   std::vector<DrawnFrame> frames;  // of each crowd two
-  AffordableCrowds affordable(stage, make_crowd, kLargestThesisShare * seconds / kFramesOfAThesisCrowd);
+  const double longest_frame = kLargestDistanceShare * time.seconds / kFramesOfADistance;
+  AffordableCrowds affordable(stage, make_crowd, time.longest_frame.value_or(longest_frame));
   for (const CrowdDistance& asked : crowds) {
     const CrowdView view = stage.filling_view(asked.heads, asked.times_as_far);
     const auto crowd = affordable.add(view);
@@ -159,7 +162,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
     found.rows.push_back(distance);
   }
   found.left_out = affordable.left_out();
-  const std::vector<FrameTime> times = time_frames(stage, frames, seconds);
+  const std::vector<FrameTime> times = time_frames(stage, frames, time.seconds);
   for (std::size_t i = 0; i < found.rows.size(); ++i) {
     found.rows[i].time = times[2 * i];
     found.rows[i].finest = times[2 * i + 1];
@@ -168,6 +171,8 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
 }
 
 namespace {
+
+constexpr double kLongestThesisFrame = 15;  // seconds
 
 void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdRow>& rows,
               std::vector<DrawnFrame>& frames) {
@@ -184,14 +189,14 @@ void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdR
 
 tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, const ThesisCrowdSettings& settings,
                                                             const MakeCrowd& make_crowd) {
-  if (auto checked = check(settings.heads, {}, settings.heads.empty() ? 0 : settings.seconds); !checked) {
+  if (auto checked = check(settings.heads, {}, settings.heads.empty() ? 0 : settings.time.seconds); !checked) {
     return tl::unexpected(checked.error());
   }
   auto stage = CrowdStage::create(asset, settings.width, settings.height);
   if (!stage) return tl::unexpected(stage.error());
   ThesisCrowds found{(*stage)->device(), {}, {}};
   std::vector<DrawnFrame> frames;
-  AffordableCrowds crowds(**stage, make_crowd, settings.longest_frame);
+  AffordableCrowds crowds(**stage, make_crowd, settings.time.longest_frame.value_or(kLongestThesisFrame));
   const Camera camera = (*stage)->filling_view(*std::ranges::max_element(settings.heads)).camera;
   for (const std::uint32_t heads : std::set(settings.heads.begin(), settings.heads.end())) {
     const auto crowd = crowds.add({camera, (*stage)->filling_view(heads).places});
@@ -199,7 +204,7 @@ tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, 
     if (*crowd) add_rows(heads, **crowd, found.rows, frames);
   }
   found.left_out = crowds.left_out();
-  const std::vector<FrameTime> times = time_frames(**stage, frames, settings.seconds);
+  const std::vector<FrameTime> times = time_frames(**stage, frames, settings.time.seconds);
   for (std::size_t i = 0; i < times.size(); ++i) found.rows[i].time = times[i];
   return found;
 }

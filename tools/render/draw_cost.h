@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,18 +38,25 @@ struct DrawDistances {
 /// Height of a head in metres: of the tallest collider that hair stays out of, or of the hair where there is none.
 [[nodiscard]] double head_height(const Asset& asset);
 
-/// Times crowds with blend, at rest, for about `seconds` (> 0). Those whose frames would take too long are left out;
-/// one head never is. `crowds`: no fewer heads than before. Errors: those of AffordableCrowds::add().
+/// What measuring may take.
+struct DrawTime {
+  double seconds = 6;  ///< About what is spent, > 0, but at least some frames of each way.
+  /// Seconds. Crowds whose frames take longer are left out, one head never is; without it, those are left out that need
+  /// more than a good part of `seconds`.
+  std::optional<double> longest_frame;
+};
+
+/// Times crowds with blend, at rest. `crowds`: no fewer heads than before. Errors: those of AffordableCrowds::add().
 tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, CrowdStage& stage,
                                                          std::span<const CrowdDistance> crowds,
-                                                         const MakeCrowd& make_crowd, double seconds);
+                                                         const MakeCrowd& make_crowd, const DrawTime& time);
 
 struct DrawCostSettings {
   std::vector<std::uint32_t> heads{1, 10, 100};  ///< Sizes of the crowd, 1..kMostDrawnHeads.
   /// Crowds that show what distance spares, no fewer heads than before; empty: none.
   std::vector<CrowdDistance> distances{{1, 1}, {4, 1}, {16, 1}, {16, 2}, {16, 4}, {16, 8}};
   std::uint32_t width = 512, height = 384;  ///< Pixels, 16..8192.
-  double seconds = 6;  ///< To spend, > 0. Crowds that would take longer are left out; one head never is.
+  DrawTime time;
 };
 
 /// One way to draw a crowd that fills the picture.
@@ -79,8 +87,7 @@ tl::expected<DrawCost, ToolError> measure_drawing(const Asset& asset, const Draw
 struct ThesisCrowdSettings {
   std::vector<std::uint32_t> heads{20, 50, 100, 200};  ///< 1..kMostDrawnHeads, not empty.
   std::uint32_t width = 1024, height = 768;            ///< Pixels, 16..8192.
-  double seconds = 14;                                 ///< To spend, > 0, but for at least some frames of each way.
-  double longest_frame = 15;                           ///< Seconds; crowds with longer ones are left out.
+  DrawTime time{14, {}};                               ///< Without a longest frame, one may take 15 s.
 };
 
 struct ThesisCrowdRow {
