@@ -71,7 +71,7 @@ LoadStatus check_textures(const Asset& asset) {
 
 LoadStatus check_provenance(const Asset& asset) {
   const ProvenanceRecord* p = asset.provenance();
-  if (p != nullptr && p->reserved != 0) return {LoadCode::kReserved, chunk::kProvenance};
+  if (p != nullptr && (p->flags & ~kProvenanceDraft) != 0) return {LoadCode::kReserved, chunk::kProvenance};
   return {};
 }
 

@@ -200,6 +200,7 @@ TEST(CookKey, ChangesWithEachPartOfTheIdentity) {
       [&](CookIdentity& i) { i.source_bytes = others; },
       [&](CookIdentity& i) { i.source_bytes = std::span(bytes).first(4); },
       [](CookIdentity& i) { i.recipe = "{ }"; },
+      [](CookIdentity& i) { i.draft = true; },
   };
   std::set<std::string> keys;
   for (const auto& change : changes) {

@@ -57,6 +57,10 @@ coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)
 coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
   ARGS cook ${sample} --list --format json)
 
+coif_cli_case(cook_draft EXIT 0 WRITES out.coif STDOUT "\n  a draft, to look at: cook without --draft before it goes into a game\n"
+  ARGS cook ${sample} -o out.coif --draft)
+coif_cli_case(cook_draft_json EXIT 0 WRITES out.coif JSON draft passes,0,name ARGS cook ${sample} -o out.coif --draft --format json)
+
 # What a checkout without Git LFS holds.
 set(pointer "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146a0a7\nsize 396190\n")
 coif_cli_case(cook_lfs_pointer EXIT 3 STDERR "coif cook: error: wig.fbx: Git LFS has not fetched what is in this file; run 'git lfs pull'"

@@ -49,6 +49,29 @@ TEST(Cook, TheWigBecomesAnAssetThatOpens) {
   EXPECT_GT(names.size(), 20u);
 }
 
+TEST(Cook, ADraftHasTheSameBonesAndFinestMeshAndSaysWhatItIs) {
+  Recipe recipe = default_recipe();
+  recipe.scene_provenance = false;  // A draft cannot hide.
+  const CookResult full = cooked(make_wig());
+  const auto draft = cook(make_wig(), recipe, {.threads = 1, .draft = true});
+  ASSERT_TRUE(draft) << draft.error().message;
+  AlignedBytes full_file(full.asset), draft_file(draft->asset);
+  Asset whole, quick;
+  ASSERT_TRUE(whole.open(full_file.bytes()));
+  ASSERT_TRUE(quick.open(draft_file.bytes()));
+  EXPECT_EQ(whole.provenance()->flags, 0u);
+  ASSERT_NE(quick.provenance(), nullptr);
+  EXPECT_EQ(quick.provenance()->flags, kProvenanceDraft);
+  EXPECT_EQ(quick.bones().size(), whole.bones().size());
+  EXPECT_EQ(quick.lod_indices(0).size(), whole.lod_indices(0).size());
+  EXPECT_LE(quick.lods().size(), 1u);
+  EXPECT_EQ(quick.tuning(), nullptr);
+  for (const char* left_out : {"conditioning", "tuning"}) {
+    EXPECT_EQ(std::ranges::count(full.report.passes, left_out, &PassTime::name), 1) << left_out;
+    EXPECT_EQ(std::ranges::count(draft->report.passes, left_out, &PassTime::name), 0) << left_out;
+  }
+}
+
 TEST(Cook, HeadSpaceStartsAtTheHeadsJoint) {
   const CookResult result = cooked(make_wig());
   AlignedBytes file(result.asset);

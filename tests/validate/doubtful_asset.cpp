@@ -97,6 +97,11 @@ constexpr Doubt kBodyDoubts[] = {
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_cost = 1000; }},
     {"A282", [](AssetContents& asset) { asset.quality[0].rms_error = 0.05f; }},
     {"A283", [](AssetContents& asset) { clear_group("tuning", asset); }},
+    {"A291",
+     [](AssetContents& asset) {
+       asset.provenance.resize(1);
+       asset.provenance.back().flags = kProvenanceDraft;
+     }},
     {"A284", [](AssetContents& asset) { asset.quality[1].penetration = 0.1f; }},
     {"A285", [](AssetContents& asset) { asset.quality[1].stretch = 0.02f; }},
 };

@@ -39,6 +39,13 @@ TEST(OriginIssues, OtherSourceAndRecipeAreNamed) {
   EXPECT_EQ(differences(then, make_provenance({}, recipe, 8)), (Codes{"R101", "R102"}));
 }
 
+TEST(OriginIssues, ADraftIsNeverWhatAFullCookGives) {
+  const ProvenanceRecord now = make_provenance({}, default_recipe(), 7);
+  ProvenanceRecord draft = make_provenance({}, draft_of(default_recipe()), 7);
+  draft.flags = kProvenanceDraft;
+  EXPECT_EQ(differences(draft, now), Codes{"R107"});
+}
+
 TEST(OriginIssues, VersionsMatterWhereAllElseIsEqual) {
   const ProvenanceRecord then = make_provenance({}, default_recipe(), 7);
   ProvenanceRecord now = then;

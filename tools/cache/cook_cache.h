@@ -47,6 +47,7 @@ struct CookIdentity {
   CookPlace place;
   std::span<const std::byte> source_bytes;
   std::string recipe;  ///< print_recipe(): how a recipe is written, and its comments, change nothing.
+  bool draft = false;  ///< CookSettings::draft.
 };
 
 /// 32 hexadecimal digits, from two XXH64 with different seeds: proof against accidents, not against forgers. Of the

@@ -125,10 +125,12 @@ std::ptrdiff_t twisting_bones(const Asset& asset) {
 
 ordered_json provenance(const ProvenanceRecord& record) {
   const auto version = [](const std::uint16_t(&v)[3]) { return fmt::format("{}.{}.{}", v[0], v[1], v[2]); };
+  const bool is_draft = (record.flags & kProvenanceDraft) != 0;
   return {{"tool", version(record.tool_version)},
           {"importer", version(record.importer_version)},
           {"source_hash", fmt::format("{:016x}", record.source_hash)},
-          {"recipe_hash", fmt::format("{:016x}", record.recipe_hash)}};
+          {"recipe_hash", fmt::format("{:016x}", record.recipe_hash)},
+          {"made", is_draft ? "draft" : "in full"}};
 }
 
 ordered_json summarize(const Asset& asset) {

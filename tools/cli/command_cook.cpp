@@ -12,7 +12,8 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
+  const auto model =
+      import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -57,13 +58,15 @@ void add_limits(CLI::App& app, CookOptions& options) {
       ->type_name("N");
   add_number(app, "--max-source-mb", options.max_source_mb, 1u, 1024u, "Largest source that is read, MiB")
       ->type_name("N");
-  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20, "Memory that the importer may take, and then the cook, MiB")
+  add_number(app, "--max-memory-mb", options.max_memory_mb, 64u, 1u << 20,
+             "Memory that the importer may take, and then the cook, MiB")
       ->type_name("N");
   app.add_option("--max-seconds", options.max_seconds,
                  "Time that the importer may take, and then the cook, seconds (default: 120 and 1800)")
       ->check(CLI::Range(1u, 86400u))
       ->type_name("N");
-  app.add_option("--max-pass-seconds", options.max_pass_seconds, "Time that each pass of the cook may take, seconds (default: the cook's)")
+  app.add_option("--max-pass-seconds", options.max_pass_seconds,
+                 "Time that each pass of the cook may take, seconds (default: the cook's)")
       ->check(CLI::Range(1u, 86400u))
       ->type_name("N");
 }
@@ -88,8 +91,12 @@ Command add_cook(CLI::App& program) {
   CLI::Option* quiet = app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
   app->add_flag("-v,--verbose", options->verbose, "Print all notes, what each pass took, and the files that were read")
       ->excludes(quiet);
-  app->add_flag("--durable", options->durable, "Outputs are on the disk when the cook ends, whatever happens to the power");
-  app->add_flag("--warnings-as-errors", options->warnings_as_errors, "A warning is an error: nothing is written, exit code 3");
+  app->add_flag("--draft", options->draft,
+                "To look at while working: small textures, one level of detail, no search for draw orders, no tuning");
+  app->add_flag("--durable", options->durable,
+                "Outputs are on the disk when the cook ends, whatever happens to the power");
+  app->add_flag("--warnings-as-errors", options->warnings_as_errors,
+                "A warning is an error: nothing is written, exit code 3");
   add_many(*app, *options);
   add_limits(*app, *options);
   add_format(*app, options->format);

@@ -95,6 +95,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes);
   settings.progress = show;
+  settings.draft = options.draft;
   auto result = cook_within_limits(*model, choice.recipe, settings, options, at, messages);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
@@ -113,7 +114,7 @@ tl::expected<FinishedCook, ToolError> cook_or_find(const CookOptions& options, c
   const CookCache cache(options.cache);
   const CookPlace place{options.source(), choice.directory, options.roots};
   const std::string key =
-      cook_key({tool_identity(), importer_name(), place, bytes->span(), print_recipe(choice.recipe)});
+      cook_key({tool_identity(), importer_name(), place, bytes->span(), print_recipe(choice.recipe), options.draft});
   if (auto found = cache.find(key, place)) return FinishedCook{std::move(*found), true};
   auto result = fresh();
   if (!result) return tl::unexpected(result.error());
@@ -162,7 +163,7 @@ tl::expected<CookSummary, ToolError> run_cook_job(const CookOptions& options, co
     return file_failure(ToolError::Kind::kBadInput, options.source(), "{} warning{}, and --warnings-as-errors; nothing was written",
                         count, count == 1 ? "" : "s");
   }
-  CookSummary summary{options.output, result.asset.size(), result.report, cooked->from_cache, result.inputs.source_files};
+  CookSummary summary{options.output, result.asset.size(), result.report, options.draft, cooked->from_cache, result.inputs.source_files};
   summary.files.insert(summary.files.end(), result.inputs.recipe_files.begin(), result.inputs.recipe_files.end());
   const auto write = [&](const std::string& path, std::span<const std::byte> bytes) {
     return write_output(path, bytes, options.durable ? Durability::kNow : Durability::kSoon);

@@ -23,6 +23,7 @@ struct CookSummary {
   std::string output;       ///< Path of the asset.
   std::size_t bytes = 0;    ///< Its size.
   CookReport report;        ///< Passes include the import; warnings include the importer's.
+  bool draft = false;       ///< CookSettings::draft.
   bool from_cache = false;  ///< The report's times are those of the cook that filled the cache.
   std::vector<std::filesystem::path> files;  ///< What was read beside the source, or looked for in vain.
 };
@@ -57,6 +58,7 @@ struct CookOptions {
   bool quiet = false;  ///< Errors and warnings only, and what was asked for as JSON.
   bool verbose = false;
   bool durable = false;
+  bool draft = false;  ///< CookSettings::draft.
   bool warnings_as_errors = false;
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }

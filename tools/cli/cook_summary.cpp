@@ -66,6 +66,7 @@ std::string cook_json(const CookSummary& summary) {
   for (const PassTime& pass : report.passes) passes.push_back({{"name", pass.name}, {"ms", pass.ms}});
   return json_text({{"output", summary.output},
                     {"bytes", summary.bytes},
+                    {"draft", summary.draft},
                     {"from_cache", summary.from_cache},
                     {"passes", std::move(passes)},
                     {"warnings", report.warnings},
@@ -92,6 +93,7 @@ std::string cook_text(const CookSummary& summary, bool in_full) {
   text += fmt::format("  {} bytes {} {:.0f} ms, {}\n", summary.bytes,
                       summary.from_cache ? "from the cache, once cooked in" : "in", total_ms(report),
                       counted(report.warnings.size(), "warning", "warnings"));
+  if (summary.draft) text += "  a draft, to look at: cook without --draft before it goes into a game\n";
   text += in_full ? details(summary) : told_with_v(report);
   return text + fmt::format("  next: {}\n", next_step(summary));
 }

@@ -36,8 +36,6 @@ Done keep(tl::expected<Part, ToolError> made, Part& part) {
   return keep(std::move(*made), part);
 }
 
-bool moves(const Cooking& c) { return c.moves; }
-
 /// The whole cook, top to bottom. Passes are functions of what came before; what they have to say goes to the report.
 const Pass kPasses[] = {
     // The hair, out of the model and with one texture. Joining textures moves texture coordinates and splits vertices, so
@@ -101,7 +99,7 @@ const Pass kPasses[] = {
      }},
     {"conditioning",
      [](Cooking& c) { return keep(condition_chains(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) { return c.moves && c.recipe.conditioning != "off"; }},
+     [](const Cooking& c) { return c.moves && c.recipe.conditioning != "off" && !c.settings.draft; }},
     {"twist",
      [](Cooking& c) { return keep(choose_twist(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
      [](const Cooking& c) { return c.moves && !c.recipe.torsion; }},
@@ -110,7 +108,7 @@ const Pass kPasses[] = {
        const auto name = [&](ToolError error) { return ToolError{error.kind, c.source.path + ": " + error.message}; };
        return keep(tune_solver(c.contents, c.recipe, c.settings.threads, c.report).map_error(name), c.tuned);
      },
-     moves},
+     [](const Cooking& c) { return c.moves && !c.settings.draft; }},
 
     // What it looks like, near and far.
     {"head order", [](Cooking& c) { return keep(sort_patches(c.hair, c.head.center), c.order); }},
@@ -169,7 +167,8 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
                                          const CookSettings& settings) {
   CookResult result;
   result.report.warnings = source.warnings;
-  Cooking cooking{source, recipe, settings, result.report};
+  const Recipe used = settings.draft ? draft_of(recipe) : recipe;
+  Cooking cooking{source, used, settings, result.report};
   for (const Pass& pass : kPasses) {
     if (pass.wanted != nullptr && !pass.wanted(cooking)) continue;
     if (const Done done = run(pass, cooking); !done) return tl::unexpected(done.error());

@@ -15,6 +15,7 @@ void pack_parts(Cooking& c) {
   contents.textures = c.textures.records;
   contents.texels = std::move(c.textures.texels);
   contents.provenance = {make_provenance(c.source, c.recipe, c.settings.source_hash)};
+  if (c.settings.draft) contents.provenance.front().flags |= kProvenanceDraft;
 }
 
 tl::expected<void, ToolError> write_parts(Cooking& c) {

@@ -24,6 +24,11 @@ constexpr bool is_shattered(std::size_t triangles, std::size_t patches) {
   return patches > 8 && triangles < 4 * patches;
 }
 
+/// Cooked in a hurry.
+[[nodiscard]] inline bool is_draft(const Asset& asset) {
+  return asset.provenance() != nullptr && (asset.provenance()->flags & kProvenanceDraft) != 0;
+}
+
 // What may be doubtful in an asset that opens, subject by subject; asset_codes.cpp says what each code means.
 
 /// "bone 'fringe_2'", or "bone 7" where it has no name.
@@ -46,5 +51,6 @@ void check_textures(const Asset& asset, Issues& issues);    ///< A204, A271, A27
 void check_alpha(const Asset& asset, Issues& issues);       ///< A252, A273, A274, A277
 void check_unwrapping(const Asset& asset, Issues& issues);  ///< A275, A276
 void check_quality(const Asset& asset, Issues& issues);     ///< A281 to A285
+void check_origin(const Asset& asset, Issues& issues);      ///< A291
 
 }  // namespace coif

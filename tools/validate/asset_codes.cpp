@@ -92,6 +92,8 @@ constexpr IssueCode kCodes[] = {
      "Raise the hit radius or the frame rate asked for."},
     {"A285", kQuality, kWarning, "hair that stretches", "A bone gets more than 1 % longer than it is at rest.",
      "Make the chain shorter, or its pull weaker."},
+    {"A291", kQuality, kWarning, "a draft", "Cooked for a quick look: coarse textures, no level of detail, not tuned.",
+     "Cook without --draft before it goes into a game."},
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string describe_text(const LoadStatus& status) {
 Issues find_asset_issues(const Asset& asset) {
   Issues issues;
   for (const auto check : {check_bones, check_dynamics, check_geometry, check_patches, check_orders, check_skin,
-                           check_textures, check_alpha, check_unwrapping, check_quality}) {
+                           check_textures, check_alpha, check_unwrapping, check_quality, check_origin}) {
     check(asset, issues);
   }
   return issues;
@@ -74,6 +74,10 @@ Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now) {
   }
   Issues issues;
   compare_hashes("R101", "a source", then->source_hash, now.source_hash, issues);
+  if (is_draft(asset)) {
+    issues.push_back(make_issue("R107", "it was cooked with --draft; cook it in full", "chunk PROV"));
+    return issues;
+  }
   compare_hashes("R102", "a recipe", then->recipe_hash, now.recipe_hash, issues);
   if (!issues.empty()) return issues;
   compare_versions("R103", "version", then->tool_version, now.tool_version, issues);

@@ -235,9 +235,14 @@ void add_share(const char* code, const char* text, float share, float limit, Iss
 
 }  // namespace
 
+void check_origin(const Asset& asset, Issues& issues) {
+  if (is_draft(asset)) add_issue(issues, "A291", "chunk PROV", "a draft: cooked with --draft, to look at");
+}
+
 void check_quality(const Asset& asset, Issues& issues) {
   if (asset.dynamics().empty() || asset.skeleton().simulated_count == 0) return;
   if (asset.tuning() == nullptr) {
+    if (is_draft(asset)) return;  // A291 says so.
     return add_issue(issues, "A283", "", "not tuned: the number of sub-steps is left to the game");
   }
   const QualityRecord worst = worst_of(asset, *asset.tuning());

@@ -109,6 +109,7 @@ constexpr IssueCode kOriginCodes[] = {
      "Cook with \"scene.provenance\": true, or find out with --recook."},
     {"R106", kSource, kError, "a new cook differs",
      "Source, recipe, the textures they name or the tools have changed since the asset was cooked.", kCookAgain},
+    {"R107", kSource, kError, "cooked as a draft", "A full cook gives another asset.", "Cook without --draft."},
 };
 
 }  // namespace

@@ -160,12 +160,15 @@ struct LodRecord {
 };
 static_assert(sizeof(LodRecord) == 16);
 
+/// Cooked in a hurry, to look at: not what a game ships.
+inline constexpr std::uint32_t kProvenanceDraft = 1;
+
 struct ProvenanceRecord {
   std::uint64_t source_hash;  ///< XXH64 of the source file's bytes.
   std::uint64_t recipe_hash;  ///< XXH64 of the complete recipe in its canonical form.
   std::uint16_t tool_version[3];  ///< major, minor, patch.
   std::uint16_t importer_version[3];
-  std::uint32_t reserved;
+  std::uint32_t flags;  ///< kProvenanceDraft; other bits are zero.
 };
 static_assert(sizeof(ProvenanceRecord) == 32);
 

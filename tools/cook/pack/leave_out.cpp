@@ -23,7 +23,8 @@ void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& fi
   };
   if (!recipe.scene_names) note("bone names", "names", clear_group("names", contents));
   if (!recipe.scene_quality) note("quality of other settings", "quality", clear_group("quality", contents));
-  if (!recipe.scene_provenance) note("provenance", "provenance", clear_group("provenance", contents));
+  const bool is_draft = !contents.provenance.empty() && (contents.provenance.front().flags & kProvenanceDraft) != 0;
+  if (!recipe.scene_provenance && !is_draft) note("provenance", "provenance", clear_group("provenance", contents));
   if (!recipe.scene_draw) note("mesh, material and textures", "draw", clear_group("mesh", contents));
   if (!recipe.scene_shift_mask) note("shift and mask of the highlights", "shift_mask", clear_shift_mask(contents));
 }

@@ -64,6 +64,16 @@ Recipe default_recipe() {
   return recipe;
 }
 
+Recipe draft_of(Recipe recipe) {
+  constexpr std::uint32_t kDraftTexels = 512;
+  recipe.order_method = "head";
+  recipe.lod_levels = 1;
+  recipe.texture_max_size = std::min(recipe.texture_max_size, kDraftTexels);
+  recipe.shift_mask_format = "rg8";
+  recipe.occlusion_strength = 0;
+  return recipe;
+}
+
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name) {
   Recipe recipe = default_recipe();
   const auto document = parse_shallow_json(text);

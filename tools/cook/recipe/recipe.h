@@ -125,7 +125,12 @@ struct CookSettings {
   std::filesystem::path recipe_directory;            ///< Where texture paths of the recipe start.
   std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
   std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.
+  bool draft = false;                                ///< Cook draft_of() the recipe, and do without what takes long.
 };
+
+/// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the head,
+/// small textures stored as they come, no occlusion.
+[[nodiscard]] Recipe draft_of(Recipe recipe);
 
 /// Every key at its default.
 [[nodiscard]] Recipe default_recipe();
