@@ -61,6 +61,18 @@ coif_cli_case(cook_draft EXIT 0 WRITES out.coif STDOUT "\n  a draft, to look at:
   ARGS cook ${sample} -o out.coif --draft)
 coif_cli_case(cook_draft_json EXIT 0 WRITES out.coif JSON draft passes,0,name ARGS cook ${sample} -o out.coif --draft --format json)
 
+coif_cli_case(cook_list_of_a_source_behind_it EXIT 0 STDOUT "meshes\n" ARGS cook --list ${sample})
+coif_cli_case(cook_list_patches EXIT 0 STDOUT "patches, [0-9]+ unsure where the root is [(][?][)]\n *index .*\n +0 +[1-9]" ARGS cook ${sample} --list patches)
+coif_cli_case(cook_list_patches_json EXIT 0 WRITES p.png TIMEOUT 120
+  JSON patches,0,index patches,0,island patches,0,middle,2 patches,0,size,2 patches,0,root patches,0,unsure patches,0,chain
+       patches,0,mesh patches,0,material patches,0,triangles patches,0,kept path
+  ARGS cook ${sample} --list patches -o p.png --format json)
+coif_cli_case(cook_list_patches_elsewhere EXIT 1 STDERR "p.coif: the suffix must be .png" ARGS cook ${sample} --list patches -o p.coif)
+coif_cli_case(cook_override_of_nothing EXIT 3
+  STDERR "bob.glb: recipe key \"patches.overrides\" \\[1\\] selects none of the [0-9]+ patches; 'coif cook .* --list patches' lists them"
+  TEXT r.json "{\"patches\": [{\"select\": {\"index\": 0}, \"root\": \"auto\"}, {\"select\": {\"mesh\": \"nobody\"}, \"keep\": false}]}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+
 # What a checkout without Git LFS holds.
 set(pointer "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146a0a7\nsize 396190\n")
 coif_cli_case(cook_lfs_pointer EXIT 3 STDERR "coif cook: error: wig.fbx: Git LFS has not fetched what is in this file; run 'git lfs pull'"

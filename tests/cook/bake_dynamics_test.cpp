@@ -34,7 +34,7 @@ Skeleton chain_of(std::uint32_t bones) {
 }
 
 std::vector<DynamicsRecord> records_of(const Skeleton& skeleton) {
-  return bake_dynamics(SourceModel(), skeleton, default_recipe(), unheard());
+  return bake_dynamics(SourceModel(), skeleton, default_recipe(), {}, unheard());
 }
 
 TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
@@ -130,7 +130,7 @@ TEST(BuildSkeleton, AFirstBoneThatASpringTurnsIsNoScalp) {
 }
 
 Told<std::vector<DynamicsRecord>> baked(const SourceModel& model, const Recipe& recipe = default_recipe()) {
-  return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, findings); });
+  return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, {}, findings); });
 }
 
 TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {

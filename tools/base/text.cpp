@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -39,6 +40,15 @@ bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }
 
 }  // namespace
 
+std::string numbers_text(std::span<const std::uint32_t> numbers, std::size_t most) {
+  const std::size_t named = std::min(numbers.size(), most);
+  const std::string rest = numbers.size() > named ? fmt::format("{} more", numbers.size() - named)
+                                                  : fmt::format("{}", numbers[named - 1]);
+  const std::size_t listed = numbers.size() > named ? named : named - 1;
+  if (listed == 0) return rest;
+  return fmt::format("{} and {}", fmt::join(numbers.first(listed), ", "), rest);
+}
+
 std::string printable_text(std::string_view text, std::size_t max_bytes) {
   std::string out;
   while (!text.empty()) {
@@ -56,6 +66,11 @@ std::string printable_text(std::string_view text, std::size_t max_bytes) {
     text.remove_prefix(taken);
   }
   return out;
+}
+
+std::string printable_ascii(std::string text) {
+  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 std::string clean_text(std::string_view text) {

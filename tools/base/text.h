@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,10 +11,16 @@ namespace coif {
 /// "1 patch", "2 patches".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
+/// "3", "3 and 12", "3, 12, 40 and 7 more": numbers (not empty) that a message names, the first few of many.
+[[nodiscard]] std::string numbers_text(std::span<const std::uint32_t> numbers, std::size_t most = 6);
+
 /// `text` as valid UTF-8 of at most `max_bytes`, without control characters: line breaks and tabs become spaces, other
 /// control characters and bytes that are not UTF-8 become '?'. Names from files end up in messages and JSON, which
 /// must not break on them.
 [[nodiscard]] std::string printable_text(std::string_view text, std::size_t max_bytes = 1024);
+
+/// The text where only ASCII can be drawn: other bytes and control characters become '?'.
+[[nodiscard]] std::string printable_ascii(std::string text);
 
 /// Text that any document takes: bytes that are no UTF-8 become U+FFFD, control characters and line ends a blank.
 /// Names from artists' files are neither checked nor short of surprises.

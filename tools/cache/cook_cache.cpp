@@ -118,7 +118,7 @@ std::optional<fs::path> changed_since(std::chrono::nanoseconds since, const std:
 }
 
 CookResult result_from(CacheEntry entry, const CookPlace& place) {
-  CookResult result{std::move(entry.asset), std::move(entry.report), {}};
+  CookResult result{std::move(entry.asset), std::move(entry.report), {}, {}};
   replace_in_messages(result.report, kFolderMark, place.source_directory().string() + "/");
   for (const Dependency& dependency : entry.dependencies) {
     const bool from_recipe = dependency.base == Dependency::Base::kRecipe;

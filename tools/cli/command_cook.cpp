@@ -5,6 +5,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/patch_listing.h"
 
 #include <memory>
 
@@ -19,7 +20,16 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   return Exit::kOk;
 }
 
-tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Messages& all_messages) {
+/// A word behind --list that is none of its own is the source.
+CookOptions with_list_read(CookOptions options) {
+  if (!options.list || *options.list == "source" || *options.list == "patches") return options;
+  if (!options.list->empty()) options.sources.insert(options.sources.begin(), *options.list);
+  options.list = "source";
+  return options;
+}
+
+tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages& all_messages) {
+  const CookOptions options = with_list_read(given);
   const Messages messages = options.quiet ? all_messages.without_notes() : all_messages;
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
@@ -30,7 +40,7 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& options, const Message
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
   }
-  if (options.list) return list_source(options, *choice);
+  if (options.list) return *options.list == "patches" ? list_patches_of(options, *choice, messages) : list_source(options, *choice);
   if (options.output.empty()) return usage("needs -o OUT.coif; see 'coif cook --help'");
   if (options.report.ends_with(".html")) return usage("--report OUT.html is for several sources, or a --manifest");
   const auto summary = run_cook_job(options, *choice, messages);
@@ -87,7 +97,11 @@ Command add_cook(CLI::App& program) {
   app->add_option("--cache", options->cache, "Keep results in this folder, and take them from there")->type_name("DIR");
   add_roots(*app, options->roots);
   app->add_flag("--print-recipe", options->print_recipe, "Print the complete recipe with comments, cook nothing");
-  app->add_flag("--list", options->list, "Print the source's meshes, materials and nodes, cook nothing");
+  app->add_option("--list", options->list,
+                  "Cook nothing, but print the source's meshes, materials and nodes, or the 'patches' that a recipe can say"
+                  " something of, and draw them with -o PICTURE.png")
+      ->expected(0, 1)
+      ->type_name("[source|patches]");
   CLI::Option* quiet = app->add_flag("-q,--quiet", options->quiet, "Print errors and warnings only, and no progress");
   app->add_flag("-v,--verbose", options->verbose, "Print all notes, what each pass took, and the files that were read")
       ->excludes(quiet);

@@ -96,6 +96,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.source_hash = xxh64(bytes);
   settings.progress = show;
   settings.draft = options.draft;
+  settings.list_patches = options.list_patches;
   auto result = cook_within_limits(*model, choice.recipe, settings, options, at, messages);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});

@@ -46,7 +46,7 @@ struct CookOptions {
   std::string cache;  ///< A folder; empty: none.
   std::vector<std::filesystem::path> roots;
   bool print_recipe = false;
-  bool list = false;
+  std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
   unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.
   std::uint64_t max_source_mb = ImportSettings{}.max_file_bytes >> 20;
@@ -59,6 +59,7 @@ struct CookOptions {
   bool verbose = false;
   bool durable = false;
   bool draft = false;  ///< CookSettings::draft.
+  bool list_patches = false;  ///< CookSettings::list_patches.
   bool warnings_as_errors = false;
 
   [[nodiscard]] const std::string& source() const { return sources.front(); }

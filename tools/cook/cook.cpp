@@ -44,6 +44,18 @@ const Pass kPasses[] = {
     {"base color",
      [](Cooking& c) { return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color); }},
 
+    // Its strips, and what the recipe says of some of them alone.
+    {"places",
+     [](Cooking& c) { return keep(weld_places(c.hair.mesh.positions, c.recipe.patch_weld_distance), c.hair.welded); }},
+    {"patches",
+     [](Cooking& c) { return keep(find_patches(c.hair, c.recipe.patch_connectivity, c.report), c.extracted); }},
+    {"overrides",
+     [](Cooking& c) {
+       c.listings = list_patches(c.source, c.hair);
+       return choose_patches(c.source, c.recipe, c.settings.list_patches, c.hair, c.listings, c.report);
+     },
+     [](const Cooking& c) { return c.settings.list_patches || !c.recipe.patch_overrides.empty(); }},
+
     // The head that it grows on.
     {"head bone",
      [](Cooking& c) { return keep(find_head_bone(c.source, c.hair.mesh, c.recipe.head_bone), c.head_bone); }},
@@ -54,11 +66,7 @@ const Pass kPasses[] = {
        return {};
      }},
 
-    // Its strips, and which way their strands run.
-    {"places",
-     [](Cooking& c) { return keep(weld_places(c.hair.mesh.positions, c.recipe.patch_weld_distance), c.hair.welded); }},
-    {"patches",
-     [](Cooking& c) { return keep(find_patches(c.hair, c.recipe.patch_connectivity, c.report), c.extracted); }},
+    // Which way its strands run.
     {"normals",
      [](Cooking& c) -> Done {
        c.hair.complete_normals();
@@ -66,7 +74,7 @@ const Pass kPasses[] = {
      }},
     {"strands",
      [](Cooking& c) {
-       const StrandSettings settings{c.recipe.strand_root, c.extracted.chosen != "position",
+       const StrandSettings settings{declared_roots(c.recipe, c.hair), c.extracted.chosen != "position",
                                      depths_below(c.source, c.head_bone.node),
                                      find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
        return keep(find_strand_direction(c.hair, c.head, settings, c.report), c.hair.strands);
@@ -79,7 +87,7 @@ const Pass kPasses[] = {
 
     // What moves it: the file's bones or fitted ones, and what they must not enter.
     {"skeleton",
-     [](Cooking& c) { return keep(rig_of_file(c.source, c.hair.mesh, c.head_bone, c.recipe, c.report), c.rig); }},
+     [](Cooking& c) { return keep(rig_of_file(c.source, c.hair, c.head_bone, c.recipe, c.report), c.rig); }},
     {"chains",
      [](Cooking& c) { return keep(fit_chains(c.source, c.hair, c.head, c.rig.skeleton, c.recipe, c.report), c.rig); },
      [](const Cooking& c) { return wants_fitted_chains(c.recipe, c.rig.skeleton); }},
@@ -92,7 +100,8 @@ const Pass kPasses[] = {
     // How it moves: each chain's equation becomes one that has a solution, and then gets the cheapest way to solve it.
     {"dynamics",
      [](Cooking& c) -> Done {
-       c.contents.dynamics = bake_dynamics(c.source, c.rig.skeleton, c.recipe, c.report);
+       const auto of_chain = chain_overrides(c.hair, c.rig, c.recipe, c.report);
+       c.contents.dynamics = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        c.moves = can_be_run(c.contents);
        return {};
@@ -175,6 +184,7 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   }
   fill_figures(cooking);
   result.inputs = inputs_of(cooking);
+  result.patches = patches_of(cooking);
   result.asset = std::move(cooking.asset);
   return result;
 }

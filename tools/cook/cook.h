@@ -3,6 +3,7 @@
 #include "base/tool_error.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
+#include "cook/strands/choose_patches.h"
 #include "cook/texture/source_images.h"
 #include "import/source_model.h"
 
@@ -42,10 +43,17 @@ struct CookReport : Findings {
   std::uint32_t simulated_bones = 0;
 };
 
+/// The patches as people know them: by numbers that do not depend on what else is said in the recipe.
+struct ListedPatches {
+  std::vector<PatchListing> patches;          ///< By number.
+  std::vector<std::uint32_t> number_of_place;  ///< For each PatchRecord::file_place of the asset.
+};
+
 struct CookResult {
   std::vector<std::byte> asset;  ///< The bytes of a .coif; opens without error.
   CookReport report;
   CookInputs inputs;
+  ListedPatches patches;  ///< Empty unless asked for.
 };
 
 /// Runs every pass on a source model. Pure: same model, recipe and settings give the same bytes.

@@ -7,6 +7,7 @@
 #include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
+#include "cook/strands/choose_patches.h"
 #include "cook/strands/patches.h"
 #include "cook/texture/bake_textures.h"
 
@@ -24,6 +25,7 @@ struct Cooking {
   HeadBone head_bone{};
   FittedHead head{};
   ExtractedPatches extracted{};
+  std::vector<PatchListing> listings{};  ///< Empty unless somebody asks, or the recipe says something of patches alone.
   HairRig rig{};
   Colliders colliders{};
   bool moves = false;  ///< The packed rig can be run.
@@ -45,5 +47,6 @@ tl::expected<void, ToolError> write_parts(Cooking& cooking);
 /// What of the result is known only at the end: figures for the report, and the files that were read.
 void fill_figures(Cooking& cooking);
 [[nodiscard]] CookInputs inputs_of(const Cooking& cooking);
+[[nodiscard]] ListedPatches patches_of(Cooking& cooking);
 
 }  // namespace coif

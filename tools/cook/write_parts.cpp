@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace coif {
 
 void pack_parts(Cooking& c) {
@@ -42,6 +44,24 @@ void fill_figures(Cooking& c) {
   report.chains = std::uint32_t(c.contents.chains.size());
   report.bones = std::uint32_t(c.contents.bones.size());
   report.simulated_bones = std::uint32_t(c.rig.skeleton.simulated_count());
+}
+
+ListedPatches patches_of(Cooking& c) {
+  ListedPatches listed;
+  if (!c.settings.list_patches) return listed;
+  list_roots(c.hair, c.listings);
+  const std::vector<std::uint32_t> chains = chain_of_patches(c.hair, c.rig, c.listings.size());
+  for (PatchListing& patch : c.listings) {
+    patch.is_unsure = std::ranges::binary_search(c.hair.strands.unsure, patch.number);
+    const std::uint32_t chain = chains[patch.number];
+    if (chain != kNone) patch.chain = c.rig.skeleton.bones[c.rig.skeleton.chains[chain].first_bone].name;
+  }
+  listed.number_of_place.resize(c.order.patch.size());
+  for (std::size_t i = 0; i < c.order.patch.size(); ++i) {
+    listed.number_of_place[c.order.file_place[i]] = c.hair.patches.number_of(c.order.patch[i]);
+  }
+  listed.patches = std::move(c.listings);
+  return listed;
 }
 
 CookInputs inputs_of(const Cooking& c) {

@@ -1,93 +1,14 @@
 #include "render/gallery.h"
-
-#include <stb/stb_easy_font.h>
+#include "render/picture_text.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
 #include <vector>
 
 namespace coif {
 namespace {
 
-/// A grey of the sheet's, sRGB.
-using SheetGrey = std::uint8_t;
-
-/// Lines of a small bitmap font, whose dots are squares of `dot` pixels.
-class SheetText {
- public:
-  /// Breaks `text` at spaces into lines no wider than `width` pixels; a longer word stays whole. ASCII only.
-  SheetText(std::string_view text, std::uint32_t width, std::uint32_t dot);
-
-  [[nodiscard]] std::uint32_t height() const;  ///< Pixels, with the space below each line.
-
-  /// Its upper left corner at (x, y). What lies outside of `picture` is left out.
-  void draw(Picture& picture, std::uint32_t x, std::uint32_t y, SheetGrey grey) const;
-
- private:
-  std::string lines_;
-  std::uint32_t line_count_ = 1;
-  std::uint32_t dot_;
-};
-
-constexpr std::uint32_t kLineDots = 12;  // from line to line, as the font has it
-
-struct FontVertex {
-  float x, y, z;
-  std::uint8_t color[4];
-};
-
-// The font's functions take text that they could change, and do not.
-std::uint32_t width_in_dots(std::string text) { return std::uint32_t(stb_easy_font_width(text.data())); }
-
-/// Rectangles of the letters' dots, four corners each.
-std::vector<FontVertex> letter_boxes(std::string lines) {
-  constexpr std::size_t kMostBytesOfALetter = 1024;
-  std::vector<FontVertex> corners((lines.size() + 1) * kMostBytesOfALetter / sizeof(FontVertex));
-  const int boxes = stb_easy_font_print(0, 0, lines.data(), nullptr, corners.data(),
-                                        static_cast<int>(corners.size() * sizeof(FontVertex)));
-  corners.resize(std::size_t(boxes) * 4);
-  return corners;
-}
-
-void fill(Picture& picture, std::uint32_t left, std::uint32_t top, std::uint32_t right, std::uint32_t bottom,
-          SheetGrey grey) {
-  for (std::uint32_t y = top; y < std::min(bottom, picture.height); ++y) {
-    for (std::uint32_t x = left; x < std::min(right, picture.width); ++x) {
-      std::fill_n(&picture.rgba[4 * (std::size_t{y} * picture.width + x)], 3, grey);
-    }
-  }
-}
-
-SheetText::SheetText(std::string_view text, std::uint32_t width, std::uint32_t dot) : dot_(dot) {
-  std::string line;
-  while (!text.empty()) {
-    const std::string_view word = text.substr(0, text.find(' '));
-    text.remove_prefix(std::min(word.size() + 1, text.size()));
-    const std::string longer = line.empty() ? std::string(word) : line + ' ' + std::string(word);
-    if (line.empty() || width_in_dots(longer) * dot <= width) {
-      line = longer;
-      continue;
-    }
-    lines_ += line + '\n';
-    ++line_count_;
-    line = word;
-  }
-  lines_ += line;
-}
-
-std::uint32_t SheetText::height() const { return line_count_ * kLineDots * dot_; }
-
-void SheetText::draw(Picture& picture, std::uint32_t x, std::uint32_t y, SheetGrey grey) const {
-  const auto pixels = [this](float dots) { return std::uint32_t(std::lround(dots)) * dot_; };
-  const std::vector<FontVertex> corners = letter_boxes(lines_);
-  for (std::size_t box = 0; box < corners.size(); box += 4) {
-    const FontVertex &first = corners[box], &opposite = corners[box + 2];
-    fill(picture, x + pixels(first.x), y + pixels(first.y), x + pixels(opposite.x), y + pixels(opposite.y), grey);
-  }
-}
-
-constexpr SheetGrey kPaper = 24, kTitle = 245, kCaption = 200;
+constexpr std::uint8_t kPaper = 24;
+constexpr PictureColor kTitle{245, 245, 245}, kCaption{200, 200, 200};
 constexpr std::uint32_t kGap = 8;         // pixels between tiles
 constexpr std::uint32_t kDotTiles = 160;  // pixels of a tile's width for each pixel of a letter's dot
 
@@ -98,10 +19,10 @@ struct Layout {
   std::uint32_t dot = 1;
 
   [[nodiscard]] std::uint32_t sheet_width() const { return columns * (tile_width + kGap) + kGap; }
-  [[nodiscard]] SheetText title(const SheetSection& section) const {
+  [[nodiscard]] PictureText title(const SheetSection& section) const {
     return {section.title, sheet_width() - 2 * kGap, dot + 1};
   }
-  [[nodiscard]] SheetText caption(const SheetTile& tile) const { return {tile.caption, tile_width, dot}; }
+  [[nodiscard]] PictureText caption(const SheetTile& tile) const { return {tile.caption, tile_width, dot}; }
 
   /// Of the row's highest caption.
   [[nodiscard]] std::uint32_t caption_height(std::span<const SheetTile> row) const {

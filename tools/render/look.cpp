@@ -1,5 +1,7 @@
 #include "render/look.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -104,11 +106,6 @@ std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& sett
   return {std::move(color), std::move(alpha)};
 }
 
-std::string as_ascii(std::string text) {
-  std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return text;
-}
-
 }  // namespace
 
 tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
@@ -116,7 +113,7 @@ tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const Look
   if (const auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
   std::vector<SheetSection> last;
   if (auto tiles = base_texture(asset, settings); !tiles.empty()) last.push_back({"Base texture", std::move(tiles)});
-  for (const std::string& told : settings.told) last.push_back({as_ascii(told), {}});
+  for (const std::string& told : settings.told) last.push_back({printable_ascii(told), {}});
   return draw_sheet(asset, what_to_look_at(asset, settings), kColumns, std::move(last), progress);
 }
 

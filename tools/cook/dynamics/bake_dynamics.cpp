@@ -42,6 +42,23 @@ void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record
   record.parent_share = float(recipe.parent_share);
 }
 
+Recipe recipe_of(Recipe recipe, const PatchOverride& said) {
+  said.apply_motion(recipe);
+  return recipe;
+}
+
+/// What is said of a chain alone holds before the file's springs, too.
+DynamicsRecord record_of(const Skeleton& skeleton, const SkeletonBone& bone, const BoneJoint& joint, const Recipe& recipe,
+                         const PatchOverride& said) {
+  const bool by_curve = !joint || said.resistance;
+  DynamicsRecord record =
+      by_curve ? dynamics_by_curve(skeleton, bone, recipe) : dynamics_of_joint(*joint.joint, bone.length());
+  if (said.friction) record.friction = float(*said.friction);
+  if (said.gravity_scale) record.gravity_scale = float(*said.gravity_scale);
+  bake_oscillator(recipe, bone.length(), record);
+  return record;
+}
+
 void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,
                     Findings& findings) {
   const auto by_spring = std::size_t(std::ranges::count_if(joints, [](const BoneJoint& bone) { return bool(bone); }));
@@ -101,17 +118,17 @@ double evaluate_curve(std::span<const CurvePoint> curve, double at) {
 }
 
 std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
-                                          Findings& findings) {
+                                          std::span<const PatchOverride> of_chain, Findings& findings) {
   if (skeleton.chains.empty()) return {};
   std::vector<DynamicsRecord> records;
   std::vector<BoneJoint> joints(skeleton.bones.size());
   if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const SkeletonBone& bone = skeleton.bones[b];
-    DynamicsRecord record =
-        joints[b] ? dynamics_of_joint(*joints[b].joint, bone.length()) : dynamics_by_curve(skeleton, bone, recipe);
-    bake_oscillator(recipe, bone.length(), record);
-    records.push_back(record);
+    const bool is_alone = bone.chain < of_chain.size() && of_chain[bone.chain].is_of_motion();
+    records.push_back(is_alone ? record_of(skeleton, bone, joints[b], recipe_of(recipe, of_chain[bone.chain]),
+                                           of_chain[bone.chain])
+                               : record_of(skeleton, bone, joints[b], recipe, {}));
   }
   report_sources(joints, skeleton.simulated_count(), recipe, findings);
   warn_of_lost_settings(source, joints, findings);

@@ -66,8 +66,10 @@ inline constexpr double kUsualTorsion = 20;
 
 /// How each bone moves, one record each, hit radii 0; none where nothing is simulated: as the file's spring bones say or by
 /// the recipe's curves, as "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of
-/// one bone has the mean and not the tip's value. Notes how many have springs; warns of what springs lose.
+/// one bone has the mean and not the tip's value. `of_chain`, empty or one for each chain, is what the recipe says of its
+/// motion alone. Notes how many have springs; warns of what springs lose.
 [[nodiscard]] std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
-                                                        const Recipe& recipe, Findings& findings);
+                                                        const Recipe& recipe, std::span<const PatchOverride> of_chain,
+                                                        Findings& findings);
 
 }  // namespace coif

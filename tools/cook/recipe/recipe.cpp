@@ -80,8 +80,9 @@ tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std:
   if (!document) return bad_recipe(name, document.error());
   if (!document->is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
   for (const auto& [section, values] : document->items()) {
-    if (!values.is_object()) return bad_recipe(name, unknown_key(section));
-    if (auto outcome = read_section(section, values, recipe); !outcome) return bad_recipe(name, outcome.error());
+    const bool is_list = section == "patches" && values.is_array();  // short for its "overrides"
+    if (!values.is_object() && !is_list) return bad_recipe(name, unknown_key(section));
+    if (auto outcome = read_section(section, is_list ? json{{"overrides", values}} : values, recipe); !outcome) return bad_recipe(name, outcome.error());
   }
   if (recipe.head_center.has_value() != recipe.head_radii.has_value()) {
     return bad_recipe(name, "\"head.center\" and \"head.radii\" come together; give both or neither");

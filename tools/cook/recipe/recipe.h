@@ -3,6 +3,7 @@
 // What an artist may say about a cook. recipe_keys.cpp holds the one table of keys, defaults and ranges.
 
 #include "base/tool_error.h"
+#include "cook/recipe/patch_override.h"
 
 #include <tl/expected.hpp>
 
@@ -15,12 +16,6 @@
 #include <vector>
 
 namespace coif {
-
-/// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
-struct CurvePoint {
-  double at = 0;
-  double value = 0;
-};
 
 /// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
 /// default_recipe().
@@ -57,6 +52,7 @@ struct Recipe {
   std::string patch_connectivity;  ///< "auto", "island", "index" or "position".
   double patch_widest = 0;         ///< Metres; 0: from the head's size.
   double patch_weld_distance = 0;
+  std::vector<PatchOverride> patch_overrides;  ///< Where two say different things of a patch, the later one holds.
   // strands
   std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".
   // dynamics
@@ -122,9 +118,10 @@ struct Recipe {
 /// What the caller of a cook says beside the recipe.
 struct CookSettings {
   unsigned threads = 1;                              ///< The result's bytes do not depend on it.
-  std::filesystem::path recipe_directory;            ///< Where texture paths of the recipe start.
+  std::filesystem::path recipe_directory{};          ///< Where texture paths of the recipe start.
   std::uint64_t source_hash = 0;                     ///< XXH64 of the source file, for the provenance record.
   std::function<void(const char* pass)> progress{};  ///< Called before each pass, where set.
+  bool list_patches = false;                         ///< Fill in CookResult::patches.
   bool draft = false;                                ///< Cook draft_of() the recipe, and do without what takes long.
 };
 

@@ -66,6 +66,9 @@ const RecipeKey kKeys[] = {
    "patches wider than this across their strands are cut along them; 0: three quarters of the head's radius"},
   {"patches", "weld_distance", &R::patch_weld_distance, "0", 0, 0.01, nullptr, "m",
    "vertices closer than this are at one place; 0: a 50,000th of the hair's size"},
+  {"patches", "overrides", &R::patch_overrides, "[]", 0, 0, nullptr, "",
+   "what holds for some patches alone: {\"select\": {mesh, material, island, index, box, near, within}, \"keep\", \"root\","
+   " \"chain\", \"resistance\", ...}; 'coif cook SOURCE --list patches -o PICTURE.png' numbers them"},
 
   {"strands", "root", &R::strand_root, "\"auto\"", 0, 0, "auto|low_u|high_u|low_v|high_v", "",
    "side of the texture where the roots are; auto: found for each patch ('coif render --component direction' shows it)"},

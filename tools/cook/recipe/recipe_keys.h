@@ -11,7 +11,8 @@ namespace coif {
 using RecipeField = std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
                                  std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*,
                                  std::array<double, 3> Recipe::*, std::array<double, 4> Recipe::*,
-                                 std::optional<double> Recipe::*, std::optional<std::array<double, 3>> Recipe::*>;
+                                 std::optional<double> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
+                                 std::vector<PatchOverride> Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -32,10 +33,17 @@ struct RecipeKey {
 
 // JSON <-> one value of a recipe. The only place that knows how each type of value is written.
 
+/// "wants a number from 0 to 1, found \"much\"": what to say of a value that is something else.
+[[nodiscard]] tl::unexpected<std::string> wants(const std::string& what, const nlohmann::json& found);
+
 /// Reads `json` into the field of `recipe`. The error is the rest of a sentence that starts with the key:
 /// "wants a number from 0 to 1, found \"much\"".
 tl::expected<void, std::string> read_value(const RecipeKey& key, const nlohmann::json& json, Recipe& recipe);
 
 [[nodiscard]] nlohmann::json write_value(const RecipeKey& key, const Recipe& recipe);
+
+/// The same of "patches.overrides" alone.
+tl::expected<void, std::string> read_overrides(const nlohmann::json& json, std::vector<PatchOverride>& out);
+[[nodiscard]] nlohmann::json write_overrides(const std::vector<PatchOverride>& overrides);
 
 }  // namespace coif

@@ -12,10 +12,6 @@ namespace {
 using nlohmann::json;
 using Outcome = tl::expected<void, std::string>;
 
-tl::unexpected<std::string> wants(const std::string& what, const json& found) {
-  return tl::unexpected(fmt::format("wants {}, found {}", what, excerpt(found.dump())));
-}
-
 std::string number_range(const RecipeKey& key) {
   return fmt::format("from {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
 }
@@ -86,6 +82,8 @@ Outcome read(const RecipeKey& key, const json& value, std::vector<CurvePoint>& o
   return {};
 }
 
+Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) { return read_overrides(value, out); }
+
 template <std::size_t kCount>
 Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>& out) {
   const std::string what = fmt::format("{} numbers {}", kCount, number_range(key));
@@ -120,12 +118,18 @@ json write(const std::vector<CurvePoint>& points) {
   return list;
 }
 
+json write(const std::vector<PatchOverride>& overrides) { return write_overrides(overrides); }
+
 template <typename Value>
 json write(const std::optional<Value>& value) {
   return value ? json(*value) : json(nullptr);
 }
 
 }  // namespace
+
+tl::unexpected<std::string> wants(const std::string& what, const json& found) {
+  return tl::unexpected(fmt::format("wants {}, found {}", what, excerpt(found.dump())));
+}
 
 Outcome read_value(const RecipeKey& key, const json& json, Recipe& recipe) {
   return std::visit([&](auto field) { return read(key, json, recipe.*field); }, key.field);

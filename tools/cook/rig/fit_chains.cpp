@@ -18,8 +18,9 @@ constexpr double kTop = 0.85;       ///< Height of a direction from the head's c
 constexpr double kDiagonal = 0.41;  ///< Tangent of 22.5 degrees: eight directions around the head.
 constexpr double kBlend = 0.3;      ///< Of the head's radius: width over which one lock's weights become the next's.
 
-/// Triangles of meshes and materials that the recipe gives chains.
-std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& hair, const Recipe& recipe) {
+/// Triangles of meshes, materials and patches that the recipe gives chains.
+std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips& strips, const Recipe& recipe) {
+  const HairMesh& hair = strips.mesh;
   std::vector<bool> of_mesh(source.meshes.size(), true);
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
@@ -31,6 +32,10 @@ std::vector<bool> movable_triangles(const SourceModel& source, const HairMesh& h
   }
   std::vector<bool> movable(hair.triangle_count(), true);
   for (std::size_t t = 0; t < hair.mesh_of_triangle.size(); ++t) movable[t] = of_mesh[hair.mesh_of_triangle[t]];
+  const std::vector<bool> held = held_patches(strips, recipe);
+  for (std::size_t t = 0; t < strips.patches.patch_of.size(); ++t) {
+    if (held[strips.patches.patch_of[t]]) movable[t] = false;
+  }
   return movable;
 }
 
@@ -128,7 +133,7 @@ std::string describe(const FittedChain& chain) {
 HairRig fit_chains(const SourceModel& source, const HairStrips& hair, const FittedHead& head, const Skeleton& rigid,
                    const Recipe& recipe, Findings& findings) {
   const double radius = head.radii.mean();
-  const std::vector<bool> movable = movable_triangles(source, hair.mesh, recipe);
+  const std::vector<bool> movable = movable_triangles(source, hair, recipe);
   const std::vector<bool> is_rigid = rigid_vertices(hair, movable);
   HairCells cells = make_hair_cells(hair, movable, head.center, kCellSize * radius);
   const std::vector<std::uint32_t> held = held_cells(cells, is_rigid);

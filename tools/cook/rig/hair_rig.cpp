@@ -81,10 +81,19 @@ bool wants_fitted_chains(const Recipe& recipe, const Skeleton& of_file) {
   return recipe.chain_source == "fit" || (recipe.chain_source == "auto" && of_file.chains.empty());
 }
 
-tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
+std::vector<bool> held_patches(const HairStrips& hair, const Recipe& recipe) {
+  std::vector<bool> held(hair.patches.count, false);
+  for (std::uint32_t p = 0; p < held.size(); ++p) {
+    const std::string* chain = hair.said_of(recipe, p, &PatchOverride::chain);
+    held[p] = chain != nullptr && *chain == "none";
+  }
+  return held;
+}
+
+tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
                                              const Recipe& recipe, Findings& findings) {
   Findings of_file;
-  auto skeleton = build_skeleton(source, hair, head, recipe, of_file);
+  auto skeleton = build_skeleton(source, hair.mesh, head, recipe, of_file);
   if (!skeleton) return tl::unexpected(skeleton.error());
   HairRig rig;
   if (recipe.chain_source == "none" || wants_fitted_chains(recipe, *skeleton)) {
@@ -93,7 +102,11 @@ tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const Ha
     rig.skeleton = std::move(*skeleton);
     findings.append(of_file);
   }
-  rig.weights = weights_of_source(hair, rig.skeleton);
+  rig.weights = weights_of_source(hair.mesh, rig.skeleton);
+  const std::vector<bool> held = held_patches(hair, recipe);
+  for (std::size_t i = 0; i < hair.mesh.triangles.size(); ++i) {
+    if (held[hair.patches.patch_of[i / 3]]) rig.weights[hair.mesh.triangles[i]].clear();
+  }
   return rig;
 }
 

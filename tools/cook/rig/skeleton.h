@@ -2,8 +2,8 @@
 
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
-#include "cook/select/hair_mesh.h"
 #include "cook/select/head.h"
+#include "cook/strands/hair_strips.h"
 #include "import/source_model.h"
 
 #include <coif/asset_records.h>
@@ -91,10 +91,21 @@ struct HairRig {
 /// True where the recipe wants chains that the file does not have.
 [[nodiscard]] bool wants_fitted_chains(const Recipe& recipe, const Skeleton& of_file);
 
-/// The file's bones with the artist's weights; the head alone where the recipe wants no chains, or fitted ones. Errors and
-/// warnings are build_skeleton()'s.
-tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairMesh& hair, const HeadBone& head,
+/// Which patches the recipe holds to the head, one value for each.
+[[nodiscard]] std::vector<bool> held_patches(const HairStrips& hair, const Recipe& recipe);
+
+/// The file's bones with the artist's weights, but for patches that are held; the head alone where the recipe wants no chains,
+/// or fitted ones. Errors and warnings are build_skeleton()'s.
+tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const HairStrips& hair, const HeadBone& head,
                                              const Recipe& recipe, Findings& findings);
+
+/// For each chain what the recipe says of the motion of patches that are more than half of the hair that it carries, by
+/// weight and area; empty where nothing is said. Warns of what is said in vain.
+[[nodiscard]] std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig, const Recipe& recipe,
+                                                         Findings& findings);
+
+/// For each patch, by its number below `count`, the chain that carries most of it; kNone: the head.
+[[nodiscard]] std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRig& rig, std::size_t count);
 
 /// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in order_bones().
 void settle_rig(const Recipe& recipe, HairRig& rig, Findings& findings);

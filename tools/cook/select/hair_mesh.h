@@ -57,6 +57,20 @@ struct HairMesh {
 struct PatchSet {
   std::vector<std::uint32_t> patch_of;
   std::uint32_t count = 0;
+  std::vector<std::uint32_t> first_number{};  ///< Per patch, see number_of(); empty: each has its own index.
+
+  /// What a patch is known by to people: its index before any was left out or cut.
+  [[nodiscard]] std::uint32_t number_of(std::uint32_t patch) const {
+    return first_number.empty() ? patch : first_number[patch];
+  }
+  /// Appends a patch that is a part of another one. Returns its index.
+  std::uint32_t add_part_of(std::uint32_t patch) {
+    if (first_number.empty()) {
+      for (std::uint32_t p = 0; p < count; ++p) first_number.push_back(p);
+    }
+    first_number.push_back(std::uint32_t(first_number[patch]));
+    return count++;
+  }
 };
 
 }  // namespace coif

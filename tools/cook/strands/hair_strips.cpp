@@ -43,6 +43,43 @@ void HairStrips::append_copy(std::uint32_t vertex) {
   strands.place.push_back(float(strands.place[vertex]));
 }
 
+void HairStrips::drop(const std::vector<bool>& dropped) {
+  std::vector<bool> used(mesh.positions.size(), false);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!dropped[patches.patch_of[i / 3]]) used[mesh.triangles[i]] = true;
+  }
+  HairMesh kept;
+  kept.influence_begin = {0};
+  kept.double_sided = mesh.double_sided;
+  kept.source_meshes = mesh.source_meshes;
+  kept.material = mesh.material;
+  std::vector<std::uint32_t> new_index(used.size(), kNoIndex), place(used.size(), kNoIndex), new_welded;
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    new_index[v] = kept.append_vertex(mesh, v);
+    if (welded.empty()) continue;
+    std::uint32_t& first = place[welded[v]];  // of those that stay at this place
+    if (first == kNoIndex) first = new_index[v];
+    new_welded.push_back(first);
+  }
+  PatchSet left;
+  std::vector<std::uint32_t> new_patch(patches.count, kNoIndex);
+  for (std::uint32_t t = 0; t < patches.patch_of.size(); ++t) {
+    const std::uint32_t patch = patches.patch_of[t];
+    if (dropped[patch]) continue;
+    if (new_patch[patch] == kNoIndex) {
+      new_patch[patch] = left.count++;
+      left.first_number.push_back(patches.number_of(patch));
+    }
+    left.patch_of.push_back(new_patch[patch]);
+    kept.mesh_of_triangle.push_back(mesh.mesh_of_triangle[t]);
+    for (std::size_t k = 0; k < 3; ++k) kept.triangles.push_back(new_index[mesh.triangles[3 * t + k]]);
+  }
+  mesh = std::move(kept);
+  welded = std::move(new_welded);
+  patches = std::move(left);
+}
+
 std::vector<std::uint32_t> HairStrips::separate_patches() {
   std::vector<std::uint32_t> owner(mesh.positions.size(), kNoIndex);
   // A vertex's copies for other patches; most vertices have none.

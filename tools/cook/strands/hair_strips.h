@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 
 #include <cstdint>
@@ -12,6 +13,7 @@ struct StrandField {
   std::vector<Eigen::Vector3f> tangent;  ///< Per vertex, unit, root to tip, perpendicular to the normal.
   std::vector<float> place;              ///< Per vertex, 0 root .. 1 tip.
   bool along_u = false;                  ///< In the texture most patches run along U, not V.
+  std::vector<std::uint32_t> unsure;     ///< Numbers of patches of which little tells which end is the root; ascending.
 };
 
 /// What belongs to one patch.
@@ -20,6 +22,9 @@ struct PatchView {
   std::vector<std::uint32_t> vertices;  ///< Ascending, each once.
 };
 
+/// For each patch, by its number, which of the recipe's overrides select it, ascending; empty: there are none.
+using PatchOverrides = std::vector<std::vector<std::uint32_t>>;
+
 /// The hair as strips. What is known of its vertices and triangles keeps in step: once the patches are found, vertices
 /// are added and triangles regrouped by the functions below alone. What no pass has found yet is empty.
 struct HairStrips {
@@ -27,9 +32,25 @@ struct HairStrips {
   std::vector<std::uint32_t> welded;  ///< For each vertex the one that stands for its place (weld_places()).
   PatchSet patches;                   ///< Of the mesh's triangles.
   StrandField strands;
+  PatchOverrides overridden_by{};
 
   /// Every patch's triangles and vertices.
   [[nodiscard]] std::vector<PatchView> views() const;
+
+  /// What the recipe says of one patch alone, the last override that says it; null: nothing.
+  template <typename Value>
+  [[nodiscard]] const Value* said_of(const Recipe& recipe, std::uint32_t patch,
+                                     std::optional<Value> PatchOverride::*what) const {
+    if (overridden_by.empty()) return nullptr;
+    const Value* said = nullptr;
+    for (const std::uint32_t o : overridden_by[patches.number_of(patch)]) {
+      if (const auto& value = recipe.patch_overrides[o].*what) said = &*value;
+    }
+    return said;
+  }
+
+  /// Leaves out patches (one value for each), and vertices that no other has. Before strands are known.
+  void drop(const std::vector<bool>& dropped);
 
   /// Gives each patch its own vertices: copies those that several share, with all that is known of them. Returns, for
   /// each vertex appended, which it equals.

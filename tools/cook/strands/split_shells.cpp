@@ -240,7 +240,7 @@ void renumber(const Ribbons& ribbons, RibbonMerger& merger, PatchSet& patches) {
     std::uint32_t& patch = patches.patch_of[t];
     std::uint32_t& part = number[merger.group_of(ribbons.ribbon_of[t])];
     if (part == kNoIndex) {
-      part = kept[patch] ? patches.count++ : patch;
+      part = kept[patch] ? patches.add_part_of(patch) : patch;
       if (part == patch) kept[patch] = true;
     }
     patch = part;

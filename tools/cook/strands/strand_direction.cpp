@@ -1,6 +1,7 @@
 #include "cook/strands/strand_direction.h"
 
 #include "base/parallel_for.h"
+#include "base/text.h"
 #include "base/work_limit.h"
 #include "cook/strands/root_beliefs.h"
 
@@ -24,7 +25,6 @@ constexpr float kPainted = 0.1f;       ///< Ends whose colours differ by this mu
 constexpr float kHabit = 0.25f;        ///< What it counts where others have their roots where nothing is painted.
 constexpr double kBeside = 0.15;       ///< Patches nearer than this share of the head's radius are beside each other.
 constexpr float kUnsure = 0.2f;        ///< Of a belief: told in the report.
-constexpr std::size_t kMostNamed = 6;
 constexpr double kBackwards = 0.5;  ///< Share of the mean strand along -Z.
 
 struct PatchStrands {
@@ -35,15 +35,23 @@ struct PatchStrands {
   RootEvidence evidence;
 };
 
-/// What a recipe says about all patches that have texture coordinates.
+/// What a recipe says about a patch.
 struct DeclaredRoot {
-  int texture_axis = -1;  ///< -1: nothing.
+  int texture_axis = -1;  ///< -1: nothing. Where there are no texture coordinates it says nothing either.
   bool at_high_end = false;
+  bool swapped = false;  ///< The other end than what is found.
 };
 
 DeclaredRoot declared_root(const std::string& root) {
+  if (root == "swap") return {.swapped = true};
   if (root == "auto") return {};
   return {root.ends_with("_v") ? 1 : 0, root.starts_with("high")};
+}
+
+std::vector<DeclaredRoot> declared_roots(const std::vector<std::string>& roots, std::size_t count) {
+  std::vector<DeclaredRoot> declared(count);
+  for (std::size_t p = 0; p < roots.size(); ++p) declared[p] = declared_root(roots[p]);
+  return declared;
 }
 
 float total_area(const HairMesh& mesh, const PatchView& view) {
@@ -149,20 +157,6 @@ std::vector<RootVote> votes_of(std::span<const PatchStrands> patches) {
   return votes;
 }
 
-/// ": around (0.10, 1.62, 0.03), ..." in the model, of the first few.
-std::string where_they_are(const HairMesh& mesh, const std::vector<PatchView>& views,
-                           std::span<const std::size_t> patches) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(patches.size(), kMostNamed); ++i) {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::uint32_t v : views[patches[i]].vertices) middle += mesh.positions[v].cast<double>();
-    middle /= double(views[patches[i]].vertices.size());
-    text += fmt::format("{}({:.3f}, {:.3f}, {:.3f})", i == 0 ? ": around " : ", ", middle.x(), middle.y(), middle.z());
-  }
-  if (patches.size() > kMostNamed) text += fmt::format(" and {} more", patches.size() - kMostNamed);
-  return text;
-}
-
 void turn_round(const PatchView& view, StrandField& field) {
   for (std::uint32_t v : view.vertices) {
     field.place[v] = 1 - field.place[v];
@@ -175,11 +169,11 @@ void turn_round(const PatchView& view, StrandField& field) {
 StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head, const StrandSettings& settings,
                                   Findings& findings) {
   const HairMesh& mesh = hair.mesh;
-  const DeclaredRoot declared = declared_root(settings.root);
   StrandField field;
   field.tangent.assign(mesh.positions.size(), Vector3f::Zero());
   field.place.assign(mesh.positions.size(), 0.0f);
   const std::vector<PatchView> views = hair.views();
+  const std::vector<DeclaredRoot> declared = declared_roots(settings.roots, views.size());
   std::vector<PatchStrands> strands(views.size());
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
     strands[p].area = total_area(mesh, views[p]);
@@ -190,8 +184,8 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   const FreeHair free_hair(mesh, views, head);
   const Surroundings around{head, free_hair, settings.depth_of_node};
   parallel_for(views.size(), settings.threads, [&](std::size_t p) {
-    if (declared.texture_axis >= 0 && strands[p].preference != 0) {
-      strands[p].axis = strand_axis(hair, views[p], declared.texture_axis);
+    if (declared[p].texture_axis >= 0 && strands[p].preference != 0) {
+      strands[p].axis = strand_axis(hair, views[p], declared[p].texture_axis);
     } else {
       choose_axis(hair, views[p], around, common, strands[p]);
     }
@@ -201,19 +195,30 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
   const std::vector<float> belief = settle_beliefs(
       mesh, views, votes_of(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
   std::size_t sure = 0;
-  std::vector<std::size_t> unsure;
-  for (std::size_t p = 0; p < views.size(); ++p) {
-    const bool by_recipe = declared.texture_axis >= 0 && strands[p].axis.texture_axis >= 0;
-    if (by_recipe ? declared.at_high_end : belief[p] < 0) turn_round(views[p], field);
+  float along_u = 0;
+  for (std::uint32_t p = 0; p < views.size(); ++p) {
+    const int axis = strands[p].axis.texture_axis;
+    const bool by_recipe = declared[p].texture_axis >= 0 && axis >= 0;
+    if (by_recipe ? declared[p].at_high_end : (belief[p] < 0) != declared[p].swapped) turn_round(views[p], field);
     sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
-    if (!by_recipe && std::abs(belief[p]) < kUnsure) unsure.push_back(p);
+    if (!by_recipe && std::abs(belief[p]) < kUnsure) field.unsure.push_back(hair.patches.number_of(p));
+    along_u += by_recipe ? strands[p].area * (axis == 0 ? 1.0f : -1.0f) : 0.0f;
   }
-  field.along_u = (declared.texture_axis < 0 ? common : declared.texture_axis) == 0 && !mesh.uvs.empty();
-  findings.note(
-      fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}", sure,
-                  views.size(), unsure.size(), where_they_are(mesh, views, unsure)));
+  field.along_u = (along_u != 0 ? along_u > 0 : common == 0) && !mesh.uvs.empty();
+  std::ranges::sort(field.unsure);
+  const std::string unsure = field.unsure.empty() ? "" : ": " + numbers_text(field.unsure) + " of 'coif cook --list patches'";
+  findings.note(fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
+                            sure, views.size(), field.unsure.size(), unsure));
   warn_of_up_axis(mesh, field, findings);
   return field;
+}
+
+std::vector<std::string> declared_roots(const Recipe& recipe, const HairStrips& hair) {
+  std::vector<std::string> roots(hair.patches.count, recipe.strand_root);
+  for (std::uint32_t p = 0; p < roots.size(); ++p) {
+    if (const std::string* said = hair.said_of(recipe, p, &PatchOverride::root)) roots[p] = *said;
+  }
+  return roots;
 }
 
 std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node) {

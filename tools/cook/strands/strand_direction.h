@@ -11,12 +11,15 @@
 namespace coif {
 
 struct StrandSettings {
-  std::string root = "auto";         ///< As in the recipe: the side of the texture where all roots are.
+  std::vector<std::string> roots;    ///< Per patch, as Recipe::strand_root or PatchOverride::root; empty: all "auto".
   bool trust_texture = true;         ///< False where patches are not unwrapped in one piece.
   std::vector<float> depth_of_node;  ///< Bones between each node of the source and the head bone.
   std::vector<SeenStrands> seen;     ///< Per patch, what images show of it; empty: nothing is known.
   unsigned threads = 1;              ///< The result does not depend on it.
 };
+
+/// StrandSettings::roots, of all patches and of each alone.
+[[nodiscard]] std::vector<std::string> declared_roots(const Recipe& recipe, const HairStrips& hair);
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
 /// the surface from end to end where texture coordinates say nothing. The root is the end that RootEvidence points to, as far
