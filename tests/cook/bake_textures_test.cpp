@@ -18,7 +18,7 @@ constexpr std::uint32_t kSide = 128;
 /// Strands of uneven width and softness in the left half; alpha 1 in the right, which the hair does not show.
 Image strands_beside_a_face() {
   return painted(kSide, kSide, [](std::uint32_t x, std::uint32_t y) {
-    const double wave = 127.5 + 127.5 * std::sin(x * 0.9) * std::cos(y * 0.05);
+    const double wave = 127.5 + 127.5 * std::sin(x * 0.9) * std::cos(y * 0.5);
     return Rgba{120, 80, 40, x < kSide / 2 ? std::uint8_t(wave) : std::uint8_t{255}};
   });
 }
@@ -109,6 +109,17 @@ double darkest_drawn(const Image& mip, const Image& used, double discard) {
     }
   }
   return darkest;
+}
+
+TEST(BakeTextures, WhatSaysNothingIsNotStored) {
+  BaseColor color;
+  color.image = flat(64, 64, {90, 90, 90, 255});
+  const SaidTextures textures = baked(color, left_half(), default_recipe());
+  const TextureRecord& record = record_of(textures, TextureRole::kBaseColor);
+  EXPECT_EQ(record.width * record.height, 1u);
+  ASSERT_EQ(textures.left_out.size(), 1u);
+  EXPECT_EQ(textures.left_out[0].what, "texels of the base colour: 1 x 1 of 64 x 64 are kept");
+  EXPECT_EQ(textures.left_out[0].bytes, 4u * (4096 + 1024 + 256 + 64 + 16 + 4));
 }
 
 TEST(BakeTextures, WhiteHairOnBlackHasNoDarkEdgeInAnyMip) {
