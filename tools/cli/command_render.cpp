@@ -8,6 +8,7 @@
 #include "cli/options.h"
 #include "render/picture.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ struct RenderOptions {
   std::vector<std::filesystem::path> roots;
   std::optional<std::string> recipe;
   std::optional<ShadingModel> shading;
+  std::optional<std::uint32_t> samples;
   PictureSettings picture;
   OutputFormat format = OutputFormat::kText;
 };
@@ -56,6 +58,8 @@ tl::expected<SourceModel, ToolError> read_body(const RenderOptions& options, con
 
 PictureSettings picture_settings(const RenderOptions& options) {
   PictureSettings settings = options.picture;
+  const bool is_large = std::max(options.size.width, options.size.height) > 4096;
+  settings.oversampling = options.samples.value_or(is_large ? 1 : 2);
   settings.width = options.size.width;
   settings.height = options.size.height;
   settings.yaw_degrees = options.view.yaw_degrees;
@@ -66,21 +70,25 @@ PictureSettings picture_settings(const RenderOptions& options) {
   return settings;
 }
 
-std::string result_text(const RenderOptions& options, const Asset& asset, const Picture& picture) {
+std::string result_text(const RenderOptions& options, const PictureSettings& settings, const Asset& asset,
+                        const Picture& picture) {
   const std::size_t triangles = asset.lod_indices(options.picture.lod).size() / 3;
   const std::uint32_t heads = options.picture.heads;
   if (options.format == OutputFormat::kJson) {
     return json_text({{"output", options.output},
                       {"width", picture.width},
                       {"height", picture.height},
+                      {"samples", settings.oversampling},
                       {"heads", heads},
                       {"triangles", triangles * heads},
                       {"draw_ms", picture.draw_ms},
                       {"device", picture.device}});
   }
-  return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms\n  device: {}\n", options.output,
+  const std::uint32_t finer = settings.oversampling;
+  return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms as {}x{}\n  device: {}\n", options.output,
                      picture.width, picture.height, counted(heads, "head", "heads"),
-                     counted(triangles, "triangle", "triangles"), picture.draw_ms, picture.device);
+                     counted(triangles, "triangle", "triangles"), picture.draw_ms, finer * picture.width,
+                     finer * picture.height, picture.device);
 }
 
 tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
@@ -111,13 +119,15 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
     return tl::unexpected(written.error());
   }
-  print_result(result_text(options, file->asset(), *picture));
+  print_result(result_text(options, settings, file->asset(), *picture));
   return Exit::kOk;
 }
 
 void add_content_options(CLI::App& app, RenderOptions& options) {
   CLI::Option* motion = add_motion(app, options.motion, "How the head moves (default: at rest)");
   motion->each([&options](const std::string&) { options.moves = true; });
+  add_solver(app, options.picture.solver);
+  add_wind(app, options.picture.step.environment.wind);
   app.add_option("--time", options.picture.time, "Seconds into the motion")
       ->check(CLI::Range(0.0, 3600.0))
       ->needs(motion);
@@ -139,7 +149,8 @@ void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
     for (const ShadowTechnique* technique : shadow_techniques()) all.push_back({name_of(*technique), technique});
     return all;
   }();
-  add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices, "How the key light's shadows are drawn");
+  add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices,
+                                     "How the key light's shadows are drawn (default: deep)");
 }
 
 void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
@@ -166,6 +177,7 @@ void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
 Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
   const auto options = std::make_shared<RenderOptions>();
+  options->picture.shadows = &kDeepOpacityShadow;
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
   add_size(*app, options->size);
@@ -177,6 +189,11 @@ Command add_render(CLI::App& program) {
   add_transparency(*app, options->picture.transparency);
   add_shadows(*app, options->picture.shadows);
   add_shading(*app, options->shading);
+  app->add_option(
+         "--samples", options->samples,
+         "Samples of each pixel, each way; 1: the driver's, of edges alone (default: 2, of pictures above 4096 1)")
+      ->check(CLI::Range(1u, 4u))
+      ->type_name("N");
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }

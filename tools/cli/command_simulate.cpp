@@ -14,7 +14,6 @@
 namespace coif {
 namespace {
 
-constexpr Choice<const Solver*> kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
 
 struct SimulateOptions {
   std::string file;
@@ -116,7 +115,7 @@ Command add_simulate(CLI::App& program) {
   add_recording(*app, recording, "the recording");
   add_number(*app, "--settle", recording.settle_seconds, 0.0, 60.0,
              "Seconds of rest before it, so that gravity has sagged the hair");
-  add_choice<const Solver*>(*app, "--solver", recording.solver, kSolvers, "Which method moves the bones");
+  add_solver(*app, recording.solver);
   add_number(*app, "--substeps", recording.step.substeps, 0u, 64u, "coif: parts of a step; 0: as the asset was tuned");
   add_number(*app, "--iterations", recording.step.iterations, 1u, 64u,
              "thesis: passes over the length and head constraints");

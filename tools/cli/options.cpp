@@ -25,7 +25,8 @@ void add_format(CLI::App& app, OutputFormat& format) {
 
 CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots) {
   return app
-      .add_option("--root", roots, "Files that a source names may lie in this folder, too, as where links lead; once for each folder")
+      .add_option("--root", roots,
+                  "Files that a source names may lie in this folder, too, as where links lead; once for each folder")
       ->type_name("DIR")
       ->allow_extra_args(false)
       ->check(CLI::Validator(CLI::ExistingDirectory).description(""));
@@ -43,6 +44,31 @@ CLI::Option* add_size(CLI::App& app, PixelSize& size) {
   return app
       .add_option_function<std::string>("--size", parse, fmt::format("Pixels (default {}x{})", size.width, size.height))
       ->type_name("WxH");
+}
+
+CLI::Option* add_solver(CLI::App& app, const Solver*& solver) {
+  static constexpr Choice<const Solver*> kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
+  return add_choice<const Solver*>(app, "--solver", solver, kSolvers, "Which method moves the bones");
+}
+
+CLI::Option* add_wind(CLI::App& app, Vec3& wind) {
+  const auto parse = [&wind](const std::string& text) {
+    constexpr float kStrongest = 1000;
+    const std::size_t comma = text.find(',');
+    const auto x = parse_number<float>(std::string_view(text).substr(0, comma));
+    const auto yz =
+        comma == std::string::npos ? std::nullopt : parse_pair<float>(std::string_view(text).substr(comma + 1), ',');
+    const auto is_wind = [](float v) { return std::abs(v) <= kStrongest; };
+    if (!x || !yz || !is_wind(*x) || !is_wind(yz->first) || !is_wind(yz->second)) {
+      throw CLI::ValidationError("--wind",
+                                 fmt::format("'{}' is not X,Y,Z in metres per second, each -1000 to 1000", text));
+    }
+    wind = {*x, yz->first, yz->second};
+  };
+  return app
+      .add_option_function<std::string>("--wind", parse,
+                                        "Velocity of the air, m/s: +X to the model's left, +Y up, +Z forwards")
+      ->type_name("X,Y,Z");
 }
 
 CLI::Option* add_view(CLI::App& app, ViewAngles& view) {

@@ -95,6 +95,12 @@ CLI::Option* add_roots(CLI::App& app, std::vector<std::filesystem::path>& roots)
 /// WIDTHxHEIGHT, 16..8192 each; `size` holds the default.
 CLI::Option* add_size(CLI::App& app, PixelSize& size);
 
+/// --solver coif|thesis
+CLI::Option* add_solver(CLI::App& app, const Solver*& solver);
+
+/// --wind X,Y,Z: velocity of the air in m/s, world axes, at most 1000.
+CLI::Option* add_wind(CLI::App& app, Vec3& wind);
+
 struct ViewAngles {
   double yaw_degrees = 0;
   double pitch_degrees = 0;

@@ -127,26 +127,44 @@ tl::unexpected<ToolError> not_simulated(const char* why) {
 
 }  // namespace
 
-tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
-                                                StepSettings step) {
+tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset, const HeadPath* motion,
+                                                              std::span<const double> seconds, StepSettings step,
+                                                              const Solver* solver) {
   const auto pose_at = [motion](double time) { return motion ? motion->pose(time) : HeadPose{}; };
-  if (asset.dynamics().empty()) return HairPose{pose_at(seconds), std::vector<Mat34>(asset.bones().size())};
-
+  std::vector<HairPose> poses;
+  if (asset.dynamics().empty()) {
+    for (const double time : seconds) poses.push_back({pose_at(time), std::vector<Mat34>(asset.bones().size())});
+    return poses;
+  }
   step.dt = static_cast<float>(1 / kRate);
-  const MemoryNeed need = Hair::memory_need(asset, {});
+  HairDesc desc;
+  desc.solver = solver;
+  const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
   if (!memory) return not_simulated("out of memory");
   Hair hair;
-  Status status = hair.create(asset, {}, {memory.get(), need.bytes});
+  Status status = hair.create(asset, desc, {memory.get(), need.bytes});
   if (status == Status::kOk) status = hair.reset(0, pose_at(0));
-  const int motion_steps = motion ? static_cast<int>(std::lround(seconds * kRate)) : 0;
-  for (int i = 1 - kSettleSteps; i <= motion_steps && status == Status::kOk; ++i) {
-    status = hair.set_head(0, pose_at(i > 0 ? i / kRate : 0));
-    if (status == Status::kOk) status = hair.step(step);
+  int done = -kSettleSteps;
+  for (const double time : seconds) {
+    const int until = motion ? static_cast<int>(std::lround(time * kRate)) : 0;
+    while (done < until && status == Status::kOk) {
+      ++done;
+      status = hair.set_head(0, pose_at(done > 0 ? done / kRate : 0));
+      if (status == Status::kOk) status = hair.step(step);
+    }
+    if (status != Status::kOk) return not_simulated(describe(status));
+    const std::span<const Mat34> palette = hair.palette(0);
+    poses.push_back({pose_at(until / kRate), {palette.begin(), palette.end()}});
   }
-  if (status != Status::kOk) return not_simulated(describe(status));
-  const std::span<const Mat34> palette = hair.palette(0);
-  return HairPose{pose_at(motion_steps / kRate), {palette.begin(), palette.end()}};
+  return poses;
+}
+
+tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
+                                                const StepSettings& step, const Solver* solver) {
+  auto poses = simulate_poses(asset, motion, {&seconds, 1}, step, solver);
+  if (!poses) return tl::unexpected(poses.error());
+  return std::move(poses->front());
 }
 
 }  // namespace coif

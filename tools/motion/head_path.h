@@ -111,6 +111,11 @@ struct HairPose {
 /// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics keeps its
 /// rest shape.
 tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
-                                                StepSettings step);
+                                                const StepSettings& step, const Solver* solver = &kCoifSolver);
+
+/// The same at several times, ascending.
+tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset, const HeadPath* motion,
+                                                              std::span<const double> seconds, StepSettings step,
+                                                              const Solver* solver = &kCoifSolver);
 
 }  // namespace coif

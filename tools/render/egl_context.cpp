@@ -5,7 +5,9 @@
 #include <GLES3/gl3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
 
 namespace coif {
 namespace {
@@ -92,10 +94,36 @@ void attach(GLenum attachment, GLenum format, std::uint32_t width, std::uint32_t
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
+bool has_extension(std::string_view wanted) {
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLuint i = 0; i < GLuint(count); ++i) {
+    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    if (name != nullptr && name == wanted) return true;
+  }
+  return false;
+}
+
+/// OpenGL's first row is the lowest, a picture's the highest.
+template <typename Value>
+std::vector<Value> top_down(std::vector<Value> pixels, std::size_t row) {
+  const std::size_t height = pixels.size() / row;
+  for (std::size_t low = 0, high = height - 1; low < high; ++low, --high) {
+    const auto at = [&](std::size_t y) { return pixels.begin() + static_cast<std::ptrdiff_t>(y * row); };
+    std::swap_ranges(at(low), at(low + 1), at(high));
+  }
+  return pixels;
+}
+
+float to_linear(std::uint8_t srgb) {
+  const float c = float(srgb) / 255;
+  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
 }  // namespace
 
 tl::expected<OffscreenTarget, ToolError> OffscreenTarget::create(std::uint32_t width, std::uint32_t height,
-                                                                 std::uint32_t samples) {
+                                                                 std::uint32_t samples, Pixels pixels) {
   GLint max_samples = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
   const GLsizei used_samples = std::min(static_cast<GLsizei>(samples), static_cast<GLsizei>(max_samples));
@@ -103,19 +131,20 @@ tl::expected<OffscreenTarget, ToolError> OffscreenTarget::create(std::uint32_t w
   OffscreenTarget target;
   target.width_ = width;
   target.height_ = height;
+  if (pixels == Pixels::kRadiance && has_extension("GL_EXT_color_buffer_float")) target.pixels_ = pixels;
+  const GLenum format = target.pixels_ == Pixels::kRadiance ? GL_RGBA16F : GL_SRGB8_ALPHA8;
   glGenFramebuffers(1, &target.resolved_);
   glBindFramebuffer(GL_FRAMEBUFFER, target.resolved_);
-  attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, 0);
+  attach(GL_COLOR_ATTACHMENT0, format, width, height, 0);
   const bool readable = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   glGenFramebuffers(1, &target.drawn_);
   glBindFramebuffer(GL_FRAMEBUFFER, target.drawn_);
-  attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, used_samples);
+  attach(GL_COLOR_ATTACHMENT0, format, width, height, used_samples);
   attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width, height, used_samples);
-  if (!readable || glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    return failure(ToolError::Kind::kUnsupported, "the driver has no framebuffer of " + std::to_string(width) + " x " +
-                                                      std::to_string(height) + " pixels; ask for a smaller picture");
-  }
-  return target;
+  if (readable && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;
+  if (target.pixels_ == Pixels::kRadiance) return create(width, height, samples);
+  return failure(ToolError::Kind::kUnsupported, "the driver has no framebuffer of " + std::to_string(width) + " x " +
+                                                    std::to_string(height) + " pixels; ask for a smaller picture");
 }
 
 void OffscreenTarget::bind() const {
@@ -123,25 +152,37 @@ void OffscreenTarget::bind() const {
   glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
 }
 
-std::vector<std::uint8_t> OffscreenTarget::read() const {
+void OffscreenTarget::resolve() const {
   const GLint width = static_cast<GLint>(width_);
   const GLint height = static_cast<GLint>(height_);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
   glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
-  std::vector<std::uint8_t> pixels(std::size_t{4} * width_ * height_);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+}
 
-  // OpenGL's first row is the lowest, a picture's the highest.
+std::vector<std::uint8_t> OffscreenTarget::read() const {
+  resolve();
   const std::size_t row = std::size_t{4} * width_;
-  for (std::size_t low = 0, high = height_ - 1; low < high; ++low, --high) {
-    std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(low * row),
-                     pixels.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
-                     pixels.begin() + static_cast<std::ptrdiff_t>(high * row));
+  std::vector<std::uint8_t> pixels(row * height_);
+  glReadPixels(0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  return top_down(std::move(pixels), row);
+}
+
+std::vector<float> OffscreenTarget::read_radiance() const {
+  const std::size_t row = std::size_t{4} * width_;
+  if (pixels_ == Pixels::kSrgb) {
+    std::vector<float> pixels;
+    for (const std::uint8_t value : read())
+      pixels.push_back(pixels.size() % 4 == 3 ? float(value) / 255 : to_linear(value));
+    return pixels;
   }
-  return pixels;
+  resolve();
+  std::vector<float> pixels(row * height_);
+  glReadPixels(0, 0, GLsizei(width_), GLsizei(height_), GL_RGBA, GL_FLOAT, pixels.data());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+  return top_down(std::move(pixels), row);
 }
 
 }  // namespace coif

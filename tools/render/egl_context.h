@@ -53,12 +53,14 @@ struct DrawingDevice {
   HairRenderer renderer;
 };
 
-/// An sRGB framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the
-/// OpenGL context.
+/// A framebuffer with depth, four samples per pixel where the driver has them. Its objects are freed with the OpenGL context.
 class OffscreenTarget {
  public:
+  enum class Pixels { kSrgb, kRadiance };
+
+  /// kRadiance: half floats, linear, more than white too; sRGB all the same where the driver cannot draw to them.
   static tl::expected<OffscreenTarget, ToolError> create(std::uint32_t width, std::uint32_t height,
-                                                         std::uint32_t samples = 4);
+                                                         std::uint32_t samples = 4, Pixels pixels = Pixels::kSrgb);
 
   /// Makes it the framebuffer that is drawn to, with its whole area as viewport.
   void bind() const;
@@ -66,9 +68,16 @@ class OffscreenTarget {
   /// Resolved pixels, RGBA, sRGB-encoded, rows top to bottom.
   [[nodiscard]] std::vector<std::uint8_t> read() const;
 
+  /// The same, linear; above 1 only where there are half floats.
+  [[nodiscard]] std::vector<float> read_radiance() const;
+
  private:
+  /// Resolves samples and binds what holds them, to be read.
+  void resolve() const;
+
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
+  Pixels pixels_ = Pixels::kSrgb;
   std::uint32_t drawn_ = 0;     ///< Framebuffer object with samples and depth.
   std::uint32_t resolved_ = 0;  ///< Framebuffer object to read from.
 };

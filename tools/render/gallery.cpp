@@ -104,7 +104,6 @@ std::vector<Movement> movements() {
 }
 
 void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
-  picture.margin = 1.25;  // hair that is thrown, and heads that lean, need room
   for (const Movement& movement : movements()) {
     Gallery gallery{5, movement.title, {}};
     picture.clip = movement.path;
@@ -134,8 +133,8 @@ tl::expected<void, ToolError> check_tile_size(std::uint32_t width, std::uint32_t
   return usage(fmt::format("a picture of a sheet has 64 to 1024 pixels each way, not {} x {}", width, height));
 }
 
-tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries, std::uint32_t columns,
-                                                 std::vector<SheetSection> last,
+tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries,
+                                                 std::uint32_t columns, std::vector<SheetSection> last,
                                                  const std::function<void(const std::string&)>& progress) {
   auto maker = PictureMaker::create(asset);
   if (!maker) return tl::unexpected(maker.error());
@@ -164,7 +163,8 @@ tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<c
 
 tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const GallerySettings& settings,
                                                      const std::function<void(const std::string&)>& progress) {
-  if (const auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check_tile_size(settings.width, settings.height); !checked)
+    return tl::unexpected(checked.error());
   if (settings.only > kGalleries) {
     return usage("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
   }

@@ -17,7 +17,8 @@ struct Side {
   double yaw_degrees, pitch_degrees;
 };
 
-constexpr Side kSides[] = {{"front", 0, 5}, {"left side", 90, 5}, {"back", 180, 5}, {"right side", -90, 5}, {"from above", 0, 70}};
+constexpr Side kSides[] = {
+    {"front", 0, 5}, {"left side", 90, 5}, {"back", 180, 5}, {"right side", -90, 5}, {"from above", 0, 70}};
 
 PictureSettings seen_from(PictureSettings picture, const Side& side) {
   picture.yaw_degrees = side.yaw_degrees;
@@ -55,7 +56,6 @@ constexpr Moment kMoments[] = {{"turn, 0.4 s", Motion::kTurn, 0.4, 30},
 
 Gallery in_motion(PictureSettings picture) {
   Gallery gallery{0, "In motion", {}};
-  picture.margin = 1.25;  // for hair that is thrown
   for (const Moment& moment : kMoments) {
     picture.motion = moment.motion;
     picture.time = moment.time;
@@ -70,6 +70,8 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   picture.width = settings.width;
   picture.height = settings.height;
   picture.warm_up = false;
+  picture.oversampling = 2;
+  picture.shadows = &kDeepOpacityShadow;
   std::vector<Gallery> galleries{from_all_sides(settings.title, picture)};
   PictureSettings part = picture;
   part.component = Component::kDirection;
@@ -79,6 +81,7 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   galleries.push_back(from_all_sides("Patches, each in a colour", part));
   part = picture;
   part.material = like_glass(asset);
+  part.shadows = nullptr;
   galleries.push_back(from_all_sides("Colliders through the hair", part));
   if (!asset.chains().empty()) galleries.push_back(in_motion(picture));
   return galleries;
@@ -110,7 +113,8 @@ std::vector<SheetTile> base_texture(const Asset& asset, const LookSettings& sett
 
 tl::expected<GallerySheet, ToolError> render_look(const Asset& asset, const LookSettings& settings,
                                                   const std::function<void(const std::string&)>& progress) {
-  if (const auto checked = check_tile_size(settings.width, settings.height); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check_tile_size(settings.width, settings.height); !checked)
+    return tl::unexpected(checked.error());
   std::vector<SheetSection> last;
   if (auto tiles = base_texture(asset, settings); !tiles.empty()) last.push_back({"Base texture", std::move(tiles)});
   for (const std::string& told : settings.told) last.push_back({printable_ascii(told), {}});

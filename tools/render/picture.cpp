@@ -4,10 +4,13 @@
 #include "render/camera.h"
 #include "render/egl_context.h"
 #include "render/gallery.h"
+#include "render/motion_frame.h"
 #include "render/stage_renderer.h"
+#include "render/tone_curve.h"
 
 #include <GLES3/gl3.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -19,6 +22,7 @@ namespace {
 constexpr std::uint32_t kMaxHeads = 10'000;
 constexpr double kMaxSeconds = 3600;
 constexpr std::uint32_t kShadowTexels = 1024;
+constexpr std::uint32_t kMostSamples = 8192;
 
 tl::expected<void, ToolError> check_mesh(const Asset& asset) {
   if (has_mesh(asset)) return {};
@@ -46,6 +50,12 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
   if (!std::isfinite(settings.yaw_degrees) || !std::isfinite(settings.pitch_degrees)) {
     return usage("yaw and pitch of the view are not finite numbers");
   }
+  if (settings.oversampling < 1 || settings.oversampling > 4) {
+    return usage("a picture has 1 to 4 samples of a pixel each way, not " + std::to_string(settings.oversampling));
+  }
+  if (std::uint64_t{std::max(settings.width, settings.height)} * settings.oversampling > kMostSamples) {
+    return usage("a picture has at most 8192 samples each way; ask for fewer of each pixel, or a smaller picture");
+  }
   if (settings.lod >= asset.lod_count()) {
     return usage("there is no level of detail " + std::to_string(settings.lod) + "; the asset has " +
                  std::to_string(asset.lod_count()) + ", counted from 0");
@@ -57,7 +67,11 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
     const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
-    for (const SourceMesh& mesh : settings.body->meshes) meshes.push_back(body_mesh(*settings.body, mesh, head_joint));
+    const char* const head_bone = asset.bone_name(0);
+    const BodyPose body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
+    for (const SourceMesh& mesh : settings.body->meshes) {
+      meshes.push_back(body_mesh(*settings.body, mesh, head_joint, body));
+    }
   } else if (settings.mannequin) {
     meshes = mannequin_meshes(asset.colliders());
   }
@@ -111,7 +125,12 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTar
 
 tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene& scene,
                                               const PictureSettings& settings) {
-  const auto target = OffscreenTarget::create(settings.width, settings.height, samples_for(*settings.transparency));
+  const std::uint32_t finer = settings.oversampling;
+  // The driver's samples are of edges alone, ours of all; both would be paid for twice.
+  const bool needs_samples = finer == 1 || settings.transparency == &kCoverageMode;
+  const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
+                                              needs_samples ? samples_for(*settings.transparency) : 0,
+                                              OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
   Picture picture{settings.width, settings.height, {}, device.context.device(), 0};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
@@ -123,7 +142,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene
     glFinish();
     picture.draw_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
-  picture.rgba = target->read();
+  picture.rgba = develop(target->read_radiance(), settings.width, settings.height, finer);
   return picture;
 }
 
@@ -131,6 +150,15 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene
 std::shared_ptr<const HeadPath> played_path(const PictureSettings& settings) {
   if (settings.clip) return settings.clip;
   return settings.motion ? path_of(*settings.motion) : nullptr;
+}
+
+tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset& asset,
+                                                                     const PictureSettings& settings,
+                                                                     const HeadPath* path) {
+  const Vec3& wind = settings.step.environment.wind;
+  const bool is_still = path == nullptr && wind.x == 0 && wind.y == 0 && wind.z == 0;
+  if (is_still) return framed_points(asset);
+  return points_in_motion(asset, path, settings.time, settings.step, settings.solver);
 }
 
 }  // namespace
@@ -162,7 +190,8 @@ tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
 tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& settings) {
   const Asset& asset = loaded_->asset;
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
-  const auto pose = simulate_pose(asset, played_path(settings).get(), settings.time, settings.step);
+  const auto path = played_path(settings);
+  const auto pose = simulate_pose(asset, path.get(), settings.time, settings.step, settings.solver);
   if (!pose) return tl::unexpected(pose.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
   std::optional<StudioShadow> shadow;
@@ -176,12 +205,14 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   if (!stage) return tl::unexpected(stage.error());
 
   const double aspect = double(settings.width) / settings.height;
-  const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = settings.yaw_degrees,
-                                                            .pitch_degrees = settings.pitch_degrees,
-                                                            .aspect = aspect,
-                                                            .heads = settings.heads,
-                                                            .margin = settings.margin});
-  const ShadowBall ball = ball_around(framed_points(asset), view.places);
+  const auto points = what_is_framed(asset, settings, path.get());
+  if (!points) return tl::unexpected(points.error());
+  const CrowdView view = frame_crowd(*points, {.yaw_degrees = settings.yaw_degrees,
+                                               .pitch_degrees = settings.pitch_degrees,
+                                               .aspect = aspect,
+                                               .heads = settings.heads,
+                                               .margin = settings.margin});
+  const ShadowBall ball = ball_around(*points, view.places);
   const Scene scene{loaded_->model, *stage, *pose, view, ball, shadow ? &*shadow : nullptr};
   return take_picture(*loaded_->device, scene, settings);
 }

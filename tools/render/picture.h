@@ -43,11 +43,12 @@ struct PictureSettings {
   std::uint32_t height = 768;
   double yaw_degrees = 30;      ///< 0: from the front (camera on +Z), positive: towards the model's left (+X).
   double pitch_degrees = 5;     ///< Positive: from above.
-  double margin = 1.08;         ///< Of the distance from which all is seen, 1..10.
+  double margin = 1.08;         ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
   std::optional<Motion> motion; ///< None: the settled pose at rest.
   std::shared_ptr<const HeadPath> clip;  ///< Instead of `motion`, unless null.
   double time = 0;              ///< Seconds into the motion.
   StepSettings step;
+  const Solver* solver = &kCoifSolver;
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
   bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
@@ -56,6 +57,7 @@ struct PictureSettings {
   const TransparencyMode* transparency = &kBlendMode;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;      ///< Drawn in a grid.
+  std::uint32_t oversampling = 1;  ///< Samples of each pixel, each way, 1..4; 1: those of the driver.
   bool warm_up = true;          ///< Draw once before the frame that is timed, for what drivers put off until then.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   bool mannequin = true;        ///< Without `body`: draw the colliders that hair stays out of, as a plain head.

@@ -2,6 +2,7 @@
 
 #include "base/collider_shapes.h"
 #include "base/geometry.h"
+#include "base/text.h"
 
 #include <coif/skinning.h>
 
@@ -87,12 +88,57 @@ std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> collider
   return meshes;
 }
 
-SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint) {
+namespace {
+
+/// For each node how much of the head's turning it does; empty where nothing follows the head's bone.
+std::vector<float> turning_of_nodes(const SourceModel& model, const std::string& head_bone) {
+  const auto head = std::ranges::find(model.nodes, head_bone, &SourceNode::name);
+  if (head_bone.empty() || head == model.nodes.end()) return {};
+  const auto head_node = std::size_t(head - model.nodes.begin());
+  std::vector<float> turning(model.nodes.size(), 0);
+  turning[head_node] = 1;
+  for (std::size_t n = head_node + 1; n < model.nodes.size(); ++n) {
+    const std::uint32_t parent = model.nodes[n].parent;
+    if (parent != kNoIndex && turning[parent] == 1) turning[n] = 1;
+  }
+  const std::uint32_t above = head->parent;
+  if (above != kNoIndex && matches(model.nodes[above].name, "*neck*")) turning[above] = 0.5f;
+  const bool follows = std::ranges::any_of(model.meshes, [&](const SourceMesh& mesh) {
+    return std::ranges::any_of(mesh.influences, [&](const SourceInfluence& i) { return turning[i.node] > 0; });
+  });
+  return follows ? turning : std::vector<float>{};
+}
+
+float turning_of(const SourceMesh& mesh, std::size_t vertex, std::span<const float> turning) {
+  if (mesh.influences.empty()) return turning[mesh.node];
+  float sum = 0, all = 0;
+  for (std::uint32_t i = mesh.influence_begin[vertex]; i < mesh.influence_begin[vertex + 1]; ++i) {
+    sum += mesh.influences[i].weight * turning[mesh.influences[i].node];
+    all += mesh.influences[i].weight;
+  }
+  return all > 0 ? sum / all : 0;
+}
+
+/// Under the head's whole turning only `share` of it is left.
+void turn_back(const Eigen::Quaternionf& turn, float share, SolidVertex& vertex) {
+  const Eigen::Quaternionf back = turn.conjugate() * Eigen::Quaternionf::Identity().slerp(share, turn);
+  vertex.position = back * vertex.position;
+  vertex.normal = back * vertex.normal;
+}
+
+}  // namespace
+
+SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
+                    const BodyPose& pose) {
+  const std::vector<float> turning = turning_of_nodes(model, pose.head_bone);
+  const Eigen::Quaternionf turn = Eigen::Quaternionf(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z).normalized();
   const std::vector<Eigen::Vector3f> normals = mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals;
   SolidMesh solid;
   solid.vertices.reserve(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    solid.vertices.push_back({mesh.positions[i] - head_joint, normals[i]});
+    SolidVertex& vertex = solid.vertices.emplace_back();
+    vertex = {mesh.positions[i] - head_joint, normals[i]};
+    if (!turning.empty()) turn_back(turn, turning_of(mesh, i, turning), vertex);
   }
   solid.triangles = mesh.triangles;
   if (mesh.material < model.materials.size()) {

@@ -1,0 +1,53 @@
+#include "render/motion_frame.h"
+
+#include "base/hair_runtime.h"
+#include "render/stage_renderer.h"
+
+#include <coif/skinning.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+constexpr double kFramedSeconds = 3;
+constexpr double kBetween = 0.1;              ///< Seconds from one look to the next.
+constexpr std::size_t kMostPoints = 400'000;  ///< Of dense hair some are enough.
+
+std::vector<double> moments_until(double time) {
+  std::vector<double> moments;
+  for (int i = 0; i * kBetween <= kFramedSeconds; ++i) moments.push_back(i * kBetween);
+  moments.push_back(time);
+  std::ranges::sort(moments);
+  return moments;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const HeadPath* path,
+                                                                       double time, const StepSettings& step,
+                                                                       const Solver* solver) {
+  const std::vector<double> moments = path != nullptr ? moments_until(time) : std::vector<double>{0};
+  const auto poses = simulate_poses(asset, path, moments, step, solver);
+  if (!poses) return tl::unexpected(poses.error());
+  const std::vector<SolidMesh> head = mannequin_meshes(asset.colliders());
+  const std::size_t stride = 1 + asset.vertices().size() * poses->size() / kMostPoints;
+  std::vector<SkinnedVertex> skinned(asset.vertices().size());
+  std::vector<Eigen::Vector3d> points;
+  for (const HairPose& pose : *poses) {
+    const Quat& q = pose.head.rotation;
+    const Eigen::Quaterniond turn = Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>().normalized();
+    if (skin_vertices(asset, pose.palette, 0, skinned) != Status::kOk) continue;
+    for (std::size_t v = 0; v < skinned.size(); v += stride) {
+      points.push_back(turn * to_eigen(skinned[v].position).cast<double>());
+    }
+    for (const SolidMesh& mesh : head) {
+      for (const SolidVertex& vertex : mesh.vertices) points.push_back(turn * vertex.position.cast<double>());
+    }
+  }
+  return points;
+}
+
+}  // namespace coif

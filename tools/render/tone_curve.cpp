@@ -1,0 +1,53 @@
+#include "render/tone_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace coif {
+namespace {
+
+constexpr float kShoulder = 0.75f;  ///< Of white: where the curve leaves the straight line.
+
+std::uint8_t to_srgb(float linear) {
+  const float c = std::clamp(linear, 0.0f, 1.0f);
+  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+  return std::uint8_t(std::lround(255 * encoded));
+}
+
+}  // namespace
+
+void apply_tone_curve(std::span<float, 3> radiance) {
+  const float most = std::max({radiance[0], radiance[1], radiance[2]});
+  if (!(most > kShoulder)) return;
+  const float room = 1 - kShoulder;
+  const float shown = kShoulder + room * (1 - std::exp((kShoulder - most) / room));
+  for (float& channel : radiance) channel *= shown / most;
+}
+
+std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t width, std::uint32_t height,
+                                  std::uint32_t oversampling) {
+  std::vector<std::uint8_t> pixels(std::size_t{4} * width * height);
+  const std::size_t row = std::size_t{width} * oversampling;
+  const float share = 1 / float(oversampling * oversampling);
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      std::array<float, 4> mean{};
+      for (std::size_t s = 0; s < std::size_t{oversampling} * oversampling; ++s) {
+        const std::size_t at = (y * oversampling + s / oversampling) * row + x * oversampling + s % oversampling;
+        std::array<float, 4> sample;
+        // Half floats hold infinities, which would spoil the whole mean.
+        for (std::size_t k = 0; k < 4; ++k) sample[k] = std::clamp(samples[4 * at + k], 0.0f, 65504.0f);
+        apply_tone_curve(std::span(sample).first<3>());
+        for (std::size_t k = 0; k < 4; ++k) mean[k] += share * sample[k];
+      }
+      std::uint8_t* pixel = &pixels[4 * (y * width + x)];
+      for (std::size_t k = 0; k < 3; ++k) pixel[k] = to_srgb(mean[k]);
+      pixel[3] = std::uint8_t(std::lround(255 * std::min(mean[3], 1.0f)));
+    }
+  }
+  return pixels;
+}
+
+}  // namespace coif
