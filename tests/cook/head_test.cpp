@@ -51,7 +51,8 @@ SourceMesh combed_hair(const Combed& combed) {
     for (int row = 0; row < kRows; ++row) {
       const double down = 0.1 + (std::acos(lowest) - 0.1) * row / (kRows - 1);
       for (const double side : {-0.09, 0.09}) {
-        const Vector3d way(std::sin(down) * std::sin(turn + side), std::cos(down), std::sin(down) * std::cos(turn + side));
+        const Vector3d way(std::sin(down) * std::sin(turn + side), std::cos(down),
+                           std::sin(down) * std::cos(turn + side));
         const double lift = row == 0 ? combed.root_lift : combed.lift;
         mesh.positions.push_back((kHead.center + lift * kHead.radii.cwiseProduct(way)).cast<float>());
       }
@@ -113,7 +114,8 @@ TEST(HeadRoom, DirectionsCountAlikeAboveAndBelow) {
       for (std::uint32_t row = 0; row < kRows; ++row) {
         for (std::uint32_t c = 0; c < kAround; ++c) {
           const std::uint32_t v = row * (kAround + 1) + c;
-          ball.triangles.insert(ball.triangles.end(), {v, v + kAround + 1, v + 1, v + 1, v + kAround + 1, v + kAround + 2});
+          ball.triangles.insert(ball.triangles.end(),
+                                {v, v + kAround + 1, v + 1, v + 1, v + kAround + 1, v + kAround + 2});
         }
       }
       const double inside = 0.5 * (upper ? 1 - level : 1 + level);
@@ -136,7 +138,10 @@ TEST(HeadRoom, TheShareThatHasRoomKeepsToIt) {
 
 TEST(HeadRoom, HairTellsTheHeadThatAGuessMissed) {
   for (const double size : {0.7, 1.0, 1.4}) {
-    const HeadGuess guess{{kHead.center + Vector3d(0, 0.02, -0.02), Vector3d(0.9, 1.1, 1.0) * (0.09 * size)}, {0.15, 0.4, 0.4}, 0.12, 0.5};
+    const HeadGuess guess{{kHead.center + Vector3d(0, 0.02, -0.02), Vector3d(0.9, 1.1, 1.0) * (0.09 * size)},
+                          {0.15, 0.4, 0.4},
+                          0.12,
+                          0.5};
     const HeadEllipsoid head = fit_head_room(mesh_of({}), guess);
     expect_close(head, 0.15);
   }
@@ -161,7 +166,8 @@ TEST(FitHead, ComesOutThroughNoHair) {
       EXPECT_LE(inside.pokes, 0.005);
       EXPECT_GT(head.radii.mean(), (root < 1 ? 0.8 : 0.85) * lift * kHead.radii.mean());
       ASSERT_EQ(findings.notes.size(), 1u);
-      EXPECT_NE(findings.notes[0].find("head: the inside of the hair; centre (0.0"), std::string::npos) << findings.notes[0];
+      EXPECT_NE(findings.notes[0].find("head: the inside of the hair; centre (0.0"), std::string::npos)
+          << findings.notes[0];
     }
   }
 }
@@ -184,7 +190,8 @@ void add_head(SourceModel& model) {
   face.node = node;
   for (int i = 0; i < 400; ++i) {
     const double y = 1 - (i + 0.5) / 200, turn = 2.4 * i, r = std::sqrt(1 - y * y);
-    face.positions.push_back((kHead.center + kHead.radii.cwiseProduct(Vector3d(r * std::cos(turn), y, r * std::sin(turn)))).cast<float>());
+    face.positions.push_back(
+        (kHead.center + kHead.radii.cwiseProduct(Vector3d(r * std::cos(turn), y, r * std::sin(turn)))).cast<float>());
   }
   face.triangles = {0, 1, 2};
   model.meshes.push_back(face);
@@ -193,7 +200,8 @@ void add_head(SourceModel& model) {
 TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});
-  model.meshes.push_back(make_strip({.root = {0.01f, 1.7f, -0.08f}, .along = {0, -0.5f, -0.05f}, .across = {0.03f, 0, 0}, .rows = 20}));
+  model.meshes.push_back(
+      make_strip({.root = {0.01f, 1.7f, -0.08f}, .along = {0, -0.5f, -0.05f}, .across = {0.03f, 0, 0}, .rows = 20}));
   model.meshes.back().name = "hair";
   add_head(model);
   model.meshes[0].node = 1;
@@ -233,10 +241,12 @@ TEST(FitHead, IsTheRecipesElseTheHeadsMeshElseTheHairsInside) {
   recipe.head_radii = {0.25, 0.25, 0.25};
   double share = 1;
   for (const SkeletonBone& bone : skeleton.bones) {
-    if (bone.kind == BoneKind::kSimulated) share = std::min(share, (bone.tail - Eigen::Vector3d(0, 1.6, 0)).norm() / 0.25);
+    if (bone.kind == BoneKind::kSimulated)
+      share = std::min(share, (bone.tail - Eigen::Vector3d(0, 1.6, 0)).norm() / 0.25);
   }
   ASSERT_EQ(collide().warnings.size(), 1u) << "it swallows the hair";
-  EXPECT_NE(collide().warnings[0].find(fmt::format("a bone ends {:.0f} % of the radius inside it", 100 * (1 - share))), std::string::npos)
+  EXPECT_NE(collide().warnings[0].find(fmt::format("a bone ends {:.0f} % of the radius inside it", 100 * (1 - share))),
+            std::string::npos)
       << collide().warnings[0];
   recipe.head_shape = "none";
   EXPECT_TRUE(collide().made.shapes.empty());
@@ -296,6 +306,53 @@ TEST(FitHead, AHatIsNoHead) {
   hat.triangles = {0, 1, 2};
   wig.meshes.push_back(hat);
   EXPECT_EQ(head_of(wig).origin, "the inside of the hair");
+}
+
+/// Hair around a head but for its face, which looks along +Z.
+SourceModel bob_that_faces(bool backwards) {
+  SourceModel model;
+  model.path = "bob.glb";
+  const std::uint32_t node = add_node(model, "Head", kNoIndex, kHead.center);
+  SourceMesh strands;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = (45 + 270.0 * i / 23 + (backwards ? 180 : 0)) * std::numbers::pi / 180;
+    const Eigen::Vector3f out(float(std::sin(angle)), 0, float(std::cos(angle)));
+    const Eigen::Vector3f root = kHead.center.cast<float>() + 0.11f * out + Eigen::Vector3f(0, 0.08f, 0);
+    const SourceMesh strip = make_strip(
+        {.root = root, .along = {0, -0.25f, 0}, .across = out.cross(Eigen::Vector3f::UnitY()) * 0.03f, .rows = 8});
+    if (strands.positions.empty()) {
+      strands = strip;
+    } else {
+      append_piece(strands, strip, 0);
+    }
+  }
+  strands.node = node;
+  model.meshes.push_back(strands);
+  return model;
+}
+
+bool is_backwards(const SourceModel& model) {
+  const auto hair = select_hair(model, default_recipe(), unheard());
+  return hair && faces_backwards(model, *hair, head_of(model));
+}
+
+TEST(Facing, IsWhereThereIsNoHairBeforeTheFace) {
+  EXPECT_FALSE(is_backwards(bob_that_faces(false)));
+  EXPECT_TRUE(is_backwards(bob_that_faces(true)));
+}
+
+TEST(Facing, IsWhatTheFileSays) {
+  SourceModel model = bob_that_faces(true);
+  model.faces_backwards = false;
+  EXPECT_FALSE(is_backwards(model));
+  model.faces_backwards = true;
+  EXPECT_TRUE(is_backwards(model));
+}
+
+TEST(Facing, OfHairThatSaysNothingIsForwards) {
+  SourceModel model = bob_that_faces(true);
+  append_piece(model.meshes[0], bob_that_faces(false).meshes[0], 0);
+  EXPECT_FALSE(is_backwards(model)) << "hair all round";
 }
 
 }  // namespace coif::head_test

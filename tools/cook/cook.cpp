@@ -62,6 +62,8 @@ const Pass kPasses[] = {
     {"head",
      [](Cooking& c) -> Done {
        c.head = fit_head(c.source, c.hair.mesh, c.head_bone, c.recipe, c.report);
+       c.head.faces_backwards = faces_backwards(c.source, c.hair.mesh, c.head);
+       if (c.head.faces_backwards) c.report.note("the model looks along -Z; pictures are taken from there, and chains named by it");
        if (c.head_bone.node == kNoIndex) c.head_bone.joint = c.head.center;
        return {};
      }},
@@ -103,6 +105,7 @@ const Pass kPasses[] = {
        const auto of_chain = chain_overrides(c.hair, c.rig, c.recipe, c.report);
        c.contents.dynamics = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
+       if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
        c.moves = can_be_run(c.contents);
        return {};
      }},

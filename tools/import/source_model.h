@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,7 @@ struct SourceModel {
   std::vector<SourceSpring> springs;      ///< At most kMaxSourceSprings.
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
+  std::optional<bool> faces_backwards;    ///< Looks along -Z, as VRM 0.x does, instead of +Z; none: the file does not say.
   std::vector<std::string> warnings;      ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.

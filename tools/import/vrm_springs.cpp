@@ -50,6 +50,12 @@ void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3
   }
   const json& extensions = member(*document, "extensions");
   if (!extensions.is_object()) return;
+  // 0.x looks along -Z of the file, 1.0 along +Z.
+  if (member(extensions, "VRMC_vrm").is_object()) {
+    model.faces_backwards = false;
+  } else if (member(extensions, "VRM").is_object()) {
+    model.faces_backwards = true;
+  }
   SpringSink sink(*document, model_from_file, model);
   read_head(extensions, sink);
   const json& springs1 = member(extensions, "VRMC_springBone");

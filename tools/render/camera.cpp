@@ -88,6 +88,10 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   return view;
 }
 
+double yaw_of_face(const Asset& asset) {
+  return (asset.skeleton().flags & kSkeletonFacesBackwards) != 0 ? 180 : 0;
+}
+
 std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
   std::vector<Eigen::Vector3d> points;
   for (const VertexRecord& vertex : asset.vertices()) {

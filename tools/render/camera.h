@@ -38,6 +38,9 @@ struct CrowdView {
 
 // How hair is looked at: what has to be in the picture, and by what light.
 
+/// Degrees to add to a yaw that is counted from the model's face.
+[[nodiscard]] double yaw_of_face(const Asset& asset);
+
 /// What the picture is about: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
 [[nodiscard]] std::vector<Eigen::Vector3d> framed_points(const Asset& asset);
 

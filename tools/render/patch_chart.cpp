@@ -118,7 +118,7 @@ void draw_labels(std::span<const std::vector<Eigen::Vector2i>> pixels_of, std::s
 
 /// What PictureMaker frames with the same settings, at rest.
 Camera camera_of(const Asset& asset, const PictureSettings& picture, Eigen::Vector3d& place) {
-  const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = picture.yaw_degrees,
+  const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = picture.yaw_degrees + yaw_of_face(asset),
                                                             .pitch_degrees = picture.pitch_degrees,
                                                             .aspect = double(picture.width) / picture.height,
                                                             .margin = picture.margin});

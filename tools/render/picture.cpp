@@ -207,7 +207,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const double aspect = double(settings.width) / settings.height;
   const auto points = what_is_framed(asset, settings, path.get());
   if (!points) return tl::unexpected(points.error());
-  const CrowdView view = frame_crowd(*points, {.yaw_degrees = settings.yaw_degrees,
+  const CrowdView view = frame_crowd(*points, {.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
                                                .pitch_degrees = settings.pitch_degrees,
                                                .aspect = aspect,
                                                .heads = settings.heads,

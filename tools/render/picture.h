@@ -41,7 +41,7 @@ namespace coif {
 struct PictureSettings {
   std::uint32_t width = 1024;   ///< Pixels, 16..8192.
   std::uint32_t height = 768;
-  double yaw_degrees = 30;      ///< 0: from the front (camera on +Z), positive: towards the model's left (+X).
+  double yaw_degrees = 30;      ///< 0: from the front, positive: towards the model's left.
   double pitch_degrees = 5;     ///< Positive: from above.
   double margin = 1.08;         ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
   std::optional<Motion> motion; ///< None: the settled pose at rest.

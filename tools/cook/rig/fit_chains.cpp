@@ -59,10 +59,10 @@ std::vector<std::uint32_t> held_cells(const HairCells& cells, const std::vector<
   return held;
 }
 
-/// Where on the head a chain starts, by the model's axes: most models face +Z with +X to their left (VRM 0.x faces -Z,
-/// and there front is back and left is right).
+/// Where on the head a chain starts, as the model itself would say it.
 std::string side_of(const Vector3d& start, const FittedHead& head) {
-  const Vector3d from = (start - head.center).normalized();
+  Vector3d from = (start - head.center).normalized();
+  if (head.faces_backwards) from = {-from.x(), from.y(), -from.z()};
   if (from.y() > kTop) return "top";
   const double across = std::abs(from.x()), along = std::abs(from.z());
   const char* side = from.x() > 0 ? "left" : "right";

@@ -46,7 +46,12 @@ tl::expected<HeadBone, ToolError> find_head_bone(const SourceModel& source, cons
 struct FittedHead : HeadEllipsoid {
   std::string origin;     ///< Where it comes from, for the report.
   bool declared = false;  ///< By the recipe: not to be shrunk.
+  bool faces_backwards = false;  ///< Looks along -Z instead of +Z.
 };
+
+/// Whether the model looks along -Z: as the file says (VRM); else where hair hangs on the side of +Z at the height of a face
+/// and hardly any on the other.
+[[nodiscard]] bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
 /// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a quarter
 /// of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
