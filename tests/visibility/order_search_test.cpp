@@ -28,7 +28,7 @@ struct Searched {
     settings.lines_per_view = 400;
     const OpenedAsset opened(contents);
     const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
-    found = search_orders(HairSurface(opened.asset()), poses, counted(opened.asset().patches().size()), settings);
+    found = search_orders(SeenHair(opened.asset()), poses, counted(opened.asset().patches().size()), settings);
   }
   FoundOrders found;
 };
@@ -117,7 +117,7 @@ TEST(OrderSearch, FurtherOrdersMustGainEnough) {
 
 TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
   const OpenedAsset opened(two_shells());
-  const HairSurface hair(opened.asset());
+  const SeenHair hair(opened.asset());
   const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
   OrderSearchSettings settings;
   settings.views_per_cell = 1;
@@ -134,7 +134,7 @@ TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
 
 TEST(OrderSearch, JudgesByTheThresholdThatIsAskedFor) {
   const OpenedAsset opened(card_contents(stack(1)));
-  const HairSurface hair(opened.asset());
+  const SeenHair hair(opened.asset());
   const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
   OrderSearchSettings settings;
   settings.max_orders = 1;

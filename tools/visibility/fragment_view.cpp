@@ -119,7 +119,7 @@ class FragmentView::Rasteriser {
     if (placed.fragment.depth > covered_from_[placed.line]) return;
     const Eigen::Vector2f uv = share[0] * uv_[0] + share[1] * uv_[1] + share[2] * uv_[2];
     placed.fragment.alpha = hair_.alpha.at(uv, mip_);
-    if (placed.fragment.alpha < hair_.faintest || placed.fragment.alpha <= 0) return;
+    if (placed.fragment.alpha < grid_.faintest.value_or(hair_.faintest) || placed.fragment.alpha <= 0) return;
     if (placed.fragment.alpha >= grid_.solid_alpha) covered_from_[placed.line] = placed.fragment.depth;
     out.push_back(placed);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ViewGrid {
   float spacing = 0.004f;                                  ///< Metres between neighbouring lines.
   float pixel = 0.001f;   ///< Metres: a pixel of the pictures that the view stands for, which picks the mips.
   float solid_alpha = 2;  ///< Fragments behind one of at least this alpha are left out; above 1 all are there.
+  std::optional<float> faintest = {};  ///< Instead of the hair's own: fainter fragments are left out.
 };
 
 /// Where a line meets a triangle of the hair.
@@ -125,6 +127,9 @@ struct SampleSettings {
 
 /// Metres between lines of sight, so that about so many of them meet hair in this pose.
 [[nodiscard]] float line_spacing(std::span<const Eigen::Vector3f> positions, std::size_t lines);
+
+/// The pose that a cell's view is taken in.
+[[nodiscard]] std::uint32_t pose_of_view(std::uint32_t cell, std::uint32_t view, std::size_t poses);
 
 /// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
 /// pose, at rest, comes every other time.

@@ -12,28 +12,10 @@ namespace coif {
 struct DrawRule {
   float opaque_threshold = 0.95f;  ///< Layers from this alpha on are solid, and sorted by depth.
   bool faces_together = false;     ///< The others are blended in one go; else back faces before front faces.
+  float discard_threshold = 0;     ///< Fainter layers are not drawn.
 };
 
-/// Of colours that a nearly solid layer hides, in place of 1: hair deep within, which little light reaches, the head, the
-/// background. Pictures of both samples at thresholds of 0.8 to 0.95, drawn in nearly exact order, err 5 to 10 dB more than
-/// with layers that differ no more than those in front.
-inline constexpr double kHiddenVariance = 5.5;
-
-/// Squared error of a view against the picture in which every pixel is sorted by depth and every alpha counts as it is, as a
-/// sum over lines. `rank`: of each triangle, lower ones drawn first.
-///
-/// Colours are unknown here, and light changes them. So the error is what is to be expected of layers, background included,
-/// whose colours differ from each other independently with a variance of 1: the sum of the squared differences between the
-/// shares that each has of the pixel in both pictures. What solid layers hide differs more, and counts for more.
-[[nodiscard]] double squared_error(const SightLines& lines, std::span<const std::uint32_t> rank, const DrawRule& rule);
-
-/// The part of squared_error() that no order can help: what solid layers hide although their alpha lets some of it through.
-[[nodiscard]] double threshold_error(const SightLines& lines, float opaque_threshold);
-
-/// By how much colours of the layers behind a pixel differ, RMS, of 1: measured on cooked hair in the renderer's light.
-inline constexpr double kColorSpread = 0.07;
-
-/// Of a picture with this squared error, summed over so many pixels; at most 99.
+/// PSNR of a picture with this squared error, summed over so many pixels; at most 99.
 [[nodiscard]] double psnr_db(double squared_error, std::size_t pixels);
 
 /// That unit `first` is drawn before unit `second` rather than after it, with the squared error that this saves; first <

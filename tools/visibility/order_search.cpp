@@ -28,35 +28,58 @@ UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
   return triangles;
 }
 
+OrderJudge::OrderJudge(const SeenHair& hair, std::span<const HairPositions> poses, const SampleSettings& settings)
+    : threads_(settings.threads) {
+  const float spacing = line_spacing(poses.front(), settings.lines);
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
+    for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
+      views_.push_back({cell, pose_of_view(cell, i + settings.seed, poses.size()), {}});
+    }
+  }
+  parallel_for(views_.size(), threads_, [&](std::size_t i) {
+    JudgedView& view = views_[i];
+    const auto turn = std::uint32_t(i % settings.views_per_cell) + settings.seed;
+    view.lines = see_lines(hair, poses[view.pose], direction_in_cell(view.cell, turn), spacing, settings.solid_alpha);
+  });
+}
+
 OrderQuality OrderJudge::judge(const CellOrders& orders, const DrawRule& rule) const {
   std::vector<std::vector<std::uint32_t>> ranks;
   for (const UnitOrder& order : orders.orders) ranks.push_back(places_in(order, order.size()));
-  std::vector<double> error(samples_.size());
+  std::vector<double> error(views_.size());
   parallel_for(error.size(), threads_, [&](std::size_t i) {
-    const SampledView& view = samples_[i];
-    error[i] = squared_error(view.lines, ranks[orders.order_of[view.cell]], rule);
+    error[i] = picture_error(views_[i].lines, ranks[orders.order_of[views_[i].cell]], rule);
   });
   double sum = 0;
   std::size_t pixels = 0;
   std::vector<double> rest, moving;
   for (std::size_t i = 0; i < error.size(); ++i) {
-    const SampledView& view = samples_[i];
+    const JudgedView& view = views_[i];
     sum += error[i];
-    pixels += view.lines.covered;
-    (view.pose == 0 ? rest : moving).push_back(psnr_db(error[i], view.lines.covered));
+    pixels += view.lines.size();
+    (view.pose == 0 ? rest : moving).push_back(psnr_db(error[i], view.lines.size()));
   }
   const double worst = rest.empty() ? 0 : *std::ranges::min_element(rest);
-  return {psnr_db(sum, pixels), median_of(rest), worst, median_of(moving.empty() ? rest : moving)};
+  return {psnr_db(sum, pixels), median_of(rest), worst, median_of(moving.empty() ? rest : moving), blended(rule)};
 }
 
-double OrderJudge::best_psnr(float opaque_threshold) const {
+double OrderJudge::best_psnr(const DrawRule& rule) const {
   double sum = 0;
   std::size_t pixels = 0;
-  for (const SampledView& view : samples_) {
-    sum += threshold_error(view.lines, opaque_threshold);
-    pixels += view.lines.covered;
+  for (const JudgedView& view : views_) {
+    sum += picture_error(view.lines, {}, rule);
+    pixels += view.lines.size();
   }
   return psnr_db(sum, pixels);
+}
+
+double OrderJudge::blended(const DrawRule& rule) const {
+  double layers = 0, pixels = 0;
+  for (const JudgedView& view : views_) {
+    layers += blended_layers(view.lines, rule) * double(view.lines.size());
+    pixels += double(view.lines.size());
+  }
+  return pixels > 0 ? layers / pixels : 0;
 }
 
 namespace {
@@ -75,6 +98,18 @@ SampleSettings samples_wanted(const OrderSearchSettings& settings, std::size_t v
   return wanted;
 }
 
+/// Pictures need fewer lines than orders are found from: every triangle's errors are like its neighbours'.
+SampleSettings judged_samples(const OrderSearchSettings& settings) {
+  constexpr std::size_t kLines = 1500;
+  SampleSettings wanted = samples_wanted(settings, settings.judge_views_per_cell, kJudgeSeed);
+  wanted.lines = std::min(wanted.lines, kLines);
+  return wanted;
+}
+
+DrawRule rule_of(const SeenHair& hair, const OrderSearchSettings& settings, bool faces_together) {
+  return {settings.opaque_threshold, faces_together, hair.surface.faintest};
+}
+
 std::vector<std::uint32_t> patches_of(const HairSurface& hair) {
   std::vector<std::uint32_t> patch_of;
   for (const HairSurface::Triangle& triangle : hair.triangles) patch_of.push_back(triangle.patch);
@@ -87,15 +122,14 @@ CellOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t>
 
 class OrderSearch {
  public:
-  OrderSearch(const HairSurface& hair, std::span<const HairPositions> poses, const UnitOrder& head,
+  OrderSearch(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& head,
               const OrderSearchSettings& settings)
       : hair_(hair),
         poses_(poses),
         settings_(settings),
         head_(head),
-        judge_(sample_views(hair, poses, samples_wanted(settings, settings.judge_views_per_cell, kJudgeSeed)),
-               settings.threads),
-        patch_of_(patches_of(hair)) {}
+        judge_(hair, poses, judged_samples(settings)),
+        patch_of_(patches_of(hair.surface)) {}
 
   /// `from`: null, or what to refine.
   FoundOrders run(const FoundOrders* from) {
@@ -103,23 +137,23 @@ class OrderSearch {
     const std::vector<DrawRule> tried = rules(from);
     const std::vector<CellVotes> votes = cell_votes(tried);
     for (std::size_t i = 0; i < tried.size(); ++i) consider(tried[i], votes[i], from);
-    best_.limit = judge_.best_psnr(settings_.opaque_threshold);
+    best_.limit = judge_.best_psnr(best_.rule);
     return std::move(best_);
   }
 
  private:
   [[nodiscard]] std::vector<DrawRule> rules(const FoundOrders* from) const {
     std::optional<bool> together = from != nullptr ? from->rule.faces_together : settings_.faces_together;
-    if (!hair_.double_sided) together = false;
+    if (!hair_.surface.double_sided) together = false;
     std::vector<DrawRule> rules;
-    if (!together || !*together) rules.push_back({settings_.opaque_threshold, false});
-    if (!together || *together) rules.push_back({settings_.opaque_threshold, true});
+    if (!together || !*together) rules.push_back(rule_of(hair_, settings_, false));
+    if (!together || *together) rules.push_back(rule_of(hair_, settings_, true));
     return rules;
   }
 
   /// The thesis's order, to be beaten.
   void start() {
-    best_.rule = {settings_.opaque_threshold, false};
+    best_.rule = rule_of(hair_, settings_, false);
     best_.patches = head_;
     best_.head = best_.single = best_.found = judge_single(head_, best_.rule);
   }
@@ -153,7 +187,7 @@ class OrderSearch {
     const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
     std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      const std::vector<SampledView> views = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
+      const std::vector<SampledView> views = sample_cell(hair_.surface, poses_, wanted, std::uint32_t(cell));
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
         std::vector<std::vector<Vote>> of_views;
         for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
@@ -200,12 +234,12 @@ class OrderSearch {
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
-      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells), shared.orders[k]);
+      shared.orders[k] = order_for_cache(hair_.surface, clusters.votes_on(k, cells), shared.orders[k]);
     });
     return shared;
   }
 
-  const HairSurface& hair_;
+  const SeenHair& hair_;
   std::span<const HairPositions> poses_;
   const OrderSearchSettings& settings_;
   const UnitOrder& head_;
@@ -216,24 +250,23 @@ class OrderSearch {
 
 }  // namespace
 
-FoundOrders search_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
   return OrderSearch(hair, poses, by_head_distance, settings).run(nullptr);
 }
 
-FoundOrders refine_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const FoundOrders& found,
                           const OrderSearchSettings& settings) {
   return OrderSearch(hair, poses, by_head_distance, settings).run(&found);
 }
 
-OrderQuality judge_orders(const HairSurface& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
+OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
                           const OrderSearchSettings& settings) {
-  const OrderJudge judge(sample_views(hair, poses, samples_wanted(settings, settings.judge_views_per_cell, kJudgeSeed)),
-                         settings.threads);
-  const DrawRule rule{settings.opaque_threshold, orders.rule.faces_together};
+  const OrderJudge judge(hair, poses, judged_samples(settings));
+  const DrawRule rule = rule_of(hair, settings, orders.rule.faces_together);
   if (!orders.by_view.orders.empty()) return judge.judge(orders.by_view, rule);
-  return judge.judge(single_order(orders.patches, patches_of(hair)), rule);
+  return judge.judge(single_order(orders.patches, patches_of(hair.surface)), rule);
 }
 
 }  // namespace coif

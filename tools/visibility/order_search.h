@@ -3,37 +3,48 @@
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
+#include "visibility/seen_lines.h"
 
 #include <optional>
 #include <vector>
 
 namespace coif {
 
-/// Errors of pictures drawn in some order, expected as squared_error() says; PSNR over the pixels that hair covers, dB.
+/// Errors of pictures drawn in some order, as picture_error() says; PSNR over the pixels that hair covers, dB.
 struct OrderQuality {
   double psnr = 0;    ///< Of all views' pixels.
   double median = 0;  ///< Over the views at rest.
   double worst = 0;   ///< Of the views at rest.
   double moving = 0;  ///< Median over the views in motion; that of those at rest where there are none.
+  double blended = 0;  ///< Layers per pixel that are blended: what drawing costs.
 };
 
 /// All triangles of each unit after those of the unit before it; stored order within.
 [[nodiscard]] UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                                            std::span<const std::uint32_t> unit_of_triangle);
 
+/// The hair drawn from one side, for judging.
+struct JudgedView {
+  std::uint32_t cell = 0;  ///< That its direction lies in.
+  std::uint32_t pose = 0;
+  SeenLines lines;
+};
+
 /// Judges orders by views that none of them was found from.
 class OrderJudge {
  public:
-  explicit OrderJudge(std::vector<SampledView> samples, unsigned threads)
-      : samples_(std::move(samples)), threads_(threads) {}
+  /// Rules that are judged must have no lower opaque threshold than `settings`.
+  OrderJudge(const SeenHair& hair, std::span<const HairPositions> poses, const SampleSettings& settings);
 
   /// `orders`: of all triangles.
   [[nodiscard]] OrderQuality judge(const CellOrders& orders, const DrawRule& rule) const;
   /// The best that any order could do.
-  [[nodiscard]] double best_psnr(float opaque_threshold) const;
+  [[nodiscard]] double best_psnr(const DrawRule& rule) const;
+  /// What is blended per line, on average over the views.
+  [[nodiscard]] double blended(const DrawRule& rule) const;
 
  private:
-  std::vector<SampledView> samples_;
+  std::vector<JudgedView> views_;
   unsigned threads_;
 };
 
@@ -66,17 +77,17 @@ struct FoundOrders {
 /// Layers vote (votes_of()), orders are improved until no single move helps, cells of directions share a few orders of
 /// triangles (cluster_orders()); all are judged by views of their own. Source of the idea: Chen, Sander, Nehab, Yang and
 /// Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
-[[nodiscard]] FoundOrders search_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+[[nodiscard]] FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                                         const UnitOrder& by_head_distance, const OrderSearchSettings& settings);
 
 /// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a search's
 /// time goes into finding which directions belong together, and few views tell that as well.
-[[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+[[nodiscard]] FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                                         const UnitOrder& by_head_distance, const FoundOrders& found,
                                         const OrderSearchSettings& settings);
 
 /// How good orders are that were found with another threshold, by the views that the search judges by.
-[[nodiscard]] OrderQuality judge_orders(const HairSurface& hair, std::span<const HairPositions> poses,
+[[nodiscard]] OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                                         const FoundOrders& orders, const OrderSearchSettings& settings);
 
 }  // namespace coif

@@ -52,12 +52,12 @@ double mean_outline(std::span<const Eigen::Vector3f> positions) {
   return (s.x() * s.y() + s.y() * s.z() + s.z() * s.x()) / 2;
 }
 
+}  // namespace
+
 std::uint32_t pose_of_view(std::uint32_t cell, std::uint32_t view, std::size_t poses) {
   if (poses < 2 || (cell + view) % 2 == 0) return 0;
   return 1 + (cell + view) / 2 % std::uint32_t(poses - 1);
 }
-
-}  // namespace
 
 float line_spacing(std::span<const Eigen::Vector3f> positions, std::size_t lines) {
   return float(std::sqrt(std::max(mean_outline(positions), 1.0e-8) / double(lines)));

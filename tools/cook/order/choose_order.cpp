@@ -20,8 +20,10 @@ namespace {
 constexpr float kThresholds[] = {0.5f, 0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 0.97f, 0.99f};
 constexpr float kSameThreshold = 0.005f;
 
-/// dB. Refining finds more where more is left to be sorted, so a quick search flatters low thresholds.
-constexpr double kThresholdGain = 0.5;
+/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written once more,
+/// where a solid one hides what is behind it.
+constexpr double kGainPerLayer = 0.5;
+constexpr double kEnough = 50;  ///< dB: pictures that are nearer to the exact one are not worth more.
 constexpr std::size_t kTrianglesPerView = 150;
 constexpr std::size_t kFewestViews = 2, kMostViews = 16;
 constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
@@ -74,7 +76,7 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 /// The hair as it is drawn with some opaque threshold.
 struct ThresholdHair {
   ThresholdHair(const AssetContents& contents, std::span<const Image> used, float threshold)
-      : opened(with_threshold(contents, used, threshold)), surface(opened.asset()) {}
+      : opened(with_threshold(contents, used, threshold)), hair(opened.asset()) {}
 
   static AssetContents with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
     contents.material.front().opaque_threshold = threshold;
@@ -83,7 +85,7 @@ struct ThresholdHair {
   }
 
   OpenedAsset opened;
-  HairSurface surface;
+  SeenHair hair;
 };
 
 class OrderChoice {
@@ -110,7 +112,7 @@ class OrderChoice {
     const FoundOrders quick = quick_search();
     settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
     const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
-    FoundOrders found = refine_orders(hair.surface, poses_, head_, quick, settings_);
+    FoundOrders found = refine_orders(hair.hair, poses_, head_, quick, settings_);
     if (settings_.opaque_threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
@@ -152,7 +154,7 @@ class OrderChoice {
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
     const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
-    return search_orders(hair.surface, poses_, head_, quick);
+    return search_orders(hair.hair, poses_, head_, quick);
   }
 
   [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
@@ -160,39 +162,46 @@ class OrderChoice {
     settings.opaque_threshold = threshold;
     settings.judge_views_per_cell = views_per_cell;
     const ThresholdHair hair(contents_, used_, threshold);
-    return judge_orders(hair.surface, poses_, orders, settings);
+    return judge_orders(hair.hair, poses_, orders, settings);
   }
 
   /// The thesis's way, with the usual threshold.
   [[nodiscard]] FoundOrders by_head() const {
     FoundOrders head;
-    head.rule = {usual_threshold_, false};
+    head.rule = {usual_threshold_, false, contents_.material.front().discard_threshold};
     head.patches = head_;
     head.head = head.single = head.found = judge(head, usual_threshold_, settings_.judge_views_per_cell);
     return head;
   }
 
   /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
-  /// and leave less to be sorted.
+  /// and leave less to be sorted and blended: where both are worth the same it is the lower one.
   [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
-    const Judged usual{usual_threshold_, judge(orders, usual_threshold_, kQuickJudgeViews).psnr};
+    const Judged usual{usual_threshold_, worth(orders, usual_threshold_)};
     const auto above = [&](float threshold) { return threshold > usual_threshold_ + kSameThreshold; };
     const auto below = [&](float threshold) { return threshold < usual_threshold_ - kSameThreshold; };
     const Judged higher = climb(orders, usual, kThresholds | std::views::filter(above));
     const Judged lower = climb(orders, usual, kThresholds | std::views::reverse | std::views::filter(below));
-    return lower.psnr > higher.psnr + kThresholdGain ? lower.threshold : higher.threshold;
+    return lower.worth >= higher.worth ? lower.threshold : higher.threshold;
   }
 
   struct Judged {
     float threshold;
-    double psnr;
+    double worth;
   };
+
+  /// dB, less what they cost.
+  [[nodiscard]] double worth(const FoundOrders& orders, float threshold) const {
+    const OrderQuality quality = judge(orders, threshold, kQuickJudgeViews);
+    return std::min(quality.psnr, kEnough) - kGainPerLayer * quality.blended;
+  }
 
   [[nodiscard]] Judged climb(const FoundOrders& orders, Judged best, auto&& thresholds) const {
     for (const float threshold : thresholds) {
-      const double psnr = judge(orders, threshold, kQuickJudgeViews).psnr;
-      if (psnr <= best.psnr) break;
-      best = {threshold, psnr};
+      const double worth_of_it = worth(orders, threshold);
+      const bool is_tie = worth_of_it == best.worth && threshold < best.threshold;
+      if (worth_of_it <= best.worth && !is_tie) break;
+      best = {threshold, worth_of_it};
     }
     return best;
   }
@@ -223,9 +232,9 @@ void report(const FoundOrders& found, float usual_threshold, Findings& findings)
                   quality_text(found.head), quality_text(found.single)));
   if (found.rule.opaque_threshold != usual_threshold) {
     findings.note(
-        fmt::format("opaque threshold {:.2f}, not {:.2f}: with it hair drawn in its orders looks most like the "
-                    "exact picture, at best {:.1f} dB",
-                    found.rule.opaque_threshold, usual_threshold, found.limit));
+        fmt::format("opaque threshold {:.2f}, not {:.2f}: hair drawn in its orders looks most like the exact picture for what "
+                    "it costs, {:.1f} dB for each layer of a pixel that is blended; {:.1f} are, and the best order has {:.1f} dB",
+                    found.rule.opaque_threshold, usual_threshold, kGainPerLayer, found.found.blended, found.limit));
   }
 }
 

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "visibility/hair_surface.h"
+
+#include <coif/asset.h>
+#include <coif/asset_records.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+/// What a picture shows is sRGB-encoded: `linear` 0..1, by channel, within 0.0002.
+[[nodiscard]] Eigen::Array3f encode_srgb(const Eigen::Array3f& linear);
+
+/// Linear colour of texels, largest mip first; filtered within a mip.
+class ColorTexture {
+ public:
+  explicit ColorTexture(const Asset& asset);
+  /// Of the nearer mip, times the material's colour.
+  [[nodiscard]] Eigen::Array3f at(const Eigen::Vector2f& uv, const MipChoice& mip) const;
+
+ private:
+  struct Level {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  ///< sRGB.
+  };
+  std::vector<Level> levels_;
+  Eigen::Array3f factor_{1, 1, 1};
+};
+
+/// Axes of a view, unit, head space; lights move with it.
+struct ViewAxes {
+  Eigen::Vector3f right, up, back;
+};
+
+/// Hair and head in the light of the tools' pictures (render/camera.h): what colours the layers of a pixel have, for judging
+/// how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the ambient term, as
+/// shaders/shading.glsl has them for kThesis; other models' highlights are left out. Light falls as at rest, and highlights are
+/// where they would be without the texture that moves them.
+class HairLight {
+ public:
+  explicit HairLight(const Asset& asset);  ///< One with a mesh; keeps nothing of it.
+
+  /// Linear, of a point of a triangle with these corners at these shares, seen from the side of its front or back.
+  [[nodiscard]] Eigen::Array3f of_hair(const std::uint32_t (&corners)[3], const Eigen::Vector3f& share, bool is_front,
+                                       const Eigen::Array3f& base, const ViewAxes& view) const;
+
+  [[nodiscard]] const ColorTexture& texture() const { return texture_; }
+
+ private:
+  struct Vertex {
+    Eigen::Vector3f normal, tangent;
+    float openness = 1;
+  };
+  ColorTexture texture_;
+  MaterialRecord material_{};
+  std::vector<Vertex> vertices_;
+};
+
+/// Linear colour of the head where a line of sight meets it: a mannequin's clay.
+[[nodiscard]] Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewAxes& view);
+
+/// Linear, behind all; `height`: 0 at the picture's bottom, 1 at its top.
+[[nodiscard]] Eigen::Array3f backdrop(float height);
+
+}  // namespace coif

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "visibility/fragment_view.h"
+#include "visibility/hair_light.h"
+#include "visibility/order_error.h"
+
+#include <coif/math.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// A fragment with what a picture shows of it.
+struct SeenLayer {
+  Eigen::Array3f color;  ///< Linear, lit.
+  float alpha = 0;
+  std::uint32_t triangle : 31 = 0;
+  std::uint32_t is_front : 1 = 0;
+};
+
+/// Pixels of one view in which hair is seen, each with its layers, nearest first: all that any way to draw them may show.
+struct SeenLines {
+  [[nodiscard]] std::size_t size() const { return behind.size(); }
+  [[nodiscard]] std::span<const SeenLayer> line(std::size_t index) const {
+    return std::span(layers).subspan(begin[index], begin[index + 1] - begin[index]);
+  }
+
+  std::vector<std::uint32_t> begin = {0};  ///< Per line and one more: its first layer.
+  std::vector<SeenLayer> layers;
+  std::vector<Eigen::Array3f> behind;  ///< Per line: linear, the head or the backdrop.
+};
+
+/// Hair that pictures of are judged.
+struct SeenHair {
+  explicit SeenHair(const Asset& asset) : surface(asset), light(asset) {}  ///< One with a mesh; keeps nothing of it.
+  HairSurface surface;
+  HairLight light;
+};
+
+/// Draws the hair at `positions` as from `towards_eye`, about so many lines, mips as in a picture that the hair fills with
+/// 160 pixels, which is what `coif report order` takes. `opaque_threshold`: the least that lines will be drawn with; what is
+/// behind a layer that hides all in that picture and in the exact one is left out.
+[[nodiscard]] SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
+                                  const Eigen::Vector3f& towards_eye, float spacing, float opaque_threshold);
+
+/// Spread of colours that a picture in the tools' light does not show but another light would, RMS, of 1.
+inline constexpr double kOtherLightSpread = 0.01;
+
+/// Squared difference (of encoded channels, 0..1, mean of the three), as a sum over lines, between the picture in which every
+/// pixel is sorted by depth and every alpha counts as it is, and that drawn by the rule. `rank`: of each triangle, lower ones
+/// drawn first; empty: all layers sorted by depth, the best that any order could do.
+[[nodiscard]] double picture_error(const SeenLines& lines, std::span<const std::uint32_t> rank, const DrawRule& rule);
+
+/// What drawing a view's lines by the rule costs, in blended layers per line: each of those, and all behind a solid one that
+/// the depth test spares count nothing.
+[[nodiscard]] double blended_layers(const SeenLines& lines, const DrawRule& rule);
+
+}  // namespace coif
