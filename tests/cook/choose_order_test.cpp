@@ -180,6 +180,31 @@ TEST(ChooseOrder, RecipesThresholdStays) {
   EXPECT_EQ(contents.material[0].opaque_threshold, 0.9f);
 }
 
+/// Cards of one dark colour and one alpha below the usual threshold, each a little beside the one behind it.
+AssetContents heap(int alpha) {
+  std::vector<Card> cards;
+  for (int i = 0; i < 6; ++i) cards.push_back({.center = {0.05f * float(i), 0, -0.01f * float(i)}, .alpha = alpha});
+  AssetContents contents = card_contents(cards);
+  for (std::size_t i = 0; i < contents.texels.size(); ++i) {
+    if (i % 4 != 3) contents.texels[i] = std::byte{90};
+  }
+  return contents;
+}
+
+TEST(ChooseOrder, BlendsWhatLetsTheBackdropThroughThoughItsOrderIsWrong) {
+  AssetContents contents = heap(204);
+  choose(recipe_with("single"), contents);
+  EXPECT_GT(contents.material[0].opaque_threshold, 0.8f) << "the card's alpha";
+}
+
+TEST(ChooseOrder, OfThresholdsThatLookTheSameTheCheaperIsTaken) {
+  AssetContents contents = heap(252);
+  contents.material[0].opaque_threshold = 0.99f;
+  choose(recipe_with("single"), contents);
+  EXPECT_LE(contents.material[0].opaque_threshold, 252 / 255.0f)
+      << "one in 85 parts of the backdrop is not worth blending";
+}
+
 TEST(ChooseOrder, ThreadsDoNotChangeTheBytes) {
   AssetContents one = stack_of_two_levels(), three = one;
   choose(default_recipe(), one, 1);

@@ -165,30 +165,6 @@ TEST(OrderVotes, VotesOfAPairAddUpAndMayCancel) {
   EXPECT_FLOAT_EQ(sum[0].weight, 1.5f);
 }
 
-TEST(OrderError, OnlyTheOrderByDepthIsExact) {
-  const SightLines lines = line_of({layer(0, 0.5f), layer(1, 0.4f), layer(2, 0.3f)});
-  EXPECT_NEAR(squared_error(lines, std::vector<std::uint32_t>{2, 1, 0}, kApart), 0, 1.0e-12);
-  const double swapped = squared_error(lines, std::vector<std::uint32_t>{1, 2, 0}, kApart);
-  EXPECT_NEAR(swapped, 2 * 0.2 * 0.2, 1.0e-6) << "two layers' shares each off by the product of their alphas";
-  EXPECT_GT(squared_error(lines, std::vector<std::uint32_t>{0, 1, 2}, kApart), swapped);
-}
-
-TEST(OrderError, BackFacesBeforeFrontFacesMayBeWrong) {
-  const SightLines lines = line_of({layer(0, 0.5f, false), layer(1, 0.5f, true)});
-  const std::vector<std::uint32_t> by_depth = {1, 0};
-  EXPECT_NEAR(squared_error(lines, by_depth, kTogether), 0, 1.0e-12);
-  EXPECT_NEAR(squared_error(lines, by_depth, kApart), 2 * 0.25 * 0.25, 1.0e-6);
-}
-
-TEST(OrderError, SolidLayersHideWhatTheirAlphaLetsThrough) {
-  const SightLines lines = line_of({layer(0, 0.5f), layer(1, 0.96f), layer(2, 0.9f)});
-  const std::vector<std::uint32_t> any = {0, 1, 2};
-  const double error = squared_error(lines, any, kApart);
-  EXPECT_NEAR(error, (1 + kHiddenVariance) * 0.02 * 0.02, 1.0e-6);
-  EXPECT_NEAR(threshold_error(lines, 0.95f), error, 1.0e-12) << "and no order helps";
-  EXPECT_EQ(threshold_error(lines, 0.97f), 0);
-}
-
 TEST(OrderError, PsnrFallsByTenPerTenfoldError) {
   EXPECT_NEAR(psnr_db(0.1, 10) - psnr_db(1, 10), 10, 1.0e-9);
   EXPECT_NEAR(psnr_db(1, 100), psnr_db(0.1, 10), 1.0e-9);

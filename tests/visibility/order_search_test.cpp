@@ -40,17 +40,20 @@ std::vector<Card> stack(int count) {
   return cards;
 }
 
-/// Leaves around a ball in two layers, outer ones first; what is behind the ball is hidden.
+/// Leaves around a ball in two layers, outer ones first and the inner ones dark; what is behind the ball is hidden.
 AssetContents two_shells() {
+  constexpr int kLight = 150, kDark = 140;
   std::vector<Card> cards;
   for (const float radius : {0.13f, 0.11f}) {
     for (int i = 0; i < 12; ++i) {
       const auto angle = float(2 * std::numbers::pi * i / 12);
       const Eigen::Vector3f out(std::sin(angle), 0, std::cos(angle)), side(out.z(), 0, -out.x());
-      cards.push_back({.center = radius * out, .right = 0.04f * side, .up = {0, 0.06f, 0}, .alpha = 150});
+      const int alpha = radius > 0.12f ? kLight : kDark;
+      cards.push_back({.center = radius * out, .right = 0.04f * side, .up = {0, 0.06f, 0}, .alpha = alpha});
     }
   }
   AssetContents contents = card_contents(cards);
+  for (std::size_t k = 0; k < 3; ++k) contents.texels[4 * std::size_t{kDark} + k] = std::byte{20};
   add_ball(contents, {0, 0, 0}, 0.1f);
   return contents;
 }

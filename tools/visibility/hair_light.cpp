@@ -118,7 +118,8 @@ HairLight::HairLight(const Asset& asset) : texture_(asset) {
   constexpr float kUnit = 1.0f / 32767;
   for (const VertexRecord& v : asset.vertices()) {
     vertices_.push_back({Eigen::Vector3f(v.normal[0], v.normal[1], v.normal[2]) * kUnit,
-                         Eigen::Vector3f(v.tangent[0], v.tangent[1], v.tangent[2]) * kUnit, float(v.normal[3]) * kUnit});
+                         Eigen::Vector3f(v.tangent[0], v.tangent[1], v.tangent[2]) * kUnit,
+                         float(v.normal[3]) * kUnit});
   }
 }
 

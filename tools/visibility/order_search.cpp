@@ -250,14 +250,13 @@ class OrderSearch {
 
 }  // namespace
 
-FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses,
-                          const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
+FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
+                          const OrderSearchSettings& settings) {
   return OrderSearch(hair, poses, by_head_distance, settings).run(nullptr);
 }
 
-FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses,
-                          const UnitOrder& by_head_distance, const FoundOrders& found,
-                          const OrderSearchSettings& settings) {
+FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
+                          const FoundOrders& found, const OrderSearchSettings& settings) {
   return OrderSearch(hair, poses, by_head_distance, settings).run(&found);
 }
 

@@ -12,10 +12,10 @@ namespace coif {
 
 /// Errors of pictures drawn in some order, as picture_error() says; PSNR over the pixels that hair covers, dB.
 struct OrderQuality {
-  double psnr = 0;    ///< Of all views' pixels.
-  double median = 0;  ///< Over the views at rest.
-  double worst = 0;   ///< Of the views at rest.
-  double moving = 0;  ///< Median over the views in motion; that of those at rest where there are none.
+  double psnr = 0;     ///< Of all views' pixels.
+  double median = 0;   ///< Over the views at rest.
+  double worst = 0;    ///< Of the views at rest.
+  double moving = 0;   ///< Median over the views in motion; that of those at rest where there are none.
   double blended = 0;  ///< Layers per pixel that are blended: what drawing costs.
 };
 

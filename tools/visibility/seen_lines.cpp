@@ -30,7 +30,7 @@ float pixel_of(std::span<const Eigen::Vector3f> positions, const ViewAxes& axes)
 ViewAxes axes_of(const Eigen::Vector3f& towards_eye) {
   ViewAxes axes;
   const Eigen::Vector3f upright = std::abs(towards_eye.y()) < 0.99f ? Eigen::Vector3f(Eigen::Vector3f::UnitY())
-                                                                     : Eigen::Vector3f(Eigen::Vector3f::UnitX());
+                                                                    : Eigen::Vector3f(Eigen::Vector3f::UnitX());
   axes.back = towards_eye;
   axes.right = upright.cross(towards_eye).normalized();
   axes.up = towards_eye.cross(axes.right);

@@ -231,10 +231,10 @@ void report(const FoundOrders& found, float usual_threshold, Findings& findings)
                   what, found.rule.faces_together ? "together" : "apart", quality_text(found.found),
                   quality_text(found.head), quality_text(found.single)));
   if (found.rule.opaque_threshold != usual_threshold) {
-    findings.note(
-        fmt::format("opaque threshold {:.2f}, not {:.2f}: hair drawn in its orders looks most like the exact picture for what "
-                    "it costs, {:.1f} dB for each layer of a pixel that is blended; {:.1f} are, and the best order has {:.1f} dB",
-                    found.rule.opaque_threshold, usual_threshold, kGainPerLayer, found.found.blended, found.limit));
+    findings.note(fmt::format(
+        "opaque threshold {:.2f}, not {:.2f}: hair drawn in its orders looks most like the exact picture for what "
+        "it costs, {:.1f} dB for each layer of a pixel that is blended; {:.1f} are, and the best order has {:.1f} dB",
+        found.rule.opaque_threshold, usual_threshold, kGainPerLayer, found.found.blended, found.limit));
   }
 }
 
@@ -260,9 +260,10 @@ tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const
   apply_orders(found, contents);
   report(found, choice.usual_threshold(), findings);
   if (choice.share_of_lines() < 1) {
-    findings.note(fmt::format(
-        "draw order: searched with {:.1f} % of the usual lines of sight, since the triangles are nearly as large as the hair",
-        100 * choice.share_of_lines()));
+    findings.note(
+        fmt::format("draw order: searched with {:.1f} % of the usual lines of sight, since the triangles are nearly as "
+                    "large as the hair",
+                    100 * choice.share_of_lines()));
   }
   return {};
 }

@@ -158,7 +158,8 @@ const RecipeKey kKeys[] = {
   {"material", "sides", &R::sides, "\"auto\"", 0, 0, "auto|both|front", "",
    "which sides of the triangles are seen; auto: both, unless the file has closed pieces or says single-sided"},
   {"material", "opaque_threshold", &R::opaque_threshold, "0", 0, 1, nullptr, "alpha",
-   "texels from this alpha on are drawn opaque, the others are blended; 0: the material's, else chosen from the texture"},
+   "texels from this alpha on are drawn opaque, the others are blended; 0: the material's, else chosen from the texture, then for"
+   " pictures nearest to the exact one, of which each layer of a pixel that is blended must gain 0.5 dB up to 50 dB"},
   {"material", "discard_threshold", &R::discard_threshold, "0.02", 0, 1, nullptr, "alpha",
    "texels below this alpha are never drawn"},
   {"material", "primary_color", &R::primary_color, "[1, 0.95, 0.9]", 0, 100, nullptr, "linear",
