@@ -88,6 +88,19 @@ TEST(BaseColor, AnOpacityTextureOfItsOwnIsMissedOnce) {
   EXPECT_EQ(count, 1);
 }
 
+TEST(BaseColor, MapsThatAreNotDrawnAreTold) {
+  const ImageFolder folder;
+  folder.write_flat("strands.png", kRed);
+  SourceModel model = model_beside(folder, "wig.obj");
+  add_surface(model, "strands").base_texture.path = "strands.png";
+  model.materials[0].normal_texture.path = "strands_n.png";
+  model.materials[0].other_textures = {"occlusion map 'strands_ao.png'"};
+  const SaidColor color = base_color_of(model);
+  const auto told = [&](const char* what) { return std::ranges::count(color.left_out, what, &LeftOut::what); };
+  EXPECT_EQ(told("material 'strands': normal map 'strands_n.png'"), 1);
+  EXPECT_EQ(told("material 'strands': occlusion map 'strands_ao.png'"), 1);
+}
+
 TEST(BaseColor, ATextureInVainIsAskedForAndEveryImageIsListed) {
   const ImageFolder folder;
   folder.write_flat("sofa.png");

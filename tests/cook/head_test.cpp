@@ -343,9 +343,9 @@ TEST(Facing, IsWhereThereIsNoHairBeforeTheFace) {
 
 TEST(Facing, IsWhatTheFileSays) {
   SourceModel model = bob_that_faces(true);
-  model.faces_backwards = false;
+  model.facing = Facing::kForwards;
   EXPECT_FALSE(is_backwards(model));
-  model.faces_backwards = true;
+  model.facing = Facing::kBackwards;
   EXPECT_TRUE(is_backwards(model));
 }
 

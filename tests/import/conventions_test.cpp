@@ -253,6 +253,15 @@ TEST_F(Conventions, AnOpacityTextureIsNamedUnlessItIsTheBaseTexture) {
   }
 }
 
+TEST_F(Conventions, MapsOfWhatIsComputedAreNamed) {
+  folder_.write("m.mtl", "newmtl own\nmap_Kd hair.png\nmap_Ks shine.png\nmap_Ka hair.png\nmap_Ke glow.png\n");
+  const SourceModel model =
+      import_or_fail(folder_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl own\nf 1 2 3\n"));
+  EXPECT_EQ(model.materials.at(model.meshes.at(0).material).other_textures,
+            (std::vector<std::string>{"specular map 'shine.png'", "emission map 'glow.png'"}))
+      << "and not what is the base colour's own";
+}
+
 TEST_F(Conventions, NormalAndBumpMapsAreKnownByTheirNames) {
   folder_.write("m.mtl", "newmtl bumped\nmap_Kd hair.png\nmap_Bump bump.png\nnewmtl mapped\nnorm normals.png\nnewmtl flat\nKd 1 1 1\n");
   const SourceModel model = import_or_fail(folder_.write(

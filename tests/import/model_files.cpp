@@ -238,6 +238,8 @@ SourceModel small_source_model() {
   spring.center = 0;
   model.springs = {spring};
   model.head_node = 1;
+  model.facing = Facing::kBackwards;
+  model.materials[0].other_textures = {"gloss map"};
   model.warnings = {"one", "two"};
   model.side_files = {"strip.bin"};
   return model;

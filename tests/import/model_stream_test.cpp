@@ -27,6 +27,8 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->springs[0].colliders, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(back->colliders[1].radius, 0.5);
   EXPECT_EQ(back->head_node, 1u);
+  EXPECT_EQ(back->facing, Facing::kBackwards);
+  EXPECT_EQ(back->materials[0].other_textures, std::vector<std::string>{"gloss map"});
   EXPECT_EQ(back->warnings, (std::vector<std::string>{"one", "two"}));
   EXPECT_EQ(back->side_files, (std::vector<std::string>{"strip.bin"}));
 }

@@ -148,10 +148,10 @@ TEST_F(VrmSprings, TheHumanoidsHeadIsTheHeadInBothVersions) {
   EXPECT_EQ(import_with(R"("KHR_nothing": {})").head_node, kNoIndex);
   const SourceModel old = import_with(spring_bone_0("[]"));
   EXPECT_EQ(name_of(old, old.head_node), "head");
-  EXPECT_EQ(old.faces_backwards, std::optional(true)) << "VRM 0.x looks along -Z";
+  EXPECT_EQ(old.facing, Facing::kBackwards) << "VRM 0.x looks along -Z";
   const SourceModel now = import_with(R"("VRMC_vrm": {"humanoid": {"humanBones": {"head": {"node": 3}}}})");
   EXPECT_EQ(name_of(now, now.head_node), "hair_1");
-  EXPECT_EQ(now.faces_backwards, std::optional(false)) << "VRM 1.0 looks along +Z";
+  EXPECT_EQ(now.facing, Facing::kForwards) << "VRM 1.0 looks along +Z";
   const SourceModel wrong = import_with(R"("VRMC_vrm": {"humanoid": {"humanBones": {"head": {"node": 99}}}})");
   EXPECT_EQ(wrong.head_node, kNoIndex);
   EXPECT_TRUE(warns(wrong, "head is found by its name")) << warnings_of(wrong);

@@ -124,7 +124,7 @@ constexpr auto transfer_material = [](auto& archive, auto& material) {
   return archive.sequence(material.name) && archive.raw(material.base_color.data(), 4 * sizeof(float)) &&
          archive.sequence(material.base_texture.path) && archive.plain(material.base_texture.image) &&
          archive.sequence(material.normal_texture.path) && archive.plain(material.normal_texture.image) &&
-         archive.sequence(material.opacity_texture) &&
+         archive.sequence(material.opacity_texture) && archive.list(material.other_textures, sizeof(std::uint64_t), transfer_text) &&
          transfer_choice(archive, material.alpha_use, AlphaUse::kBlend) && archive.plain(material.alpha_cutoff) &&
          transfer_flag(archive, material.double_sided);
 };
@@ -163,6 +163,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.images, 2 * kCount, transfer_image) &&
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
+         transfer_choice(archive, model.facing, Facing::kBackwards) &&
          archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text);
 };
 

@@ -57,6 +57,24 @@ std::string opacity_path(const aiMaterial& material, const aiString& base) {
   return text_of(path);
 }
 
+struct MapKind {
+  aiTextureType type;
+  const char* name;
+};
+
+// What light does to hair is computed from its form and the recipe's numbers.
+constexpr MapKind kOtherMaps[] = {{aiTextureType_AMBIENT_OCCLUSION, "occlusion"},
+                                  {aiTextureType_LIGHTMAP, "occlusion"},
+                                  {aiTextureType_AMBIENT, "ambient"},
+                                  {aiTextureType_METALNESS, "metalness"},
+                                  {aiTextureType_DIFFUSE_ROUGHNESS, "roughness"},
+                                  {aiTextureType_SPECULAR, "specular"},
+                                  {aiTextureType_SHININESS, "gloss"},
+                                  {aiTextureType_UNKNOWN, "metalness and roughness"},
+                                  {aiTextureType_DISPLACEMENT, "displacement"},
+                                  {aiTextureType_EMISSIVE, "emission"},
+                                  {aiTextureType_EMISSION_COLOR, "emission"}};
+
 // glTF says it; elsewhere a texture of its own for opacity is the only sign that exporters agree on.
 void convert_alpha(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
   if (format != SourceFormat::kGltf) {
@@ -116,6 +134,21 @@ class TextureTable {
 
 }  // namespace
 
+namespace {
+
+void add_other_maps(const aiMaterial& material, const aiString& base, TextureTable& textures, SourceMaterial& out) {
+  for (const auto& [type, name] : kOtherMaps) {
+    aiString path;
+    if (material.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0 || path == base) continue;
+    const std::string image = textures.find(path).path;
+    const std::string text = image.empty() ? std::string(name) + " map" : fmt::format("{} map '{}'", name, image);
+    const bool is_new = std::ranges::find(out.other_textures, text) == out.other_textures.end();
+    if (is_new && image != out.normal_texture.path) out.other_textures.push_back(text);
+  }
+}
+
+}  // namespace
+
 void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& model) {
   TextureTable textures(scene, model);
   for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
@@ -127,6 +160,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     out.base_texture = textures.find(path);
     out.normal_texture = textures.find(normal_texture_path(material));
     out.opacity_texture = opacity_path(material, path);
+    add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);
     int two_sided = 0;

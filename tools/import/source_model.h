@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,7 +55,8 @@ struct SourceMaterial {
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
-  std::string opacity_texture;             ///< Another image that holds the alpha, as written; for messages. Empty: none.
+  std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
+  std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.
   bool double_sided = false;
@@ -98,10 +98,13 @@ struct SourceImage {
   std::vector<std::uint8_t> bytes;
 };
 
+/// Which way a model looks: along +Z, or -Z as VRM 0.x does. kUnknown: the file does not say.
+enum class Facing { kUnknown, kForwards, kBackwards };
+
 struct SourceModel {
   std::string path;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
-  std::string importer;  ///< Name and version, for example "assimp 5.2.4".
+  std::string importer;                      ///< Name and version, for example "assimp 5.2.4".
   std::uint16_t importer_version[3] = {0, 0, 0};
   std::vector<SourceNode> nodes;  ///< Parents first.
   std::vector<SourceMesh> meshes;
@@ -110,8 +113,8 @@ struct SourceModel {
   std::vector<SourceSpring> springs;      ///< At most kMaxSourceSprings.
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
-  std::optional<bool> faces_backwards;    ///< Looks along -Z, as VRM 0.x does, instead of +Z; none: the file does not say.
-  std::vector<std::string> warnings;      ///< What was repaired or dropped, one sentence each.
+  Facing facing = Facing::kUnknown;
+  std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.
   std::vector<std::string> side_files;

@@ -52,9 +52,9 @@ void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3
   if (!extensions.is_object()) return;
   // 0.x looks along -Z of the file, 1.0 along +Z.
   if (member(extensions, "VRMC_vrm").is_object()) {
-    model.faces_backwards = false;
+    model.facing = Facing::kForwards;
   } else if (member(extensions, "VRM").is_object()) {
-    model.faces_backwards = true;
+    model.facing = Facing::kBackwards;
   }
   SpringSink sink(*document, model_from_file, model);
   read_head(extensions, sink);

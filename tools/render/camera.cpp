@@ -1,6 +1,7 @@
 #include "render/camera.h"
 
 #include "base/geometry.h"
+#include "base/studio.h"
 #include "render/stage_renderer.h"
 
 #include <Eigen/Geometry>
@@ -88,9 +89,7 @@ CrowdView frame_crowd(std::span<const Eigen::Vector3d> points, const CameraSetti
   return view;
 }
 
-double yaw_of_face(const Asset& asset) {
-  return (asset.skeleton().flags & kSkeletonFacesBackwards) != 0 ? 180 : 0;
-}
+double yaw_of_face(const Asset& asset) { return (asset.skeleton().flags & kSkeletonFacesBackwards) != 0 ? 180 : 0; }
 
 std::vector<Eigen::Vector3d> framed_points(const Asset& asset) {
   std::vector<Eigen::Vector3d> points;
@@ -114,15 +113,15 @@ DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights) {
 
 bool has_mesh(const Asset& asset) { return asset.is_open() && !asset.vertices().empty() && !asset.indices().empty(); }
 
-// Photographer's lights. Shifted tangents want the half vector some 30 degrees above the normal, so only a light from
-// the top puts both highlights where they are seen, around the head's widest part. Fill and rim come from low, where
-// their own highlights miss the hair: more than two bands would read as noise.
 std::array<Light, 3> studio_lights(const Camera& camera) {
-  const auto light = [&](double right, double up, double back, Vec3 color) {
-    return Light{Light::Kind::kDirectional, to_vec3(camera.right * right + camera.up * up + camera.back * back), color};
-  };
-  return {light(-0.3, 1.0, 0.2, {1.2f, 1.17f, 1.12f}), light(0.4, -0.3, 1.0, {0.22f, 0.23f, 0.25f}),
-          light(0.9, 0.1, -0.6, {0.15f, 0.17f, 0.22f})};
+  std::array<Light, 3> lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const auto& [right, up, back] = kStudioLights[i].towards;
+    const auto& [red, green, blue] = kStudioLights[i].color;
+    const Eigen::Vector3d towards = camera.right * double(right) + camera.up * double(up) + camera.back * double(back);
+    lights[i] = {Light::Kind::kDirectional, to_vec3(towards), {red, green, blue}};
+  }
+  return lights;
 }
 
 }  // namespace coif

@@ -23,9 +23,11 @@ void main() {  // one triangle that covers the picture
 
 constexpr char kBackdropFragment[] = R"glsl(#version 300 es
 precision highp float;
+uniform vec3 bottom;
+uniform vec3 top;
 in float height;
 out vec4 fragment;
-void main() { fragment = vec4(mix(vec3(0.36, 0.36, 0.37), vec3(0.17, 0.19, 0.22), smoothstep(0.0, 1.0, height)), 1.0); }
+void main() { fragment = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0); }
 )glsl";
 
 constexpr char kBodyVertex[] = R"glsl(#version 300 es
@@ -63,15 +65,16 @@ uniform vec3 color;
 uniform vec3 light_direction[8];
 uniform vec3 light_color[8];
 uniform int light_count;
+uniform vec2 clay;  // ambient, wrap
 in vec3 normal;
 in vec3 place;
 out vec4 fragment;
 void main() {
   vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-  vec3 light = vec3(0.12);
+  vec3 light = vec3(clay.x);
   float key = key_light(place, n, dot(n, light_direction[0]));
   for (int i = 0; i < light_count; ++i) {
-    light += (i == 0 ? key : 1.0) * light_color[i] * max(0.75 * dot(n, light_direction[i]) + 0.25, 0.0);
+    light += (i == 0 ? key : 1.0) * light_color[i] * max((1.0 - clay.y) * dot(n, light_direction[i]) + clay.y, 0.0);
   }
   fragment = vec4(color * light, 1.0);
 })glsl";
@@ -143,6 +146,7 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   glUniform3fv(glGetUniformLocation(program, "light_direction"), kMaxLights, direction[0]);
   glUniform3fv(glGetUniformLocation(program, "light_color"), kMaxLights, color[0]);
   glUniform1i(glGetUniformLocation(program, "light_count"), static_cast<GLint>(count));
+  glUniform2f(glGetUniformLocation(program, "clay"), kClayAmbient, kClayWrap);
 }
 
 void set_shadow(GLuint program, const HairShadow& shadow) {
@@ -192,6 +196,8 @@ void StageRenderer::draw_backdrop() const {
   glClear(GL_DEPTH_BUFFER_BIT);
   glDisable(GL_DEPTH_TEST);
   glUseProgram(backdrop_program_);
+  glUniform3fv(glGetUniformLocation(backdrop_program_, "bottom"), 1, kBackdropBottom.data());
+  glUniform3fv(glGetUniformLocation(backdrop_program_, "top"), 1, kBackdropTop.data());
   glBindVertexArray(empty_vertex_array_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/studio.h"
 #include "base/tool_error.h"
 #include "import/source_model.h"
 #include "render/camera.h"
@@ -29,7 +30,7 @@ struct SolidVertex {
 struct SolidMesh {
   std::vector<SolidVertex> vertices;
   std::vector<std::uint32_t> triangles;
-  Eigen::Vector3f color{0.42f, 0.33f, 0.28f};  ///< Linear; the default is a mannequin's clay.
+  Eigen::Vector3f color{kClay[0], kClay[1], kClay[2]};  ///< Linear; the default is a mannequin's clay.
 };
 
 /// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,

@@ -1,5 +1,7 @@
 #include "visibility/hair_light.h"
 
+#include "base/studio.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -41,22 +43,11 @@ float smoothstep(float x) {
   return t * t * (3 - 2 * t);
 }
 
-struct StudioLight {
-  Eigen::Vector3f towards;  ///< Right, up, back; not unit.
-  Eigen::Array3f color;
-};
-
-/// studio_lights() of render/camera.h.
-const std::array<StudioLight, 3>& lights() {
-  static const std::array<StudioLight, 3> all = {{{{-0.3f, 1.0f, 0.2f}, {1.2f, 1.17f, 1.12f}},
-                                                  {{0.4f, -0.3f, 1.0f}, {0.22f, 0.23f, 0.25f}},
-                                                  {{0.9f, 0.1f, -0.6f}, {0.15f, 0.17f, 0.22f}}}};
-  return all;
-}
+Eigen::Array3f array_of(const std::array<float, 3>& color) { return Eigen::Map<const Eigen::Array3f>(color.data()); }
 
 Eigen::Vector3f direction(const StudioLight& light, const ViewAxes& view) {
-  const Eigen::Vector3f& t = light.towards;
-  return (view.right * t.x() + view.up * t.y() + view.back * t.z()).normalized();
+  const auto& [right, up, back] = light.towards;
+  return (view.right * right + view.up * up + view.back * back).normalized();
 }
 
 float highlight(const Eigen::Vector3f& tangent, const Eigen::Vector3f& half, float exponent) {
@@ -140,7 +131,7 @@ Eigen::Array3f HairLight::of_hair(const std::uint32_t (&corners)[3], const Eigen
   const Eigen::Array3f primary = Eigen::Map<const Eigen::Array3f>(material_.primary_color);
   const Eigen::Array3f secondary = kMeanMask * Eigen::Map<const Eigen::Array3f>(material_.secondary_color);
   Eigen::Array3f sum = Eigen::Array3f::Zero();
-  for (const StudioLight& light : lights()) {
+  for (const StudioLight& light : kStudioLights) {
     const Eigen::Vector3f towards = direction(light, view);
     Eigen::Array3f reflected = Eigen::Array3f::Constant(std::clamp(0.5f + 0.5f * normal.dot(towards), 0.0f, 1.0f));
     if (shines) {
@@ -148,22 +139,22 @@ Eigen::Array3f HairLight::of_hair(const std::uint32_t (&corners)[3], const Eigen
       reflected += highlight(first, half, material_.primary_exponent) * primary +
                    highlight(second, half, material_.secondary_exponent) * secondary;
     }
-    sum += light.color * reflected;
+    sum += array_of(light.color) * reflected;
   }
   const Eigen::Array3f ambient = point.openness * Eigen::Map<const Eigen::Array3f>(material_.ambient);
   return base * (ambient + (1 - material_.light_cut) * sum);
 }
 
 Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewAxes& view) {
-  Eigen::Array3f sum = Eigen::Array3f::Constant(0.12f);
-  for (const StudioLight& light : lights()) {
-    sum += light.color * std::max(0.75f * normal.dot(direction(light, view)) + 0.25f, 0.0f);
+  Eigen::Array3f sum = Eigen::Array3f::Constant(kClayAmbient);
+  for (const StudioLight& light : kStudioLights) {
+    sum += array_of(light.color) * std::max((1 - kClayWrap) * normal.dot(direction(light, view)) + kClayWrap, 0.0f);
   }
-  return Eigen::Array3f(0.42f, 0.33f, 0.28f) * sum;
+  return array_of(kClay) * sum;
 }
 
 Eigen::Array3f backdrop(float height) {
-  const Eigen::Array3f bottom(0.36f, 0.36f, 0.37f), top(0.17f, 0.19f, 0.22f);
+  const Eigen::Array3f bottom = array_of(kBackdropBottom), top = array_of(kBackdropTop);
   return bottom + smoothstep(height) * (top - bottom);
 }
 

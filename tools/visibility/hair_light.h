@@ -36,7 +36,7 @@ struct ViewAxes {
   Eigen::Vector3f right, up, back;
 };
 
-/// Hair and head in the light of the tools' pictures (render/camera.h): what colours the layers of a pixel have, for judging
+/// Hair and head in the light of the tools' pictures (base/studio.h): what colours the layers of a pixel have, for judging
 /// how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the ambient term, as
 /// shaders/shading.glsl has them for kThesis; other models' highlights are left out. Light falls as at rest, and highlights are
 /// where they would be without the texture that moves them.

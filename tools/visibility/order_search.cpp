@@ -146,6 +146,7 @@ class OrderSearch {
     std::optional<bool> together = from != nullptr ? from->rule.faces_together : settings_.faces_together;
     if (!hair_.surface.double_sided) together = false;
     std::vector<DrawRule> rules;
+    rules.reserve(2);
     if (!together || !*together) rules.push_back(rule_of(hair_, settings_, false));
     if (!together || *together) rules.push_back(rule_of(hair_, settings_, true));
     return rules;

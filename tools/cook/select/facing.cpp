@@ -16,7 +16,7 @@ constexpr double kLeastHair = 0.3;  ///< Of the square of the head's radius; wit
 }  // namespace
 
 bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head) {
-  if (source.faces_backwards) return *source.faces_backwards;
+  if (source.facing != Facing::kUnknown) return source.facing == Facing::kBackwards;
   double front = 0, back = 0;  // square metres of hair on the side of +Z and -Z
   for (std::size_t t = 0; t < hair.triangle_count(); ++t) {
     const Eigen::Vector3d a = hair.corner(t, 0).cast<double>(), b = hair.corner(t, 1).cast<double>(),

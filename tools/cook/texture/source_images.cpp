@@ -31,6 +31,7 @@ std::string listed(const TextureFolder& folder, std::span<const fs::path> images
 
 const Image* SourceImages::of(const SourceMaterial& material) {
   if (!material.opacity_texture.empty()) warn_of_opacity(material);
+  tell_other_maps(material);
   if (material.base_texture.image < source_.images.size()) return embedded(material, material.base_texture.image);
   return material.base_texture.path.empty() ? nullptr : beside(material);
 }
@@ -80,8 +81,9 @@ const Image* SourceImages::guess(std::span<const std::string> names) {
     if (candidates.size() > 1) candidates.clear();
   } else if (candidates.size() > 1) {
     std::vector<fs::path> worded;
-    std::ranges::copy_if(candidates, std::back_inserter(worded),
-                         [&](const fs::path& path) { return names_as_word(stem_of_image(path.filename().string()), names); });
+    std::ranges::copy_if(candidates, std::back_inserter(worded), [&](const fs::path& path) {
+      return names_as_word(stem_of_image(path.filename().string()), names);
+    });
     if (worded.size() == 1) candidates = worded;
   }
   if (candidates.empty()) {
@@ -145,10 +147,10 @@ void SourceImages::note_question(TextureQuestion::Kind kind, std::vector<std::st
 
 void SourceImages::warn_of_absent(const SourceMaterial& material) {
   if (const auto outside = folder_.find_outside(material.base_texture.path)) {
-    return findings_.warn(
-        fmt::format("material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
-                    "--root {}; it is cooked without a base texture",
-                    material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
+    return findings_.warn(fmt::format(
+        "material '{}': texture '{}' is a link to {}, outside the source's folder; if that is meant, allow it with "
+        "--root {}; it is cooked without a base texture",
+        material.name, material.base_texture.path, outside->string(), outside->parent_path().string()));
   }
   note_question(TextureQuestion::Kind::kImages, {});
   const std::string there =
@@ -160,13 +162,6 @@ void SourceImages::warn_of_absent(const SourceMaterial& material) {
       fmt::format("material '{}': texture '{}': no such file beside the source or in its texture "
                   "folders; {}; it is cooked without a base texture",
                   material.name, material.base_texture.path, there));
-}
-
-void SourceImages::warn_of_opacity(const SourceMaterial& material) {
-  std::string text = fmt::format("material '{}': its opacity texture '{}' is not read; put what it holds into the alpha of the base texture",
-                                 material.name, material.opacity_texture);
-  const bool is_new = std::ranges::find(findings_.warnings, text) == findings_.warnings.end();
-  if (is_new) findings_.warn(std::move(text));
 }
 
 namespace {

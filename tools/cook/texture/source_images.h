@@ -132,6 +132,7 @@ class SourceImages {
   void note_question(TextureQuestion::Kind kind, std::vector<std::string> words);
   void warn_of_absent(const SourceMaterial& material);
   void warn_of_opacity(const SourceMaterial& material);
+  void tell_other_maps(const SourceMaterial& material);  ///< Each once.
 
   const SourceModel& source_;
   TextureFolder folder_;

@@ -1,0 +1,34 @@
+#include "cook/texture/source_images.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace coif {
+
+// What a material has beside its base colour: who made it should hear that it does not count.
+
+void SourceImages::tell_other_maps(const SourceMaterial& material) {
+  const auto leave_out = [&](const std::string& map, const char* why) {
+    LeftOut part{fmt::format("material '{}': {}", material.name, map), why};
+    const bool is_new = std::ranges::find(findings_.left_out, part.what, &LeftOut::what) == findings_.left_out.end();
+    if (is_new) findings_.leave_out(std::move(part));
+  };
+  const SourceTexture& normals = material.normal_texture;
+  if (!normals.path.empty() || normals.image != kNoIndex) {
+    leave_out(normals.path.empty() ? "normal map" : fmt::format("normal map '{}'", normals.path),
+              "it tells how strands run; they are lit by their own form");
+  }
+  for (const std::string& map : material.other_textures)
+    leave_out(map, "it is not read; light is computed from the hair's form");
+}
+
+void SourceImages::warn_of_opacity(const SourceMaterial& material) {
+  std::string text = fmt::format(
+      "material '{}': its opacity texture '{}' is not read; put what it holds into the alpha of the base texture",
+      material.name, material.opacity_texture);
+  const bool is_new = std::ranges::find(findings_.warnings, text) == findings_.warnings.end();
+  if (is_new) findings_.warn(std::move(text));
+}
+
+}  // namespace coif
