@@ -3,6 +3,7 @@
 #include "cook/cook.h"
 #include "cook/fitted_wig.h"
 #include "cook/strands/choose_patches.h"
+#include "models/small_asset.h"
 
 #include <coif/asset.h>
 

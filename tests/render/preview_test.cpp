@@ -128,6 +128,22 @@ TEST_F(PreviewOfAWig, MomentsOnOneWayAreWhatEachIsAlone) {
   }
 }
 
+TEST(TurnedRound, GoesWhereTheFaceLooks) {
+  for (const Motion motion : {Motion::kNod, Motion::kTurn, Motion::kCharge, Motion::kTumble}) {
+    const auto path = path_of(motion), turned = turned_round(path_of(motion));
+    const Eigen::Quaterniond round(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()));
+    for (const double time : {0.0, 0.2, 0.55, 1.3}) {
+      const HeadState a = path->at(time), b = turned->at(time);
+      EXPECT_LT((round * a.position - b.position).norm(), 1e-9);
+      EXPECT_LT((round * a.velocity - b.velocity).norm(), 1e-9);
+      EXPECT_LT((round * a.angular_velocity - b.angular_velocity).norm(), 1e-9);
+      // The face, along +Z of one head and -Z of the other, looks into turned directions.
+      const Eigen::Vector3d ahead = round * (a.rotation * Eigen::Vector3d::UnitZ());
+      EXPECT_LT((ahead - b.rotation * -Eigen::Vector3d::UnitZ()).norm(), 1e-9) << time;
+    }
+  }
+}
+
 /// Chest > neck > head, and a mesh of three vertices that follow one of them each.
 SourceModel bust() {
   SourceModel model;

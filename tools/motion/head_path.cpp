@@ -48,6 +48,34 @@ HeadPose HeadPath::pose(double seconds) const { return pose_of(at(seconds)); }
 
 std::unique_ptr<HeadPath> path_of(Motion motion) { return std::make_unique<MotionPath>(motion); }
 
+namespace {
+
+class TurnedPath final : public HeadPath {
+ public:
+  explicit TurnedPath(std::unique_ptr<HeadPath> path) : path_(std::move(path)) {}
+
+  [[nodiscard]] HeadState at(double seconds, double inside) const override {
+    HeadState state = path_->at(seconds, inside);
+    for (Eigen::Vector3d* v : {&state.position, &state.velocity, &state.acceleration, &state.angular_velocity,
+                               &state.angular_acceleration}) {
+      *v = {-v->x(), v->y(), -v->z()};
+    }
+    const Eigen::Quaterniond& q = state.rotation;
+    state.rotation = {q.w(), -q.x(), q.y(), -q.z()};  // half a turn about Y before and back after it
+    return state;
+  }
+  [[nodiscard]] std::vector<PathBreak> breaks(double until) const override { return path_->breaks(until); }
+
+ private:
+  std::unique_ptr<HeadPath> path_;
+};
+
+}  // namespace
+
+std::unique_ptr<HeadPath> turned_round(std::unique_ptr<HeadPath> path) {
+  return std::make_unique<TurnedPath>(std::move(path));
+}
+
 HeadPose pose_of(const HeadState& state) {
   HeadPose pose;
   std::copy_n(state.position.data(), 3, pose.position);

@@ -76,6 +76,9 @@ class HeadPath {
 
 [[nodiscard]] std::unique_ptr<HeadPath> path_of(Motion motion);
 
+/// The same movement of a head that looks along -Z: forwards is where its face is.
+[[nodiscard]] std::unique_ptr<HeadPath> turned_round(std::unique_ptr<HeadPath> path);
+
 /// Rounded to the precision of the runtime's rotations.
 [[nodiscard]] HeadPose pose_of(const HeadState& state);
 

@@ -1,6 +1,6 @@
 #include "render/motion_frame.h"
 
-#include "base/hair_runtime.h"
+#include "base/geometry.h"
 #include "render/stage_renderer.h"
 
 #include <coif/skinning.h>

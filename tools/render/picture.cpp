@@ -146,10 +146,12 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene
   return picture;
 }
 
-/// Null: at rest.
-std::shared_ptr<const HeadPath> played_path(const PictureSettings& settings) {
+/// Null: at rest. A clip is the file's own; our motions go where the face looks.
+std::shared_ptr<const HeadPath> played_path(const Asset& asset, const PictureSettings& settings) {
   if (settings.clip) return settings.clip;
-  return settings.motion ? path_of(*settings.motion) : nullptr;
+  if (!settings.motion) return nullptr;
+  auto path = path_of(*settings.motion);
+  return yaw_of_face(asset) != 0 ? turned_round(std::move(path)) : std::move(path);
 }
 
 tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset& asset,
@@ -190,7 +192,7 @@ tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
 tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& settings) {
   const Asset& asset = loaded_->asset;
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
-  const auto path = played_path(settings);
+  const auto path = played_path(asset, settings);
   const auto pose = simulate_pose(asset, path.get(), settings.time, settings.step, settings.solver);
   if (!pose) return tl::unexpected(pose.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);

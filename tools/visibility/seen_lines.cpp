@@ -1,5 +1,7 @@
 #include "visibility/seen_lines.h"
 
+#include "base/collider_shapes.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
