@@ -120,13 +120,7 @@ if(CASE STREQUAL "clips_move_heads")
       "buffers": [{"byteLength": 48, "uri": "data:application/octet-stream;base64,]=] "${bytes}" "\"}]}")
   endfunction()
 
-  function(expect code text)
-    execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${FOLDER}"
-                    RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err)
-    if(NOT result EQUAL code OR NOT "${out}${err}" MATCHES "${text}")
-      message(SEND_ERROR "${ARGN}: exit code ${result}, wanted ${code} and: ${text}\n${out}${err}")
-    endif()
-  endfunction()
+  include("${CMAKE_CURRENT_LIST_DIR}/expect.cmake")
 
   set(bytes AAAAAAAAAD8AAIA/AAAAAAAAAAAAAAAAAAAAAAAAAACamZk+AAAAAAAAAAAAAAAA)
   write_clip(slide.gltf ${bytes} 3)

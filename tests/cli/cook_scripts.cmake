@@ -149,13 +149,7 @@ endif()
 
 # A draft is found before it ships, with and without its source.
 if(CASE STREQUAL "drafts_do_not_ship")
-  function(expect code pattern)
-    execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${FOLDER}"
-                    RESULT_VARIABLE found OUTPUT_VARIABLE out ERROR_VARIABLE err)
-    if(NOT found EQUAL code OR NOT "${out}${err}" MATCHES "${pattern}")
-      message(FATAL_ERROR "coif ${ARGN}: exit code ${found}, not ${code}, or without '${pattern}':\n${out}${err}")
-    endif()
-  endfunction()
+  include("${CMAKE_CURRENT_LIST_DIR}/expect.cmake")
   expect(0 "a draft" cook "${SOURCE}" --draft -o out.coif)
   expect(0 "made +draft" info out.coif)
   expect(0 "a draft: cooked with --draft, to look at .A291." validate out.coif)

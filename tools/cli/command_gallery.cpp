@@ -47,11 +47,7 @@ tl::expected<Exit, ToolError> run_gallery(const GalleryOptions& options) {
   if (!gallery) {
     return tl::unexpected(ToolError{gallery.error().kind, options.file + ": " + gallery.error().message});
   }
-  const std::vector<std::uint8_t> png = encode_png(gallery->sheet);
-  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
-  if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
-    return tl::unexpected(written.error());
-  }
+  if (auto written = write_png(options.output, gallery->sheet); !written) return tl::unexpected(written.error());
   print_result(result_text(options, *gallery));
   return Exit::kOk;
 }

@@ -86,11 +86,7 @@ tl::expected<Exit, ToolError> run_look(const LookOptions& options, const Message
   const auto look = render_look(asset, settings, [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!look) return tl::unexpected(ToolError{look.error().kind, options.file + ": " + look.error().message});
-  const std::vector<std::uint8_t> png = encode_png(look->sheet);
-  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
-  if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
-    return tl::unexpected(written.error());
-  }
+  if (auto written = write_png(options.output, look->sheet); !written) return tl::unexpected(written.error());
   print_result(result_text(options, *look));
   return Exit::kOk;
 }

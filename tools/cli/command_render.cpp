@@ -114,11 +114,7 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   if (!picture) {
     return tl::unexpected(ToolError{picture.error().kind, options.file + ": " + picture.error().message});
   }
-  const std::vector<std::uint8_t> png = encode_png(*picture);
-  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
-  if (auto written = write_output(options.output, std::as_bytes(std::span(png))); !written) {
-    return tl::unexpected(written.error());
-  }
+  if (auto written = write_png(options.output, *picture); !written) return tl::unexpected(written.error());
   print_result(result_text(options, settings, file->asset(), *picture));
   return Exit::kOk;
 }

@@ -81,9 +81,7 @@ tl::expected<void, ToolError> draw_chart(const CookOptions& options, const CookR
                                         [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!chart) return tl::unexpected(ToolError{chart.error().kind, options.source() + ": " + chart.error().message});
-  const std::vector<std::uint8_t> png = encode_png(chart->sheet);
-  if (png.empty()) return tl::unexpected(ToolError{ToolError::Kind::kInternal, "out of memory"});
-  return write_output(options.output, std::as_bytes(std::span(png)));
+  return write_png(options.output, chart->sheet);
 }
 
 }  // namespace

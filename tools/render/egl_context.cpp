@@ -1,11 +1,12 @@
 #include "render/egl_context.h"
 
+#include "base/srgb.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,20 @@ EGLConfig choose_config(EGLDisplay display) {
 void* find_function(const char* name, void*) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
 
 }  // namespace
+
+// Loaders give functions of absent extensions too, so that the list has to be asked.
+bool has_extension(const GlLoader& loader, std::string_view wanted) {
+  const auto get_integer = reinterpret_cast<PFNGLGETINTEGERVPROC>(loader.get_proc("glGetIntegerv", loader.user));
+  const auto get_string = reinterpret_cast<PFNGLGETSTRINGIPROC>(loader.get_proc("glGetStringi", loader.user));
+  if (get_integer == nullptr || get_string == nullptr) return false;
+  GLint count = 0;
+  get_integer(GL_NUM_EXTENSIONS, &count);
+  for (GLuint i = 0; i < GLuint(count); ++i) {
+    const auto* name = reinterpret_cast<const char*>(get_string(GL_EXTENSIONS, i));
+    if (name != nullptr && name == wanted) return true;
+  }
+  return false;
+}
 
 bool EglContext::open(void* display, Handles& handles) {
   if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return false;
@@ -94,16 +109,6 @@ void attach(GLenum attachment, GLenum format, std::uint32_t width, std::uint32_t
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-bool has_extension(std::string_view wanted) {
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLuint i = 0; i < GLuint(count); ++i) {
-    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
-    if (name != nullptr && name == wanted) return true;
-  }
-  return false;
-}
-
 /// OpenGL's first row is the lowest, a picture's the highest.
 template <typename Value>
 std::vector<Value> top_down(std::vector<Value> pixels, std::size_t row) {
@@ -113,11 +118,6 @@ std::vector<Value> top_down(std::vector<Value> pixels, std::size_t row) {
     std::swap_ranges(at(low), at(low + 1), at(high));
   }
   return pixels;
-}
-
-float to_linear(std::uint8_t srgb) {
-  const float c = float(srgb) / 255;
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
 }
 
 }  // namespace
@@ -131,7 +131,8 @@ tl::expected<OffscreenTarget, ToolError> OffscreenTarget::create(std::uint32_t w
   OffscreenTarget target;
   target.width_ = width;
   target.height_ = height;
-  if (pixels == Pixels::kRadiance && has_extension("GL_EXT_color_buffer_float")) target.pixels_ = pixels;
+  const bool draws_floats = has_extension({find_function, nullptr}, "GL_EXT_color_buffer_float");
+  target.pixels_ = draws_floats ? pixels : Pixels::kSrgb;
   const GLenum format = target.pixels_ == Pixels::kRadiance ? GL_RGBA16F : GL_SRGB8_ALPHA8;
   glGenFramebuffers(1, &target.resolved_);
   glBindFramebuffer(GL_FRAMEBUFFER, target.resolved_);
@@ -175,7 +176,7 @@ std::vector<float> OffscreenTarget::read_radiance() const {
   if (pixels_ == Pixels::kSrgb) {
     std::vector<float> pixels;
     for (const std::uint8_t value : read())
-      pixels.push_back(pixels.size() % 4 == 3 ? float(value) / 255 : to_linear(value));
+      pixels.push_back(pixels.size() % 4 == 3 ? float(value) / 255 : decode_srgb(float(value) / 255));
     return pixels;
   }
   resolve();

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,9 @@ class EglContext {
 
   Handles handles_;
 };
+
+/// Whether the current context has an extension, asked with this loader's functions.
+[[nodiscard]] bool has_extension(const GlLoader& loader, std::string_view wanted);
 
 /// A context with the runtime's renderer in it.
 struct DrawingDevice {

@@ -1,6 +1,7 @@
 #include "render/gallery.h"
 
 #include "base/geometry.h"
+#include "base/srgb.h"
 #include "motion/head_path.h"
 
 #include <fmt/format.h>
@@ -176,8 +177,7 @@ namespace {
 constexpr double kMaxColor = 1000;  // of a material: formats/SPECIFICATION.md
 
 double linear(std::byte srgb) {
-  const double value = std::to_integer<int>(srgb) / 255.0;
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  return decode_srgb(std::to_integer<int>(srgb) / 255.0);
 }
 
 MaterialRecord first_gallery() {

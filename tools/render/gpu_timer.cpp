@@ -19,20 +19,6 @@ bool find(const GlLoader& loader, const char* name, Function& function) {
   return function != nullptr;
 }
 
-/// Loaders give functions of absent extensions too, so that the list has to be asked.
-bool has_extension(const GlLoader& loader) {
-  PFNGLGETINTEGERVPROC get_integer = nullptr;
-  PFNGLGETSTRINGIPROC get_string = nullptr;
-  if (!find(loader, "glGetIntegerv", get_integer) || !find(loader, "glGetStringi", get_string)) return false;
-  GLint count = 0;
-  get_integer(GL_NUM_EXTENSIONS, &count);
-  for (GLuint i = 0; i < GLuint(count); ++i) {
-    const auto* name = reinterpret_cast<const char*>(get_string(GL_EXTENSIONS, i));
-    if (name != nullptr && name == kExtension) return true;
-  }
-  return false;
-}
-
 /// Mesa's llvmpipe fills a picture tile by tile and tells how long the last tile took: 10 ms of the 536 ms that ten
 /// triangles over all of 1024 x 768 pixels take. Vertices do not count at all.
 bool counts_parts_only(const GlLoader& loader) {
@@ -54,7 +40,7 @@ bool counts_time(const GlLoader& loader) {
 }  // namespace
 
 GpuTimer::GpuTimer(const GlLoader& loader) {
-  if (!has_extension(loader) || counts_parts_only(loader) || !counts_time(loader)) return;
+  if (!has_extension(loader, kExtension) || counts_parts_only(loader) || !counts_time(loader)) return;
   PFNGLGENQUERIESEXTPROC gen_queries = nullptr;
   const bool complete =
       find(loader, "glGetIntegerv", gl_.get_integer) && find(loader, "glBeginQueryEXT", gl_.begin_query) &&

@@ -116,16 +116,6 @@ void draw_labels(std::span<const std::vector<Eigen::Vector2i>> pixels_of, std::s
   }
 }
 
-/// What PictureMaker frames with the same settings, at rest.
-Camera camera_of(const Asset& asset, const PictureSettings& picture, Eigen::Vector3d& place) {
-  const CrowdView view = frame_crowd(framed_points(asset), {.yaw_degrees = picture.yaw_degrees + yaw_of_face(asset),
-                                                            .pitch_degrees = picture.pitch_degrees,
-                                                            .aspect = double(picture.width) / picture.height,
-                                                            .margin = picture.margin});
-  place = view.places.front();
-  return view.camera;
-}
-
 }  // namespace
 
 tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std::span<const PatchLabel> labels,
@@ -153,14 +143,14 @@ tl::expected<GallerySheet, ToolError> render_patch_chart(const Asset& asset, std
     auto taken = maker->take(picture);
     if (!taken) return tl::unexpected(taken.error());
     device = taken->device;
-    Eigen::Vector3d place;
-    const Camera camera = camera_of(asset, picture, place);
-    Eigen::Matrix4f world_from_head = Eigen::Matrix4f::Identity();
-    world_from_head.topRightCorner<3, 1>() = place.cast<float>();
+    const auto frame = frame_picture(asset, picture);
+    if (!frame) return tl::unexpected(frame.error());
+    Eigen::Matrix4f clip_from_head = Eigen::Matrix4f::Identity();
+    clip_from_head.topRightCorner<3, 1>() = frame->view.places.front().cast<float>();
+    clip_from_head = frame->view.camera.clip_from_world * clip_from_head;
     SeenPatches seen(settings.width, settings.height);
-    for (std::uint32_t p = 0; p < patches.size(); ++p)
-      seen.draw(patches[p], camera.clip_from_world * world_from_head, p);
-    for (const SolidMesh& mesh : head) seen.draw(mesh, camera.clip_from_world * world_from_head, kNobody);
+    for (std::uint32_t p = 0; p < patches.size(); ++p) seen.draw(patches[p], clip_from_head, p);
+    for (const SolidMesh& mesh : head) seen.draw(mesh, clip_from_head, kNobody);
     draw_labels(seen.pixels_of(labels.size()), labels, *taken);
     section.tiles.push_back({side.name, std::move(*taken)});
     ++result.pictures;

@@ -1,5 +1,6 @@
 #include "render/picture.h"
 
+#include "base/files.h"
 #include "motion/head_path.h"
 #include "render/camera.h"
 #include "render/egl_context.h"
@@ -165,6 +166,18 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 
 }  // namespace
 
+tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
+  auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
+  if (!points) return tl::unexpected(points.error());
+  const CameraSettings camera{.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
+                              .pitch_degrees = settings.pitch_degrees,
+                              .aspect = double(settings.width) / settings.height,
+                              .heads = settings.heads,
+                              .margin = settings.margin};
+  CrowdView view = frame_crowd(*points, camera);
+  return PictureFrame{std::move(*points), std::move(view)};
+}
+
 /// The asset in the context. Objects of the context die with it, last.
 struct PictureMaker::Loaded {
   Loaded(const Asset& source, std::unique_ptr<DrawingDevice> opened) : asset(source), device(std::move(opened)) {}
@@ -206,16 +219,10 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr);
   if (!stage) return tl::unexpected(stage.error());
 
-  const double aspect = double(settings.width) / settings.height;
-  const auto points = what_is_framed(asset, settings, path.get());
-  if (!points) return tl::unexpected(points.error());
-  const CrowdView view = frame_crowd(*points, {.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
-                                               .pitch_degrees = settings.pitch_degrees,
-                                               .aspect = aspect,
-                                               .heads = settings.heads,
-                                               .margin = settings.margin});
-  const ShadowBall ball = ball_around(*points, view.places);
-  const Scene scene{loaded_->model, *stage, *pose, view, ball, shadow ? &*shadow : nullptr};
+  const auto frame = frame_picture(asset, settings);
+  if (!frame) return tl::unexpected(frame.error());
+  const ShadowBall ball = ball_around(frame->points, frame->view.places);
+  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, shadow ? &*shadow : nullptr};
   return take_picture(*loaded_->device, scene, settings);
 }
 
@@ -226,6 +233,12 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
   auto maker = PictureMaker::create(asset);
   if (!maker) return tl::unexpected(maker.error());
   return maker->take(settings);
+}
+
+tl::expected<void, ToolError> write_png(const std::string& path, const Picture& picture) {
+  const std::vector<std::uint8_t> png = encode_png(picture);
+  if (png.empty()) return failure(ToolError::Kind::kInternal, "out of memory");
+  return write_output(path, std::as_bytes(std::span(png)));
 }
 
 MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {

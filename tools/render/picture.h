@@ -4,6 +4,7 @@
 #include "base/tool_error.h"
 #include "import/source_model.h"
 #include "motion/head_path.h"
+#include "render/camera.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -71,6 +72,15 @@ struct Picture {
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
 };
 
+/// What a picture shows, and from where.
+struct PictureFrame {
+  std::vector<Eigen::Vector3d> points;  ///< That have to be in it, of each head, from its joint; world axes, metres.
+  CrowdView view;
+};
+
+/// As PictureMaker frames it. Errors: those of simulate_poses().
+tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings);
+
 /// Pictures of one asset, which must outlive this object, in one OpenGL ES context; one of these at a time.
 class PictureMaker {
  public:
@@ -97,5 +107,8 @@ tl::expected<Picture, ToolError> render_picture(const Asset& asset, const Pictur
 [[nodiscard]] inline std::vector<std::uint8_t> encode_png(const Picture& picture) {
   return encode_png(picture.rgba, picture.width, picture.height);
 }
+
+/// Writes them to `path`, whole or not at all.
+tl::expected<void, ToolError> write_png(const std::string& path, const Picture& picture);
 
 }  // namespace coif

@@ -1,5 +1,7 @@
 #include "render/tone_curve.h"
 
+#include "base/srgb.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,9 +13,7 @@ namespace {
 constexpr float kShoulder = 0.75f;  ///< Of white: where the curve leaves the straight line.
 
 std::uint8_t to_srgb(float linear) {
-  const float c = std::clamp(linear, 0.0f, 1.0f);
-  const float encoded = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
-  return std::uint8_t(std::lround(255 * encoded));
+  return std::uint8_t(std::lround(255 * encode_srgb(std::clamp(linear, 0.0f, 1.0f))));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "visibility/hair_light.h"
 
+#include "base/srgb.h"
 #include "base/studio.h"
 
 #include <Eigen/Geometry>
@@ -19,7 +20,7 @@ const std::array<float, kEncodedSteps + 1>& encoding() {
     std::array<float, kEncodedSteps + 1> encoded{};
     for (int i = 0; i <= kEncodedSteps; ++i) {
       const double c = double(i) * i / (double(kEncodedSteps) * kEncodedSteps);
-      encoded[std::size_t(i)] = float(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
+      encoded[std::size_t(i)] = float(encode_srgb(c));
     }
     return encoded;
   }();
@@ -30,8 +31,7 @@ const std::array<float, 256>& decoding() {
   static const auto table = [] {
     std::array<float, 256> linear{};
     for (int i = 0; i < 256; ++i) {
-      const double c = i / 255.0;
-      linear[std::size_t(i)] = float(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+      linear[std::size_t(i)] = float(decode_srgb(i / 255.0));
     }
     return linear;
   }();

@@ -30,27 +30,28 @@ void append(TextureRole role, TexelFormat format, std::span<const Image> mips, u
   out.records.push_back(record);
 }
 
+std::uint64_t bytes_with_mips(TexelFormat format, const Image& image) {
+  std::uint64_t bytes = 0;
+  for (std::uint32_t mip = 0; std::max(image.width, image.height) >> mip > 0; ++mip) {
+    bytes += mip_bytes(format, image.width, image.height, mip);
+  }
+  return bytes;
+}
+
 struct BaseMips {
   std::vector<Image> color;
   std::vector<Image> used;
 };
 
-std::uint64_t bytes_with_mips(const Image& image) {
-  std::uint64_t bytes = 0;
-  for (std::uint32_t mip = 0; std::max(image.width, image.height) >> mip > 0; ++mip) {
-    bytes += mip_bytes(TexelFormat::kSrgb8Alpha8, image.width, image.height, mip);
-  }
-  return bytes;
-}
-
 void report_spared(const Image& whole, const DetailedImage& kept, Findings& findings) {
   const Image& image = kept.image;
   if (image.width == whole.width && image.height == whole.height) return;
-  findings.leave_out({fmt::format("texels of the base colour: {} x {} of {} x {} are kept", image.width, image.height,
-                                  whole.width, whole.height),
-                      fmt::format("more would say no more: it is off by {:.2f} of 255 (RMS), {:.1f} at most",
-                                  kept.error.rms, kept.error.most),
-                      bytes_with_mips(whole) - bytes_with_mips(image)});
+  findings.leave_out(
+      {fmt::format("texels of the base colour: {} x {} of {} x {} are kept", image.width, image.height, whole.width,
+                   whole.height),
+       fmt::format("more would say no more: it is off by {:.2f} of 255 (RMS), {:.1f} at most", kept.error.rms,
+                   kept.error.most),
+       bytes_with_mips(TexelFormat::kSrgb8Alpha8, whole) - bytes_with_mips(TexelFormat::kSrgb8Alpha8, image)});
 }
 
 BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency,
@@ -106,8 +107,7 @@ void keep_constants(std::span<const Image> mips, TexelFormat format, BakedTextur
   const Image& image = mips[0];
   out.constant_shift = image.texels[0] / 255.0;
   out.constant_mask = image.texels[1] / 255.0;
-  std::uint64_t bytes = sizeof(TextureRecord);
-  for (std::uint32_t mip = 0; mip < mips.size(); ++mip) bytes += mip_bytes(format, image.width, image.height, mip);
+  const std::uint64_t bytes = sizeof(TextureRecord) + bytes_with_mips(format, image);
   findings.leave_out({"texture of shift and mask", "both are the same everywhere; the material says them", bytes});
 }
 

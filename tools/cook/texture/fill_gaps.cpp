@@ -1,5 +1,7 @@
 #include "cook/texture/texture_atlas.h"
 
+#include "base/srgb.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,14 +85,10 @@ bool fill(GapLayer<kChannels>& layer) {
   return true;
 }
 
-float light_of(std::uint8_t srgb) {
-  const float s = float(srgb) / 255;
-  return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
+float light_of(std::uint8_t srgb) { return decode_srgb(float(srgb) / 255); }
 
 std::uint8_t srgb_of(float light) {
-  const float s = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-  return std::uint8_t(std::lround(std::clamp(s, 0.0f, 1.0f) * 255));
+  return std::uint8_t(std::lround(std::clamp(encode_srgb(light), 0.0f, 1.0f) * 255));
 }
 
 /// Used, or beside a used one: what filtering in the largest mip can reach stays as it was painted.

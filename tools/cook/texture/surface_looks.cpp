@@ -1,3 +1,4 @@
+#include "base/srgb.h"
 #include "base/text.h"
 #include "cook/texture/base_color.h"
 
@@ -55,15 +56,13 @@ bool names_texture(const SourceModel& source, std::uint32_t material) {
 std::array<float, 256> srgb_to_linear() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double encoded = double(i) / 255;
-    table[i] = float(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+    table[i] = float(decode_srgb(double(i) / 255));
   }
   return table;
 }
 
 std::uint8_t linear_to_srgb(float linear) {
-  const double encoded = linear <= 0.0031308f ? 12.92 * linear : 1.055 * std::pow(double(linear), 1 / 2.4) - 0.055;
-  return std::uint8_t(std::lround(std::clamp(encoded, 0.0, 1.0) * 255));
+  return std::uint8_t(std::lround(std::clamp(encode_srgb(double(linear)), 0.0, 1.0) * 255));
 }
 
 std::uint8_t painted_alpha(const SurfaceLook& look, const JointAlpha& joint, std::uint8_t stored) {
