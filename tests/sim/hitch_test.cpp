@@ -75,8 +75,9 @@ TEST(Hitch, FollowsTheMotionOfItsTime) {
   }
 }
 
+HeadPose spin(double t) { return {{0, 0, 0}, turned_about({0, 1, 0}, 6 * t)}; }
+
 TEST(Hitch, AHeadThatWasHeldStopsAsIfItHadStopped) {
-  const auto spin = [](double t) { return HeadPose{{0, 0, 0}, turned_about({0, 1, 0}, 6 * t)}; };
   for (const HeadMotion& motion : {HeadMotion(glide), HeadMotion(spin)}) {
     const HeadMotion held = until(3, motion);
     TestHair hitched(rig()), smooth(rig());
@@ -84,6 +85,28 @@ TEST(Hitch, AHeadThatWasHeldStopsAsIfItHadStopped) {
     const float usual = largest_swing(smooth, held, 1.0f / 60, {});
     EXPECT_GT(usual, 0.02f) << "or it had not moved";
     EXPECT_LT(swing, usual);
+  }
+}
+
+/// How far any bone's end is at most from where frames of 1/600 s instead of the hitch would have it, metres.
+float largest_distance_from_fine(const HeadMotion& motion, double hitch) {
+  std::vector<double> frames = even_frames(60, 3);
+  for (const double later : even_frames(600, hitch)) frames.push_back(3 + later);
+  const std::size_t end = frames.size() - 1;
+  for (const double later : even_frames(60, 1)) frames.push_back(3 + hitch + later);
+  const Playback fine = play(rig(), motion, frames), hitched = play(rig(), motion, frames_with(hitch));
+  float worst = 0;
+  for (std::size_t i = 0; end + i < fine.ends.size(); ++i) {
+    worst = std::max(worst, largest_distance(hitched.ends[180 + i], fine.ends[end + i]));
+  }
+  return worst;
+}
+
+TEST(Hitch, AHeadThatWasHeldIsNotTakenToFlyBack) {
+  // That it stopped at once or halfway is not known; that it turned round at full speed would be made up.
+  for (const double hitch : {0.25, 0.5}) {
+    EXPECT_LT(largest_distance_from_fine(until(3, glide), hitch), 0.8 * kLength) << hitch;
+    EXPECT_LT(largest_distance_from_fine(until(3, spin), hitch), 0.28 * kLength) << hitch;
   }
 }
 
