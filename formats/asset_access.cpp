@@ -31,7 +31,7 @@ std::uint32_t Asset::order_count() const {
 }
 
 const TextureRecord* Asset::texture(TextureRole role) const {
-  for (const TextureRecord& texture : textures()) {
+  for (const TextureRecord& texture : is_relief(role) ? reliefs() : textures()) {
     if (texture.role == role) return &texture;
   }
   return nullptr;
@@ -41,7 +41,8 @@ std::span<const std::byte> Asset::texels(const TextureRecord& texture, std::uint
   std::uint64_t offset = texture.offset;
   for (std::uint32_t i = 0; i < mip; ++i) offset += mip_bytes(texture.format, texture.width, texture.height, i);
   const std::uint64_t bytes = mip_bytes(texture.format, texture.width, texture.height, mip);
-  return records<chunk::kTexels>().subspan(std::size_t(offset), std::size_t(bytes));
+  const auto all = is_relief(texture.role) ? records<chunk::kReliefTexels>() : records<chunk::kTexels>();
+  return all.subspan(std::size_t(offset), std::size_t(bytes));
 }
 
 }  // namespace coif

@@ -13,7 +13,9 @@ constexpr float kMaxColor = 1.0e3f;
 bool format_fits(const TextureRecord& t) {
   switch (t.role) {
     case TextureRole::kBaseColor: return t.format == TexelFormat::kSrgb8Alpha8;
-    case TextureRole::kShiftMask: return t.format == TexelFormat::kRg8 || t.format == TexelFormat::kRg11Eac;
+    case TextureRole::kShiftMask:
+    case TextureRole::kNormal:
+    case TextureRole::kStrandAxis: return t.format == TexelFormat::kRg8 || t.format == TexelFormat::kRg11Eac;
   }
   return false;
 }
@@ -48,25 +50,43 @@ LoadStatus check_material(const Asset& asset) {
   return good ? LoadStatus{} : LoadStatus{LoadCode::kNotFinite, chunk::kMaterial};
 }
 
-LoadStatus check_textures(const Asset& asset) {
-  const std::size_t texel_bytes = asset.records<chunk::kTexels>().size();
+namespace {
+
+/// One of the two chunks of records, with the texels that its records are of.
+struct TextureChunk {
+  std::uint32_t id;
+  std::span<const TextureRecord> records;
+  std::size_t texel_bytes;
+  bool is_relief;
+};
+
+LoadStatus check_chunk(const TextureChunk& chunk) {
   std::uint32_t roles_seen = 0;
-  for (std::size_t i = 0; i < asset.textures().size(); ++i) {
-    const TextureRecord& t = asset.textures()[i];
+  for (std::size_t i = 0; i < chunk.records.size(); ++i) {
+    const TextureRecord& t = chunk.records[i];
     const auto fail = [&](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
-      return LoadStatus{code, chunk::kTextures, i, expected, found};
+      return LoadStatus{code, chunk.id, i, expected, found};
     };
     if (t.reserved != 0) return fail(LoadCode::kReserved);
-    if (!format_fits(t)) return fail(LoadCode::kEnumerator);
+    if (!format_fits(t) || is_relief(t.role) != chunk.is_relief) return fail(LoadCode::kEnumerator);
     if ((roles_seen & 1u << unsigned(t.role)) != 0) return fail(LoadCode::kChunkDuplicate);
     roles_seen |= 1u << unsigned(t.role);
     if (!dimensions_fit(t)) return fail(LoadCode::kNotFinite);
     if (t.bytes != all_mip_bytes(t)) return fail(LoadCode::kChunkSize, all_mip_bytes(t), t.bytes);
-    if (t.offset > texel_bytes || t.bytes > texel_bytes - t.offset || t.offset % 16 != 0) {
-      return fail(LoadCode::kReference, texel_bytes, t.offset);
+    if (t.offset > chunk.texel_bytes || t.bytes > chunk.texel_bytes - t.offset || t.offset % 16 != 0) {
+      return fail(LoadCode::kReference, chunk.texel_bytes, t.offset);
     }
   }
   return {};
+}
+
+}  // namespace
+
+LoadStatus check_textures(const Asset& asset) {
+  const LoadStatus status =
+      check_chunk({chunk::kTextures, asset.textures(), asset.records<chunk::kTexels>().size(), false});
+  if (!status) return status;
+  return check_chunk({chunk::kReliefs, asset.reliefs(), asset.records<chunk::kReliefTexels>().size(), true});
 }
 
 LoadStatus check_provenance(const Asset& asset) {

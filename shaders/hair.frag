@@ -21,7 +21,11 @@ float light_reaching(int i) {
 #endif
 
 Strand strand_of(vec3 color, vec2 shift_mask) {
-  return Strand(normalize(tangent), seen_normal(), normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
+  vec3 t = normalize(tangent), n = seen_normal();
+#if defined(COIF_NORMAL_MAP) || defined(COIF_STRAND_MAP)
+  follow_relief(t, n);
+#endif
+  return Strand(t, n, normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
 }
 
 Reflected sum_lights(Strand strand) {
@@ -47,15 +51,14 @@ Reflected sum_lights(Strand strand) {
 }
 
 void main() {
-  // Before any discard: choosing mips, and the slope, needs the neighbours' coordinates.
+  // Before any discard: choosing mips, the slope and the relief's axes need the neighbours' coordinates.
   vec4 base = base_at(uv);
-  vec2 shift_mask = shift_mask_at(uv);
+  Strand strand = strand_of(base.rgb, shift_mask_at(uv));
 #ifdef COIF_SHADOW
   shadow_place = shadow_from_view * vec4(position, 1.0);
   shadow_slope = hair_slope(shadow_place);
 #endif
   float coverage = keep(base.a);
-  Strand strand = strand_of(base.rgb, shift_mask);
   Reflected sum = sum_lights(strand);
   vec3 light = component.y * sum.diffuse + component.z * sum.primary + component.w * sum.secondary;
   write_fragment(component.x * openness * ambient.rgb * base.rgb + light * tint(strand), coverage);

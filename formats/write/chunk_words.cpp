@@ -23,6 +23,7 @@ constexpr ChunkGroup kGroups[] = {
     {"motion", "hair is rigid with the head"},
     {"lods", "the finest level of detail alone"},
     {"orders", "one draw order for all directions"},
+    {"relief", "lit by the strips' own form"},
     {"textures", "strips in one colour, without alpha"},
     {"material", "drawn as the host says"},
     {"mesh", "simulated, not drawn"},

@@ -22,7 +22,8 @@ DrawView view_of(const DrawDesc& desc) {
 }
 
 void bind_shadow(const GlFunctions& gl, const ShadowState& shadow) {
-  for (std::uint32_t i = 0; i < HairShadow::kTextures; ++i) bind_texture(gl, kShadowUnit + GLint(i), shadow.textures[i]);
+  for (std::uint32_t i = 0; i < HairShadow::kTextures; ++i)
+    bind_texture(gl, kShadowUnit + GLint(i), shadow.textures[i]);
 }
 
 void unbind_shadow(const GlFunctions& gl, const ShadowState& shadow) {
@@ -102,6 +103,8 @@ Status HairRenderer::draw(const HairModel& hair_model, std::span<const HairInsta
 
 void bind_model(const GlFunctions& gl, const ModelState& model) {
   gl.BindVertexArray(model.vertex_array);
+  bind_texture(gl, kStrandUnit, model.strand_texture);
+  bind_texture(gl, kNormalUnit, model.normal_texture);
   bind_texture(gl, kShiftMaskUnit, model.shift_mask_texture);
   bind_texture(gl, kBaseUnit, model.base_texture);
   set_draw_state(gl);
@@ -110,6 +113,8 @@ void bind_model(const GlFunctions& gl, const ModelState& model) {
 void unbind_model(const GlFunctions& gl, const ModelState& model) {
   leave_draw_state(gl);
   if (model.palette_texture != 0) unbind_texture(gl, kPaletteUnit);
+  if (model.strand_texture != 0) unbind_texture(gl, kStrandUnit);
+  if (model.normal_texture != 0) unbind_texture(gl, kNormalUnit);
   if (model.shift_mask_texture != 0) unbind_texture(gl, kShiftMaskUnit);
   if (model.base_texture != 0) unbind_texture(gl, kBaseUnit);
   gl.ActiveTexture(GL_TEXTURE0);

@@ -37,7 +37,9 @@ std::uint32_t needs_of(const Asset& asset, const DrawnHair& hair, const MatrixLa
   constexpr std::uint32_t kBones[] = {0, variant::kOneBone, variant::kFourBones};  // in the order of Skinning
   return kBones[static_cast<std::size_t>(hair.skinning)] | (layout.bones_in_texture ? variant::kBonesInTexture : 0) |
          (asset.texture(TextureRole::kBaseColor) != nullptr ? variant::kBaseTexture : 0) |
-         (asset.texture(TextureRole::kShiftMask) != nullptr ? variant::kShiftMask : 0);
+         (asset.texture(TextureRole::kShiftMask) != nullptr ? variant::kShiftMask : 0) |
+         (asset.texture(TextureRole::kNormal) != nullptr ? variant::kNormalMap : 0) |
+         (asset.texture(TextureRole::kStrandAxis) != nullptr ? variant::kStrandMap : 0);
 }
 
 }  // namespace
@@ -66,6 +68,8 @@ Status HairModel::upload(HairRenderer& hair_renderer, const Asset& asset, const 
   gl.ActiveTexture(GL_TEXTURE0);
   fresh.base_texture = upload_texture(gl, asset, TextureRole::kBaseColor);
   fresh.shift_mask_texture = upload_texture(gl, asset, TextureRole::kShiftMask);
+  fresh.normal_texture = upload_texture(gl, asset, TextureRole::kNormal);
+  fresh.strand_texture = upload_texture(gl, asset, TextureRole::kStrandAxis);
   if (fresh.layout.bones_in_texture) fresh.palette_texture = make_palette_texture(gl, fresh.hair.bone_count);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   if (!has_indices || gl.GetError() != GL_NO_ERROR) {
@@ -134,6 +138,8 @@ void ModelState::release(const GlFunctions& gl) {
   gl.DeleteBuffers(1, &index_buffer);
   gl.DeleteTextures(1, &base_texture);
   gl.DeleteTextures(1, &shift_mask_texture);
+  gl.DeleteTextures(1, &normal_texture);
+  gl.DeleteTextures(1, &strand_texture);
   gl.DeleteTextures(1, &palette_texture);
 }
 

@@ -65,6 +65,8 @@ struct ModelState {
   GLuint index_buffer = 0;
   GLuint base_texture = 0;
   GLuint shift_mask_texture = 0;
+  GLuint normal_texture = 0;
+  GLuint strand_texture = 0;
   GLuint palette_texture = 0;  ///< 0: matrices fit into a block.
 };
 

@@ -1,7 +1,7 @@
 #include "gl/shader_programs.h"
 
-#include "gl/textures.h"
 #include "gl/shadow/shadow_state.h"
+#include "gl/textures.h"
 
 #include <coif/shading_models.h>
 
@@ -59,6 +59,8 @@ constexpr Define kDefines[] = {
     {variant::kBonesInTexture, "#define COIF_BONES_IN_TEXTURE\n"},
     {variant::kBaseTexture, "#define COIF_BASE_TEXTURE\n"},
     {variant::kShiftMask, "#define COIF_SHIFT_MASK\n"},
+    {variant::kNormalMap, "#define COIF_NORMAL_MAP\n"},
+    {variant::kStrandMap, "#define COIF_STRAND_MAP\n"},
     {variant::kPrimary, "#define COIF_PRIMARY\n"},
     {variant::kSecondary, "#define COIF_SECONDARY\n"},
     {variant::kAlphaTest, "#define COIF_ALPHA_TEST\n"},
@@ -106,6 +108,7 @@ Source fragment_source(std::uint32_t bits, const Pass& pass) {
   source.add(kShaderHairEncodeGlsl).add(code.output).add(kShaderHairSurfaceGlsl);
   if ((bits & variant::kShaded) != 0) {
     const char* const model = kShadingPieces[(bits & variant::kModel) >> variant::kModelShift];
+    if ((bits & (variant::kNormalMap | variant::kStrandMap)) != 0) source.add(kShaderReliefGlsl);
     return source.add(kShaderShadingGlsl).add(model).add(kShaderHairFrag);
   }
   return source.add(kShaderHairDirectionFrag);
@@ -128,6 +131,8 @@ void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const Pass&
   gl.UseProgram(program);  // Of a texture that the program lacks the location is -1, which is ignored.
   gl.Uniform1i(gl.GetUniformLocation(program, "base_texture"), kBaseUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "shift_mask_texture"), kShiftMaskUnit);
+  gl.Uniform1i(gl.GetUniformLocation(program, "normal_texture"), kNormalUnit);
+  gl.Uniform1i(gl.GetUniformLocation(program, "strand_texture"), kStrandUnit);
   gl.Uniform1i(gl.GetUniformLocation(program, "palette_texture"), kPaletteUnit);
   if (pass.shadow != nullptr) bind_shadow_textures(gl, program, *pass.shadow);
   for (const FragmentCode::Sampler& sampler : pass.code->samplers) {
@@ -143,7 +148,7 @@ bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 
 std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   using namespace variant;
   if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
-  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kModel);
+  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kModel | kNormalMap | kStrandMap);
   if ((bits & (kPrimary | kSecondary)) == 0) bits &= ~kShiftMask;
   if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
   if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)

@@ -18,6 +18,8 @@ inline constexpr GLint kPaletteUnit = 2;
 inline constexpr GLint kShadowUnit = 3;  // and the next, as many as HairShadow::kTextures
 inline constexpr GLint kPeeledUnit = 7;
 inline constexpr GLint kFoundUnit = 8;
+inline constexpr GLint kNormalUnit = 9;
+inline constexpr GLint kStrandUnit = 10;
 inline constexpr GLuint kListHeadIndex = 0;  // shader storage buffer indices
 inline constexpr GLuint kListNodeIndex = 1;
 

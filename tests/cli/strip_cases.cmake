@@ -11,7 +11,7 @@ coif_cli_case(strip_takes_what_needs_it EXIT 0 SAMPLE WRITES out.coif
 coif_cli_case(strip_says_what_it_rewrites EXIT 0 SAMPLE WRITES out.coif
   STDOUT "removed   CHAN .*removed   DYNA .*rewritten SKEL\n  rewritten BONE\n"
   ARGS strip ${COIF_COOKED_SAMPLE} -o out.coif --without motion)
-coif_cli_case(strip_help_lists_groups EXIT 0 STDOUT "textures .*[(]TEXR TEXD[)].*mesh .*Exit codes" ARGS strip --help)
+coif_cli_case(strip_help_lists_groups EXIT 0 STDOUT "textures .*[(]TEXR TEXD RELR RELD[)].*mesh .*Exit codes" ARGS strip --help)
 
 coif_cli_case(strip_needed_chunk EXIT 1 SAMPLE
   STDERR "coif strip: error: --without: no asset is without BONE: .*; leave it off the list"

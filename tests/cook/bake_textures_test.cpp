@@ -37,8 +37,8 @@ SaidTextures baked(const BaseColor& color, const HairMesh& hair, const Recipe& r
 }
 
 const TextureRecord& record_of(const BakedTextures& baked, TextureRole role) {
-  const auto found = std::ranges::find(baked.records, role, &TextureRecord::role);
-  if (found == baked.records.end()) throw std::logic_error("no such texture");
+  const auto found = std::ranges::find(baked.stored.records, role, &TextureRecord::role);
+  if (found == baked.stored.records.end()) throw std::logic_error("no such texture");
   return *found;
 }
 
@@ -50,7 +50,7 @@ std::vector<Image> stored_mips(const BakedTextures& baked, TextureRole role, std
   for (std::uint32_t level = 0; level < record.mip_count; ++level) {
     Image mip{std::max(1u, record.width >> level), std::max(1u, record.height >> level), channels, {}};
     const std::size_t bytes = mip.texel_count() * channels;
-    for (std::size_t i = 0; i < bytes; ++i) mip.texels.push_back(std::uint8_t(baked.texels[at + i]));
+    for (std::size_t i = 0; i < bytes; ++i) mip.texels.push_back(std::uint8_t(baked.stored.texels[at + i]));
     at += bytes;
     mips.push_back(std::move(mip));
   }
@@ -68,8 +68,8 @@ TEST(BakeTextures, MipsKeepTheCoverageOfWhatTheHairShowsAtTheThresholdInUse) {
     const double in_use = textures.transparency.opaque_threshold;
     ASSERT_GT(in_use, 0.4);
     AssetContents contents;
-    contents.textures = textures.records;
-    contents.texels = textures.texels;
+    contents.textures = textures.stored.records;
+    contents.texels = textures.stored.texels;
     contents.material = {pack_material(color, textures, left_half(), recipe)};
     keep_coverage(textures.used, contents);
     const auto mips = base_color_mips(contents);
@@ -133,8 +133,8 @@ TEST(BakeTextures, WhiteHairOnBlackHasNoDarkEdgeInAnyMip) {
   });
   const BakedTextures textures = baked(color, left_half(), default_recipe());
   AssetContents contents;
-  contents.textures = textures.records;
-  contents.texels = textures.texels;
+  contents.textures = textures.stored.records;
+  contents.texels = textures.stored.texels;
   contents.material = {pack_material(color, textures, left_half(), default_recipe())};
   keep_coverage(textures.used, contents);
   const auto mips = base_color_mips(contents);
@@ -204,8 +204,8 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
 TEST(BakeTextures, ThreadsDoNotChangeTheBytes) {
   BaseColor color;
   color.image = strands_beside_a_face();
-  const auto one = baked(color, left_half(), default_recipe(), {.threads = 1, .recipe_directory = {}}).texels;
-  EXPECT_EQ(one, baked(color, left_half(), default_recipe(), {.threads = 3, .recipe_directory = {}}).texels);
+  const auto one = baked(color, left_half(), default_recipe(), {.threads = 1, .recipe_directory = {}}).stored.texels;
+  EXPECT_EQ(one, baked(color, left_half(), default_recipe(), {.threads = 3, .recipe_directory = {}}).stored.texels);
 }
 
 TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
@@ -224,19 +224,19 @@ TEST(BakeTextures, ShiftAndMaskThatAreTheSameEverywhereAreNumbersInstead) {
     recipe.mask_texture = mask;
     return baked(BaseColor{}, left_half(), recipe, {.recipe_directory = folder.path()});
   };
-  EXPECT_EQ(baked_from("one_differs.png", "same.png").records.size(), 1u);
-  EXPECT_EQ(baked_from("same.png", "one_differs.png").records.size(), 1u);
-  EXPECT_EQ(baked_from("same.png", "").records.size(), 1u) << "the mask is generated";
+  EXPECT_EQ(baked_from("one_differs.png", "same.png").stored.records.size(), 1u);
+  EXPECT_EQ(baked_from("same.png", "one_differs.png").stored.records.size(), 1u);
+  EXPECT_EQ(baked_from("same.png", "").stored.records.size(), 1u) << "the mask is generated";
   const BakedTextures varying = baked_from("one_differs.png", "same.png");
   EXPECT_EQ(varying.constant_shift, 0.5);
   EXPECT_EQ(varying.constant_mask, 1);
 
   const SaidTextures constant = baked_from("same.png", "same.png");
-  EXPECT_TRUE(constant.records.empty());
+  EXPECT_TRUE(constant.stored.records.empty());
   EXPECT_DOUBLE_EQ(constant.constant_shift, 0.2);
   EXPECT_DOUBLE_EQ(constant.constant_mask, 0.2);
   ASSERT_EQ(constant.left_out.size(), 1u);
-  EXPECT_EQ(constant.left_out[0].bytes, varying.texels.size() + sizeof(TextureRecord));
+  EXPECT_EQ(constant.left_out[0].bytes, varying.stored.texels.size() + sizeof(TextureRecord));
 
   const MaterialRecord plain = pack_material(BaseColor{}, varying, left_half(), recipe);
   const MaterialRecord said = pack_material(BaseColor{}, constant, left_half(), recipe);
@@ -252,8 +252,8 @@ TEST(BakeTextures, WithoutTextureCoordinatesNothingIsStored) {
   HairMesh hair = left_half();
   hair.uvs.clear();
   const SaidTextures textures = baked(color, hair, default_recipe());
-  EXPECT_TRUE(textures.records.empty());
-  EXPECT_TRUE(textures.texels.empty());
+  EXPECT_TRUE(textures.stored.records.empty());
+  EXPECT_TRUE(textures.stored.texels.empty());
   EXPECT_EQ(textures.left_out.size(), 1u);
 }
 

@@ -93,11 +93,9 @@ TEST(BaseColor, MapsThatAreNotDrawnAreTold) {
   folder.write_flat("strands.png", kRed);
   SourceModel model = model_beside(folder, "wig.obj");
   add_surface(model, "strands").base_texture.path = "strands.png";
-  model.materials[0].normal_texture.path = "strands_n.png";
   model.materials[0].other_textures = {"occlusion map 'strands_ao.png'"};
   const SaidColor color = base_color_of(model);
   const auto told = [&](const char* what) { return std::ranges::count(color.left_out, what, &LeftOut::what); };
-  EXPECT_EQ(told("material 'strands': normal map 'strands_n.png'"), 1);
   EXPECT_EQ(told("material 'strands': occlusion map 'strands_ao.png'"), 1);
 }
 
@@ -217,19 +215,73 @@ TEST(BaseColor, TheOnlyImageBesideASourceIsTakenWhateverItsNameUnlessItIsAnother
 TEST(BaseColor, TheNormalMapComesWithItWhereThereIsOneSurface) {
   const ImageFolder folder;
   folder.write_flat("hair.png", kRed);
-  folder.write_flat("maps/hair_n.png", kGreen);
+  folder.write_flat("maps/hair_n.png", {128, 128, 255, 255});
   SourceModel model = model_beside(folder, "wig.fbx");
   SourceMaterial& material = add_surface(model, "strands");
   material.base_texture.path = "hair.png";
   material.normal_texture.path = "C:\\maps\\hair_n.png";
   const SaidColor color = base_color_of(model);
   ASSERT_TRUE(color.normals);
-  EXPECT_EQ(texel_at(*color.normals, {0.5f, 0.5f}), kGreen);
+  EXPECT_EQ(color.normals->channels, 2u);
   EXPECT_EQ(color.files.size(), 2u);
   model.materials[0].normal_texture.path = "lost.png";
   const SaidColor without = base_color_of(model);
   EXPECT_FALSE(without.normals);
-  EXPECT_TRUE(without.warnings.empty()) << "it only helps";
+  EXPECT_EQ(only_warning(without),
+            "material 'strands': normal map 'lost.png': no such file beside the source; it is lit by its own form");
+}
+
+TEST(BaseColor, ARecipesNormalMapTakesTheSourcesPlace) {
+  const ImageFolder folder;
+  folder.write_flat("hair.png", kRed);
+  folder.write_flat("hair_n.png", {204, 128, 230, 255});
+  folder.write_flat("recipes/own_n.png", {128, 204, 230, 255});
+  SourceModel model = model_beside(folder, "wig.fbx");
+  SourceMaterial& material = add_surface(model, "strands");
+  material.base_texture.path = "hair.png";
+  material.normal_texture.path = "hair_n.png";
+  Recipe recipe = default_recipe();
+  const CookSettings settings{.recipe_directory = folder.path() / "recipes"};
+  const auto lean = [&](std::size_t channel) {
+    HairMesh hair = whole_hair(model);
+    Findings findings;
+    const auto color = find_base_color(model, hair, recipe, settings, findings);
+    return color && color->normals ? int(color->normals->texels[channel]) - 128 : 1000;
+  };
+  EXPECT_GT(lean(0), 60);
+  recipe.normal_texture = "own_n.png";
+  EXPECT_EQ(lean(0), 0);
+  EXPECT_LT(lean(1), -60) << "green leads up where nothing shows the contrary";
+  recipe.normal_green = "down";
+  EXPECT_GT(lean(1), 60);
+  recipe.normal_strength = 0.5;
+  EXPECT_LT(lean(1), 50);
+  recipe.normal_texture = "lost.png";
+  HairMesh hair = whole_hair(model);
+  Findings findings;
+  const auto lost = find_base_color(model, hair, recipe, settings, findings);
+  ASSERT_FALSE(lost);
+  EXPECT_NE(lost.error().message.find("recipe key \"textures.normal\""), std::string::npos) << lost.error().message;
+  recipe.normal_texture = "";
+  recipe.normal_strength = 0;
+  EXPECT_EQ(lean(0), 1000) << "none is used";
+}
+
+TEST(BaseColor, WhatIsNoNormalMapIsNamedAndNotUsed) {
+  const ImageFolder folder;
+  folder.write_flat("hair.png", kRed);
+  folder.write_flat("hair_n.png", kGreen);
+  SourceModel model = model_beside(folder, "wig.fbx");
+  SourceMaterial& material = add_surface(model, "strands");
+  material.name = "locks";
+  material.base_texture.path = "hair.png";
+  material.normal_texture.path = "hair_n.png";
+  const SaidColor color = base_color_of(model);
+  EXPECT_FALSE(color.normals);
+  EXPECT_EQ(
+      only_warning(color),
+      "material 'locks': its normal map is not used: 100 % of its normals lead into the surface: it shows something "
+      "else, or normals in the model's axes");
 }
 
 TEST(BaseColor, AGltfWithoutATextureMeansIt) {

@@ -2,6 +2,8 @@
 #include "cook/image_files.h"
 #include "cook/texture/base_color.h"
 
+#include <coif/asset_records.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,6 +75,37 @@ TEST_F(JoinedSurfaces, AColorWithoutAnImageBecomesATile) {
   const std::size_t last = hair_.triangle_count() - 1;
   EXPECT_EQ(shown(*color.image, hair_, 0), kRed);
   EXPECT_EQ(shown(*color.image, hair_, last), (Rgba{255, 128, 0, 255}));
+}
+
+TEST_F(JoinedSurfaces, EachIsLitByItsOwnNormalMapOrByNone) {
+  const auto lean_of = [this](const Image& image, std::size_t triangle) {
+    Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+    for (std::size_t k = 0; k < 3; ++k) uv += hair_.uvs[hair_.triangles[3 * triangle + k]] / 3;
+    const std::size_t texel = repeated(uv.y(), image.height) * image.width + repeated(uv.x(), image.width);
+    const auto value = [&](std::size_t c) { return two_sided(float(image.texels[2 * texel + c]) / 255); };
+    return Eigen::Vector2f(value(0), value(1));
+  };
+  SourceMaterial& leaning = add("strands", flat(16, 16, kRed));
+  model_.images.push_back({"normals", encoded(flat(64, 64, {204, 128, 230, 255}), FileFormat::kPng)});
+  leaning.normal_texture.image = std::uint32_t(model_.images.size() - 1);
+  add("band", flat(16, 16, kBlue));
+  const BaseColor color = joined();
+  ASSERT_TRUE(color.atlas && color.normals);
+  EXPECT_EQ(color.normals->width, color.image->width);
+  EXPECT_GE(color.atlas->tiles[0].width, 50u) << "as large as the finer of its two images";
+  EXPECT_LT((lean_of(*color.normals, 0) - Eigen::Vector2f(0.6f, 0)).norm(), 0.02f);
+  EXPECT_EQ(lean_of(*color.normals, hair_.triangle_count() - 1), Eigen::Vector2f(0, 0));
+}
+
+TEST_F(JoinedSurfaces, OneNormalMapServesMaterialsThatDifferInNothingElse) {
+  model_.images.push_back({"normals", encoded(flat(8, 8, {204, 128, 230, 255}), FileFormat::kPng)});
+  add("front", flat(16, 16, kRed));
+  SourceMaterial& back = add_surface(model_, "back");
+  back.base_texture.image = 1;
+  back.normal_texture.image = 0;
+  const BaseColor color = joined();
+  EXPECT_FALSE(color.atlas);
+  EXPECT_TRUE(color.normals);
 }
 
 TEST_F(JoinedSurfaces, AnAtlasIsScaledIntoTheLimitAndNotHalved) {

@@ -12,7 +12,9 @@ Image all_used(const Image& image) {
   return {image.width, image.height, 1, std::vector<std::uint8_t>(image.texel_count(), 255)};
 }
 
-DetailedImage reduced(const Image& image) { return reduce_to_detail(image, all_used(image)); }
+DetailedImage reduced(const Image& image) {
+  return reduce_to_detail(image, all_used(image), TexelMeaning::kSrgbColorAlpha);
+}
 
 TEST(TextureDetail, OneColourIsOneTexel) {
   const DetailedImage kept = reduced(flat(64, 32, {200, 100, 50, 255}));
@@ -74,10 +76,11 @@ TEST(TextureDetail, ColoursUnderClearTexelsAndTexelsThatNothingShowsDoNotCount) 
     return Rgba{std::uint8_t(y < 16 ? 90 : int(engine() % 256)), 0, 0, 255};
   });
   Image used = all_used(half);
-  EXPECT_EQ(reduce_to_detail(half, used).image.width, 32u);
+  EXPECT_EQ(reduce_to_detail(half, used, TexelMeaning::kSrgbColorAlpha).image.width, 32u);
   std::fill(used.texels.begin() + 14 * 32, used.texels.end(), std::uint8_t{0});
   std::fill(used.texels.begin(), used.texels.begin() + 2 * 32, std::uint8_t{0});
-  EXPECT_EQ(reduce_to_detail(half, used).image.width, 1u) << "of the rows that show one colour";
+  EXPECT_EQ(reduce_to_detail(half, used, TexelMeaning::kSrgbColorAlpha).image.width, 1u)
+      << "of the rows that show one colour";
 }
 
 }  // namespace coif::texture_detail_test

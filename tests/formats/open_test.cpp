@@ -205,6 +205,29 @@ TEST(Open, AcceptsACompressedShiftMaskAndNoOtherCompressedTexture) {
   EXPECT_EQ(refusal(compress(0, 4, 16)), LoadCode::kEnumerator);
 }
 
+TEST(Open, FindsMapsOfTheSurfaceInTheirOwnChunks) {
+  AlignedBytes file(write_asset(small_asset()));
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  ASSERT_EQ(asset.reliefs().size(), 2u);
+  EXPECT_EQ(asset.texture(TextureRole::kNormal), &asset.reliefs()[0]);
+  EXPECT_EQ(asset.texels(asset.reliefs()[0], 1).size(), 2u);
+  EXPECT_EQ(asset.texels(asset.reliefs()[1], 0)[15], std::byte{7});
+  EXPECT_EQ(two_sided(128.0f / 255), 0);
+  EXPECT_EQ(two_sided(1), 1);
+}
+
+TEST(Open, RefusesBrokenMapsOfTheSurface) {
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[0].role = TextureRole::kShiftMask; }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[0].role = TextureRole(4); }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.textures[1].role = TextureRole::kNormal; }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[0].format = TexelFormat::kSrgb8Alpha8; }), LoadCode::kEnumerator);
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[1] = a.reliefs[0]; }), LoadCode::kChunkDuplicate);
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[1].offset = 32; }), LoadCode::kReference);
+  EXPECT_EQ(refusal([](auto& a) { a.reliefs[0].bytes = 8; }), LoadCode::kChunkSize);
+  EXPECT_EQ(refusal([](auto& a) { a.relief_texels.clear(); }), LoadCode::kReference);
+}
+
 TEST(Open, RefusesBrokenAppearance) {
   EXPECT_EQ(refusal([](auto& a) { a.material[0].opaque_threshold = 2; }), LoadCode::kNotFinite);
   EXPECT_EQ(refusal([](auto& a) { a.material[0].flags = 4; }), LoadCode::kReserved);

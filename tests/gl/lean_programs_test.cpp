@@ -111,6 +111,23 @@ TEST_F(LeanPrograms, PrepareBuildsWhatAnUnusualDrawNeeds) {
   EXPECT_EQ(renderer_.prepare(model, direction), Status::kNotCreated);
 }
 
+TEST_F(LeanPrograms, FollowAReliefOnlyWhereTheAssetHasOneAndSomethingIsLit) {
+  draw_lit(textured());
+  EXPECT_FALSE(used("normal_texture") || used("strand_texture"));
+  AssetContents contents = textured(200);
+  contents.relief_texels.resize(32, std::byte{128});
+  contents.reliefs = {{TextureRole::kNormal, TexelFormat::kRg8, 1, 1, 1, 0, 0, 2}};
+  draw_lit(contents);
+  EXPECT_TRUE(used("normal_texture"));
+  EXPECT_FALSE(used("strand_texture"));
+  EXPECT_EQ(calls_->textures, 3);
+  const auto lit = [&](GLuint program) { return glGetUniformLocation(program, "normal_texture") >= 0; };
+  EXPECT_GT(std::ranges::count_if(calls_->drawn_with, std::not_fn(lit)), 0) << "depth alone wants no normals";
+  contents.reliefs.push_back({TextureRole::kStrandAxis, TexelFormat::kRg8, 1, 1, 1, 0, 16, 2});
+  draw_lit(contents);
+  EXPECT_TRUE(used("normal_texture") && used("strand_texture"));
+}
+
 TEST_F(LeanPrograms, FetchOnlyTexturesThatTheAssetHas) {
   draw_lit(textured());
   EXPECT_TRUE(used("base_texture"));

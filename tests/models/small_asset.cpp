@@ -85,6 +85,9 @@ void add_textures(AssetContents& asset) {
   asset.textures.push_back({TextureRole::kShiftMask, TexelFormat::kRg8, 2, 2, 1, 0, 48, 8});
   asset.texels.resize(56);
   for (std::size_t i = 0; i < asset.texels.size(); ++i) asset.texels[i] = std::byte(i * 37);
+  asset.reliefs = {{TextureRole::kNormal, TexelFormat::kRg8, 2, 2, 2, 0, 0, 10},
+                   {TextureRole::kStrandAxis, TexelFormat::kRg11Eac, 4, 4, 3, 0, 16, 48}};
+  asset.relief_texels.assign(64, std::byte{7});
 }
 
 }  // namespace
@@ -159,9 +162,11 @@ double touch_asset(const Asset& asset) {
       if (!asset.skin().empty()) sum += asset.bones()[asset.skin()[v].bone[0]].joint[0];
     }
   }
-  for (const TextureRecord& t : asset.textures()) {
-    for (std::uint32_t mip = 0; mip < t.mip_count; ++mip) {
-      for (std::byte b : asset.texels(t, mip)) sum += double(b);
+  for (const auto& textures : {asset.textures(), asset.reliefs()}) {
+    for (const TextureRecord& t : textures) {
+      for (std::uint32_t mip = 0; mip < t.mip_count; ++mip) {
+        for (std::byte b : asset.texels(t, mip)) sum += double(b);
+      }
     }
   }
   return sum;

@@ -58,7 +58,8 @@ ordered_json dynamics_ranges(const Asset& asset) {
   return settings;
 }
 
-constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};  // as TexelFormat
+constexpr const char* kTextureRoles[] = {"base_color", "shift_mask", "normal", "strand_axis"};  // as TextureRole
+constexpr const char* kTexelFormats[] = {"rgba8", "rg8", "eac_rg11"};                           // as TexelFormat
 
 /// Of the base colour with what each mip covers: hair that loses coverage gets thin with distance.
 ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCoverage>& coverage) {
@@ -76,14 +77,15 @@ ordered_json mip_list(const TextureRecord& texture, const std::vector<AlphaCover
 ordered_json texture_list(const Asset& asset) {
   const std::vector<AlphaCoverage> coverage = mip_coverage(asset);
   ordered_json list = ordered_json::array();
-  for (const TextureRecord& texture : asset.textures()) {
-    const char* role = texture.role == TextureRole::kBaseColor ? "base_color" : "shift_mask";
-    list.push_back({{"role", role},
-                    {"format", kTexelFormats[std::size_t(texture.format)]},
-                    {"width", texture.width},
-                    {"height", texture.height},
-                    {"mips", mip_list(texture, coverage)},
-                    {"bytes", texture.bytes}});
+  for (const auto& textures : {asset.textures(), asset.reliefs()}) {
+    for (const TextureRecord& texture : textures) {
+      list.push_back({{"role", kTextureRoles[std::size_t(texture.role)]},
+                      {"format", kTexelFormats[std::size_t(texture.format)]},
+                      {"width", texture.width},
+                      {"height", texture.height},
+                      {"mips", mip_list(texture, coverage)},
+                      {"bytes", texture.bytes}});
+    }
   }
   return list;
 }

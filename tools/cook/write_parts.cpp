@@ -14,8 +14,10 @@ void pack_parts(Cooking& c) {
   contents.tuning = c.tuned.tuning;
   contents.quality = c.tuned.quality;
   contents.material = {pack_material(c.color, c.textures, c.hair.mesh, c.recipe)};
-  contents.textures = c.textures.records;
-  contents.texels = std::move(c.textures.texels);
+  contents.textures = c.textures.stored.records;
+  contents.texels = std::move(c.textures.stored.texels);
+  contents.reliefs = c.textures.relief.records;
+  contents.relief_texels = std::move(c.textures.relief.texels);
   contents.provenance = {make_provenance(c.source, c.recipe, c.settings.source_hash)};
   if (c.settings.draft) contents.provenance.front().flags |= kProvenanceDraft;
 }

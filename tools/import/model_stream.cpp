@@ -124,7 +124,8 @@ constexpr auto transfer_material = [](auto& archive, auto& material) {
   return archive.sequence(material.name) && archive.raw(material.base_color.data(), 4 * sizeof(float)) &&
          archive.sequence(material.base_texture.path) && archive.plain(material.base_texture.image) &&
          archive.sequence(material.normal_texture.path) && archive.plain(material.normal_texture.image) &&
-         archive.sequence(material.opacity_texture) && archive.list(material.other_textures, sizeof(std::uint64_t), transfer_text) &&
+         archive.plain(material.normal_strength) && archive.sequence(material.opacity_texture) &&
+         archive.list(material.other_textures, sizeof(std::uint64_t), transfer_text) &&
          transfer_choice(archive, material.alpha_use, AlphaUse::kBlend) && archive.plain(material.alpha_cutoff) &&
          transfer_flag(archive, material.double_sided);
 };

@@ -50,6 +50,15 @@ aiString normal_texture_path(const aiMaterial& material) {
   return aiString();
 }
 
+// Files that give no number, or none that can be meant, show the map as it is painted.
+float normal_strength(const aiMaterial& material) {
+  constexpr float kMost = 16;
+  float strength = 1;
+  const bool is_given = material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), strength) == AI_SUCCESS ||
+                        material.Get(AI_MATKEY_BUMPSCALING, strength) == AI_SUCCESS;
+  return is_given && strength >= 0 && strength <= kMost ? strength : 1;
+}
+
 // Empty where it is the base colour's own, as exporters write it for an image with alpha.
 std::string opacity_path(const aiMaterial& material, const aiString& base) {
   aiString path;
@@ -159,6 +168,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS) out.name = text_of(name);
     out.base_texture = textures.find(path);
     out.normal_texture = textures.find(normal_texture_path(material));
+    out.normal_strength = normal_strength(material);
     out.opacity_texture = opacity_path(material, path);
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);

@@ -55,6 +55,7 @@ struct SourceMaterial {
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
+  float normal_strength = 1;               ///< What the map's slopes are multiplied with.
   std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;

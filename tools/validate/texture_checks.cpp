@@ -1,8 +1,8 @@
 #include "cook/texture/alpha.h"
 #include "validate/asset_checks.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,13 @@ constexpr double kThin = 0.75;            // of what the largest mip covers
 constexpr std::uint32_t kFewTexels = 16;  // a side: hair so far away is hardly seen
 
 const char* place(TextureRole role) {
-  return role == TextureRole::kBaseColor ? "base colour texture" : "shift and mask texture";
+  switch (role) {
+    case TextureRole::kBaseColor: return "base colour texture";
+    case TextureRole::kShiftMask: return "shift and mask texture";
+    case TextureRole::kNormal: return "map of normals";
+    case TextureRole::kStrandAxis: return "map of strands";
+  }
+  return "texture";
 }
 
 /// Some used texel has an alpha that neither passes as solid nor as nothing.
@@ -39,20 +45,24 @@ void find_thin_mips(const TextureRecord& texture, std::span<const AlphaCoverage>
   }
 }
 
+void check_size(const TextureRecord& texture, Issues& issues) {
+  const std::string size = fmt::format("{} x {} texels", texture.width, texture.height);
+  if (!std::has_single_bit(texture.width) || !std::has_single_bit(texture.height)) {
+    add_issue(issues, "A271", place(texture.role), "{} are no powers of two", size);
+  }
+  const auto all = std::uint32_t(std::bit_width(std::max(texture.width, texture.height)));
+  if (texture.mip_count >= all) return;
+  add_issue(issues, "A272", place(texture.role), "{} of the {} mips of {}", texture.mip_count, all, size);
+}
+
 }  // namespace
 
 void check_textures(const Asset& asset, Issues& issues) {
   if (!asset.vertices().empty() && asset.texture(TextureRole::kBaseColor) == nullptr) {
     add_issue(issues, "A204", "", "no base colour texture: strips are drawn as solid cards");
   }
-  for (const TextureRecord& texture : asset.textures()) {
-    const std::string size = fmt::format("{} x {} texels", texture.width, texture.height);
-    if (!std::has_single_bit(texture.width) || !std::has_single_bit(texture.height)) {
-      add_issue(issues, "A271", place(texture.role), "{} are no powers of two", size);
-    }
-    const auto all = std::uint32_t(std::bit_width(std::max(texture.width, texture.height)));
-    if (texture.mip_count >= all) continue;
-    add_issue(issues, "A272", place(texture.role), "{} of the {} mips of {}", texture.mip_count, all, size);
+  for (const auto& textures : {asset.textures(), asset.reliefs()}) {
+    for (const TextureRecord& texture : textures) check_size(texture, issues);
   }
 }
 

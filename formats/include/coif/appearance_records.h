@@ -52,12 +52,26 @@ struct MaterialRecord {
 constexpr bool blends(const MaterialRecord& material) { return material.discard_threshold < material.opaque_threshold; }
 static_assert(sizeof(MaterialRecord) == 112);
 
-enum class TextureRole : std::uint32_t { kBaseColor = 0, kShiftMask = 1 };
+enum class TextureRole : std::uint32_t {
+  kBaseColor = 0,
+  kShiftMask = 1,  ///< Red: shift, green: mask.
+  /// Red and green: the unit normal's part along the directions in which U and V grow on the surface, as two_sided() has it.
+  kNormal = 2,
+  /// Red and green, as two_sided() has them: cosine and sine of twice the angle from where U grows to the strand, towards where
+  /// V grows, both times how sure the direction is. A strand and its reverse are the same, so that mips may average.
+  kStrandAxis = 3,
+};
 enum class TexelFormat : std::uint32_t {
   kSrgb8Alpha8 = 0,  ///< Four bytes, colour sRGB-encoded, alpha linear and not premultiplied.
-  kRg8 = 1,          ///< Two bytes, linear; red: shift, green: mask.
+  kRg8 = 1,          ///< Two bytes, linear.
   kRg11Eac = 2,      ///< ETC2/EAC RG11, unsigned: 16 bytes for 4x4 texels; the same meaning, half the size of kRg8.
 };
+
+/// Of the surface's form; stored in RELR and RELD, others in TEXR and TEXD.
+constexpr bool is_relief(TextureRole role) { return role == TextureRole::kNormal || role == TextureRole::kStrandAxis; }
+
+/// What a channel of 0..1 says of a number from -1 to 1: nought is 128 of 255, which eight bits can say.
+constexpr float two_sided(float channel) { return (channel * 255.0f - 128.0f) / 127.0f; }
 
 /// Mips follow each other, largest first, rows top to bottom without padding.
 struct TextureRecord {
@@ -67,7 +81,7 @@ struct TextureRecord {
   std::uint32_t height;
   std::uint32_t mip_count;
   std::uint32_t reserved;
-  std::uint64_t offset;  ///< Into TEXD.
+  std::uint64_t offset;  ///< Into TEXD, of a relief into RELD.
   std::uint64_t bytes;
 };
 static_assert(sizeof(TextureRecord) == 40);

@@ -84,7 +84,9 @@ class COIF_API Asset {
 
   [[nodiscard]] const MaterialRecord* material() const { return record<chunk::kMaterial>(); }  ///< Null where absent.
   [[nodiscard]] std::span<const TextureRecord> textures() const { return records<chunk::kTextures>(); }
-  /// Null where the asset has no texture of this role.
+  /// Maps of how normals and strands lie on the surface: textures of the roles that is_relief() names.
+  [[nodiscard]] std::span<const TextureRecord> reliefs() const { return records<chunk::kReliefs>(); }
+  /// Of textures() and reliefs(). Null where the asset has no texture of this role.
   [[nodiscard]] const TextureRecord* texture(TextureRole role) const;
   /// Texels of one mip; `mip` below texture.mip_count.
   [[nodiscard]] std::span<const std::byte> texels(const TextureRecord& texture, std::uint32_t mip) const;

@@ -87,7 +87,11 @@ static_assert(sizeof(ChunkEntry) == 32);
   ROW(kTextures, "TEXR", TextureRecord, kMany, textures, 16, kDrawing, idle_without(chunk::kTexels),                     \
       "textures mesh", "sizes of textures")                                                                              \
   ROW(kTexels, "TEXD", std::byte, kMany, texels, 64, kDrawData, idle_without(chunk::kTextures),                          \
-      "textures mesh", "texels")
+      "textures mesh", "texels")                                                                                         \
+  ROW(kReliefs, "RELR", TextureRecord, kMany, reliefs, 16, kDrawing, idle_without(chunk::kReliefTexels),                 \
+      "relief textures mesh", "sizes of maps of normals and strands")                                                    \
+  ROW(kReliefTexels, "RELD", std::byte, kMany, relief_texels, 64, kDrawData, idle_without(chunk::kReliefs),              \
+      "relief textures mesh", "texels of these maps")
 // clang-format on
 
 constexpr std::uint32_t chunk_id(const char (&text)[5]) {

@@ -91,8 +91,8 @@ class COIF_API HairRenderer {
   /// see prepare(), and is refused; nothing is drawn then.
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them,
-  /// 2D texture and sampler of units 0 (base colour) and 1 (shift and mask); uniform buffer binding and its indices 0
-  /// and 1; GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and
+  /// 2D texture and sampler of units 0 (base colour), 1 (shift and mask), 9 (normals) and 10 (strands); uniform buffer
+  /// binding and its indices 0 and 1; GL_BLEND, blend function and equation; GL_DEPTH_TEST, depth function and mask; GL_CULL_FACE, cull face and
   /// front face; colour mask. With more bones than a block holds, whose matrices go into a texture, also 2D texture and
   /// sampler of unit 2, pixel unpack buffer, GL_UNPACK parameters; with a shadow 2D texture and sampler of units 3 to 6.
   /// kCoverageMode also GL_SAMPLE_ALPHA_TO_COVERAGE; kExactMode the shader storage buffer binding and its indices 0 and 1,

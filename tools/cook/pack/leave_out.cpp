@@ -27,6 +27,7 @@ void leave_out_parts(const Recipe& recipe, AssetContents& contents, Findings& fi
   if (!recipe.scene_provenance && !is_draft) note("provenance", "provenance", clear_group("provenance", contents));
   if (!recipe.scene_draw) note("mesh, material and textures", "draw", clear_group("mesh", contents));
   if (!recipe.scene_shift_mask) note("shift and mask of the highlights", "shift_mask", clear_shift_mask(contents));
+  if (!recipe.scene_relief) note("maps of normals and strands", "relief", clear_group("relief", contents));
 }
 
 }  // namespace coif

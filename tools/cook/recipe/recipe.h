@@ -27,6 +27,7 @@ struct Recipe {
   bool scene_quality = false;
   bool scene_provenance = false;
   bool scene_shift_mask = false;
+  bool scene_relief = false;
   double scene_largest_size = 0;  ///< Share of the viewport's height; 0: any.
   double scene_smallest_size = 0;
   // source
@@ -91,6 +92,9 @@ struct Recipe {
   std::string base_color_texture;  ///< Path beside the recipe; "": the source's.
   std::string shift_texture;
   std::string mask_texture;
+  std::string normal_texture;  ///< Path beside the recipe; "": the source's.
+  double normal_strength = 0;
+  std::string normal_green;  ///< "auto", "up" or "down".
   std::uint32_t texture_max_size = 0;
   std::uint32_t texture_seed = 0;
   std::string shift_mask_format;  ///< "eac" or "rg8".

@@ -1,6 +1,7 @@
 #include "cook/texture/bake_textures.h"
 
 #include "base/parallel_for.h"
+#include "cook/texture/relief.h"
 #include "cook/texture/texture_atlas.h"
 #include "cook/texture/transparency.h"
 
@@ -11,32 +12,6 @@
 
 namespace coif {
 namespace {
-
-void append(TextureRole role, TexelFormat format, std::span<const Image> mips, unsigned threads, BakedTextures& out) {
-  out.texels.resize((out.texels.size() + 63) / 64 * 64);
-  TextureRecord record{};
-  record.role = role;
-  record.format = format;
-  record.width = mips[0].width;
-  record.height = mips[0].height;
-  record.mip_count = std::uint32_t(mips.size());
-  record.offset = out.texels.size();
-  for (const Image& mip : mips) {
-    const auto encoded = format == TexelFormat::kRg11Eac ? encode_eac_rg11(mip, threads) : mip.texels;
-    const auto bytes = std::as_bytes(std::span(encoded));
-    out.texels.insert(out.texels.end(), bytes.begin(), bytes.end());
-  }
-  record.bytes = out.texels.size() - record.offset;
-  out.records.push_back(record);
-}
-
-std::uint64_t bytes_with_mips(TexelFormat format, const Image& image) {
-  std::uint64_t bytes = 0;
-  for (std::uint32_t mip = 0; std::max(image.width, image.height) >> mip > 0; ++mip) {
-    bytes += mip_bytes(format, image.width, image.height, mip);
-  }
-  return bytes;
-}
 
 struct BaseMips {
   std::vector<Image> color;
@@ -67,7 +42,7 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
   used = reduce(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
   fill_gaps(image, used);
   const Image whole{image.width, image.height, 4, {}};
-  DetailedImage detailed = reduce_to_detail(std::move(image), used);
+  DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kSrgbColorAlpha);
   report_spared(whole, detailed, findings);
   image = std::move(detailed.image);
   if (image.width != whole.width || image.height != whole.height) {
@@ -136,12 +111,14 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
     if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
   });
   const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
-  if (textured) append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads, baked);
+  if (textured) baked.stored.append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads);
   if (shift_mask.is_constant) {
     keep_constants(shift_mask.mips, format, baked, findings);
   } else {
-    append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads, baked);
+    baked.stored.append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads);
   }
+  if (color.normals && recipe.normal_strength > 0)
+    baked.relief = bake_relief(*color.normals, hair.mesh, recipe, settings.threads, findings);
   baked.used = std::move(base.used);
   return baked;
 }

@@ -5,9 +5,8 @@
 #include "cook/strands/hair_strips.h"
 #include "cook/texture/base_color.h"
 #include "cook/texture/image.h"
+#include "cook/texture/stored_textures.h"
 #include "cook/texture/transparency.h"
-
-#include <coif/asset_records.h>
 
 namespace coif {
 
@@ -28,15 +27,9 @@ tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, 
 /// Red of `shift` and red of `mask` in one image of the larger size. Either may be null: its channel is generated.
 [[nodiscard]] Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t seed, bool along_u);
 
-/// Encodes an image of two channels as unsigned EAC RG11: 16 bytes for each 4x4 texels, blocks row by row, red's half
-/// first. Edges that are no multiple of four are padded with texels that the search ignores. The same bytes for any
-/// number of threads. Source of the layout: Khronos Data Format Specification 1.3, "ETC2 Compressed Texture Image
-/// Formats", "Format Unsigned R11 EAC" and "RG11 EAC".
-[[nodiscard]] std::vector<std::uint8_t> encode_eac_rg11(const Image& image, unsigned threads);
-
 struct BakedTextures {
-  std::vector<TextureRecord> records;
-  std::vector<std::byte> texels;
+  StoredTextures stored;    ///< Base colour, shift and mask.
+  StoredTextures relief;    ///< Normals and strands.
   std::vector<Image> used;  ///< For each mip of the base colour which texels the hair shows, one channel.
   Transparency transparency;
   std::vector<std::filesystem::path> files;  ///< Image files of the recipe that were read here.
@@ -48,7 +41,7 @@ struct BakedTextures {
 /// that the recipe asks for. Alpha is averaged as it is: what it loses to the threshold is given back by
 /// keep_coverage(), once the threshold is known. In an atlas shift and mask follow each surface's own coordinates. An
 /// image that the recipe names and that cannot be read is an error. Shift and mask that are the same everywhere are
-/// numbers instead. Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
+/// numbers instead. Relief comes from the source's map of normals (bake_relief()). Without texture coordinates nothing is stored. `hair` has the coordinates that find_base_color
 /// left, and its strands.
 tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, const HairStrips& hair,
                                                      const Recipe& recipe, const CookSettings& settings,

@@ -13,10 +13,22 @@ namespace {
 
 constexpr int kMostScales = 64;  ///< Tried for an atlas; a limit on size below one gutter is never met.
 
-BaseColor whole(const SurfaceLook& look) {
+/// None where the look has no map, or one that is no map of normals.
+std::optional<Image> normals_of(const SurfaceLook& look, Findings& findings) {
+  if (look.normals == nullptr || look.normal_use.strength <= 0) return std::nullopt;
+  auto map = read_normal_map(*look.normals, look.normal_use);
+  if (!map) {
+    findings.warn(fmt::format("material '{}': its normal map is not used: {}", look.name, map.error()));
+    return std::nullopt;
+  }
+  findings.note(fmt::format("material '{}': lit by {}", look.name, map->found));
+  return std::move(map->normals);
+}
+
+BaseColor whole(const SurfaceLook& look, Findings& findings) {
   BaseColor color;
   if (look.image != nullptr) color.image = *look.image;
-  if (look.normals != nullptr) color.normals = *look.normals;
+  color.normals = normals_of(look, findings);
   color.factor = look.factor;
   color.alpha_use = look.alpha_use;
   color.alpha_cutoff = look.alpha_cutoff;
@@ -27,8 +39,13 @@ std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale
   const auto scaled = [&](std::uint32_t texels) { return std::uint32_t(std::max(1.0, std::round(texels * scale))); };
   std::vector<ImageSize> sizes;
   for (const SurfaceLook& look : looks) {
-    sizes.push_back(look.image != nullptr ? ImageSize{scaled(look.image->width), scaled(look.image->height)}
-                                          : ImageSize{});
+    ImageSize size;
+    for (const Image* image : {look.image, look.normals}) {
+      if (image == nullptr) continue;
+      size.width = std::max(size.width, scaled(image->width));
+      size.height = std::max(size.height, scaled(image->height));
+    }
+    sizes.push_back(size);
   }
   return sizes;
 }
@@ -52,9 +69,28 @@ tl::expected<AtlasLayout, std::string> lay_out(const SurfaceLooks& looks, const 
   }
 }
 
-Image at_size(Image image, const ImageSize& size) {
-  const bool as_is = size.width == 0 || (size.width == image.width && size.height == image.height);
-  return as_is ? image : shrink(image, size.width, size.height, TexelMeaning::kSrgbColorAlpha);
+/// No larger than that: draw_atlas() repeats texels where an image is smaller than its tile.
+Image at_size(Image image, const ImageSize& size, TexelMeaning meaning) {
+  const bool is_plain = size.width == 0;
+  if (is_plain || (size.width >= image.width && size.height >= image.height)) return image;
+  return shrink(image, std::min(size.width, image.width), std::min(size.height, image.height), meaning);
+}
+
+/// The looks' normals in one atlas; those that have none are flat. None where nobody has any.
+std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const AtlasLayout& layout,
+                                    std::span<const ImageSize> sizes, Findings& findings) {
+  std::vector<Image> normals;
+  bool is_any = false;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    std::optional<Image> map = normals_of(looks[i], findings);
+    is_any = is_any || map;
+    normals.push_back(map ? at_size(std::move(*map), sizes[i], TexelMeaning::kNumbers)
+                          : Image{1, 1, 2, {two_sided_byte(0), two_sided_byte(0)}});
+  }
+  if (!is_any) return std::nullopt;
+  std::vector<const Image*> tiles;
+  for (const Image& image : normals) tiles.push_back(&image);
+  return draw_atlas(layout, tiles);
 }
 
 tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair,
@@ -65,11 +101,14 @@ tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint
   if (!layout) return tl::unexpected(layout.error());
   const JointAlpha alpha = join_alpha(looks.looks);
   std::vector<Image> painted;
-  for (std::size_t i = 0; i < sizes.size(); ++i) painted.push_back(at_size(paint(looks.looks[i], alpha), sizes[i]));
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    painted.push_back(at_size(paint(looks.looks[i], alpha), sizes[i], TexelMeaning::kSrgbColorAlpha));
+  }
   std::vector<const Image*> tiles;
   for (const Image& image : painted) tiles.push_back(&image);
   BaseColor color;
   color.image = draw_atlas(*layout, tiles);
+  color.normals = joined_normals(looks.looks, *layout, sizes, findings);
   color.alpha_use = alpha.use;
   color.alpha_cutoff = alpha.cutoff;
   color.atlas = *layout;
@@ -79,18 +118,28 @@ tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint
   return color;
 }
 
-BaseColor from_materials(const SourceModel& source, SourceImages& images, std::uint32_t max_size, HairMesh& hair,
+std::optional<GreenAxis> green_of(const Recipe& recipe) {
+  if (recipe.normal_green == "auto") return std::nullopt;
+  return recipe.normal_green == "up" ? GreenAxis::kUp : GreenAxis::kDown;
+}
+
+BaseColor from_materials(const SourceModel& source, SourceImages& images, const Recipe& recipe, HairMesh& hair,
                          Findings& findings) {
-  const SurfaceLooks looks = find_looks(source, images, hair);
-  if (looks.looks.size() == 1) return whole(looks.looks[0]);
-  auto atlas = joined(looks, max_size, hair, findings);
+  SurfaceLooks looks = find_looks(source, images, hair);
+  for (SurfaceLook& look : looks.looks) {
+    look.normal_use.strength *= recipe.normal_strength;
+    if (const auto green = green_of(recipe)) look.normal_use.green = green;
+    if (!recipe.normal_texture.empty()) look.normals = nullptr;
+  }
+  if (looks.looks.size() == 1) return whole(looks.looks[0], findings);
+  auto atlas = joined(looks, recipe.texture_max_size, hair, findings);
   if (atlas) return *atlas;
   const SurfaceLook& main = looks.looks[looks.main];
   findings.warn(
       fmt::format("the hair has {} materials that look different, and {} cannot be joined; all of it gets "
                   "that with most triangles ('{}')",
                   looks.looks.size(), atlas.error(), main.name));
-  return whole(main);
+  return whole(main, findings);
 }
 
 /// White or grey without an image: what importers put where the exporter said nothing.
@@ -109,23 +158,48 @@ void dye(BaseColor& color, Findings& findings) {
 
 }  // namespace
 
+namespace {
+
+/// The recipe's map instead of the source's.
+tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookSettings& settings, BaseColor& color,
+                                               Findings& findings) {
+  auto own = read_recipe_image(recipe.normal_texture, "normal", settings);
+  if (!own) return tl::unexpected(own.error());
+  if (!own->image) return {};
+  color.files.push_back(own->path);
+  auto map = read_normal_map(*own->image, {green_of(recipe), recipe.normal_strength});
+  if (!map) {
+    return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.normal\": {}",
+                                                                            own->path.string(), map.error())});
+  }
+  findings.note(fmt::format("lit by '{}', {}", recipe.normal_texture, map->found));
+  color.normals = std::move(map->normals);
+  if (color.atlas) {
+    color.normals = draw_atlas(*color.atlas, std::vector<const Image*>(color.atlas->tiles.size(), &*color.normals));
+  }
+  return {};
+}
+
+}  // namespace
+
 tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, HairMesh& hair, const Recipe& recipe,
                                                    const CookSettings& settings, Findings& findings) {
   auto own = read_recipe_image(recipe.base_color_texture, "base_color", settings);
   if (!own) return tl::unexpected(own.error());
+  BaseColor color;
   if (own->image) {
-    BaseColor color;
     if (hair.material < source.materials.size()) color.factor = color_factor(source.materials[hair.material]);
     color.image = std::move(own->image);
     color.files = {own->path};
-    return color;
+  } else {
+    SourceImages images(source);
+    color = from_materials(source, images, recipe, hair, findings);
+    if (is_colourless(color) && !says_what_it_lacks(source)) dye(color, findings);
+    findings.append(images.findings());
+    color.files = images.files();
+    color.questions = images.questions();
   }
-  SourceImages images(source);
-  BaseColor color = from_materials(source, images, recipe.texture_max_size, hair, findings);
-  if (is_colourless(color) && !says_what_it_lacks(source)) dye(color, findings);
-  findings.append(images.findings());
-  color.files = images.files();
-  color.questions = images.questions();
+  if (auto taken = take_own_normals(recipe, settings, color, findings); !taken) return tl::unexpected(taken.error());
   return color;
 }
 

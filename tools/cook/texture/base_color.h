@@ -4,6 +4,7 @@
 #include "cook/recipe/recipe.h"
 #include "cook/select/hair_mesh.h"
 #include "cook/texture/image.h"
+#include "cook/texture/normal_map.h"
 #include "cook/texture/source_images.h"
 #include "cook/texture/texture_atlas.h"
 
@@ -11,9 +12,10 @@ namespace coif {
 
 /// What a part of the hair looks like: materials that agree in it are one look.
 struct SurfaceLook {
-  std::string name;              ///< Of the first material; for messages.
-  const Image* image = nullptr;  ///< Null: the factor alone.
+  std::string name;                ///< Of the first material; for messages.
+  const Image* image = nullptr;    ///< Null: the factor alone.
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
+  NormalMapUse normal_use;
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;
@@ -54,7 +56,7 @@ struct BaseColor {
   AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
   float alpha_cutoff = 0.5f;                         ///< For kMask.
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
-  std::optional<Image> normals;                      ///< A normal or bump map; none where several surfaces share the image.
+  std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
   std::vector<std::filesystem::path> files;          ///< Image files that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
 };

@@ -1,5 +1,5 @@
 #include "base/parallel_for.h"
-#include "cook/texture/bake_textures.h"
+#include "cook/texture/stored_textures.h"
 
 #include <algorithm>
 #include <array>

@@ -53,7 +53,7 @@ enum class TexelMeaning {
 /// The image and all its halvings down to one texel. An image larger than `max_size` is reduced first.
 [[nodiscard]] std::vector<Image> make_mips(Image image, std::uint32_t max_size, TexelMeaning meaning);
 
-/// How far texels are from what they stand for, of 255, colour times alpha and alpha.
+/// How far texels are from what they stand for, of 255: numbers, or colour times alpha and alpha.
 struct TexelError {
   double rms = 0, most = 0;
 };
@@ -63,10 +63,10 @@ struct DetailedImage {
   TexelError error;  ///< Against the whole image.
 };
 
-/// An image of four channels at the lowest resolution, its sides halved each for itself, at which it still says all: sampled
+/// An image at the lowest resolution, its sides halved each for itself, at which it still says all: sampled
 /// between texels it is on average no more than a level of 255 from the whole image, and nowhere more than a few. `used`
 /// (one channel, the same size) says which texels count.
-[[nodiscard]] DetailedImage reduce_to_detail(Image image, const Image& used);
+[[nodiscard]] DetailedImage reduce_to_detail(Image image, const Image& used, TexelMeaning meaning);
 
 /// decode_image() in this process: what a hostile image breaks, it breaks here. Dimensions are read and checked first, and no
 /// single block of memory that decoding asks for is larger than an image within the limits of image.h needs.

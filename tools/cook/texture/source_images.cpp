@@ -43,7 +43,9 @@ const Image* SourceImages::normals_of(const SourceMaterial& material) {
   const std::optional<fs::path> path = folder_.find(texture.path);
   note_question(TextureQuestion::Kind::kFind, {texture.path});
   if (path) return read(*path, fmt::format("material '{}': normal map {}", material.name, path->string()));
-  findings_.note(fmt::format("material '{}': normal map '{}' is not beside the source", material.name, texture.path));
+  findings_.warn(
+      fmt::format("material '{}': normal map '{}': no such file beside the source; it is lit by its own form",
+                  material.name, texture.path));
   return nullptr;
 }
 

@@ -74,8 +74,8 @@ class TextureFolder {
   [[nodiscard]] std::optional<std::filesystem::path> follow(const std::string& written) const;  ///< Inside or not.
   [[nodiscard]] std::optional<std::filesystem::path> find_by_name(const std::string& name) const;
 
-  std::filesystem::path root_;       ///< As the source's path has it.
-  bool leaves_root_ = false;         ///< Paths may, since other folders are declared.
+  std::filesystem::path root_;                     ///< As the source's path has it.
+  bool leaves_root_ = false;                       ///< Paths may, since other folders are declared.
   std::vector<std::filesystem::path> real_roots_;  ///< folders_of_source().
   std::vector<std::filesystem::path> images_;
 };
@@ -106,8 +106,7 @@ class SourceImages {
   /// The base image of a material; null where it names none or has none that can be read. Valid as long as this object.
   [[nodiscard]] const Image* of(const SourceMaterial& material);
 
-  /// Its normal or bump map; null where it names none or has none that can be read, which is a note: such maps only help to tell
-  /// how strands run.
+  /// Its normal or bump map; null where it names none or has none that can be read.
   [[nodiscard]] const Image* normals_of(const SourceMaterial& material);
 
   /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair or

@@ -17,14 +17,20 @@ SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32
   look.name = material.name;
   look.image = images.of(material);
   look.normals = images.normals_of(material);
+  look.normal_use.strength = double(material.normal_strength);
+  if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
   look.factor = color_factor(material);
   look.alpha_use = material.alpha_use;
   if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
   return look;
 }
 
+/// A material without a normal map goes with one that has one: what it shows of the map is flat as a rule.
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
-  return a.image == b.image && a.factor == b.factor && a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
+  const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
+                            (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
+  return is_lit_alike && a.image == b.image && a.factor == b.factor && a.alpha_use == b.alpha_use &&
+         a.alpha_cutoff == b.alpha_cutoff;
 }
 
 /// Material of each triangle; without the triangles' meshes the hair's main one.
@@ -94,11 +100,11 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
       const SurfaceLook found = look_of(source, images, material);
       const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
       look = std::uint32_t(known - result.looks.begin());
-      // Materials that differ in their normal maps alone are one look, of which no map is known.
       if (known == result.looks.end()) {
         result.looks.push_back(found);
-      } else if (known->normals != found.normals) {
-        known->normals = nullptr;
+      } else if (known->normals == nullptr) {
+        known->normals = found.normals;
+        known->normal_use = found.normal_use;
       }
       triangles.resize(result.looks.size());
     }

@@ -7,7 +7,7 @@
 namespace coif {
 namespace {
 
-constexpr double kMostTexelRms = 1;  ///< Of 255: 48 dB, and what one rounding more would do.
+constexpr double kMostTexelRms = 1;    ///< Of 255: 48 dB, and what one rounding more would do.
 constexpr double kMostTexelError = 6;  ///< Of 255, of any texel.
 
 /// Two neighbours along one axis of an image that repeats, and how much the second one counts.
@@ -28,14 +28,21 @@ std::vector<Between> places_in(std::uint32_t coarse, std::uint32_t fine) {
   return places;
 }
 
-/// Colour as it is blended over black, and alpha.
-std::array<float, 4> blended(const Image& image, std::uint32_t x, std::uint32_t y) {
-  const std::uint8_t* c = &image.texels[4 * (std::size_t(y) * image.width + x)];
-  const float alpha = float(c[3]) / 255;
-  return {alpha * float(c[0]), alpha * float(c[1]), alpha * float(c[2]), float(c[3])};
+/// Colour as it is blended over black, and alpha; or numbers as they are.
+template <TexelMeaning kMeaning>
+std::array<float, 4> shown(const Image& image, std::uint32_t x, std::uint32_t y) {
+  const std::uint8_t* c = &image.texels[image.channels * (std::size_t(y) * image.width + x)];
+  if constexpr (kMeaning == TexelMeaning::kSrgbColorAlpha) {
+    const float alpha = float(c[3]) / 255;
+    return {alpha * float(c[0]), alpha * float(c[1]), alpha * float(c[2]), float(c[3])};
+  }
+  std::array<float, 4> numbers{};
+  for (std::size_t k = 0; k < image.channels; ++k) numbers[k] = float(c[k]);
+  return numbers;
 }
 
 /// How far `coarse`, sampled between its texels, is from `fine` where that is used; gives up where that is too much.
+template <TexelMeaning kMeaning>
 std::optional<TexelError> error_within_limits(const Image& coarse, const Image& fine, const Image& used) {
   const std::vector<Between> across = places_in(coarse.width, fine.width), down = places_in(coarse.height, fine.height);
   TexelError error;
@@ -44,16 +51,17 @@ std::optional<TexelError> error_within_limits(const Image& coarse, const Image& 
     for (std::uint32_t x = 0; x < fine.width; ++x) {
       if (used.texels[std::size_t(y) * used.width + x] == 0) continue;
       const Between &u = across[x], &v = down[y];
-      const auto a = blended(coarse, u.low, v.low), b = blended(coarse, u.high, v.low);
-      const auto c = blended(coarse, u.low, v.high), d = blended(coarse, u.high, v.high), exact = blended(fine, x, y);
-      for (std::size_t k = 0; k < 4; ++k) {
+      const auto a = shown<kMeaning>(coarse, u.low, v.low), b = shown<kMeaning>(coarse, u.high, v.low);
+      const auto c = shown<kMeaning>(coarse, u.low, v.high), d = shown<kMeaning>(coarse, u.high, v.high),
+                 exact = shown<kMeaning>(fine, x, y);
+      for (std::size_t k = 0; k < fine.channels; ++k) {
         const float upper = a[k] + u.share * (b[k] - a[k]), lower = c[k] + u.share * (d[k] - c[k]);
         const double off = std::abs(double(upper + v.share * (lower - upper) - exact[k]));
         if (off > kMostTexelError) return std::nullopt;
         error.most = std::max(error.most, off);
         squares += off * off;
       }
-      count += 4;
+      count += fine.channels;
     }
   }
   error.rms = count > 0 ? std::sqrt(squares / count) : 0;
@@ -62,16 +70,17 @@ std::optional<TexelError> error_within_limits(const Image& coarse, const Image& 
 
 }  // namespace
 
-DetailedImage reduce_to_detail(Image image, const Image& used) {
+DetailedImage reduce_to_detail(Image image, const Image& used, TexelMeaning meaning) {
+  const auto error_of = meaning == TexelMeaning::kNumbers ? error_within_limits<TexelMeaning::kNumbers>
+                                                          : error_within_limits<TexelMeaning::kSrgbColorAlpha>;
   DetailedImage result{image, {}};
   for (bool smaller = true; smaller;) {
     smaller = false;
     for (const bool across : {true, false}) {
       const Image& now = result.image;
       if ((across ? now.width : now.height) == 1) continue;
-      Image half = shrink(image, across ? now.width / 2 : now.width, across ? now.height : now.height / 2,
-                          TexelMeaning::kSrgbColorAlpha);
-      const auto error = error_within_limits(half, image, used);
+      Image half = shrink(image, across ? now.width / 2 : now.width, across ? now.height : now.height / 2, meaning);
+      const auto error = error_of(half, image, used);
       if (!error) continue;
       result = {std::move(half), *error};
       smaller = true;

@@ -14,11 +14,6 @@ void SourceImages::tell_other_maps(const SourceMaterial& material) {
     const bool is_new = std::ranges::find(findings_.left_out, part.what, &LeftOut::what) == findings_.left_out.end();
     if (is_new) findings_.leave_out(std::move(part));
   };
-  const SourceTexture& normals = material.normal_texture;
-  if (!normals.path.empty() || normals.image != kNoIndex) {
-    leave_out(normals.path.empty() ? "normal map" : fmt::format("normal map '{}'", normals.path),
-              "it tells how strands run; they are lit by their own form");
-  }
   for (const std::string& map : material.other_textures)
     leave_out(map, "it is not read; light is computed from the hair's form");
 }

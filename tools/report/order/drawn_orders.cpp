@@ -47,22 +47,28 @@ void copy_orders(const Asset& asset, AssetContents& contents) {
   contents.order_views = copy(asset.order_views());
 }
 
+void copy_textures(const Asset& asset, std::span<const TextureRecord> from, std::vector<TextureRecord>& records,
+                   std::vector<std::byte>& texels) {
+  for (TextureRecord texture : from) {
+    texels.resize((texels.size() + kTexelAlignment - 1) / kTexelAlignment * kTexelAlignment);
+    const std::uint64_t offset = texels.size();
+    for (std::uint32_t mip = 0; mip < texture.mip_count; ++mip) {
+      const auto bytes = asset.texels(texture, mip);
+      texels.insert(texels.end(), bytes.begin(), bytes.end());
+    }
+    texture.offset = offset;
+    texture.bytes = texels.size() - offset;
+    records.push_back(texture);
+  }
+}
+
 /// Whatever drawing needs besides the patches.
 void copy_appearance(const Asset& asset, AssetContents& contents) {
   contents.vertices = copy(asset.vertices());
   contents.skin = copy(asset.skin());
   if (asset.material() != nullptr) contents.material = {*asset.material()};
-  for (TextureRecord texture : asset.textures()) {
-    contents.texels.resize((contents.texels.size() + kTexelAlignment - 1) / kTexelAlignment * kTexelAlignment);
-    const std::uint64_t offset = contents.texels.size();
-    for (std::uint32_t mip = 0; mip < texture.mip_count; ++mip) {
-      const auto texels = asset.texels(texture, mip);
-      contents.texels.insert(contents.texels.end(), texels.begin(), texels.end());
-    }
-    texture.offset = offset;
-    texture.bytes = contents.texels.size() - offset;
-    contents.textures.push_back(texture);
-  }
+  copy_textures(asset, asset.textures(), contents.textures, contents.texels);
+  copy_textures(asset, asset.reliefs(), contents.reliefs, contents.relief_texels);
 }
 
 struct Unit {

@@ -1,0 +1,52 @@
+#include "cook/texture/relief.h"
+
+#include "cook/texture/normal_map.h"
+#include "cook/texture/transparency.h"
+
+#include <fmt/format.h>
+
+namespace coif {
+
+namespace {
+
+constexpr double kLeastRms = 0.02;  ///< Of what two_sided() gives: flatter or less sure than this nobody sees.
+
+/// Root mean square of both numbers where the hair shows them.
+double rms_of(const Image& image, const Image& used) {
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < used.texels.size(); ++i) {
+    if (used.texels[i] == 0) continue;
+    for (const std::size_t channel : {0u, 1u}) {
+      const double value = double(two_sided(float(image.texels[2 * i + channel]) / 255));
+      squares += value * value;
+    }
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+}  // namespace
+
+StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
+                           Findings& findings) {
+  StoredTextures stored;
+  const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+  const auto keep = [&](TextureRole role, const char* name, Image image) {
+    image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kNumbers);
+    const Image used = used_texels(hair, image.width, image.height);
+    if (rms_of(image, used) < kLeastRms) {
+      return findings.leave_out({name, "it says nothing where the hair shows it", bytes_with_mips(format, image)});
+    }
+    DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kNumbers);
+    const std::vector<Image> mips =
+        make_mips(std::move(detailed.image), recipe.texture_max_size, TexelMeaning::kNumbers);
+    findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
+    stored.append(role, format, mips, threads);
+  };
+  Image axes = strand_axes(normals);
+  keep(TextureRole::kNormal, "map of normals", normals);
+  keep(TextureRole::kStrandAxis, "map of how strands run", std::move(axes));
+  return stored;
+}
+
+}  // namespace coif

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "cook/recipe/findings.h"
+#include "cook/recipe/recipe.h"
+#include "cook/select/hair_mesh.h"
+#include "cook/texture/image.h"
+#include "cook/texture/stored_textures.h"
+
+namespace coif {
+
+/// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), from the hair's normals (two
+/// channels), each at the lowest resolution that says all. A map that says nothing where the hair shows it is left out.
+StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
+                           Findings& findings);
+
+}  // namespace coif
