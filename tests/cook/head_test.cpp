@@ -210,6 +210,28 @@ TEST(FitHead, IsTheFilesWhereHairIsATailAlone) {
   expect_close(head, 0.15);
 }
 
+TEST(FitHead, IsWhatElseAMeshHasThatGaveHair) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_head(model);
+  SourceMesh& person = model.meshes[0];
+  const auto of_face = std::uint32_t(person.positions.size());
+  const SourceMesh tail =
+      make_strip({.root = {0.01f, 1.7f, -0.08f}, .along = {0, -0.5f, -0.05f}, .across = {0.03f, 0, 0}, .rows = 20});
+  const std::uint32_t hair_bone = add_node(model, "hair_1", 1, {0.01, 1.7, -0.08});
+  person.positions.insert(person.positions.end(), tail.positions.begin(), tail.positions.end());
+  for (const std::uint32_t v : tail.triangles) person.triangles.push_back(of_face + v);
+  person.influence_begin = {0};
+  for (std::uint32_t v = 0; v < person.positions.size(); ++v) {
+    person.influences.push_back({v < of_face ? 1 : hair_bone, 1.0f});
+    person.influence_begin.push_back(v + 1);
+  }
+  person.node = 0;
+  const FittedHead head = head_of(model);
+  EXPECT_NE(head.origin.find("400 vertices"), std::string::npos) << head.origin;
+  expect_close(head, 0.15);
+}
+
 TEST(FitHead, AMeshThatHoldsAQuarterOfTheHairIsNoHead) {
   for (const auto& [inside, is_head] : {std::pair{10u, true}, {48u, true}, {52u, false}}) {
     SourceModel model;

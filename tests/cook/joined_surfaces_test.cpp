@@ -97,6 +97,16 @@ TEST_F(JoinedSurfaces, EachIsLitByItsOwnNormalMapOrByNone) {
   EXPECT_EQ(lean_of(*color.normals, hair_.triangle_count() - 1), Eigen::Vector2f(0, 0));
 }
 
+TEST_F(JoinedSurfaces, APartWhoseTextureIsLostLooksLikeTheRest) {
+  add("strands", painted(16, 16, [](std::uint32_t x, std::uint32_t) {
+        return x < 8 ? kRed : Rgba{255, 255, 255, 10};  // as good as clear
+      }));
+  add_surface(model_, "core").base_texture.path = "lost.tga";
+  const BaseColor color = joined();
+  ASSERT_TRUE(color.atlas);
+  EXPECT_LE(difference(shown(*color.image, hair_, hair_.triangle_count() - 1), kRed), 1);
+}
+
 TEST_F(JoinedSurfaces, OneNormalMapServesMaterialsThatDifferInNothingElse) {
   model_.images.push_back({"normals", encoded(flat(8, 8, {204, 128, 230, 255}), FileFormat::kPng)});
   add("front", flat(16, 16, kRed));

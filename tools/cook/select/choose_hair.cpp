@@ -1,4 +1,5 @@
 #include "base/text.h"
+#include "cook/select/hair_core.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/scalp_cap.h"
 #include "cook/select/select_hair.h"
@@ -91,6 +92,10 @@ class Chooser {
     const std::vector<PieceEvidence> evidence = weigh_pieces(source_, mesh, pieces, bones, head);
     std::vector<bool> taken;
     for (std::uint32_t piece : pieces.piece_of) taken.push_back(fits(evidence[piece]));
+    take_triangles(m, std::move(taken), why);
+  }
+
+  void take_triangles(std::uint32_t m, std::vector<bool> taken, const std::string& why) {
     const auto count = std::size_t(std::ranges::count(taken, true));
     if (count == 0) return;
     choice_.taken[m] = std::move(taken);
@@ -201,8 +206,17 @@ void choose_by_transparency(const SourceModel& source, const std::vector<bool>& 
 void take_caps(const SourceModel& source, Chooser& chooser) {
   const std::vector<bool> caps = find_scalp_caps(source, chooser.so_far());
   for (std::uint32_t m = 0; m < caps.size(); ++m) {
-    if (!caps[m] || is_called_adornment(source.meshes[m].name) || is_called_adornment(material_name(source, source.meshes[m]))) continue;
+    if (!caps[m] || is_called_adornment(source.meshes[m].name) ||
+        is_called_adornment(material_name(source, source.meshes[m])))
+      continue;
     chooser.take_mesh(m, "it lies under the hair, on the scalp");
+  }
+}
+
+void take_cores(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
+  HairChoice cores = find_hair_cores(source, chooser.so_far(), head);
+  for (std::uint32_t m = 0; m < cores.taken.size(); ++m) {
+    chooser.take_triangles(m, std::move(cores.taken[m]), "what hair is wrapped around, in the mesh of a head");
   }
 }
 
@@ -212,9 +226,10 @@ tl::unexpected<ToolError> no_hair_on(const SourceModel& source) {
   for (const SourceMesh& mesh : source.meshes) {
     meshes.push_back(fmt::format("mesh '{}' (material '{}')", mesh.name, material_name(source, mesh)));
   }
-  return bad_input(source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent on the head; "
-                                       "name what is hair in a recipe, as in {{\"hair\": {{\"meshes\": [\"{}\"]}}}}; there are: {}",
-                                       source.meshes.empty() ? "..." : source.meshes[0].name, fmt::join(meshes, ", ")));
+  return bad_input(
+      source, fmt::format("nothing in this character is called hair, moved by hair bones or transparent on the head; "
+                          "name what is hair in a recipe, as in {{\"hair\": {{\"meshes\": [\"{}\"]}}}}; there are: {}",
+                          source.meshes.empty() ? "..." : source.meshes[0].name, fmt::join(meshes, ", ")));
 }
 
 void take_everything(const SourceModel& source, std::uint32_t head, Chooser& chooser) {
@@ -244,6 +259,7 @@ tl::expected<HairChoice, ToolError> choose_hair(const SourceModel& source, const
   if (!chooser.found() && moves_limbs(source)) return no_hair_on(source);
   if (!chooser.found()) take_everything(source, head, chooser);
   take_caps(source, chooser);
+  take_cores(source, head, chooser);
   return std::move(chooser).finish();
 }
 

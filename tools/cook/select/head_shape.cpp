@@ -6,7 +6,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace coif {
@@ -22,7 +24,7 @@ constexpr double kReachOut = 0.05;           ///< Ears may reach this share of t
 constexpr double kLongestHead = 2.5;         ///< Longest over shortest semi-axis.
 constexpr double kSmallestHead = 0.4;        ///< Of the hair's smaller horizontal size.
 constexpr double kSmallestRadius = 0.001;    ///< Metres: flat hair encloses nothing.
-constexpr double kAtJoint = 0.1;             ///< Of a head's height: its mesh reaches so near to the joint that it turns about.
+constexpr double kAtJoint = 0.1;  ///< Of a head's height: its mesh reaches so near to the joint that it turns about.
 
 /// Hair that a head may hold at rest: sunk roots, and no more of the picture than a few of them.
 constexpr HairInside kMostInside{0.03, 0.03, 0.005};
@@ -54,16 +56,23 @@ bool is_on_joint(const Box& part, const Vector3d& joint) {
   return joint.y() > part.min().y() - slack && part.exteriorDistance(joint) < 2 * slack;
 }
 
-/// Vertices of the other meshes that follow the head bone and nothing else.
+/// Places of the hair's vertices, as the source has them.
+std::set<std::array<float, 3>> places_of(const HairMesh& hair) {
+  std::set<std::array<float, 3>> places;
+  for (const Eigen::Vector3f& p : hair.positions) places.insert({p.x(), p.y(), p.z()});
+  return places;
+}
+
+/// Vertices of other meshes, or of what else a mesh has that gave hair, that follow the head bone and nothing else.
 std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
   std::vector<Vector3d> vertices;
-  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
-    if (std::ranges::find(hair.source_meshes, m) != hair.source_meshes.end()) continue;
-    const SourceMesh& mesh = source.meshes[m];
+  const std::set<std::array<float, 3>> is_hair = places_of(hair);
+  for (const SourceMesh& mesh : source.meshes) {
     std::vector<Vector3d> of_mesh;
     Box box;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-      if (weight_on_head(source, mesh, v, head_bone.name) <= 0.9f) continue;
+      const Eigen::Vector3f& p = mesh.positions[v];
+      if (weight_on_head(source, mesh, v, head_bone.name) <= 0.9f || is_hair.contains({p.x(), p.y(), p.z()})) continue;
       of_mesh.push_back(mesh.positions[v].cast<double>());
       box.extend(of_mesh.back());
     }
@@ -84,7 +93,8 @@ HeadEllipsoid ellipsoid_in_box(const std::vector<Vector3d>& vertices) {
 /// A hat or a hood follows the head bone too; then the box is larger than the hair and hair is inside it.
 bool holds_hair(const HeadEllipsoid& head, const HairMesh& hair) {
   std::size_t inside = 0;
-  for (const Eigen::Vector3f& p : hair.positions) inside += head.scaled_distance(p.cast<double>()) < kDeepInside ? 1 : 0;
+  for (const Eigen::Vector3f& p : hair.positions)
+    inside += head.scaled_distance(p.cast<double>()) < kDeepInside ? 1 : 0;
   return double(inside) > kMuchHair * double(hair.positions.size());
 }
 
@@ -158,9 +168,10 @@ void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& f
   const HairInside inside = hair_inside(hair, head);
   const double most_vertices = std::max(kMostInside.vertices, 1.0 / double(hair.positions.size()));
   if (inside.area <= kMostInside.area && inside.vertices <= most_vertices) return;
-  findings.warn(fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
-                            "looks; if it is not the head, set \"head.center\" and \"head.radii\" in the recipe",
-                            100 * std::max(inside.area, inside.vertices), 100 * least));
+  findings.warn(
+      fmt::format("{:.0f} % of the hair's surface is inside the head, even where that is made {:.0f} % as large as it "
+                  "looks; if it is not the head, set \"head.center\" and \"head.radii\" in the recipe",
+                  100 * std::max(inside.area, inside.vertices), 100 * least));
 }
 
 }  // namespace
@@ -184,10 +195,11 @@ FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadB
   if (recipe.head_shape == "sphere") head.radii.setConstant(head.radii.mean());
   if (!head.declared) make_room(hair, least, head, findings);
   const HairInside inside = hair_inside(hair, head);
-  findings.note(fmt::format("head: {}; centre ({:.3f}, {:.3f}, {:.3f}) m, radii ({:.3f}, {:.3f}, {:.3f}) m, {:.1f} % of the "
-                            "hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
-                            head.origin, head.center.x(), head.center.y(), head.center.z(), head.radii.x(), head.radii.y(),
-                            head.radii.z(), 100 * inside.area, 100 * inside.vertices, head_bone.name));
+  findings.note(
+      fmt::format("head: {}; centre ({:.3f}, {:.3f}, {:.3f}) m, radii ({:.3f}, {:.3f}, {:.3f}) m, {:.1f} % of the "
+                  "hair's surface and {:.1f} % of its vertices inside; moved by '{}'",
+                  head.origin, head.center.x(), head.center.y(), head.center.z(), head.radii.x(), head.radii.y(),
+                  head.radii.z(), 100 * inside.area, 100 * inside.vertices, head_bone.name));
   return head;
 }
 

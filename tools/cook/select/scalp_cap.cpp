@@ -1,39 +1,16 @@
 #include "cook/select/scalp_cap.h"
 
+#include "cook/select/chosen_hair.h"
 #include "cook/select/triangle_distance.h"
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
 
 namespace coif {
 namespace {
 
 constexpr double kClose = 0.1;         ///< Of the hair's width: so far from hair a cap may lie,
-constexpr double kMostOfIt = 0.9;     ///< with this share of its vertices.
+constexpr double kMostOfIt = 0.9;      ///< with this share of its vertices.
 constexpr double kLeastWidth = 0.4;    ///< Of the hair's smaller horizontal size, which a cap covers across
 constexpr double kLeastHeight = 0.25;  ///< and in height.
 constexpr std::size_t kLooked = 2000;  ///< Vertices of a mesh that are looked at.
-
-/// The triangles that are hair, as one mesh.
-struct ChosenHair {
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<std::uint32_t> triangles, group;
-  Eigen::AlignedBox3f box;
-
-  ChosenHair(const SourceModel& source, const HairChoice& choice) {
-    for (std::size_t m = 0; m < source.meshes.size(); ++m) {
-      const SourceMesh& mesh = source.meshes[m];
-      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (!choice.takes(m, i / 3)) continue;
-        triangles.push_back(std::uint32_t(positions.size()));
-        positions.push_back(mesh.positions[mesh.triangles[i]]);
-        box.extend(positions.back());
-      }
-    }
-    group.assign(triangles.size() / 3, 0);
-  }
-};
 
 bool is_cap(const SourceMesh& mesh, const ChosenHair& hair, const TriangleGrid& grid, double reach) {
   Eigen::AlignedBox3f box;
@@ -61,7 +38,8 @@ std::vector<bool> find_scalp_caps(const SourceModel& source, const HairChoice& c
   if (!(reach > 0)) return caps;
   const TriangleGrid grid(hair.positions, hair.triangles, hair.group, reach);
   for (std::size_t m = 0; m < caps.size(); ++m) {
-    caps[m] = choice.taken[m].empty() && !source.meshes[m].positions.empty() && is_cap(source.meshes[m], hair, grid, reach);
+    caps[m] =
+        choice.taken[m].empty() && !source.meshes[m].positions.empty() && is_cap(source.meshes[m], hair, grid, reach);
   }
   return caps;
 }

@@ -93,9 +93,23 @@ std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const At
   return draw_atlas(layout, tiles);
 }
 
-tl::expected<BaseColor, std::string> joined(const SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair,
+/// A part of the hair whose texture is lost looks like the rest, not like paper.
+void color_like_the_rest(SurfaceLooks& looks, Findings& findings) {
+  const SurfaceLook* known = looks.looks[looks.main].image != nullptr ? &looks.looks[looks.main] : nullptr;
+  for (const SurfaceLook& look : looks.looks) known = known == nullptr && look.image != nullptr ? &look : known;
+  if (known == nullptr) return;
+  for (SurfaceLook& look : looks.looks) {
+    if (!look.lacks_image) continue;
+    look.factor.head<3>() = mean_color(*known);
+    findings.note(
+        fmt::format("material '{}': without its texture it has the mean colour of '{}'", look.name, known->name));
+  }
+}
+
+tl::expected<BaseColor, std::string> joined(SurfaceLooks& looks, std::uint32_t max_size, HairMesh& hair,
                                             Findings& findings) {
   if (hair.uvs.empty()) return tl::unexpected(std::string("no texture coordinates"));
+  color_like_the_rest(looks, findings);
   std::vector<ImageSize> sizes;
   const auto layout = lay_out(looks, hair, max_size, sizes);
   if (!layout) return tl::unexpected(layout.error());

@@ -14,6 +14,7 @@ namespace coif {
 struct SurfaceLook {
   std::string name;                ///< Of the first material; for messages.
   const Image* image = nullptr;    ///< Null: the factor alone.
+  bool lacks_image = false;        ///< The material names one that cannot be had, so that its factor says little.
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   NormalMapUse normal_use;
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
@@ -45,6 +46,9 @@ struct JointAlpha {
 };
 
 [[nodiscard]] JointAlpha join_alpha(std::span<const SurfaceLook> looks);
+
+/// Mean colour of the look's image where that is more solid than not, times its factor, linear.
+[[nodiscard]] Eigen::Vector3f mean_color(const SurfaceLook& look);
 
 /// The look's image times its factor, with alpha as `joint` wants it; one texel where the look has no image.
 [[nodiscard]] Image paint(const SurfaceLook& look, const JointAlpha& joint);

@@ -10,27 +10,12 @@
 namespace coif {
 namespace {
 
-SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32_t index) {
-  SurfaceLook look;
-  if (index >= source.materials.size()) return look;
-  const SourceMaterial& material = source.materials[index];
-  look.name = material.name;
-  look.image = images.of(material);
-  look.normals = images.normals_of(material);
-  look.normal_use.strength = double(material.normal_strength);
-  if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
-  look.factor = color_factor(material);
-  look.alpha_use = material.alpha_use;
-  if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
-  return look;
-}
-
 /// A material without a normal map goes with one that has one: what it shows of the map is flat as a rule.
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
   const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
                             (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
-  return is_lit_alike && a.image == b.image && a.factor == b.factor && a.alpha_use == b.alpha_use &&
-         a.alpha_cutoff == b.alpha_cutoff;
+  return is_lit_alike && a.image == b.image && a.lacks_image == b.lacks_image && a.factor == b.factor &&
+         a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
 }
 
 /// Material of each triangle; without the triangles' meshes the hair's main one.
@@ -57,6 +42,22 @@ bool names_texture(const SourceModel& source, std::uint32_t material) {
   if (material >= source.materials.size()) return false;
   const SourceTexture& texture = source.materials[material].base_texture;
   return texture.image != kNoIndex || !texture.path.empty();
+}
+
+SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32_t index) {
+  SurfaceLook look;
+  if (index >= source.materials.size()) return look;
+  const SourceMaterial& material = source.materials[index];
+  look.name = material.name;
+  look.image = images.of(material);
+  look.lacks_image = look.image == nullptr && names_texture(source, index);
+  look.normals = images.normals_of(material);
+  look.normal_use.strength = double(material.normal_strength);
+  if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
+  look.factor = color_factor(material);
+  look.alpha_use = material.alpha_use;
+  if (material.alpha_use == AlphaUse::kMask) look.alpha_cutoff = material.alpha_cutoff;
+  return look;
 }
 
 std::array<float, 256> srgb_to_linear() {
@@ -133,6 +134,21 @@ JointAlpha join_alpha(std::span<const SurfaceLook> looks) {
       all([&](const SurfaceLook& l) { return l.alpha_use != AlphaUse::kMask || l.alpha_cutoff == mask->alpha_cutoff; });
   if (solid && one_cutoff) return {AlphaUse::kMask, mask->alpha_cutoff, false};
   return {solid ? AlphaUse::kMask : AlphaUse::kUnknown, 0.5f, true};
+}
+
+Eigen::Vector3f mean_color(const SurfaceLook& look) {
+  const std::array<float, 256> linear = srgb_to_linear();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  const bool has_alpha = look.alpha_use != AlphaUse::kOpaque;
+  for (std::size_t i = 0; look.image != nullptr && i < look.image->texels.size(); i += 4) {
+    const std::uint8_t* c = &look.image->texels[i];
+    if (has_alpha && c[3] < 128) continue;
+    sum += Eigen::Vector3d(double(linear[c[0]]), double(linear[c[1]]), double(linear[c[2]]));
+    ++count;
+  }
+  const Eigen::Vector3f mean = count > 0 ? Eigen::Vector3f((sum / count).cast<float>()) : Eigen::Vector3f::Ones();
+  return mean.cwiseProduct(look.factor.head<3>());
 }
 
 Image paint(const SurfaceLook& look, const JointAlpha& joint) {

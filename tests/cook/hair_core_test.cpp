@@ -1,0 +1,145 @@
+// What hair is wrapped around, where it is a part of a head's mesh.
+
+#include "cook/select/hair_core.h"
+
+#include "cook/built_models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif::hair_core_test {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr std::uint32_t kHead = 1;  ///< The node.
+
+/// A barrel from `top` down, unwrapped from `uv` on.
+struct Bulge {
+  Vector3f top;
+  float length = 0.25f;
+  float radius = 0.025f;
+  Vector2f uv = Vector2f::Zero();
+};
+
+void append(SourceMesh& mesh, const Bulge& bulge) {
+  constexpr std::uint32_t kColumns = 12, kRows = 10;
+  const auto base = std::uint32_t(mesh.positions.size());
+  for (std::uint32_t row = 0; row <= kRows; ++row) {
+    const float down = float(row) / kRows, wide = bulge.radius * std::max(0.6f, std::sin(3.14159f * down));
+    for (std::uint32_t c = 0; c <= kColumns; ++c) {
+      const float turn = 6.28319f * float(c) / kColumns;
+      mesh.positions.push_back(bulge.top +
+                               Vector3f(wide * std::sin(turn), -down * bulge.length, wide * std::cos(turn)));
+      mesh.uvs.push_back(bulge.uv + Vector2f(0.4f * float(c) / kColumns, 0.4f * down));
+    }
+  }
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t c = 0; c < kColumns; ++c) {
+      const std::uint32_t v = base + row * (kColumns + 1) + c;
+      mesh.triangles.insert(mesh.triangles.end(),
+                            {v, v + kColumns + 1, v + 1, v + 1, v + kColumns + 1, v + kColumns + 2});
+    }
+  }
+}
+
+/// Strips around a bulge, a little away from it.
+void wrap(SourceMesh& hair, const Bulge& bulge) {
+  for (int i = 0; i < 8; ++i) {
+    const float turn = 6.28319f * float(i) / 8;
+    const Vector3f out(std::sin(turn), 0, std::cos(turn));
+    append_piece(hair,
+                 make_strip({.root = bulge.top + (bulge.radius + 0.004f) * out,
+                             .along = {0, -bulge.length, 0},
+                             .across = 0.015f * Vector3f(out.z(), 0, -out.x())}),
+                 0);
+  }
+}
+
+constexpr std::size_t kTriangles = 240;  ///< Of a bulge.
+
+/// A head of 18 cm with one more bulge in its mesh, and hair around another place.
+SourceModel head_with(const Bulge& bulge, const Bulge& wrapped) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  add_node(model, "Head", 0, {0, 1.5, 0});
+  SourceMesh head;
+  head.name = "person";
+  head.node = add_node(model, "skull", kHead, {0, 1.5, 0});
+  append(head, {.top = {0, 1.7f, 0}, .length = 0.22f, .radius = 0.08f});
+  append(head, bulge);
+  SourceMesh hair;
+  hair.name = "hair";
+  hair.node = add_node(model, "strips", kHead, {0, 1.5, 0});
+  hair.influence_begin = {};
+  wrap(hair, wrapped);
+  model.meshes = {std::move(hair), std::move(head)};
+  return model;
+}
+
+std::size_t taken_from_head(const SourceModel& model) {
+  HairChoice hair;
+  hair.taken = {std::vector<bool>(model.meshes[0].triangles.size() / 3, true), {}};
+  const HairChoice cores = find_hair_cores(model, hair, kHead);
+  EXPECT_TRUE(cores.taken[0].empty()) << "it is hair already";
+  if (!cores.taken[1].empty()) {
+    EXPECT_EQ(std::count(cores.taken[1].begin(), cores.taken[1].begin() + kTriangles, true), 0) << "the head itself";
+  }
+  return std::size_t(std::ranges::count(cores.taken[1], true));
+}
+
+const Bulge kTail{.top = {0, 1.65f, -0.16f}, .uv = {0.5f, 0.5f}};
+
+TEST(HairCore, ThatStripsAreWrappedAroundIsHair) { EXPECT_EQ(taken_from_head(head_with(kTail, kTail)), kTriangles); }
+
+TEST(HairCore, WithoutHairAroundItIsNot) {
+  Bulge elsewhere = kTail;
+  elsewhere.top.x() += 0.2f;
+  EXPECT_EQ(taken_from_head(head_with(kTail, elsewhere)), 0u);
+}
+
+TEST(HairCore, WhatLiesCloseToTheHeadIsNot) {
+  const Bulge ear{.top = {0.085f, 1.62f, 0}, .length = 0.06f, .radius = 0.012f, .uv = {0.5f, 0.5f}};
+  EXPECT_EQ(taken_from_head(head_with(ear, ear)), 0u);
+}
+
+TEST(HairCore, WhatIsAsWideAsAHeadIsNot) {
+  const Bulge second_head{.top = {0, 1.7f, -0.3f}, .length = 0.2f, .radius = 0.08f, .uv = {0.5f, 0.5f}};
+  EXPECT_EQ(taken_from_head(head_with(second_head, second_head)), 0u);
+}
+
+TEST(HairCore, WhatIsJoinedToTheHeadInTheTextureTooIsNot) {
+  SourceModel model = head_with(kTail, kTail);
+  std::vector<std::uint32_t>& triangles = model.meshes[1].triangles;
+  triangles.insert(triangles.end(), {0, 1, std::uint32_t(model.meshes[1].positions.size() / 2)});
+  EXPECT_EQ(taken_from_head(model), 0u) << "a whole head";
+}
+
+TEST(HairCore, WhatDoesNotFollowTheHeadIsNot) {
+  SourceModel model = head_with(kTail, kTail);
+  SourceMesh tail = model.meshes[1];
+  tail.triangles.erase(tail.triangles.begin(), tail.triangles.begin() + 3 * kTriangles);
+  model.meshes[1].triangles.resize(3 * kTriangles);
+  tail.node = 0;
+  model.meshes.push_back(tail);
+  HairChoice hair;
+  hair.taken = {std::vector<bool>(model.meshes[0].triangles.size() / 3, true), {}, {}};
+  EXPECT_TRUE(find_hair_cores(model, hair, kHead).taken[2].empty());
+  model.meshes[2].node = kHead;
+  EXPECT_EQ(std::ranges::count(find_hair_cores(model, hair, kHead).taken[2], true), std::ptrdiff_t(kTriangles));
+}
+
+TEST(HairCore, IsTakenWithTheHairAndSaidSo) {
+  SourceModel model = head_with(kTail, kTail);
+  Findings findings;
+  const auto choice = choose_hair(model, default_recipe(), findings);
+  ASSERT_TRUE(choice);
+  EXPECT_EQ(std::ranges::count(choice->taken[1], true), std::ptrdiff_t(kTriangles));
+  ASSERT_EQ(findings.notes.size(), 2u);
+  EXPECT_NE(findings.notes[1].find("mesh 'person' (240 triangles): what hair is wrapped around"), std::string::npos)
+      << findings.notes[1];
+}
+
+}  // namespace coif::hair_core_test
