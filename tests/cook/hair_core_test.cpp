@@ -119,16 +119,25 @@ TEST(HairCore, WhatIsJoinedToTheHeadInTheTextureTooIsNot) {
 
 TEST(HairCore, WhatDoesNotFollowTheHeadIsNot) {
   SourceModel model = head_with(kTail, kTail);
-  SourceMesh tail = model.meshes[1];
-  tail.triangles.erase(tail.triangles.begin(), tail.triangles.begin() + 3 * kTriangles);
+  const std::uint32_t spine = add_node(model, "Spine", 0, {0, 1, 0});
+  SourceMesh& person = model.meshes[1];
+  person.influence_begin = {0};
+  for (std::uint32_t v = 0; v < person.positions.size(); ++v) {
+    person.influences.push_back({v < person.positions.size() / 2 ? kHead : spine, 1.0f});
+    person.influence_begin.push_back(v + 1);
+  }
+  EXPECT_EQ(taken_from_head(model), 0u);
+}
+
+TEST(HairCore, AMeshOfItsOwnIsWornInTheHair) {
+  SourceModel model = head_with(kTail, kTail);
+  SourceMesh band = model.meshes[1];
+  band.triangles.erase(band.triangles.begin(), band.triangles.begin() + 3 * kTriangles);
   model.meshes[1].triangles.resize(3 * kTriangles);
-  tail.node = 0;
-  model.meshes.push_back(tail);
+  model.meshes.push_back(band);
   HairChoice hair;
   hair.taken = {std::vector<bool>(model.meshes[0].triangles.size() / 3, true), {}, {}};
   EXPECT_TRUE(find_hair_cores(model, hair, kHead).taken[2].empty());
-  model.meshes[2].node = kHead;
-  EXPECT_EQ(std::ranges::count(find_hair_cores(model, hair, kHead).taken[2], true), std::ptrdiff_t(kTriangles));
 }
 
 TEST(HairCore, IsTakenWithTheHairAndSaidSo) {
@@ -140,6 +149,8 @@ TEST(HairCore, IsTakenWithTheHairAndSaidSo) {
   ASSERT_EQ(findings.notes.size(), 2u);
   EXPECT_NE(findings.notes[1].find("mesh 'person' (240 triangles): what hair is wrapped around"), std::string::npos)
       << findings.notes[1];
+  model.meshes[1].name = "hair_accessories";
+  EXPECT_TRUE(choose_hair(model, default_recipe(), unheard())->taken[1].empty()) << "called what is worn";
 }
 
 }  // namespace coif::hair_core_test

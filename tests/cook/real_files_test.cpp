@@ -45,7 +45,7 @@ const RealFile kFiles[] = {
     {"mh2013_curly/curly.obj", "curly", 10584 + 720, 0, 60, 5, 0},
     {"mh_bob01/bob01.obj", "bob01", 8474, 313, 35, 1, 0},
     {"moz_pigtails-1/hair_pigtails-1-red.glb", "pigtails", 1792, 0, 8, 2, 0, false},
-    {"rocketbox_Business_Female_04/Export/Business_Female_04.fbx", "ponytail_strips", 344, 172, 8, 1, 0},
+    {"rocketbox_Business_Female_04/Export/Business_Female_04.fbx", "ponytail_strips", 624, 174, 10, 1, 0},
 };
 
 /// Without the search for draw orders, which takes most of a cook's time and changes none of what most tests look at.

@@ -179,6 +179,17 @@ void take(const SourceModel& source, const Island& island, HairChoice& cores) {
 
 }  // namespace
 
+namespace {
+
+/// A mesh that is nothing but core is a band or an ornament, and stays where it is worn.
+void leave_what_is_worn(HairChoice& cores) {
+  for (std::vector<bool>& taken : cores.taken) {
+    if (std::ranges::count(taken, false) == 0) taken.clear();
+  }
+}
+
+}  // namespace
+
 HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, std::uint32_t head_node) {
   HairChoice cores;
   cores.taken.resize(source.meshes.size());
@@ -201,6 +212,7 @@ HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, 
     if (!found.is_core(group)) continue;
     for (const std::size_t i : group) take(source, islands[i], cores);
   }
+  leave_what_is_worn(cores);
   return cores;
 }
 

@@ -83,8 +83,8 @@ bool is_called_transparent(std::string_view name) {
 
 bool moves_limbs(const SourceModel& source) {
   constexpr double kGoodPart = 0.02;  // Of all vertices: feet have few.
-  static const Names limbs{"*foot*", "*toe*",  "*hand*", "*finger*",  "*thumb*",    "*thigh*",   "*calf*",
-                           "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*",   "*lowerleg*"};
+  static const Names limbs{"*foot*", "*toe*",  "*hand*",  "*finger*",  "*thumb*",    "*thigh*", "*calf*",
+                           "*shin*", "*knee*", "*elbow*", "*forearm*", "*upperarm*", "*upleg*", "*lowerleg*"};
   std::vector<bool> is_limb;
   for (const SourceNode& node : source.nodes) is_limb.push_back(matches_any(node.name, limbs));
   std::size_t moved = 0, all = 0;

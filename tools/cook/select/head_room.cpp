@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kSamples = 20'000;  ///< Of the hair's surface.
 constexpr std::size_t kSide = 24;         ///< Of the map of directions.
-constexpr std::size_t kInnermost = 5;     ///< One of so many samples in a direction is further in than "innermost": roots.
-constexpr double kNear = 1.5;             ///< Hair beyond, in radii, hides nothing of the head.
+constexpr std::size_t kInnermost = 5;  ///< One of so many samples in a direction is further in than "innermost": roots.
+constexpr double kNear = 1.5;          ///< Hair beyond, in radii, hides nothing of the head.
 
 // Of the sum that is made small.
 constexpr double kSunk = 0.12;       ///< Quantile of innermost hair that may be inside the head.

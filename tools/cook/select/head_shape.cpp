@@ -67,12 +67,15 @@ std::set<std::array<float, 3>> places_of(const HairMesh& hair) {
 std::vector<Vector3d> head_vertices(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
   std::vector<Vector3d> vertices;
   const std::set<std::array<float, 3>> is_hair = places_of(hair);
-  for (const SourceMesh& mesh : source.meshes) {
+  for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
+    const SourceMesh& mesh = source.meshes[m];
+    const bool gave_hair = std::ranges::find(hair.source_meshes, m) != hair.source_meshes.end();
     std::vector<Vector3d> of_mesh;
     Box box;
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
       const Eigen::Vector3f& p = mesh.positions[v];
-      if (weight_on_head(source, mesh, v, head_bone.name) <= 0.9f || is_hair.contains({p.x(), p.y(), p.z()})) continue;
+      if (gave_hair && is_hair.contains({p.x(), p.y(), p.z()})) continue;
+      if (weight_on_head(source, mesh, v, head_bone.name) <= 0.9f) continue;
       of_mesh.push_back(mesh.positions[v].cast<double>());
       box.extend(of_mesh.back());
     }
