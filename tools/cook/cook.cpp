@@ -55,6 +55,12 @@ const Pass kPasses[] = {
        return choose_patches(c.source, c.recipe, c.settings.list_patches, c.hair, c.listings, c.report);
      },
      [](const Cooking& c) { return c.settings.list_patches || !c.recipe.patch_overrides.empty(); }},
+    {"folds",
+     [](Cooking& c) -> Done {
+       (void)split_folds(c.hair, c.report);
+       return {};
+     },
+     [](const Cooking& c) { return c.extracted.chosen != "position"; }},
 
     // The head that it grows on.
     {"head bone",
@@ -63,7 +69,8 @@ const Pass kPasses[] = {
      [](Cooking& c) -> Done {
        c.head = fit_head(c.source, c.hair.mesh, c.head_bone, c.recipe, c.report);
        c.head.faces_backwards = faces_backwards(c.source, c.hair.mesh, c.head);
-       if (c.head.faces_backwards) c.report.note("the model looks along -Z; pictures are taken from there, and chains named by it");
+       if (c.head.faces_backwards)
+         c.report.note("the model looks along -Z; pictures are taken from there, and chains named by it");
        if (c.head_bone.node == kNoIndex) c.head_bone.joint = c.head.center;
        return {};
      }},

@@ -1,0 +1,155 @@
+#include "cook/select/mesh_topology.h"
+#include "cook/strands/patches.h"
+#include "cook/strands/strand_evidence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr float kLongAxis = 0.33f;  ///< A patch twice as long along one texture axis has its strands along it.
+constexpr float kAcrossAxis =
+    0.5f;  ///< A fold's ends differ by less than this share of what its triangles reach along the axis.
+constexpr double kLeastPart = 0.03;  ///< Of the patch's area: less is no strip.
+
+/// Per patch the texture axis along which it is long, 0 or 1; -1: neither.
+std::vector<int> long_axes(const HairStrips& hair) {
+  std::vector<int> axes;
+  for (const PatchView& view : hair.views()) {
+    const float preference = texture_preference(hair.mesh, view);
+    axes.push_back(std::abs(preference) <= kLongAxis ? -1 : preference > 0 ? 1 : 0);
+  }
+  return axes;
+}
+
+/// Which way round a triangle lies in the texture: 1, -1, or 0 where it has no area there.
+int turn_of(const HairMesh& mesh, std::uint32_t t) {
+  const auto uv = [&](std::size_t k) -> const Eigen::Vector2f& {
+    return mesh.uvs[mesh.triangles[3 * std::size_t(t) + k]];
+  };
+  const Eigen::Vector2f a = uv(1) - uv(0), b = uv(2) - uv(0);
+  const float area = a.x() * b.y() - a.y() * b.x();
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// Where two parts meet that lie the opposite way round: summed over the edges, how far apart along the strands' axis their ends are,
+/// and how far along it the triangles reach.
+struct Seam {
+  float ends_apart = 0, reach = 0;
+
+  void add(const HairMesh& mesh, std::span<const EdgeUse> uses, int axis) {
+    for (const EdgeUse& use : uses) {
+      const auto at = [&](std::uint32_t corner) {
+        return mesh.uvs[mesh.triangles[3 * use.triangle + corner % 3]][axis];
+      };
+      const float a = at(use.side), b = at(use.side + 1);
+      ends_apart += std::abs(a - b);
+      reach += std::abs(at(use.side + 2) - (a + b) / 2);
+    }
+  }
+  /// It runs across the strands: both parts go on the same way from there. Along them it is a texture used twice side by side.
+  [[nodiscard]] bool is_fold() const { return ends_apart < kAcrossAxis * reach; }
+};
+
+struct Parts {
+  DisjointSets sets;
+  std::vector<std::array<std::uint32_t, 2>> folds;  ///< The triangles at each edge of one.
+};
+
+/// Edges inside of one patch that is long along an axis of the texture.
+template <typename Visit>
+void for_each_inner_edge(const HairStrips& hair, std::span<const int> axes, const Visit& visit) {
+  const std::vector<std::uint32_t>& patch_of = hair.patches.patch_of;
+  for_each_edge(sorted_edges(hair.mesh.triangles, hair.welded), [&](std::span<const EdgeUse> uses) {
+    const std::uint32_t patch = patch_of[uses[0].triangle];
+    const bool is_inner =
+        std::ranges::all_of(uses, [&](const EdgeUse& use) { return patch_of[use.triangle] == patch; });
+    if (is_inner && uses.size() > 1 && axes[patch] >= 0) visit(uses, axes[patch]);
+  });
+}
+
+Parts cut_at_folds(const HairStrips& hair) {
+  const HairMesh& mesh = hair.mesh;
+  const std::vector<int> axes = long_axes(hair);
+  Parts parts{DisjointSets(mesh.triangle_count()), {}};
+  std::vector<std::array<EdgeUse, 2>> turns;
+  for_each_inner_edge(hair, axes, [&](std::span<const EdgeUse> uses, int) {
+    const bool turns_back = uses.size() == 2 && turn_of(mesh, uses[0].triangle) * turn_of(mesh, uses[1].triangle) < 0;
+    if (turns_back) turns.push_back({uses[0], uses[1]});
+    for (const EdgeUse& use : uses.subspan(turns_back ? uses.size() : 1))
+      parts.sets.unite(uses[0].triangle, use.triangle);
+  });
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Seam> seams;
+  const auto seam_at = [&](const std::array<EdgeUse, 2>& uses) {
+    const std::uint32_t a = parts.sets.find(uses[0].triangle), b = parts.sets.find(uses[1].triangle);
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  for (const auto& uses : turns) seams[seam_at(uses)].add(mesh, uses, axes[hair.patches.patch_of[uses[0].triangle]]);
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  for (const auto& uses : turns) {
+    const bool is_fold = seams.at(seam_at(uses)).is_fold();
+    (is_fold ? parts.folds : sides).push_back({uses[0].triangle, uses[1].triangle});
+  }
+  for (const auto& [a, b] : sides) parts.sets.unite(a, b);
+  return parts;
+}
+
+/// Parts that are too small go with what lies across their fold.
+void join_crumbs(const HairStrips& hair, Parts& parts) {
+  std::vector<double> of_patch(hair.patches.count, 0), of_part(hair.mesh.triangle_count(), 0);
+  for (std::uint32_t t = 0; t < hair.mesh.triangle_count(); ++t) {
+    const auto area = double(doubled_area(hair.mesh, 3 * t));
+    of_patch[hair.patches.patch_of[t]] += area;
+    of_part[parts.sets.find(t)] += area;
+  }
+  for (const auto& [a, b] : parts.folds) {
+    const std::uint32_t one = parts.sets.find(a), other = parts.sets.find(b);
+    const double least = kLeastPart * of_patch[hair.patches.patch_of[a]];
+    if (one == other || std::min(of_part[one], of_part[other]) >= least) continue;
+    const double both = of_part[one] + of_part[other];
+    parts.sets.unite(one, other);
+    of_part[parts.sets.find(one)] = both;
+  }
+}
+
+}  // namespace
+
+std::uint32_t split_folds(HairStrips& hair, Findings& findings) {
+  if (hair.mesh.uvs.empty()) return 0;
+  Parts parts = cut_at_folds(hair);
+  if (parts.folds.empty()) return 0;
+  join_crumbs(hair, parts);
+  PatchSet& patches = hair.patches;
+  const std::uint32_t before = patches.count;
+  std::vector<std::uint32_t> number(hair.mesh.triangle_count(), kNoIndex), parts_of(before, 0);
+  // Where vertices alone join what a fold parts, or nothing does, a patch stays as it was.
+  for (const auto& [a, b] : parts.folds) {
+    if (parts.sets.find(a) != parts.sets.find(b)) parts_of[patches.patch_of[a]] = 1;
+  }
+  const std::vector<std::uint32_t> patch_before = patches.patch_of;
+  std::vector<bool> kept(before, false);
+  std::uint32_t folded = 0;
+  for (std::uint32_t t = 0; t < patch_before.size(); ++t) {
+    const std::uint32_t patch = patch_before[t];
+    if (parts_of[patch] == 0) continue;
+    std::uint32_t& part = number[parts.sets.find(t)];
+    if (part == kNoIndex) {
+      part = kept[patch] ? patches.add_part_of(patch) : patch;
+      folded += kept[patch] ? 0 : 1;
+      kept[patch] = true;
+    }
+    patches.patch_of[t] = part;
+  }
+  if (folded == 0) return 0;
+  hair.separate_patches();
+  findings.note(fmt::format("patches: the texture turns back within {}, which are cut there into {}", folded,
+                            folded + patches.count - before));
+  return patches.count - before;
+}
+
+}  // namespace coif
