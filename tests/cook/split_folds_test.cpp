@@ -1,6 +1,7 @@
-// Strips that are unwrapped half by half onto the same part of a texture.
+// Strips over the head: unwrapped half by half onto the same part of a texture, or in one piece from ear to ear.
 
 #include "cook/strands/patches.h"
+#include "cook/strands/strand_direction.h"
 
 #include "cook/built_models.h"
 
@@ -106,6 +107,61 @@ TEST(SplitFolds, WithoutALongAxisNothingIsCut) {
   HairMesh wide = band(square, 12);
   for (Vector3f& p : wide.positions) p.z() *= 10;
   EXPECT_EQ(split(wide).more, 0u);
+}
+
+FittedHead head_below() {
+  FittedHead head;
+  head.center = {0, 1.6, 0.015};
+  head.radii = {0.09, 0.1, 0.09};
+  return head;
+}
+
+/// The band in one piece, its places from ear to ear; `moved` changes where its vertices are.
+HairStrips whole_band(const std::function<Vector3f(const Vector3f&, float along)>& moved) {
+  HairStrips hair = strips_from(band([](float across, float along) { return Vector2f(0.1f * across, along); }));
+  for (std::size_t v = 0; v < hair.mesh.positions.size(); ++v) {
+    const float along = hair.mesh.uvs[v].y();
+    hair.mesh.positions[v] = moved(hair.mesh.positions[v], along);
+    hair.strands.place.push_back(along);
+    hair.strands.tangent.push_back(Vector3f::UnitX());
+  }
+  return hair;
+}
+
+std::uint32_t cut(HairStrips hair, const std::string& root = "auto") {
+  Findings findings;
+  const std::uint32_t more = split_partings(hair, head_below(), std::vector<std::string>{root}, findings);
+  EXPECT_EQ(findings.notes.size(), more > 0 ? 1u : 0u);
+  for (std::uint32_t t = 0; more > 0 && t < hair.mesh.triangle_count(); ++t) {
+    const float x = (hair.mesh.corner(t, 0) + hair.mesh.corner(t, 1) + hair.mesh.corner(t, 2)).x() / 3;
+    EXPECT_EQ(hair.patches.patch_of[t], x > 0 ? 1u : 0u);
+  }
+  return more;
+}
+
+const auto kAsItIs = [](const Vector3f& p, float) { return p; };
+
+TEST(SplitPartings, HairFromEarToEarGrowsAtTheParting) { EXPECT_EQ(cut(whole_band(kAsItIs)), 1u); }
+
+TEST(SplitPartings, ARecipeThatSaysWhereTheRootIsHolds) {
+  EXPECT_EQ(cut(whole_band(kAsItIs), "low_v"), 0u);
+  EXPECT_EQ(cut(whole_band(kAsItIs), "swap"), 0u);
+}
+
+TEST(SplitPartings, HairCombedOverToOneSideStaysWhole) {
+  EXPECT_EQ(cut(whole_band([](const Vector3f& p, float along) {  // the other side ends high on the head
+              const float turn = 3.14159f * (0.35f + 0.65f * along);
+              return Vector3f(-0.1f * std::cos(turn), 1.6f + 0.1f * std::sin(turn), p.z());
+            })),
+            0u);
+  EXPECT_EQ(cut(whole_band([](const Vector3f& p, float along) {  // or hangs down to a tail
+              return Vector3f(p.x(), p.y() - (along > 0.8f ? along - 0.8f : 0), p.z());
+            })),
+            0u);
+}
+
+TEST(SplitPartings, HairFromTheForeheadToATieStaysWhole) {
+  EXPECT_EQ(cut(whole_band([](const Vector3f& p, float) { return Vector3f(p.z(), p.y(), p.x()); })), 0u);
 }
 
 }  // namespace coif::split_folds_test

@@ -36,6 +36,13 @@ Done keep(tl::expected<Part, ToolError> made, Part& part) {
   return keep(std::move(*made), part);
 }
 
+StrandField find_strands(const Cooking& c, Findings& findings) {
+  const StrandSettings settings{declared_roots(c.recipe, c.hair), c.extracted.chosen != "position",
+                                depths_below(c.source, c.head_bone.node),
+                                find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
+  return find_strand_direction(c.hair, c.head, settings, findings);
+}
+
 /// The whole cook, top to bottom. Passes are functions of what came before; what they have to say goes to the report.
 const Pass kPasses[] = {
     // The hair, out of the model and with one texture. Joining textures moves texture coordinates and splits vertices, so
@@ -82,11 +89,15 @@ const Pass kPasses[] = {
        return {};
      }},
     {"strands",
-     [](Cooking& c) {
-       const StrandSettings settings{declared_roots(c.recipe, c.hair), c.extracted.chosen != "position",
-                                     depths_below(c.source, c.head_bone.node),
-                                     find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
-       return keep(find_strand_direction(c.hair, c.head, settings, c.report), c.hair.strands);
+     [](Cooking& c) -> Done {
+       Findings of_whole;
+       c.hair.strands = find_strands(c, of_whole);
+       if (split_partings(c.hair, c.head, declared_roots(c.recipe, c.hair), c.report) > 0) {
+         c.hair.strands = find_strands(c, c.report);
+       } else {
+         c.report.append(of_whole);
+       }
+       return {};
      }},
     {"shells",
      [](Cooking& c) -> Done {

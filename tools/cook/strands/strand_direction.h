@@ -5,6 +5,7 @@
 #include "cook/strands/strand_evidence.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct StrandSettings {
 /// as other patches do not contradict (settle_beliefs()). Patches are separate. Notes how roots were told from tips, and where nothing tells them; warns where strands run as if another axis pointed up.
 [[nodiscard]] StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head,
                                                 const StrandSettings& settings, Findings& findings);
+
+/// Cuts patches whose strands seem to run from one side of the head over its top to the other, and end there as they began: hair grows
+/// at the top, so that each half has a root of its own, which the places of `hair` cannot say. Those for which `roots` (as
+/// StrandSettings has it, of each patch) says where it is stay. Returns how many patches there are more; their strands are to
+/// be found anew.
+std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span<const std::string> roots,
+                             Findings& findings);
 
 /// StrandSettings::depth_of_node for a head bone: 0 for it and whatever is not below it.
 [[nodiscard]] std::vector<float> depths_below(const SourceModel& source, std::uint32_t head_node);
