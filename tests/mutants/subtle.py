@@ -140,6 +140,9 @@ def at_fault(source, drawn, log):
         used = set(re.findall(r"\bk[A-Z]\w*", path.read_text().splitlines()[line - 1]))
         here = here or {d for d in drawn if d.kind == "constant" and used & set(re.findall(r"\bk[A-Z]\w*", d.text))}
         faults |= here or {d for d in drawn if source / d.path == path}
+    if not faults:  # a template of somebody else's, which a line of ours asked for
+        asked = {(pathlib.Path(p), int(n)) for p, n in re.findall(r"^(/[^:\n]+):(\d+):\d+:   required from", log, re.MULTILINE)}
+        faults = {d for d in drawn if (source / d.path, d.line) in asked}
     return faults
 
 
