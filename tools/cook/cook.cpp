@@ -82,6 +82,8 @@ const Pass kPasses[] = {
        return {};
      }},
 
+    {"face hair", [](Cooking& c) { return choose_face_hair(c.source, c.recipe, c.head, c.hair, c.report); }},
+
     // Which way its strands run.
     {"normals",
      [](Cooking& c) -> Done {

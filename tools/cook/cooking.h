@@ -8,6 +8,7 @@
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 #include "cook/strands/choose_patches.h"
+#include "cook/strands/face_hair.h"
 #include "cook/strands/patches.h"
 #include "cook/texture/bake_textures.h"
 

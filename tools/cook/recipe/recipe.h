@@ -37,6 +37,8 @@ struct Recipe {
   std::vector<std::string> hair_meshes;
   std::vector<std::string> hair_materials;
   std::vector<std::string> hair_bones;
+  bool hair_brows = false;  ///< And lashes, as far as they are part of the hair.
+  bool hair_beard = false;
   // skeleton
   std::string head_bone;  ///< Pattern; "": found by name and hierarchy.
   std::string scalp;      ///< "thesis", "none" or "pattern".

@@ -39,6 +39,10 @@ const RecipeKey kKeys[] = {
    "names of the materials that are hair; with meshes given too, both must match"},
   {"hair", "bones", &R::hair_bones, "[]", 0, 0, nullptr, "",
    "names of hair bones; connected pieces that they move are hair, to cut hair out of a merged body"},
+  {"hair", "brows", &R::hair_brows, "true", 0, 0, nullptr, "",
+   "false: brows and lashes among the hair are left out; the cook says which patches they are"},
+  {"hair", "beard", &R::hair_beard, "true", 0, 0, nullptr, "",
+   "false: a beard or moustache among the hair is left out, where its mesh or material is called so"},
 
   {"skeleton", "head", &R::head_bone, "\"\"", 0, 0, nullptr, "",
    "name of the head bone; empty: found by its name above the hair bones"},
