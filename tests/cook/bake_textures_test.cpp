@@ -201,6 +201,21 @@ TEST(BakeTextures, InAnAtlasShiftAndMaskFollowEachSurfacesOwnCoordinates) {
   }
 }
 
+TEST(BakeTextures, WhatIsUsedOfAWideImageIsKnownTexelByTexel) {
+  BaseColor color;
+  color.image = painted(128, 32, [](std::uint32_t x, std::uint32_t y) {
+    return Rgba{std::uint8_t(x * 37), std::uint8_t(y * 53), 40, 255};
+  });
+  const HairMesh top = hair_from(strip_over({0.01f, 0.01f}, {0.99f, 0.49f}));
+  const BakedTextures textures = baked(color, top, default_recipe());
+  ASSERT_EQ(textures.used[0].width, 128u);
+  ASSERT_EQ(textures.used[0].height, 32u);
+  for (const std::size_t x : {2u, 64u, 125u}) {
+    EXPECT_EQ(textures.used[0].texels[8 * 128 + x], 255) << x;
+    EXPECT_EQ(textures.used[0].texels[24 * 128 + x], 0) << x;
+  }
+}
+
 TEST(BakeTextures, ThreadsDoNotChangeTheBytes) {
   BaseColor color;
   color.image = strands_beside_a_face();

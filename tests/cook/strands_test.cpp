@@ -194,6 +194,8 @@ TEST(StrandDirection, ARecipeSaysOnWhichSideTheRootsAre) {
   for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(tangent.y(), 0.9f);
   settings.roots = {"low_u"};
   for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_GT(tangent.x(), 0.9f);
+  settings.roots = {"high_u"};
+  for (const Eigen::Vector3f& tangent : strands_of(mesh, settings).tangent) EXPECT_LT(tangent.x(), -0.9f);
 }
 
 TEST(StrandDirection, TangentsAreUnitAndPerpendicularToNormals) {
