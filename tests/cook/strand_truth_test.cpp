@@ -48,12 +48,19 @@ Found find(HairMesh mesh, const BaseColor& color, const FittedHead& head, std::s
   found.hair.mesh = std::move(mesh);
   found.hair.welded = weld_places(found.hair.mesh.positions, 0);
   const ExtractedPatches extracted = find_patches(found.hair, "auto", unheard());
-  found.hair.complete_normals();
   StrandSettings settings;
   settings.trust_texture = extracted.chosen != "position";
   settings.depth_of_node.assign(nodes, 0.0f);
-  settings.seen = find_strand_lines(found.hair, color, 1);
-  found.strands = find_strand_direction(found.hair, head, settings, unheard());
+  if (settings.trust_texture) (void)split_folds(found.hair, unheard());
+  found.hair.complete_normals();
+  const auto find_strands = [&] {
+    settings.seen = find_strand_lines(found.hair, color, 1);
+    return find_strand_direction(found.hair, head, settings, unheard());
+  };
+  found.hair.strands = find_strands();
+  const std::vector<std::string> roots(found.hair.patches.count, "auto");
+  if (split_partings(found.hair, head, roots, unheard()) > 0) found.hair.strands = find_strands();
+  found.strands = found.hair.strands;
   return found;
 }
 
