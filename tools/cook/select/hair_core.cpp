@@ -88,9 +88,13 @@ double median_of(Eigen::Vector3f sizes) {
 }
 
 bool is_wrapped(const SourceMesh& mesh, const Island& island, const TriangleGrid& hair, double close) {
-  std::size_t count = 0;
-  for (const std::uint32_t v : island.corners) count += hair.distance(mesh.positions[v], {true}, close) < close ? 1 : 0;
-  return double(count) >= kWrapped * double(island.corners.size());
+  const auto most_apart = std::size_t((1 - kWrapped) * double(island.corners.size()));
+  std::size_t apart = 0;
+  for (const std::uint32_t v : island.corners) {
+    apart += hair.distance(mesh.positions[v], {true}, close) < close ? 0 : 1;
+    if (apart > most_apart) return false;
+  }
+  return true;
 }
 
 /// Islands that may be cores, joined where they touch: their numbers.
@@ -151,7 +155,7 @@ class Cores {
   [[nodiscard]] bool reaches_out(const Island& island) const {
     const double reach = kLeastReach * width_;
     const auto is_far = [&](std::uint32_t v) {
-      return grid_.distance(source_.meshes[island.mesh].positions[v], {true}, 0) >= reach;
+      return grid_.distance(source_.meshes[island.mesh].positions[v], {true}, reach) >= reach;
     };
     return std::ranges::any_of(island.corners, is_far);
   }
@@ -202,7 +206,8 @@ HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, 
   const TriangleGrid grid(hair.positions, hair.triangles, hair.group, close);
   Eigen::AlignedBox3f around(hair.box.min().array() - float(close), hair.box.max().array() + float(close));
   for (Island& island : islands) {
-    island.is_wrapped = island.follows_head && around.contains(island.box) &&
+    const bool is_slim = median_of(island.box.sizes()) <= kThickest * width;
+    island.is_wrapped = island.follows_head && is_slim && around.contains(island.box) &&
                         is_wrapped(source.meshes[island.mesh], island, grid, close);
   }
   const auto groups = groups_of(islands, float(1e-3 * width));
