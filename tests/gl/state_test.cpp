@@ -115,7 +115,11 @@ class DrawState : public GlTest {
     DrawnCard solid, soft;
     soft.rgba[3] = 128;
     soft.center[2] = 1;
-    ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(card_contents(std::array{solid, soft}))), Status::kOk);
+    AssetContents contents = card_contents(std::array{solid, soft});
+    contents.relief_texels.assign(32, std::byte{160});
+    contents.reliefs = {{TextureRole::kNormal, TexelFormat::kRg8, 1, 1, 1, 0, 0, 2},
+                        {TextureRole::kStrandAxis, TexelFormat::kRg8, 1, 1, 1, 0, 16, 2}};
+    ASSERT_EQ(model_.upload(renderer_, *DrawnAsset(contents)), Status::kOk);
   }
   void TearDown() override {
     model_.destroy();
@@ -146,8 +150,7 @@ TEST_F(DrawState, DoesNotDependOnWhatTheHostLeft) {
   glGenSamplers(1, &sampler);
   glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
   glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glBindSampler(0, sampler);
-  glBindSampler(1, sampler);
+  for (const GLuint unit : {0u, 1u, 9u, 10u}) glBindSampler(unit, sampler);
   ASSERT_EQ(draw_head(renderer_, model_, at_rest()), Status::kOk);
   EXPECT_EQ(middle_pixel(), expected);
 }
