@@ -284,6 +284,11 @@ TEST(MergeBackFaces, TheReportSaysHowManyThereWere) {
             "10 triangles that only were the back of others: the hair is drawn double-sided (120 bytes)");
 }
 
+TEST(ClosedSurfaces, AnOpenSheetIsOpenHoweverFewOfItsTrianglesAreAtTheBorder) {
+  const HairMesh cap = hair_from(make_cap(200, 200, 3.0f));
+  EXPECT_FALSE(is_closed(cap, weld_places(cap.positions, 0)));
+}
+
 TEST(ClosedSurfaces, ABoxIsClosedAndAStripIsNot) {
   HairMesh box;
   for (int i = 0; i < 8; ++i) box.positions.emplace_back(float(i & 1), float(i >> 1 & 1), float(i >> 2 & 1));
