@@ -221,6 +221,8 @@ SourceModel small_source_model() {
   SourceMaterial material;
   material.name = "hair";
   material.base_texture = {"hair.png", 0};
+  material.normal_texture = {"hair_n.png", kNoIndex};
+  material.normal_strength = 0.5f;
   material.alpha_use = AlphaUse::kMask;
   material.alpha_cutoff = 0.25f;
   material.double_sided = true;

@@ -23,6 +23,7 @@ TEST(ModelStream, ModelComesBackAsItWas) {
   EXPECT_EQ(back->nodes[1].model_from_node.translation().y(), 1.0);
   EXPECT_EQ(back->materials[0].alpha_use, AlphaUse::kMask);
   EXPECT_EQ(back->materials[0].alpha_cutoff, 0.25f);
+  EXPECT_EQ(back->materials[0].normal_strength, 0.5f);
   EXPECT_EQ(back->springs[0].joints[0].length, 1.0);
   EXPECT_EQ(back->springs[0].colliders, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(back->colliders[1].radius, 0.5);
@@ -131,6 +132,9 @@ INSTANTIATE_TEST_SUITE_P(Model, BrokenPromise,
                                                 [](SourceModel& m) { m.meshes[0].influences[3].weight = 0.5f; },
                                                 [](SourceModel& m) { m.materials[0].base_texture.image = 1; },
                                                 [](SourceModel& m) { m.materials[0].base_color.x() = kNan; },
+                                                [](SourceModel& m) { m.materials[0].normal_strength = kNan; },
+                                                [](SourceModel& m) { m.materials[0].normal_strength = -1; },
+                                                [](SourceModel& m) { m.materials[0].normal_strength = 17; },
                                                 [](SourceModel& m) { m.materials[0].alpha_cutoff = 2; }));
 
 INSTANTIATE_TEST_SUITE_P(

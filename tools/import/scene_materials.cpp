@@ -52,11 +52,10 @@ aiString normal_texture_path(const aiMaterial& material) {
 
 // Files that give no number, or none that can be meant, show the map as it is painted.
 float normal_strength(const aiMaterial& material) {
-  constexpr float kMost = 16;
   float strength = 1;
   const bool is_given = material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), strength) == AI_SUCCESS ||
                         material.Get(AI_MATKEY_BUMPSCALING, strength) == AI_SUCCESS;
-  return is_given && strength >= 0 && strength <= kMost ? strength : 1;
+  return is_given && strength >= 0 && strength <= kMostNormalStrength ? strength : 1;
 }
 
 // Empty where it is the base colour's own, as exporters write it for an image with alpha.

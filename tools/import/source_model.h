@@ -50,12 +50,14 @@ struct SourceTexture {
 /// How a material uses the alpha of its base colour, where the file says so.
 enum class AlphaUse { kUnknown, kOpaque, kMask, kBlend };
 
+inline constexpr float kMostNormalStrength = 16;
+
 struct SourceMaterial {
   std::string name;
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
-  float normal_strength = 1;               ///< What the map's slopes are multiplied with.
+  float normal_strength = 1;               ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
   std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
