@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string material_name(const SourceModel& model, const SourceMesh& mesh) {
-  return mesh.material < model.materials.size() ? model.materials[mesh.material].name : "";
-}
-
 std::string texture_name(const SourceModel& model, const SourceTexture& texture) {
   if (!texture.path.empty()) return texture.path;
   return texture.image < model.images.size() ? fmt::format("embedded {}", model.images[texture.image].name) : "";

@@ -123,6 +123,11 @@ struct SourceModel {
   std::vector<std::string> side_files;
 };
 
+/// Of a mesh's material; "" where it has none.
+[[nodiscard]] inline std::string material_name(const SourceModel& model, const SourceMesh& mesh) {
+  return mesh.material < model.materials.size() ? model.materials[mesh.material].name : "";
+}
+
 /// Every promise of source_model.h: cross-references in range, parents first, arrays of one size, finite numbers,
 /// influences that add up to one. Empty when they hold, else the first that does not.
 [[nodiscard]] std::string find_model_fault(const SourceModel& model);

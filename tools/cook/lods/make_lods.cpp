@@ -94,16 +94,14 @@ DetailLevel LevelMaker::make(std::size_t target) {
 /// Of hair that was dropped from what this level draws.
 double LevelMaker::dropped_distance(const DetailLevel& level) const {
   if (std::ranges::all_of(drawn_, [](bool drawn) { return drawn; })) return 0;
-  std::vector<std::uint32_t> triangles, one_group;
+  std::vector<std::uint32_t> triangles;
   for (const auto& patch : level.triangles_of) triangles.insert(triangles.end(), patch.begin(), patch.end());
-  one_group.assign(triangles.size() / 3, 0);
   const HairMesh& mesh = hair_.mesh;
-  const TriangleGrid grid(mesh.positions, triangles, one_group, 2 * settings_.max_error);
-  const std::vector<bool> all = {true};
+  const TriangleGrid grid(mesh.positions, triangles, 2 * settings_.max_error);
   double worst = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     if (drawn_[hair_.patches.patch_of[t]]) continue;
-    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, grid.distance(mesh.corner(t, k), all, worst));
+    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, grid.distance(mesh.corner(t, k), worst));
   }
   return worst;
 }

@@ -24,7 +24,7 @@ std::vector<bool> movable_triangles(const SourceModel& source, const HairStrips&
   std::vector<bool> of_mesh(source.meshes.size(), true);
   for (std::size_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
-    const std::string material = mesh.material < source.materials.size() ? source.materials[mesh.material].name : "";
+    const std::string material = material_name(source, mesh);
     const auto named = [&](const std::vector<std::string>& patterns) {
       return matches_any(mesh.name, patterns) || matches_any(material, patterns);
     };

@@ -18,16 +18,9 @@ using Names = std::vector<std::string>;
 
 constexpr double kMovedByHairBones = 0.03;  ///< Share of a piece's weight: a fringe follows the head for the most part.
 constexpr double kSurelyMoved = 0.4;        ///< At some vertex; faces under a fringe have a touch of its bones only.
-constexpr double kMovedByEyes = 0.15;       ///< Of a piece's weight: then it is a lash or a brow.
-constexpr double kOnHead = 0.3;             ///< Of a transparent piece's weight: long hair reaches the shoulders.
 
 const SourceMaterial* material_of(const SourceModel& source, const SourceMesh& mesh) {
   return mesh.material < source.materials.size() ? &source.materials[mesh.material] : nullptr;
-}
-
-std::string material_name(const SourceModel& source, const SourceMesh& mesh) {
-  const SourceMaterial* material = material_of(source, mesh);
-  return material ? material->name : "";
 }
 
 /// The file's own name of a texture, without the folders of the artist's machine.

@@ -1,13 +1,12 @@
 #include "cook/select/hair_core.h"
 
-#include "cook/select/chosen_hair.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/triangle_distance.h"
+#include "cook/select/triangle_soup.h"
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 namespace coif {
 namespace {
@@ -17,34 +16,11 @@ constexpr double kWrapsWithin = 0.13;  ///< So far from hair may lie
 constexpr double kWrapped = 0.8;       ///< all but a few of a core's corners, whose strips leave gaps.
 constexpr double kThickest = 0.65;     ///< The second largest size of a core's box.
 constexpr double kLeastReach = 0.3;    ///< So far its end is from everything else.
-constexpr double kFollowsHead = 0.3;   ///< Of its skin weight.
-constexpr double kFollowsEyes = 0.15;  ///< The same: then it is a lid or a lash.
-
-/// Triangles that are joined in the model and in the texture.
-MeshPieces find_islands(const SourceMesh& mesh) {
-  if (mesh.uvs.empty()) return find_pieces(mesh, 0);
-  const std::vector<std::uint32_t> place = weld_places(mesh.positions, 0);
-  std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> first_at;
-  DisjointSets sets(mesh.positions.size());
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const auto [at, is_new] = first_at.try_emplace({place[v], mesh.uvs[v].x(), mesh.uvs[v].y()}, v);
-    sets.unite(at->second, v);
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) sets.unite(mesh.triangles[i / 3 * 3], mesh.triangles[i]);
-  MeshPieces islands;
-  std::map<std::uint32_t, std::uint32_t> number;
-  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-    const auto [at, is_new] = number.try_emplace(sets.find(mesh.triangles[i]), islands.count);
-    islands.count += is_new ? 1 : 0;
-    islands.piece_of.push_back(at->second);
-  }
-  return islands;
-}
 
 /// One island of a mesh that gave no hair.
 struct Island {
   std::uint32_t mesh = 0;
-  std::vector<std::uint32_t> corners;  ///< Vertices of its triangles, three for each.
+  std::vector<std::size_t> triangles;
   Eigen::AlignedBox3f box;
   bool follows_head = false;
   bool is_wrapped = false;  ///< Hair lies close around it.
@@ -56,19 +32,19 @@ std::vector<Island> islands_beside(const SourceModel& source, const HairChoice& 
   for (std::uint32_t m = 0; m < source.meshes.size(); ++m) {
     const SourceMesh& mesh = source.meshes[m];
     if (!choice.taken[m].empty()) continue;
-    const MeshPieces pieces = find_islands(mesh);
+    const MeshPieces pieces = find_islands(mesh, 0);
     const std::vector<PieceEvidence> evidence = weigh_pieces(source, mesh, pieces, bones, head_node);
     const std::size_t first = islands.size();
     islands.resize(first + pieces.count);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      Island& island = islands[first + pieces.piece_of[i / 3]];
-      island.corners.push_back(mesh.triangles[i]);
-      island.box.extend(mesh.positions[mesh.triangles[i]]);
+    for (std::size_t t = 0; t < pieces.piece_of.size(); ++t) {
+      Island& island = islands[first + pieces.piece_of[t]];
+      island.triangles.push_back(t);
+      for (std::size_t k = 0; k < 3; ++k) island.box.extend(mesh.positions[mesh.triangles[3 * t + k]]);
     }
     for (std::uint32_t p = 0; p < pieces.count; ++p) {
       const PieceEvidence& piece = evidence[p];
       islands[first + p].mesh = m;
-      islands[first + p].follows_head = piece.head_share >= kFollowsHead && piece.eye_bone_share < kFollowsEyes;
+      islands[first + p].follows_head = piece.head_share >= kOnHead && piece.eye_bone_share < kMovedByEyes;
     }
   }
   return islands;
@@ -87,14 +63,22 @@ double median_of(Eigen::Vector3f sizes) {
   return double(sizes[1]);
 }
 
-bool is_wrapped(const SourceMesh& mesh, const Island& island, const TriangleGrid& hair, double close) {
-  const auto most_apart = std::size_t((1 - kWrapped) * double(island.corners.size()));
-  std::size_t apart = 0;
-  for (const std::uint32_t v : island.corners) {
-    apart += hair.distance(mesh.positions[v], {true}, close) < close ? 0 : 1;
-    if (apart > most_apart) return false;
+/// Of the corners of its triangles, how many `fit`; stops where there are `most`.
+template <typename Fits>
+std::size_t count_corners(const SourceMesh& mesh, const Island& island, std::size_t most, const Fits& fits) {
+  std::size_t count = 0;
+  for (const std::size_t t : island.triangles) {
+    for (std::size_t k = 0; k < 3 && count < most; ++k) {
+      count += fits(mesh.positions[mesh.triangles[3 * t + k]]) ? 1 : 0;
+    }
   }
-  return true;
+  return count;
+}
+
+bool is_wrapped(const SourceMesh& mesh, const Island& island, const TriangleGrid& hair, double close) {
+  const auto too_many = std::size_t((1 - kWrapped) * double(3 * island.triangles.size())) + 1;
+  const auto is_apart = [&](const Eigen::Vector3f& p) { return hair.distance(p, close) >= close; };
+  return count_corners(mesh, island, too_many, is_apart) < too_many;
 }
 
 /// Islands that may be cores, joined where they touch: their numbers.
@@ -118,21 +102,14 @@ std::vector<std::vector<std::size_t>> groups_of(std::span<const Island> islands,
 }
 
 /// All triangles but those of hair and of wrapped islands.
-struct Rest {
-  std::vector<Eigen::Vector3f> positions;
-  std::vector<std::uint32_t> triangles, group;
-
-  Rest(const SourceModel& source, std::span<const Island> islands, const Eigen::AlignedBox3f& around) {
-    for (const Island& island : islands) {
-      if (island.is_wrapped || !island.box.intersects(around)) continue;
-      for (const std::uint32_t v : island.corners) {
-        triangles.push_back(std::uint32_t(positions.size()));
-        positions.push_back(source.meshes[island.mesh].positions[v]);
-      }
-    }
-    group.assign(triangles.size() / 3, 0);
+TriangleSoup rest_of(const SourceModel& source, std::span<const Island> islands, const Eigen::AlignedBox3f& around) {
+  TriangleSoup rest;
+  for (const Island& island : islands) {
+    if (island.is_wrapped || !island.box.intersects(around)) continue;
+    for (const std::size_t t : island.triangles) rest.add(source.meshes[island.mesh], t);
   }
-};
+  return rest;
+}
 
 class Cores {
  public:
@@ -141,8 +118,8 @@ class Cores {
       : source_(source),
         islands_(islands),
         width_(head_width),
-        rest_(source, islands, around),
-        grid_(rest_.positions, rest_.triangles, rest_.group, kLeastReach * head_width) {}
+        rest_(rest_of(source, islands, around)),
+        grid_(rest_.positions, rest_.triangles, kLeastReach * head_width) {}
 
   [[nodiscard]] bool is_core(std::span<const std::size_t> group) const {
     Eigen::AlignedBox3f box;
@@ -154,36 +131,16 @@ class Cores {
  private:
   [[nodiscard]] bool reaches_out(const Island& island) const {
     const double reach = kLeastReach * width_;
-    const auto is_far = [&](std::uint32_t v) {
-      return grid_.distance(source_.meshes[island.mesh].positions[v], {true}, reach) >= reach;
-    };
-    return std::ranges::any_of(island.corners, is_far);
+    const auto is_far = [&](const Eigen::Vector3f& p) { return grid_.distance(p, reach) >= reach; };
+    return count_corners(source_.meshes[island.mesh], island, 1, is_far) == 1;
   }
 
   const SourceModel& source_;
   std::span<const Island> islands_;
   double width_;
-  Rest rest_;
+  TriangleSoup rest_;
   TriangleGrid grid_;
 };
-
-void take(const SourceModel& source, const Island& island, HairChoice& cores) {
-  const SourceMesh& mesh = source.meshes[island.mesh];
-  std::vector<bool>& taken = cores.taken[island.mesh];
-  taken.resize(mesh.triangles.size() / 3, false);
-  std::size_t next = 0;  // corners are in the order of the triangles
-  for (std::size_t t = 0; t < taken.size() && next < island.corners.size(); ++t) {
-    if (!std::equal(mesh.triangles.begin() + std::ptrdiff_t(3 * t), mesh.triangles.begin() + std::ptrdiff_t(3 * t + 3),
-                    island.corners.begin() + std::ptrdiff_t(next)))
-      continue;
-    taken[t] = true;
-    next += 3;
-  }
-}
-
-}  // namespace
-
-namespace {
 
 /// A mesh that is nothing but core is a band or an ornament, and stays where it is worn.
 void leave_what_is_worn(HairChoice& cores) {
@@ -197,13 +154,13 @@ void leave_what_is_worn(HairChoice& cores) {
 HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, std::uint32_t head_node) {
   HairChoice cores;
   cores.taken.resize(source.meshes.size());
-  const ChosenHair hair(source, choice);
+  const TriangleSoup hair = chosen_hair(source, choice);
   if (head_node == kNoIndex || hair.triangles.empty()) return cores;
   std::vector<Island> islands = islands_beside(source, choice, head_node);
   const double width = width_of_head(islands);
   if (!(width > 0)) return cores;
   const double close = kWrapsWithin * width;
-  const TriangleGrid grid(hair.positions, hair.triangles, hair.group, close);
+  const TriangleGrid grid(hair.positions, hair.triangles, close);
   Eigen::AlignedBox3f around(hair.box.min().array() - float(close), hair.box.max().array() + float(close));
   for (Island& island : islands) {
     const bool is_slim = median_of(island.box.sizes()) <= kThickest * width;
@@ -215,7 +172,11 @@ HairChoice find_hair_cores(const SourceModel& source, const HairChoice& choice, 
   const Cores found(source, islands, width, around);
   for (const std::vector<std::size_t>& group : groups) {
     if (!found.is_core(group)) continue;
-    for (const std::size_t i : group) take(source, islands[i], cores);
+    for (const std::size_t i : group) {
+      std::vector<bool>& taken = cores.taken[islands[i].mesh];
+      taken.resize(source.meshes[islands[i].mesh].triangles.size() / 3, false);
+      for (const std::size_t t : islands[i].triangles) taken[t] = true;
+    }
   }
   leave_what_is_worn(cores);
   return cores;

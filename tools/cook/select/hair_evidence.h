@@ -47,6 +47,9 @@ struct PieceEvidence {
   double height = 0;                  ///< Of its highest vertex, metres.
 };
 
+inline constexpr double kMovedByEyes = 0.15;  ///< Of a piece's weight: then it is a lash, a brow or a lid.
+inline constexpr double kOnHead = 0.3;        ///< Of a piece's weight: long hair reaches the shoulders.
+
 /// One entry per piece of `mesh`.
 [[nodiscard]] std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceMesh& mesh,
                                                       const MeshPieces& pieces, const std::vector<bool>& hair_bones,

@@ -71,6 +71,22 @@ struct PatchSet {
     first_number.push_back(std::uint32_t(first_number[patch]));
     return count++;
   }
+  /// Cuts patches: `part_of` names for each triangle the part that it goes to, below their number, no part in two patches;
+  /// kNoIndex: its patch stays whole. The first part of each patch keeps its index, the others get new ones.
+  void cut(std::span<const std::uint32_t> part_of) {
+    std::vector<std::uint32_t> index(patch_of.size(), kNoIndex);
+    std::vector<bool> kept(count, false);
+    for (std::size_t t = 0; t < patch_of.size(); ++t) {
+      if (part_of[t] == kNoIndex) continue;
+      std::uint32_t& patch = patch_of[t];
+      std::uint32_t& part = index[part_of[t]];
+      if (part == kNoIndex) {
+        part = kept[patch] ? add_part_of(patch) : patch;
+        if (part == patch) kept[patch] = true;
+      }
+      patch = part;
+    }
+  }
 };
 
 }  // namespace coif

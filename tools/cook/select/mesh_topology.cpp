@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <tuple>
 #include <unordered_map>
 
 namespace coif {
@@ -224,21 +226,38 @@ bool is_closed(const HairMesh& mesh, std::span<const std::uint32_t> place) {
   return double(closed) >= kNearlyAll * double(mesh.triangle_count());
 }
 
-MeshPieces find_pieces(const SourceMesh& mesh, double weld_distance) {
-  const std::vector<std::uint32_t> place = weld_places(mesh.positions, weld_distance);
+namespace {
+
+/// Triangles that share an id at a corner.
+MeshPieces joined_by(const SourceMesh& mesh, std::span<const std::uint32_t> id_of) {
   DisjointSets sets(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    sets.unite(place[mesh.triangles[t]], place[mesh.triangles[t + 1]]);
-    sets.unite(place[mesh.triangles[t]], place[mesh.triangles[t + 2]]);
+    sets.unite(id_of[mesh.triangles[t]], id_of[mesh.triangles[t + 1]]);
+    sets.unite(id_of[mesh.triangles[t]], id_of[mesh.triangles[t + 2]]);
   }
   MeshPieces pieces;
   std::vector<std::uint32_t> number(mesh.positions.size(), kNoIndex);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    std::uint32_t& piece = number[sets.find(place[mesh.triangles[t]])];
+    std::uint32_t& piece = number[sets.find(id_of[mesh.triangles[t]])];
     if (piece == kNoIndex) piece = pieces.count++;
     pieces.piece_of.push_back(piece);
   }
   return pieces;
+}
+
+}  // namespace
+
+MeshPieces find_pieces(const SourceMesh& mesh, double weld_distance) {
+  return joined_by(mesh, weld_places(mesh.positions, weld_distance));
+}
+
+MeshPieces find_islands(const SourceMesh& mesh, double weld_distance) {
+  std::vector<std::uint32_t> id_of = weld_places(mesh.positions, weld_distance);
+  std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> first_at;
+  for (std::uint32_t v = 0; v < mesh.uvs.size(); ++v) {
+    id_of[v] = first_at.try_emplace({id_of[v], mesh.uvs[v].x(), mesh.uvs[v].y()}, v).first->second;
+  }
+  return joined_by(mesh, id_of);
 }
 
 }  // namespace coif

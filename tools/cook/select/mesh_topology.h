@@ -82,6 +82,9 @@ struct MeshPieces {
 
 [[nodiscard]] MeshPieces find_pieces(const SourceMesh& mesh, double weld_distance);
 
+/// The same, of triangles that share places with their texture coordinates too, as far as the mesh has any.
+[[nodiscard]] MeshPieces find_islands(const SourceMesh& mesh, double weld_distance);
+
 /// For each vertex the smallest vertex at its place: closer than `distance` metres along a chain of neighbours. 0: a
 /// 50,000th of the diagonal of all positions, so that a model's size does not decide what is joined. Linear time for
 /// meshes whose vertices are not all in one spot of that size.

@@ -1,7 +1,7 @@
 #include "cook/select/scalp_cap.h"
 
-#include "cook/select/chosen_hair.h"
 #include "cook/select/triangle_distance.h"
+#include "cook/select/triangle_soup.h"
 
 namespace coif {
 namespace {
@@ -12,7 +12,7 @@ constexpr double kLeastWidth = 0.4;    ///< Of the hair's smaller horizontal siz
 constexpr double kLeastHeight = 0.25;  ///< and in height.
 constexpr std::size_t kLooked = 2000;  ///< Vertices of a mesh that are looked at.
 
-bool is_cap(const SourceMesh& mesh, const ChosenHair& hair, const TriangleGrid& grid, double reach) {
+bool is_cap(const SourceMesh& mesh, const TriangleSoup& hair, const TriangleGrid& grid, double reach) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : mesh.positions) box.extend(p);
   const Eigen::Vector3f size = box.sizes(), all = hair.box.sizes();
@@ -22,7 +22,7 @@ bool is_cap(const SourceMesh& mesh, const ChosenHair& hair, const TriangleGrid& 
   std::size_t looked = 0, close = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); v += step) {
     ++looked;
-    close += grid.distance(mesh.positions[v], {true}, 0.5 * reach) < reach ? 1 : 0;
+    close += grid.distance(mesh.positions[v], 0.5 * reach) < reach ? 1 : 0;
   }
   return double(close) >= kMostOfIt * double(looked);
 }
@@ -31,12 +31,12 @@ bool is_cap(const SourceMesh& mesh, const ChosenHair& hair, const TriangleGrid& 
 
 std::vector<bool> find_scalp_caps(const SourceModel& source, const HairChoice& choice) {
   std::vector<bool> caps(source.meshes.size(), false);
-  const ChosenHair hair(source, choice);
+  const TriangleSoup hair = chosen_hair(source, choice);
   if (hair.triangles.empty() || hair.triangles.size() == 3) return caps;
   const Eigen::Vector3f size = hair.box.sizes();
   const double reach = kClose * double(std::min(size.x(), size.z()));
   if (!(reach > 0)) return caps;
-  const TriangleGrid grid(hair.positions, hair.triangles, hair.group, reach);
+  const TriangleGrid grid(hair.positions, hair.triangles, reach);
   for (std::size_t m = 0; m < caps.size(); ++m) {
     caps[m] =
         choice.taken[m].empty() && !source.meshes[m].positions.empty() && is_cap(source.meshes[m], hair, grid, reach);

@@ -76,24 +76,33 @@ TriangleGrid::TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span
   }
 }
 
-double TriangleGrid::distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
-                              double enough) const {
+template <typename Counts>
+double TriangleGrid::nearest(const Eigen::Vector3f& point, double enough, const Counts& counts) const {
   const auto corner = [&](std::size_t i) -> Eigen::Vector3d { return positions_[triangles_[i]].cast<double>(); };
   const Cube home = cube_of(point);
-  double nearest = reach_ * reach_;
+  double least = reach_ * reach_;
   for (int i = 0; i < 27; ++i) {
     const int n = (i + kHome) % 27;
     const auto cube = cubes_.find({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1});
     if (cube == cubes_.end()) continue;
     for (std::uint32_t t : cube->second) {
-      if (!group_counts[group_of_[t]]) continue;
+      if (!counts(t)) continue;
       const std::size_t first = 3 * std::size_t(t);
-      nearest = std::min(nearest,
-                         squared_distance(point.cast<double>(), corner(first), corner(first + 1), corner(first + 2)));
-      if (nearest < enough * enough) return std::sqrt(nearest);
+      least =
+          std::min(least, squared_distance(point.cast<double>(), corner(first), corner(first + 1), corner(first + 2)));
+      if (least < enough * enough) return std::sqrt(least);
     }
   }
-  return std::sqrt(nearest);
+  return std::sqrt(least);
+}
+
+double TriangleGrid::distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
+                              double enough) const {
+  return nearest(point, enough, [&](std::uint32_t t) { return group_counts[group_of_[t]]; });
+}
+
+double TriangleGrid::distance(const Eigen::Vector3f& point, double enough) const {
+  return nearest(point, enough, [](std::uint32_t) { return true; });
 }
 
 }  // namespace coif

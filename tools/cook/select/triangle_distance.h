@@ -23,11 +23,16 @@ class TriangleGrid {
   /// Distances up to `reach` (metres, > 0) are told apart.
   TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
                std::span<const std::uint32_t> group_of, double reach);
+  /// All triangles count.
+  TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles, double reach)
+      : TriangleGrid(positions, triangles, {}, reach) {}
 
   /// Metres to the nearest triangle of a group that counts; `reach` where none is nearer. Where that is below `enough` any
   /// distance below it may be returned: in dense hair the first triangles tell that, and all of them would take long.
   [[nodiscard]] double distance(const Eigen::Vector3f& point, const std::vector<bool>& group_counts,
                                 double enough) const;
+  /// To the nearest triangle of all.
+  [[nodiscard]] double distance(const Eigen::Vector3f& point, double enough) const;
 
  private:
   using Cube = std::array<std::int32_t, 3>;
@@ -36,6 +41,8 @@ class TriangleGrid {
   };
 
   [[nodiscard]] Cube cube_of(const Eigen::Vector3f& point) const;
+  template <typename Counts>
+  [[nodiscard]] double nearest(const Eigen::Vector3f& point, double enough, const Counts& counts) const;
 
   std::span<const Eigen::Vector3f> positions_;
   std::span<const std::uint32_t> triangles_;

@@ -99,7 +99,7 @@ void leave_out(const std::vector<bool>& dropped, HairStrips& hair, Findings& fin
   if (numbers.empty()) return;
   const std::size_t before = hair.mesh.triangle_count();
   hair.drop(dropped);
-  findings.leave_out({fmt::format("patch{} {} ({})", numbers.size() == 1 ? "" : "es", numbers_text(numbers),
+  findings.leave_out({fmt::format("{} ({})", patches_text(numbers),
                                   counted(before - hair.mesh.triangle_count(), "triangle", "triangles")),
                       "\"keep\" is false in the recipe's \"patches.overrides\""});
 }
@@ -115,7 +115,7 @@ std::vector<PatchListing> list_patches(const SourceModel& source, const HairStri
     patch.number = p;
     const SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[views[p].triangles.front() / 3]];
     patch.mesh = mesh.name;
-    if (mesh.material < source.materials.size()) patch.material = source.materials[mesh.material].name;
+    patch.material = material_name(source, mesh);
     patch.island = islands[p];
     patch.triangles = views[p].triangles.size();
     Eigen::AlignedBox3d box;
@@ -139,8 +139,7 @@ tl::expected<void, ToolError> choose_patches(const SourceModel& source, const Re
       continue;
     }
     for (const std::uint32_t p : patches) listings[p].overrides.push_back(o);
-    findings.note(fmt::format("\"patches.overrides\" [{}]: {} {}", o, patches.size() == 1 ? "patch" : "patches",
-                              numbers_text(patches)));
+    findings.note(fmt::format("\"patches.overrides\" [{}]: {}", o, patches_text(patches)));
   }
   for (const PatchListing& patch : listings) hair.overridden_by.push_back(patch.overrides);
   std::vector<bool> dropped;

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <cmath>
 
 namespace coif {
 namespace {
@@ -27,14 +28,9 @@ bool is_called_beard(const std::string& name) {
 }
 
 /// Names of the mesh and material that a patch comes from.
-std::vector<std::string> names_of(const SourceModel& source, const HairStrips& hair, const PatchView& patch) {
-  const std::uint32_t m =
-      hair.mesh.mesh_of_triangle.empty() ? kNoIndex : hair.mesh.mesh_of_triangle[patch.triangles.front() / 3];
-  if (m >= source.meshes.size()) return {};
-  const SourceMesh& mesh = source.meshes[m];
-  std::vector<std::string> names{mesh.name};
-  if (mesh.material < source.materials.size()) names.push_back(source.materials[mesh.material].name);
-  return names;
+std::array<std::string, 2> names_of(const SourceModel& source, const HairStrips& hair, const PatchView& patch) {
+  const SourceMesh& mesh = source.meshes[hair.mesh.mesh_of_triangle[patch.triangles.front() / 3]];
+  return {mesh.name, material_name(source, mesh)};
 }
 
 /// Of a patch, in shares of the head's radii from its centre, as the face looks.
@@ -62,11 +58,11 @@ bool mirror_each_other(const AlignedBox3d& a, const AlignedBox3d& b) {
          (a.sizes() - b.sizes()).cwiseAbs().maxCoeff() < kMirrorSlack && a.center().x() * b.center().x() < 0;
 }
 
-std::string listed(const HairStrips& hair, std::span<const std::uint32_t> patches) {
+std::string numbered(const HairStrips& hair, std::span<const std::uint32_t> patches) {
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t p : patches) numbers.push_back(hair.patches.number_of(p));
   std::ranges::sort(numbers);
-  return fmt::format("{} {}", numbers.size() == 1 ? "patch" : "patches", numbers_text(numbers));
+  return patches_text(numbers);
 }
 
 }  // namespace
@@ -76,7 +72,7 @@ FaceHair find_face_hair(const SourceModel& source, const HairStrips& hair, const
   std::vector<std::pair<std::uint32_t, AlignedBox3d>> perhaps;
   const std::vector<PatchView> views = hair.views();
   for (std::uint32_t p = 0; p < views.size(); ++p) {
-    const std::vector<std::string> names = names_of(source, hair, views[p]);
+    const auto names = names_of(source, hair, views[p]);
     const AlignedBox3d box = box_on_head(hair, views[p], head);
     if (std::ranges::any_of(names, is_called_beard)) {
       found.beard.push_back(p);
@@ -100,7 +96,7 @@ tl::expected<void, ToolError> choose_face_hair(const SourceModel& source, const 
   std::vector<bool> dropped(hair.patches.count, false);
   const auto choose = [&](const char* name, const char* key, const std::vector<std::uint32_t>& patches, bool keeps) {
     if (patches.empty()) return;
-    const std::string which = listed(hair, patches);
+    const std::string which = numbered(hair, patches);
     if (keeps)
       return findings.note(fmt::format("{}: {}; \"hair.{}\": false in the recipe leaves them out", name, which, key));
     for (const std::uint32_t p : patches) dropped[p] = true;

@@ -1,11 +1,18 @@
 #include "cook/strands/hair_strips.h"
 
+#include "base/text.h"
+
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <utility>
 
 namespace coif {
+
+std::string patches_text(std::span<const std::uint32_t> numbers) {
+  return fmt::format("{} {}", numbers.size() == 1 ? "patch" : "patches", numbers_text(numbers));
+}
 
 std::vector<PatchView> HairStrips::views() const {
   std::vector<PatchView> views(patches.count);

@@ -4,6 +4,8 @@
 #include "cook/select/hair_mesh.h"
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace coif {
@@ -63,6 +65,9 @@ struct HairStrips {
  private:
   void append_copy(std::uint32_t vertex);
 };
+
+/// "patch 3", "patches 1, 2 and 7".
+[[nodiscard]] std::string patches_text(std::span<const std::uint32_t> numbers);
 
 /// Twice the area of the triangle whose first index is at `t`, square metres.
 [[nodiscard]] float doubled_area(const HairMesh& mesh, std::size_t t);

@@ -12,9 +12,8 @@
 namespace coif {
 namespace {
 
-constexpr float kLongAxis = 0.33f;  ///< A patch twice as long along one texture axis has its strands along it.
 constexpr float kAcrossAxis =
-    0.5f;  ///< A fold's ends differ by less than this share of what its triangles reach along the axis.
+    0.5f;  ///< Of what triangles at a fold reach along the axis: its edges are shorter along it.
 constexpr double kLeastPart = 0.03;  ///< Of the patch's area: less is no strip.
 
 /// Per patch the texture axis along which it is long, 0 or 1; -1: neither.
@@ -22,7 +21,7 @@ std::vector<int> long_axes(const HairStrips& hair) {
   std::vector<int> axes;
   for (const PatchView& view : hair.views()) {
     const float preference = texture_preference(hair.mesh, view);
-    axes.push_back(std::abs(preference) <= kLongAxis ? -1 : preference > 0 ? 1 : 0);
+    axes.push_back(std::abs(preference) <= kLonger ? -1 : preference > 0 ? 1 : 0);
   }
   return axes;
 }
@@ -61,35 +60,34 @@ struct Parts {
   std::vector<std::array<std::uint32_t, 2>> folds;  ///< The triangles at each edge of one.
 };
 
-/// Edges inside of one patch that is long along an axis of the texture.
-template <typename Visit>
-void for_each_inner_edge(const HairStrips& hair, std::span<const int> axes, const Visit& visit) {
-  const std::vector<std::uint32_t>& patch_of = hair.patches.patch_of;
-  for_each_edge(sorted_edges(hair.mesh.triangles, hair.welded), [&](std::span<const EdgeUse> uses) {
-    const std::uint32_t patch = patch_of[uses[0].triangle];
-    const bool is_inner =
-        std::ranges::all_of(uses, [&](const EdgeUse& use) { return patch_of[use.triangle] == patch; });
-    if (is_inner && uses.size() > 1 && axes[patch] >= 0) visit(uses, axes[patch]);
-  });
+/// Where the two triangles at an edge lie the opposite way round.
+bool turns_back(const HairMesh& mesh, std::span<const EdgeUse> uses) {
+  return uses.size() == 2 && turn_of(mesh, uses[0].triangle) * turn_of(mesh, uses[1].triangle) < 0;
 }
 
+/// Of patches that are long along an axis of the texture: triangles stay together but across folds.
 Parts cut_at_folds(const HairStrips& hair) {
   const HairMesh& mesh = hair.mesh;
   const std::vector<int> axes = long_axes(hair);
+  const auto patch_at = [&](const EdgeUse& use) { return hair.patches.patch_of[use.triangle]; };
   Parts parts{DisjointSets(mesh.triangle_count()), {}};
   std::vector<std::array<EdgeUse, 2>> turns;
-  for_each_inner_edge(hair, axes, [&](std::span<const EdgeUse> uses, int) {
-    const bool turns_back = uses.size() == 2 && turn_of(mesh, uses[0].triangle) * turn_of(mesh, uses[1].triangle) < 0;
-    if (turns_back) turns.push_back({uses[0], uses[1]});
-    for (const EdgeUse& use : uses.subspan(turns_back ? uses.size() : 1))
-      parts.sets.unite(uses[0].triangle, use.triangle);
+  for_each_edge(sorted_edges(mesh.triangles, hair.welded), [&](std::span<const EdgeUse> uses) {
+    const std::uint32_t patch = patch_at(uses[0]);
+    const bool is_inner = std::ranges::all_of(uses, [&](const EdgeUse& use) { return patch_at(use) == patch; });
+    if (!is_inner || axes[patch] < 0) return;
+    if (turns_back(mesh, uses)) {
+      turns.push_back({uses[0], uses[1]});
+    } else {
+      for (const EdgeUse& use : uses) parts.sets.unite(uses[0].triangle, use.triangle);
+    }
   });
   std::map<std::pair<std::uint32_t, std::uint32_t>, Seam> seams;
   const auto seam_at = [&](const std::array<EdgeUse, 2>& uses) {
     const std::uint32_t a = parts.sets.find(uses[0].triangle), b = parts.sets.find(uses[1].triangle);
     return std::pair(std::min(a, b), std::max(a, b));
   };
-  for (const auto& uses : turns) seams[seam_at(uses)].add(mesh, uses, axes[hair.patches.patch_of[uses[0].triangle]]);
+  for (const auto& uses : turns) seams[seam_at(uses)].add(mesh, uses, axes[patch_at(uses[0])]);
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (const auto& uses : turns) {
     const bool is_fold = seams.at(seam_at(uses)).is_fold();
@@ -126,26 +124,18 @@ std::uint32_t split_folds(HairStrips& hair, Findings& findings) {
   join_crumbs(hair, parts);
   PatchSet& patches = hair.patches;
   const std::uint32_t before = patches.count;
-  std::vector<std::uint32_t> number(hair.mesh.triangle_count(), kNoIndex), parts_of(before, 0);
-  // Where vertices alone join what a fold parts, or nothing does, a patch stays as it was.
+  // Where the parts hang together elsewhere a patch stays as it was.
+  std::vector<bool> is_cut(before, false);
   for (const auto& [a, b] : parts.folds) {
-    if (parts.sets.find(a) != parts.sets.find(b)) parts_of[patches.patch_of[a]] = 1;
+    if (parts.sets.find(a) != parts.sets.find(b)) is_cut[patches.patch_of[a]] = true;
   }
-  const std::vector<std::uint32_t> patch_before = patches.patch_of;
-  std::vector<bool> kept(before, false);
-  std::uint32_t folded = 0;
-  for (std::uint32_t t = 0; t < patch_before.size(); ++t) {
-    const std::uint32_t patch = patch_before[t];
-    if (parts_of[patch] == 0) continue;
-    std::uint32_t& part = number[parts.sets.find(t)];
-    if (part == kNoIndex) {
-      part = kept[patch] ? patches.add_part_of(patch) : patch;
-      folded += kept[patch] ? 0 : 1;
-      kept[patch] = true;
-    }
-    patches.patch_of[t] = part;
-  }
+  const auto folded = std::uint32_t(std::ranges::count(is_cut, true));
   if (folded == 0) return 0;
+  std::vector<std::uint32_t> part_of(hair.mesh.triangle_count(), kNoIndex);
+  for (std::uint32_t t = 0; t < part_of.size(); ++t) {
+    if (is_cut[patches.patch_of[t]]) part_of[t] = parts.sets.find(t);
+  }
+  patches.cut(part_of);
   hair.separate_patches();
   findings.note(fmt::format("patches: the texture turns back within {}, which are cut there into {}", folded,
                             folded + patches.count - before));

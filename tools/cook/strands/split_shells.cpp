@@ -231,22 +231,6 @@ Ribbons find_ribbons(const HairStrips& hair, const std::vector<bool>& is_shell) 
   return ribbons;
 }
 
-/// The first part of a shell keeps its patch's number, the others get new ones.
-void renumber(const Ribbons& ribbons, RibbonMerger& merger, PatchSet& patches) {
-  std::vector<std::uint32_t> number(ribbons.count, kNoIndex);
-  std::vector<bool> kept(patches.count, false);
-  for (std::size_t t = 0; t < patches.patch_of.size(); ++t) {
-    if (ribbons.ribbon_of[t] == kNoIndex) continue;
-    std::uint32_t& patch = patches.patch_of[t];
-    std::uint32_t& part = number[merger.group_of(ribbons.ribbon_of[t])];
-    if (part == kNoIndex) {
-      part = kept[patch] ? patches.add_part_of(patch) : patch;
-      if (part == patch) kept[patch] = true;
-    }
-    patch = part;
-  }
-}
-
 }  // namespace
 
 double widest_patch(const Recipe& recipe, const FittedHead& head) {
@@ -269,7 +253,9 @@ ShellSplit split_shells(HairStrips& hair, double widest, Findings& findings) {
   RibbonMerger merger(extents_of(hair, ribbons.ribbon_of, ribbons.count), limit);
   for (const auto& [a, b] : ribbons.neighbours) merger.add_neighbours(a, b);
   merger.run();
-  renumber(ribbons, merger, patches);
+  std::vector<std::uint32_t> part_of = ribbons.ribbon_of;
+  for (std::uint32_t& part : part_of) part = part == kNoIndex ? kNoIndex : merger.group_of(part);
+  patches.cut(part_of);
   split.parts = split.shells + patches.count - before;
   const std::vector<Extent> after = extents_of(hair, patches.patch_of, patches.count);
   split.left = std::uint32_t(std::ranges::count_if(after, [&](const Extent& e) { return e.width() > limit; }));

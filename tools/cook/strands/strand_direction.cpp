@@ -16,7 +16,6 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kSure = 0.5f;          ///< Of RootEvidence::sum(): half a radius nearer, or a bone.
-constexpr float kLonger = 0.33f;       ///< A patch twice as long along one texture axis has its strands along it.
 constexpr float kLongerWeight = 0.7f;  ///< What it counts that a patch is longer along an axis; a bowl cut is wide.
 constexpr float kLinesWeight = 2.0f;   ///< What it counts that lines in the images run along an axis.
 constexpr float kClearEnds = 3.0f;     ///< More evidence at the ends counts no more for the axis.

@@ -27,6 +27,9 @@ struct StrandAxis {
 /// is in one spot of the texture, as with palettes.
 [[nodiscard]] float texture_preference(const HairMesh& mesh, const PatchView& patch);
 
+/// Of texture_preference(): a patch twice as long along one texture axis has its strands along it.
+inline constexpr float kLonger = 0.33f;
+
 /// The coordinate along `texture_axis` (0 or 1), or for -1 the distance over the surface from one end of the patch, the
 /// one that is farthest from everything else.
 [[nodiscard]] StrandAxis strand_axis(const HairStrips& hair, const PatchView& patch, int texture_axis);
