@@ -110,15 +110,14 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
     if (i == 0 && textured) base = bake_base(color, hair.mesh, recipe, baked.transparency, findings);
     if (i == 1) shift_mask = bake_shift_mask(color, *shift, *mask, hair.strands.along_u, recipe);
   });
-  const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+  const TexelFormat format = two_channel_format(recipe);
   if (textured) baked.stored.append(TextureRole::kBaseColor, TexelFormat::kSrgb8Alpha8, base.color, settings.threads);
   if (shift_mask.is_constant) {
     keep_constants(shift_mask.mips, format, baked, findings);
   } else {
     baked.stored.append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads);
   }
-  if (color.normals && recipe.normal_strength > 0)
-    baked.relief = bake_relief(*color.normals, hair.mesh, recipe, settings.threads, findings);
+  if (color.normals) baked.relief = bake_relief(*color.normals, hair.mesh, recipe, settings.threads, findings);
   baked.used = std::move(base.used);
   return baked;
 }

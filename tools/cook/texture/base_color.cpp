@@ -76,6 +76,12 @@ Image at_size(Image image, const ImageSize& size, TexelMeaning meaning) {
   return shrink(image, std::min(size.width, image.width), std::min(size.height, image.height), meaning);
 }
 
+std::vector<const Image*> pointers_to(std::span<const Image> images) {
+  std::vector<const Image*> pointers;
+  for (const Image& image : images) pointers.push_back(&image);
+  return pointers;
+}
+
 /// The looks' normals in one atlas; those that have none are flat. None where nobody has any.
 std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const AtlasLayout& layout,
                                     std::span<const ImageSize> sizes, Findings& findings) {
@@ -88,9 +94,7 @@ std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const At
                           : Image{1, 1, 2, {two_sided_byte(0), two_sided_byte(0)}});
   }
   if (!is_any) return std::nullopt;
-  std::vector<const Image*> tiles;
-  for (const Image& image : normals) tiles.push_back(&image);
-  return draw_atlas(layout, tiles);
+  return draw_atlas(layout, pointers_to(normals));
 }
 
 /// A part of the hair whose texture is lost looks like the rest, not like paper.
@@ -118,10 +122,8 @@ tl::expected<BaseColor, std::string> joined(SurfaceLooks& looks, std::uint32_t m
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     painted.push_back(at_size(paint(looks.looks[i], alpha), sizes[i], TexelMeaning::kSrgbColorAlpha));
   }
-  std::vector<const Image*> tiles;
-  for (const Image& image : painted) tiles.push_back(&image);
   BaseColor color;
-  color.image = draw_atlas(*layout, tiles);
+  color.image = draw_atlas(*layout, pointers_to(painted));
   color.normals = joined_normals(looks.looks, *layout, sizes, findings);
   color.alpha_use = alpha.use;
   color.alpha_cutoff = alpha.cutoff;
@@ -170,10 +172,6 @@ void dye(BaseColor& color, Findings& findings) {
       "\"material.base_color\", which multiplies it");
 }
 
-}  // namespace
-
-namespace {
-
 /// The recipe's map instead of the source's.
 tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookSettings& settings, BaseColor& color,
                                                Findings& findings) {
@@ -181,6 +179,7 @@ tl::expected<void, ToolError> take_own_normals(const Recipe& recipe, const CookS
   if (!own) return tl::unexpected(own.error());
   if (!own->image) return {};
   color.files.push_back(own->path);
+  if (recipe.normal_strength <= 0) return {};
   auto map = read_normal_map(*own->image, {green_of(recipe), recipe.normal_strength});
   if (!map) {
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, fmt::format("{}: recipe key \"textures.normal\": {}",

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 namespace coif {
-
 namespace {
 
 constexpr double kLeastRms = 0.02;  ///< Of what two_sided() gives: flatter or less sure than this nobody sees.
@@ -30,7 +29,7 @@ double rms_of(const Image& image, const Image& used) {
 StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
                            Findings& findings) {
   StoredTextures stored;
-  const auto format = recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+  const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {
     image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kNumbers);
     const Image used = used_texels(hair, image.width, image.height);
@@ -43,9 +42,8 @@ StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Rec
     findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
     stored.append(role, format, mips, threads);
   };
-  Image axes = strand_axes(normals);
   keep(TextureRole::kNormal, "map of normals", normals);
-  keep(TextureRole::kStrandAxis, "map of how strands run", std::move(axes));
+  keep(TextureRole::kStrandAxis, "map of how strands run", strand_axes(normals));
   return stored;
 }
 

@@ -8,6 +8,11 @@
 
 namespace coif {
 
+/// Of textures with two channels, as the recipe wants them.
+[[nodiscard]] inline TexelFormat two_channel_format(const Recipe& recipe) {
+  return recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
+}
+
 /// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), from the hair's normals (two
 /// channels), each at the lowest resolution that says all. A map that says nothing where the hair shows it is left out.
 StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
