@@ -267,6 +267,29 @@ TEST(BaseColor, ARecipesNormalMapTakesTheSourcesPlace) {
   EXPECT_EQ(lean(0), 1000) << "none is used";
 }
 
+TEST(BaseColor, AMapThatNobodyWillSeeIsNotMissed) {
+  const ImageFolder folder;
+  folder.write_flat("hair.png", kRed);
+  folder.write_flat("own_n.png", {128, 204, 230, 255});
+  SourceModel model = model_beside(folder, "wig.fbx");
+  SourceMaterial& material = add_surface(model, "strands");
+  material.base_texture.path = "hair.png";
+  material.normal_texture.path = "lost.png";
+  const auto warnings_with = [&](const Recipe& recipe) {
+    HairMesh hair = whole_hair(model);
+    Findings findings;
+    EXPECT_TRUE(find_base_color(model, hair, recipe, {.recipe_directory = folder.path()}, findings));
+    return findings.warnings.size();
+  };
+  Recipe recipe = default_recipe();
+  EXPECT_EQ(warnings_with(recipe), 1u);
+  recipe.normal_strength = 0;
+  EXPECT_EQ(warnings_with(recipe), 0u);
+  recipe.normal_strength = 1;
+  recipe.normal_texture = "own_n.png";
+  EXPECT_EQ(warnings_with(recipe), 0u);
+}
+
 TEST(BaseColor, WhatIsNoNormalMapIsNamedAndNotUsed) {
   const ImageFolder folder;
   folder.write_flat("hair.png", kRed);

@@ -141,11 +141,11 @@ std::optional<GreenAxis> green_of(const Recipe& recipe) {
 
 BaseColor from_materials(const SourceModel& source, SourceImages& images, const Recipe& recipe, HairMesh& hair,
                          Findings& findings) {
-  SurfaceLooks looks = find_looks(source, images, hair);
+  const bool are_replaced = !recipe.normal_texture.empty() || recipe.normal_strength <= 0;
+  SurfaceLooks looks = find_looks(source, images, hair, are_replaced ? NormalMaps::kIgnored : NormalMaps::kOfSource);
   for (SurfaceLook& look : looks.looks) {
     look.normal_use.strength *= recipe.normal_strength;
     if (const auto green = green_of(recipe)) look.normal_use.green = green;
-    if (!recipe.normal_texture.empty()) look.normals = nullptr;
   }
   if (looks.looks.size() == 1) return whole(looks.looks[0], findings);
   auto atlas = joined(looks, recipe.texture_max_size, hair, findings);

@@ -31,9 +31,13 @@ struct SurfaceLooks {
 /// Linear, 0..1.
 [[nodiscard]] Eigen::Vector4f color_factor(const SourceMaterial& material);
 
+/// Whether the source's normal maps are looked for. Where nobody will see them they are not missed either.
+enum class NormalMaps { kOfSource, kIgnored };
+
 /// The looks of the hair's triangles; their images live in `images`. Where the file cannot say (it names no image for any
 /// part of the hair, and is no glTF, which would say so on purpose), an image beside the source may be taken.
-[[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair);
+[[nodiscard]] SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair,
+                                      NormalMaps normals);
 
 /// True for glTF: a file without a texture or a colour means white, where other formats' exporters leave things out.
 [[nodiscard]] bool says_what_it_lacks(const SourceModel& source);

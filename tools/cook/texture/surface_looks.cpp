@@ -44,14 +44,14 @@ bool names_texture(const SourceModel& source, std::uint32_t material) {
   return texture.image != kNoIndex || !texture.path.empty();
 }
 
-SurfaceLook look_of(const SourceModel& source, SourceImages& images, std::uint32_t index) {
+SurfaceLook look_of(const SourceModel& source, SourceImages& images, NormalMaps normals, std::uint32_t index) {
   SurfaceLook look;
   if (index >= source.materials.size()) return look;
   const SourceMaterial& material = source.materials[index];
   look.name = material.name;
   look.image = images.of(material);
   look.lacks_image = look.image == nullptr && names_texture(source, index);
-  look.normals = images.normals_of(material);
+  if (normals == NormalMaps::kOfSource) look.normals = images.normals_of(material);
   look.normal_use.strength = double(material.normal_strength);
   if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
   look.factor = color_factor(material);
@@ -90,7 +90,7 @@ Eigen::Vector4f color_factor(const SourceMaterial& material) {
   return material.base_color.cwiseMax(0.0f).cwiseMin(1.0f);
 }
 
-SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair) {
+SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const HairMesh& hair, NormalMaps normals) {
   const std::vector<std::uint32_t> materials = material_of_triangle(source, hair);
   SurfaceLooks result;
   std::vector<std::uint32_t> look_of_material(source.materials.size() + 1, kNoIndex);
@@ -98,7 +98,7 @@ SurfaceLooks find_looks(const SourceModel& source, SourceImages& images, const H
   for (const std::uint32_t material : materials) {
     std::uint32_t& look = look_of_material[std::min<std::size_t>(material, source.materials.size())];
     if (look == kNoIndex) {
-      const SurfaceLook found = look_of(source, images, material);
+      const SurfaceLook found = look_of(source, images, normals, material);
       const auto known = std::ranges::find_if(result.looks, [&](const SurfaceLook& l) { return same(l, found); });
       look = std::uint32_t(known - result.looks.begin());
       if (known == result.looks.end()) {
