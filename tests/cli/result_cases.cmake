@@ -61,6 +61,8 @@ coif_cli_case(render_direction EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component direction -o bob.png)
 coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component patches --lod 0 -o bob.png)
+coif_cli_case(render_colliders EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component colliders -o bob.png)
 foreach(shading thesis kajiya-kay marschner)
   coif_cli_case(render_${shading} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shading ${shading} -o bob.png)

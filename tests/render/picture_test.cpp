@@ -1,8 +1,8 @@
+#include "render/picture.h"
 #include "models/absent.h"
 #include "models/drawn_card.h"
 #include "models/skinned_asset.h"
 #include "render/egl_context.h"
-#include "render/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +97,35 @@ TEST_F(PictureTest, HeadDoesNotShowThroughTheBackOfTheHair) {
   EXPECT_LT(difference(with_head, take(settings_)), 0.005);
 }
 
+/// A level square below the hair.
+SourceModel shoulders() {
+  SourceModel body;
+  body.meshes.emplace_back();
+  body.meshes.back().positions = {
+      {-0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, 0.2f}, {-0.2f, -0.08f, 0.2f}};
+  body.meshes.back().triangles = {0, 2, 1, 0, 3, 2};
+  return body;
+}
+
+TEST_F(PictureTest, CollidersHaveAColourOfTheirOwnBesideABodyToo) {
+  const auto blue = [&] {
+    const Picture picture = take(settings_);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i + 2] > picture.rgba[i] + 60;
+    return double(count) / double(picture.rgba.size() / 4);
+  };
+  const SourceModel body = shoulders();
+  settings_.yaw_degrees = 0;
+  settings_.shadows = &kDeepOpacityShadow;
+  for (const SourceModel* const beside : {static_cast<const SourceModel*>(nullptr), &body}) {
+    settings_.body = beside;
+    settings_.colliders = false;
+    EXPECT_EQ(blue(), 0);
+    settings_.colliders = true;
+    EXPECT_GT(blue(), 0.01);
+  }
+}
+
 TEST_F(PictureTest, ViewComponentMotionAndTransparencyChangeThePicture) {
   const Picture plain = take(settings_);
   PictureSettings other = settings_;
@@ -142,16 +171,6 @@ double brightness(const Picture& picture, const Mask& mask) {
     if (mask[i]) sum += picture.rgba[4 * i + 1], count += 1;
   }
   return sum / count;
-}
-
-/// A level square below the hair.
-SourceModel shoulders() {
-  SourceModel body;
-  body.meshes.emplace_back();
-  body.meshes.back().positions = {
-      {-0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, -0.2f}, {0.2f, -0.08f, 0.2f}, {-0.2f, -0.08f, 0.2f}};
-  body.meshes.back().triangles = {0, 2, 1, 0, 3, 2};
-  return body;
 }
 
 TEST_F(PictureTest, ShadowsDarkenHairAndBody) {

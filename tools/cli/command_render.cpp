@@ -19,6 +19,7 @@ namespace {
 struct Shown {
   Component component = Component::kAll;
   bool patches = false;
+  bool colliders = false;
 };
 
 constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
@@ -28,7 +29,8 @@ constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
                                     {"primary", {Component::kPrimary, false}},
                                     {"secondary", {Component::kSecondary, false}},
                                     {"direction", {Component::kDirection, false}},
-                                    {"patches", {Component::kAll, true}}};
+                                    {"patches", {Component::kAll, true}},
+                                    {"colliders", {Component::kAll, false, true}}};
 
 struct RenderOptions {
   std::string file;
@@ -66,6 +68,7 @@ PictureSettings picture_settings(const RenderOptions& options) {
   settings.pitch_degrees = options.view.pitch_degrees;
   settings.component = options.shown.component;
   settings.patches = options.shown.patches;
+  settings.colliders = options.shown.colliders;
   if (options.moves) settings.motion = options.motion.motion;
   return settings;
 }
@@ -179,8 +182,9 @@ Command add_render(CLI::App& program) {
   add_size(*app, options->size);
   add_view(*app, options->view);
   add_content_options(*app, *options);
-  add_choice<Shown>(*app, "--component", options->shown, kShown,
-                    "Which part of the shading; or, to check the cook, the strands' direction or the patches");
+  add_choice<Shown>(
+      *app, "--component", options->shown, kShown,
+      "Which part of the shading; or, to check the cook, the strands' direction, the patches, or the colliders");
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_transparency(*app, options->picture.transparency);
   add_shadows(*app, options->picture.shadows);

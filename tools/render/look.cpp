@@ -32,16 +32,6 @@ Gallery from_all_sides(const std::string& title, const PictureSettings& picture)
   return gallery;
 }
 
-/// Hair that lets see what is in it.
-MaterialRecord like_glass(const Asset& asset) {
-  constexpr float kAlpha = 0.3f;
-  MaterialRecord material = thesis_material(asset);
-  material.base_color[3] = kAlpha;
-  material.opaque_threshold = 1;
-  material.discard_threshold = 0;
-  return material;
-}
-
 struct Moment {
   const char* caption;
   Motion motion;
@@ -80,8 +70,7 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   part.patches = true;
   galleries.push_back(from_all_sides("Patches, each in a colour", part));
   part = picture;
-  part.material = like_glass(asset);
-  part.shadows = nullptr;
+  part.colliders = true;
   galleries.push_back(from_all_sides("Colliders through the hair", part));
   if (!asset.chains().empty()) galleries.push_back(in_motion(picture));
   return galleries;

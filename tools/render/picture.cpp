@@ -64,6 +64,18 @@ tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& s
   return {};
 }
 
+constexpr float kColliderColor[3] = {0.08f, 0.25f, 0.6f};  ///< Linear; no hair and no clay has it.
+
+/// Hair that lets see what is in it.
+MaterialRecord like_glass(const Asset& asset) {
+  constexpr float kAlpha = 0.3f;
+  MaterialRecord material = thesis_material(asset);
+  material.base_color[3] = kAlpha;
+  material.opaque_threshold = 1;
+  material.discard_threshold = 0;
+  return material;
+}
+
 std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const HairPose& pose) {
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
@@ -73,8 +85,12 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     for (const SourceMesh& mesh : settings.body->meshes) {
       meshes.push_back(body_mesh(*settings.body, mesh, head_joint, body));
     }
-  } else if (settings.mannequin) {
-    meshes = mannequin_meshes(asset.colliders());
+  }
+  if (settings.colliders || (settings.body == nullptr && settings.mannequin)) {
+    for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
+      if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
+      meshes.push_back(std::move(mesh));
+    }
   }
   if (settings.patches) {
     std::vector<SolidMesh> patches = patch_surfaces(asset, pose.palette, settings.lod);
@@ -90,7 +106,8 @@ struct Scene {
   const HairPose& pose;
   const CrowdView& view;
   const ShadowBall& ball;
-  StudioShadow* shadow;  ///< Null: none.
+  const MaterialRecord& glass;  ///< Of hair that is looked through.
+  StudioShadow* shadow;         ///< Null: none.
 };
 
 Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTarget& target,
@@ -98,7 +115,8 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTar
   const auto lights = studio_lights(scene.view.camera);
   DrawDesc desc = studio_desc(scene.view.camera, lights);
   desc.component = settings.component;
-  desc.material = settings.material ? &*settings.material : nullptr;
+  const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
+  desc.material = settings.colliders ? &scene.glass : own;
   desc.transparency = settings.transparency;
 
   std::vector<HairInstance> heads;
@@ -210,7 +228,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   if (!pose) return tl::unexpected(pose.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
   std::optional<StudioShadow> shadow;
-  if (settings.shadows != nullptr) {
+  if (settings.shadows != nullptr && !settings.colliders) {
     auto made = StudioShadow::create(loaded_->device->renderer, loaded_->device->context.loader(),
                                      {.technique = settings.shadows, .size = kShadowTexels});
     if (!made) return tl::unexpected(made.error());
@@ -222,7 +240,8 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto frame = frame_picture(asset, settings);
   if (!frame) return tl::unexpected(frame.error());
   const ShadowBall ball = ball_around(frame->points, frame->view.places);
-  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, shadow ? &*shadow : nullptr};
+  const MaterialRecord glass = like_glass(asset);
+  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, glass, shadow ? &*shadow : nullptr};
   return take_picture(*loaded_->device, scene, settings);
 }
 

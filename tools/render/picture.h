@@ -40,28 +40,29 @@ namespace coif {
 // Headless pictures of a cooked asset through EGL and the runtime's own renderer.
 
 struct PictureSettings {
-  std::uint32_t width = 1024;   ///< Pixels, 16..8192.
+  std::uint32_t width = 1024;  ///< Pixels, 16..8192.
   std::uint32_t height = 768;
-  double yaw_degrees = 30;      ///< 0: from the front, positive: towards the model's left.
-  double pitch_degrees = 5;     ///< Positive: from above.
-  double margin = 1.08;         ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
-  std::optional<Motion> motion; ///< None: the settled pose at rest.
+  double yaw_degrees = 30;       ///< 0: from the front, positive: towards the model's left.
+  double pitch_degrees = 5;      ///< Positive: from above.
+  double margin = 1.08;          ///< Of the distance from which all is seen, in the motion's first seconds too, 1..10.
+  std::optional<Motion> motion;  ///< None: the settled pose at rest.
   std::shared_ptr<const HeadPath> clip;  ///< Instead of `motion`, unless null.
-  double time = 0;              ///< Seconds into the motion.
+  double time = 0;                       ///< Seconds into the motion.
   StepSettings step;
   const Solver* solver = &kCoifSolver;
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
-  bool patches = false;         ///< Instead of shaded hair: each patch in a colour of its own, without holes.
+  bool patches = false;    ///< Instead of shaded hair: each patch in a colour of its own, without holes.
+  bool colliders = false;  ///< What hair collides with, seen through it, beside a body too. No shadows then.
   std::optional<std::uint32_t> marked_patch;  ///< With `patches`: this one of the level in red, the others grey.
-  std::uint32_t lod = 0;        ///< Level of detail, below the asset's lod_count().
+  std::uint32_t lod = 0;                      ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
-  std::uint32_t heads = 1;      ///< Drawn in a grid.
-  std::uint32_t oversampling = 1;  ///< Samples of each pixel, each way, 1..4; 1: those of the driver.
-  bool warm_up = true;          ///< Draw once before the frame that is timed, for what drivers put off until then.
+  std::uint32_t heads = 1;                   ///< Drawn in a grid.
+  std::uint32_t oversampling = 1;            ///< Samples of each pixel, each way, 1..4; 1: those of the driver.
+  bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
-  bool mannequin = true;        ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
+  bool mannequin = true;              ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
 struct Picture {
