@@ -26,11 +26,20 @@ std::span<const std::byte> bytes_of(const void* asset, std::size_t bytes) {
   return {static_cast<const std::byte*>(asset), asset == nullptr ? 0 : bytes};
 }
 
-/// False for an enumerator that this version does not know.
+/// Null for an enumerator that this version does not know.
+const coif::Solver* solver_of(std::uint32_t solver) {
+  switch (solver) {
+    case COIF_SOLVER_COIF: return &coif::kCoifSolver;
+    case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
+    case COIF_SOLVER_PASSIVE: return &coif::kPassiveSolver;
+  }
+  return nullptr;
+}
+
 bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
-  if (from == nullptr || (from->solver != COIF_SOLVER_COIF && from->solver != COIF_SOLVER_THESIS)) return false;
+  if (from == nullptr || solver_of(from->solver) == nullptr) return false;
   desc.instances = from->instances;
-  desc.solver = from->solver == COIF_SOLVER_THESIS ? &coif::kThesisSolver : &coif::kCoifSolver;
+  desc.solver = solver_of(from->solver);
   desc.longest_interval = from->longest_interval;
   return true;
 }

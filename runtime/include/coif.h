@@ -28,7 +28,8 @@ typedef enum coif_status {
   COIF_DRIVER
 } coif_status;
 
-typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1 } coif_solver;
+/* What each does: coif/hair.h. */
+typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2 } coif_solver;
 
 typedef struct coif_vec3 {
   float x, y, z;

@@ -90,31 +90,19 @@ void calm(const ChainLane& chain) {
   }
 }
 
-/// Nothing stretches: where a matrix brings the tail of the rest pose.
-void tails(const ChainLane& chain, const Quat&, std::span<const Mat34> palette, std::span<Vec3> ends) {
-  for (std::size_t i = 0; i < chain.bones.size(); ++i) {
-    const BoneLanes& bone = chain.constants[i];
-    const float length = bone.length.v[chain.constant_lane];
-    const Vec3 rest = lane(bone.joint, chain.constant_lane) + lane(bone.rest, chain.constant_lane) * length;
-    const auto row = [&](int k) {
-      const float* const m = palette[i].m[k];
-      return m[0] * rest.x + m[1] * rest.y + m[2] * rest.z + m[3];
-    };
-    ends[i] = {row(0), row(1), row(2)};
-  }
-}
-
 }  // namespace
 
-const Solver kCoifSolver{sizeof(CoifState),
-                         sizeof(CoifCoefficients),
-                         true,
-                         true,
-                         &coif_row_code,
-                         &set_coefficients,
-                         &put_to_rest,
-                         &turn,
-                         &calm,
-                         &tails};
+const Solver kCoifSolver{.state_bytes = sizeof(CoifState),
+                         .coefficient_bytes = sizeof(CoifCoefficients),
+                         .scratch_bytes = 0,
+                         .scratch_from = 0,
+                         .carries_frames = true,
+                         .has_substeps = true,
+                         .row_code = &coif_row_code,
+                         .set_coefficients = &set_coefficients,
+                         .put_to_rest = &put_to_rest,
+                         .turn = &turn,
+                         .calm = &calm,
+                         .tails = &tails_of_palette};
 
 }  // namespace coif

@@ -62,6 +62,7 @@ struct CrowdState {
   std::span<BoneLanes> constants;     ///< Per bone of the rows.
   std::span<std::byte> coefficients;  ///< Per interval, per bone of the rows.
   std::span<std::byte> states;        ///< Per block, or per instance for kChains; per bone of the rows.
+  std::span<std::byte> scratch;       ///< Per block.
   std::span<TwistState> twists;       ///< As states; empty where nothing twists.
   std::span<Mat34> palettes;          ///< Per instance, per bone.
   std::span<Block> blocks;

@@ -51,6 +51,8 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.constants = carver.take<BoneLanes>(rows.bones);
   crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * desc.solver->coefficient_bytes);
   crowd.states = carver.take<std::byte>(states * desc.solver->state_bytes);
+  const std::uint64_t long_bones = rows.longest > desc.solver->scratch_from ? rows.longest : 0;
+  crowd.scratch = carver.take<std::byte>(blocks * long_bones * desc.solver->scratch_bytes);
   if (desc.solver->carries_frames && any_bone_twists(asset)) crowd.twists = carver.take<TwistState>(states);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
@@ -81,9 +83,8 @@ void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
 }
 
 bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
-  return coif::lane(heads.rotation, lane) == unit.rotation &&
-         heads.next_position[0][lane] == unit.position[0] && heads.next_position[1][lane] == unit.position[1] &&
-         heads.next_position[2][lane] == unit.position[2];
+  return coif::lane(heads.rotation, lane) == unit.rotation && heads.next_position[0][lane] == unit.position[0] &&
+         heads.next_position[1][lane] == unit.position[1] && heads.next_position[2][lane] == unit.position[2];
 }
 
 }  // namespace

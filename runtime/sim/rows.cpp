@@ -81,7 +81,25 @@ std::uint8_t levels_of(const Asset& asset, std::uint32_t bone) {
   return asset.lod_bones().empty() ? std::uint8_t(kMaxLods) : asset.lod_bones()[bone];
 }
 
-void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, BoneLanes& lanes) {
+/// See BoneLanes::carried.
+float carried_inertia(const Asset& asset, const ChainRecord& chain, std::uint32_t bone) {
+  const float* const start = asset.bones()[bone].joint;
+  double sum = 0;
+  for (std::uint32_t b = bone; b < chain.first_bone + chain.bone_count; ++b) {
+    std::uint32_t above = b;
+    while (above > bone && above != kNone) above = asset.bones()[above].parent;
+    if (above != bone) continue;
+    const BoneRecord& record = asset.bones()[b];
+    for (int k = 0; k < 3; ++k) {
+      const double arm =
+          double(record.joint[k]) + double(record.rest_direction[k]) * double(record.length) - double(start[k]);
+      sum += double(record.length) * arm * arm;
+    }
+  }
+  return float(sum);
+}
+
+void set_constants(const Asset& asset, std::uint32_t bone, float carried, std::uint32_t lane, BoneLanes& lanes) {
   const BoneRecord& record = asset.bones()[bone];
   const DynamicsRecord& dynamics = asset.dynamics()[bone];
   const float* const rest = record.rest_direction;
@@ -96,6 +114,7 @@ void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, B
   lanes.parent_share.v[lane] = dynamics.parent_share;
   lanes.torsion.v[lane] = dynamics.torsion;
   lanes.resistance.v[lane] = dynamics.resistance;
+  lanes.carried.v[lane] = carried;
   lanes.colliders[lane] = record.colliders & existing_colliders(asset);
   lanes.levels[lane] = levels_of(asset, bone);
 }
@@ -106,10 +125,14 @@ void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& sha
   shape.parent = parent_in_chain(asset.bones(), asset.chains()[row.first_chain], i);
   if (shape.parent < 0) shape.features |= kRowHangsFromHead;
   shape.fewest_levels = kMaxLods;
+  std::uint32_t last = kNone;
+  float carried = 0;
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     const std::uint32_t bone = bone_in_lane(asset, row, i, lane);
     const std::uint8_t levels = levels_of(asset, bone);
-    set_constants(asset, bone, lane, constants);
+    if (lane == 0 || bone != last) carried = carried_inertia(asset, chain_in_lane(asset, row, lane), bone);
+    last = bone;
+    set_constants(asset, bone, carried, lane, constants);
     shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
     shape.colliders |= constants.colliders[lane];
     if (levels < shape.fewest_levels) shape.fewest_levels = levels;
@@ -124,7 +147,9 @@ RowCount count_rows(const Asset& asset, LaneOrder order) {
   RowCount count;
   for_each_row(asset, order, [&](std::uint32_t first, std::uint32_t) {
     ++count.rows;
-    count.bones += asset.chains()[first].bone_count;
+    const std::uint32_t bones = asset.chains()[first].bone_count;
+    count.bones += bones;
+    if (bones > count.longest) count.longest = bones;
   });
   return count;
 }

@@ -36,6 +36,8 @@ struct CoefficientLanes {
 struct Solver {
   std::size_t state_bytes;        ///< Per bone of a row.
   std::size_t coefficient_bytes;  ///< Per bone of a row.
+  std::size_t scratch_bytes;      ///< Per bone of the longest row, for each block,
+  std::uint32_t scratch_from;     ///< if that has more bones than this.
   bool carries_frames;            ///< Bones may twist.
   bool has_substeps;
 
@@ -52,6 +54,10 @@ struct Solver {
   void (*tails)(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,
                 std::span<Vec3> tails);
 };
+
+/// Solver::tails where nothing stretches: where a matrix brings the tail of the rest pose.
+void tails_of_palette(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,
+                      std::span<Vec3> tails);
 
 /// How a damped oscillator with a moving target answers within one step: exact for a target that moves on a cubic in
 /// time and a constant load (runtime/docs/MODEL.md, "The step").

@@ -65,6 +65,7 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.coefficients = step.coefficients + row.first_bone * crowd.solver->coefficient_bytes;
   job.state = &crowd.states[state * crowd.solver->state_bytes];
   job.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+  job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
   job.move = &move;
   job.gravity = step.interval.parts.gravity;
   job.dt = step.interval.parts.part_dt();

@@ -52,15 +52,17 @@ void tails(const ChainLane& chain, const Quat& head_rotation, std::span<const Ma
 
 }  // namespace
 
-const Solver kThesisSolver{sizeof(ThesisState),
-                           sizeof(ThesisCoefficients),
-                           false,
-                           false,
-                           &thesis_row_code,
-                           &set_coefficients,
-                           &put_to_rest,
-                           &turn,
-                           &calm,
-                           &tails};
+const Solver kThesisSolver{.state_bytes = sizeof(ThesisState),
+                           .coefficient_bytes = sizeof(ThesisCoefficients),
+                           .scratch_bytes = 0,
+                           .scratch_from = 0,
+                           .carries_frames = false,
+                           .has_substeps = false,
+                           .row_code = &thesis_row_code,
+                           .set_coefficients = &set_coefficients,
+                           .put_to_rest = &put_to_rest,
+                           .turn = &turn,
+                           .calm = &calm,
+                           .tails = &tails};
 
 }  // namespace coif

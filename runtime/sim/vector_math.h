@@ -31,9 +31,7 @@ inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinit
 constexpr Vec3 to_vec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 constexpr Quat to_quat(const float (&v)[4]) { return {v[0], v[1], v[2], v[3]}; }
 
-constexpr bool operator==(const Quat& a, const Quat& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
-}
+constexpr bool operator==(const Quat& a, const Quat& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; }
 /// First b, then a.
 constexpr Quat operator*(const Quat& a, const Quat& b) {
   return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,

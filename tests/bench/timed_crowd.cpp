@@ -16,7 +16,7 @@ struct NamedSolver {
   const char* name;
   const Solver* solver;
 };
-const NamedSolver kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
+const NamedSolver kSolvers[] = {{"coif", &kCoifSolver}, {"passive", &kPassiveSolver}, {"thesis", &kThesisSolver}};
 
 struct NamedSet {
   const char* name;

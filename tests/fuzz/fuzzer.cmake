@@ -27,7 +27,7 @@ add_test(NAME fuzz.can_fail
   COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/can_fail.sh $<TARGET_FILE:fuzz_readers> ${work})
 
 # What is written out for all lanes comes to functions that clang 14 takes many minutes to optimize once they are watched.
-foreach(file coif_rows head_paths thesis_rows)
+foreach(file coif_rows head_paths passive_rows thesis_rows)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/runtime/sim/lanes/${file}.cpp
     TARGET_DIRECTORY coif_sim PROPERTIES COMPILE_OPTIONS -O0)
 endforeach()

@@ -21,6 +21,7 @@ FEATURES = {
     "levels of detail": r"choose_lod|screen_share",
     "crowd": r"Hair::|step_block|CrowdState",
     "solver coif": r"kCoifSolver|coif_row_code",
+    "solver passive": r"kPassiveSolver|passive_row_code",
     "solver thesis": r"kThesisSolver|thesis_row_code",
     "skinning": r"skin_vertices",
     "renderer": r"HairRenderer::create",

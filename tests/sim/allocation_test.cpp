@@ -59,7 +59,7 @@ TEST(Allocation, HairNeverAllocates) {
   rig.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.01f);
   AlignedBytes file(write_asset(rig.contents()));
   AlignedBytes memory{std::vector<std::byte>(1 << 20)};
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     for (const bool in_jobs : {false, true}) {
       const std::size_t before = allocations;
       Asset asset;

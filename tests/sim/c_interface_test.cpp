@@ -51,11 +51,12 @@ class CInterface : public testing::Test {
 };
 
 TEST_F(CInterface, MovesHairToTheSameBits) {
-  for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS}) {
+  for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS, COIF_SOLVER_PASSIVE}) {
     desc_.solver = solver;
     ASSERT_EQ(create(), COIF_OK);
     HairDesc desc{.instances = 2};
     if (solver == COIF_SOLVER_THESIS) desc.solver = &kThesisSolver;
+    if (solver == COIF_SOLVER_PASSIVE) desc.solver = &kPassiveSolver;
     TestHair same(nine_bone_rig(), desc);
     ASSERT_EQ(coif_hair_bone_count(hair_), same.hair.bone_count());
     for (int frame = 1; frame <= 30; ++frame) {
@@ -139,7 +140,7 @@ TEST_F(CInterface, SaysWhatIsWrongWithAnAsset) {
 TEST_F(CInterface, DescriptionsItDoesNotKnowAreRefused) {
   ASSERT_EQ(create(), COIF_OK);
   const std::size_t bytes = memory_->bytes().size();
-  for (const coif_hair_desc wrong : {coif_hair_desc{0, COIF_SOLVER_COIF, 1}, {1, 2, 1}, {1, COIF_SOLVER_COIF, 3}}) {
+  for (const coif_hair_desc wrong : {coif_hair_desc{0, COIF_SOLVER_COIF, 1}, {1, 3, 1}, {1, COIF_SOLVER_COIF, 3}}) {
     desc_ = wrong;
     EXPECT_EQ(coif_hair_memory_need(asset(), asset_bytes(), &desc_), 0u);
     EXPECT_EQ(create_in(memory(), bytes), COIF_BAD_ARGUMENT);

@@ -80,7 +80,7 @@ TEST(Branching, WithoutTwistABranchMovesAsIfItWereAlone) {
 
 TEST(Branching, ChildrenStartWhereTheirParentsEnd) {
   const TestRig rig = comb(kMaxOpenBones);
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     TestHair test(rig, {.solver = solver});
     float bent = 0;
     for (int frame = 1; frame <= 90; ++frame) {

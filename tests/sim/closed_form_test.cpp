@@ -128,7 +128,7 @@ TestRig rig() {
 }
 
 TEST(Inertia, OfNothingCarriesHairRigidly) {
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     TestHair test(rig(), {.solver = solver});
     StepSettings settings = feeling(0, solver == &kCoifSolver ? 3 : 1);
     Violence violence(2);

@@ -13,7 +13,7 @@
 
 namespace coif::detail_test {
 
-const Solver* const kSolvers[] = {&kCoifSolver, &kThesisSolver};
+const Solver* const kSolvers[] = {&kCoifSolver, &kPassiveSolver, &kThesisSolver};
 
 /// Two strands of four bones. Level 1 lacks the last two bones of both, level 2 all bones but the first one's first.
 TestRig rig() {

@@ -68,7 +68,7 @@ TEST(Determinism, ResetForgetsEverything) {
 /// Both solvers, with and without changes of detail.
 std::vector<FeaturePlay> plays(std::uint32_t instances) {
   std::vector<FeaturePlay> all;
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     for (const bool changes : {false, true}) {
       all.push_back({.solver = solver, .instances = instances, .changes_detail = changes});
     }
@@ -146,10 +146,12 @@ std::uint64_t digest(const Solver* solver, InstructionSet set) {
 /// The same bits on every processor, by every compiler, with and without optimisation. A change of how hair moves changes
 /// them: then put the numbers that this test prints here, and say in CHANGELOG.md that hair moves differently.
 TEST(LaneDeterminism, BitsAreThoseOfEveryOtherBuild) {
-  constexpr std::uint64_t kCoif = 2482186261605669836u, kThesis = 14597022654990503538u;
+  constexpr std::uint64_t kCoif = 2482186261605669836u, kThesis = 14597022654990503538u,
+                          kPassive = 11623101660628467547u;
   for (const InstructionSet set : runnable_sets()) {
     EXPECT_EQ(digest(&kCoifSolver, set), kCoif) << coif::name_of(set);
     EXPECT_EQ(digest(&kThesisSolver, set), kThesis) << coif::name_of(set);
+    EXPECT_EQ(digest(&kPassiveSolver, set), kPassive) << coif::name_of(set);
   }
 }
 
@@ -220,7 +222,7 @@ std::vector<Seen> watch(const Solver* solver, std::uint32_t watched, bool all_li
 
 TEST(CrowdWalk, EveryHeadFaresAsIfNothingHappenedToTheOthers) {
   int asleep = 0;
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     for (const std::uint32_t watched : {0u, 1u, 15u, 16u, 37u, 64u, 98u, 99u}) {
       const std::vector<Seen> among = watch(solver, watched, true), alone = watch(solver, watched, false);
       for (int frame = 0; frame < kFrames; ++frame) {

@@ -154,7 +154,7 @@ TEST(HairInvariance, AThousandKilometresAwayIsBitForBitTheSame) {
 
 TEST(HairUnderViolence, StaysFiniteAndBoundedAtTheLargestTimeStep) {
   const TestRig rig = nine_bone_rig();
-  for (const Solver* const solver : {&kThesisSolver, &kCoifSolver}) {
+  for (const Solver* const solver : {&kThesisSolver, &kPassiveSolver, &kCoifSolver}) {
     TestHair test(rig, {.solver = solver});
     float stretch = 0;
     for (const HeadPose& pose : violent_poses(20000)) {

@@ -170,7 +170,7 @@ TEST(Hair, OverflowPutsOneInstanceToRestAndLeavesTheOthers) {
 
 TEST(Hair, RecoversFromForcesThatOverflow) {
   const TestRig rig = nine_bone_rig();
-  for (const Solver* const solver : {&kThesisSolver, &kCoifSolver}) {
+  for (const Solver* const solver : {&kThesisSolver, &kPassiveSolver, &kCoifSolver}) {
     TestHair test(rig, {.solver = solver});
     StepSettings violent;
     for (const Environment& violence :

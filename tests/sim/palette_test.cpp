@@ -84,7 +84,7 @@ TEST(Palette, BoneFoldedBackTurnsHalfWay) {
 TEST(Palette, BoneEndsAreWhereTheMatricesTakeTheRestPose) {
   const TestRig rig = nine_bone_rig();
   const std::vector<Vec3> rest = rig.rest_ends();
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     TestHair test(rig, {.solver = solver});
     for (int frame = 1; frame <= 200; ++frame) {
       ASSERT_EQ(test.hair.set_head(0, wander(frame / 60.0)), Status::kOk);
@@ -100,7 +100,7 @@ TEST(Palette, BoneEndsAreWhereTheMatricesTakeTheRestPose) {
 }
 
 TEST(Palette, BoneEndsOfTheRestPoseAreItsOwn) {
-  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+  for (const Solver* const solver : {&kCoifSolver, &kPassiveSolver, &kThesisSolver}) {
     const TestHair test(bent_fork(), {.solver = solver});
     EXPECT_LT(largest_distance(test.ends(), bent_fork().rest_ends()), kNear);
   }

@@ -12,7 +12,7 @@
 namespace coif::sleep_test {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
-const Solver* const kSolvers[] = {&kCoifSolver, &kThesisSolver};
+const Solver* const kSolvers[] = {&kCoifSolver, &kPassiveSolver, &kThesisSolver};
 
 TestRig rig() {
   TestRig rig = calm_strand(4, 0.3f);

@@ -47,7 +47,8 @@ CLI::Option* add_size(CLI::App& app, PixelSize& size) {
 }
 
 CLI::Option* add_solver(CLI::App& app, const Solver*& solver) {
-  static constexpr Choice<const Solver*> kSolvers[] = {{"coif", &kCoifSolver}, {"thesis", &kThesisSolver}};
+  static constexpr Choice<const Solver*> kSolvers[] = {
+      {"coif", &kCoifSolver}, {"passive", &kPassiveSolver}, {"thesis", &kThesisSolver}};
   return add_choice<const Solver*>(app, "--solver", solver, kSolvers, "Which method moves the bones");
 }
 

@@ -8,6 +8,7 @@
 #include "motion/head_path.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -77,12 +78,16 @@ struct HeadStep {
   HeadState start, middle, end;
 };
 
+class PassiveModel;
+
 /// The bones that hang from one joint of the head, moved by the classical Runge-Kutta method in double precision: fourth
 /// order where nothing touches, first order through contacts. Trees do not act on each other. Steps allocate nothing.
 class ReferenceTree {
  public:
   /// `members`: bones of the rig, a root and all that hangs from it, parents first.
   ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members, const SolverScene& scene);
+  ReferenceTree(ReferenceTree&&) noexcept;
+  ~ReferenceTree();
 
   /// The rest pose, moving rigidly with the head.
   void reset(const HeadState& head);
@@ -99,6 +104,8 @@ class ReferenceTree {
 
   [[nodiscard]] std::span<const std::uint32_t> members() const { return members_; }
 
+  [[nodiscard]] std::span<const BoneState> states() const { return states_; }
+
   /// Of any bone's direction, 1/s.
   [[nodiscard]] double fastest_turning() const;
 
@@ -107,13 +114,15 @@ class ReferenceTree {
 
  private:
   void integrate(const HeadStep& step);
+  void find_rates(const HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
   void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
   bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
 
   std::vector<std::uint32_t> members_;
-  std::vector<RigBone> bones_;  ///< Parents are indices into bones_.
+  std::vector<RigBone> bones_;             ///< Parents are indices into bones_.
+  std::unique_ptr<PassiveModel> passive_;  ///< Null: a cascade.
   std::vector<SolidShape> solids_;
   SolverScene scene_;
   bool is_free_ = true;  ///< No bone can touch anything or has an angle limit.

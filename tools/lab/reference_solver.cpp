@@ -88,7 +88,8 @@ class TreeRun {
     for (long i = 0; i < count; ++i) {
       const double begin = from + span * double(i) / double(count), end = from + span * double(i + 1) / double(count);
       const double turn = tree_.fastest_turning() * (end - begin) * fineness_;
-      const long parts = turn > kLargestStepTurn ? std::lround(std::ceil(std::min(turn / kLargestStepTurn, kMostParts))) : 1L;
+      const long parts =
+          turn > kLargestStepTurn ? std::lround(std::ceil(std::min(turn / kLargestStepTurn, kMostParts))) : 1L;
       for (long part = 0; part < parts; ++part) {
         const double dt = (end - begin) / double(parts);
         const double start = begin + double(part) * dt;

@@ -1,3 +1,4 @@
+#include "lab/passive_model.h"
 #include "lab/reference_model.h"
 
 #include <algorithm>
@@ -38,16 +39,17 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
 }
 
 /// The state of a bone whose parent was held: as if the parent's tail had been pushed evenly throughout the step. The
-/// bone's own tail goes where it freely went, but for its length and for the damping, which works against the way that
-/// the default position went indeed.
+/// bone's own tail goes where it freely went, but for its length and, in a cascade, for the damping, which works against the
+/// way that the default position went indeed.
 void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
-                   const Vector3d& direction_before, BoneState& state) {
+                   const Vector3d& direction_before, bool is_cascade, BoneState& state) {
   const Vector3d shift = (parent.end - free_parent.end) / bone.length;
   const Vector3d way = state.frame * bone.rest_direction - shift;
   if (!(way.norm() > kSameDirection)) return;
   const Vector3d target_shift =
       shift + target_of(bone, parent, head).direction - target_of(bone, free_parent, head).direction;
-  const Vector3d push = bone.damping * target_shift - (parent.velocity - free_parent.velocity) / bone.length;
+  const Vector3d push =
+      (is_cascade ? bone.damping : 0.0) * target_shift - (parent.velocity - free_parent.velocity) / bone.length;
   const Vector3d direction = way.normalized();
   const Vector3d mean = direction_before + direction;
   state.turning += mean.norm() > kSameDirection ? across(push, mean.normalized()) : push;
@@ -80,12 +82,14 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   for (std::size_t i = 0; i < members_.size(); ++i) {
     RigBone bone = rig.bones[members_[i]];
     if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
+    if (rig.model == ChainModel::kPassive) bone.torsion = double(kShortestArc);
     if (!never_twists(bone)) bone.torsion = std::min(bone.torsion, kFastestTorsion);
     if (solids_.size() < 32) bone.colliders &= (1u << solids_.size()) - 1;
     is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit);
     place[members_[i]] = int(i);
     bones_.push_back(bone);
   }
+  if (rig.model == ChainModel::kPassive) passive_ = std::make_unique<PassiveModel>(bones_);
   states_.resize(bones_.size());
   trial_.resize(bones_.size());
   motions_.resize(bones_.size());
@@ -94,6 +98,9 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   moved_.resize(bones_.size());
   before_.resize(bones_.size());
 }
+
+ReferenceTree::ReferenceTree(ReferenceTree&&) noexcept = default;
+ReferenceTree::~ReferenceTree() = default;
 
 void ReferenceTree::reset(const HeadState& head) {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
@@ -111,6 +118,15 @@ void ReferenceTree::step(const HeadStep& step) {
   if (!is_free_) hold(step.end);
 }
 
+void ReferenceTree::find_rates(const HeadState& head, const std::vector<BoneState>& states,
+                               std::vector<BoneRates>& rates) {
+  if (passive_) {
+    passive_->rates(scene_, head, states, motions_, rates);
+  } else {
+    free_rates(bones_, scene_, head, states, motions_, rates);
+  }
+}
+
 void ReferenceTree::integrate(const HeadStep& step) {
   for (std::size_t i = 0; i < states_.size(); ++i) before_[i] = states_[i].frame * bones_[i].rest_direction;
   const auto try_after = [&](const std::vector<BoneRates>& rates, double dt) {
@@ -119,13 +135,13 @@ void ReferenceTree::integrate(const HeadStep& step) {
       trial_[i].turning = states_[i].turning + dt * rates[i].turning;
     }
   };
-  free_rates(bones_, scene_, step.start, states_, motions_, rates_[0]);
+  find_rates(step.start, states_, rates_[0]);
   try_after(rates_[0], step.dt / 2);
-  free_rates(bones_, scene_, step.middle, trial_, motions_, rates_[1]);
+  find_rates(step.middle, trial_, rates_[1]);
   try_after(rates_[1], step.dt / 2);
-  free_rates(bones_, scene_, step.middle, trial_, motions_, rates_[2]);
+  find_rates(step.middle, trial_, rates_[2]);
   try_after(rates_[2], step.dt);
-  free_rates(bones_, scene_, step.end, trial_, motions_, rates_[3]);
+  find_rates(step.end, trial_, rates_[3]);
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const auto mean = [&](auto rate) {
       return (rate(rates_[0][i]) + 2 * rate(rates_[1][i]) + 2 * rate(rates_[2][i]) + rate(rates_[3][i])).eval();
@@ -155,12 +171,13 @@ void ReferenceTree::hold(const HeadState& head) {
     const BoneMotion& parent = is_root ? joint : motions_[up];
     free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
     moved_[i] = !is_root && moved_[up];
-    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], states_[i]);
+    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
     if (hold_limit(bone, parent, head, states_[i])) moved_[i] = true;
     if (hold_colliders(bone, parent, head, states_[i])) moved_[i] = true;
     untwist(bone, parent.frame, states_[i]);
     motions_[i] = motion_of(bone, parent, states_[i]);
   }
+  if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) passive_->keep_links(head, motions_, states_);
 }
 
 bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head,

@@ -34,6 +34,12 @@ struct RigBone {
   std::uint32_t colliders = 0;
 };
 
+/// Which of the models in runtime/docs/MODEL.md moves the bones.
+enum class ChainModel {
+  kCascade,  ///< Bones do not hold back their parents.
+  kPassive,  ///< They do.
+};
+
 /// What of an asset moves, for solvers that are not the runtime's. Parents come first.
 struct Rig {
   std::vector<RigBone> bones;
@@ -43,6 +49,7 @@ struct Rig {
   std::vector<double> tip_length;        ///< Of the chain that ends there, joint to tip, metres.
   std::vector<std::uint32_t> tip_chain;  ///< Index of that chain in the asset.
   std::uint32_t rigid_count = 0;         ///< Bones of the asset before the first simulated one.
+  ChainModel model = ChainModel::kCascade;
 };
 
 [[nodiscard]] Rig rig_of(const Asset& asset);

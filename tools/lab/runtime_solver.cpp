@@ -16,7 +16,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   // An open asset and the memory it needs are all that create() asks for; without them step() refuses.
   (void)hair_.create(asset, desc, {memory_.get(), need.bytes});
   if (&solver == &kThesisSolver) settings_.iterations = std::uint32_t(effort);
-  if (&solver == &kCoifSolver) settings_.substeps = std::uint32_t(effort);
+  if (&solver != &kThesisSolver) settings_.substeps = std::uint32_t(effort);
   settings_.environment.gravity = to_vec3(scene.gravity);
   settings_.environment.wind = to_vec3(scene.wind);
   settings_.environment.air_follow = float(scene.air_follow);

@@ -26,6 +26,9 @@ struct Solver;
 extern COIF_API const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
 /// The model of runtime/docs/MODEL.md: the same at every frame rate, no stretch, no penetration.
 extern COIF_API const Solver kCoifSolver;
+/// The passive model of runtime/docs/MODEL.md: bones hold back their parents, so that soft hair swings and comes to rest.
+/// No stretch, no penetration; about four times the work of kCoifSolver. Bones never twist.
+extern COIF_API const Solver kPassiveSolver;
 
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.

@@ -3,6 +3,7 @@
 
 #include "contact-inl.h"
 #include "lane_math-inl.h"
+#include "row.h"
 
 #if defined(COIF_SIM_LANES_COIF_BONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COIF_SIM_LANES_COIF_BONE_INL_H_
@@ -94,6 +95,66 @@ HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Ta
   velocity = choose<D>(stops, sub_scaled(d, velocity, inwards, taken), velocity);
   now.direction = choose<D>(is_over, limited, now.direction);
   now.velocity = choose<D>(is_over, velocity, now.velocity);
+}
+
+/// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the step.
+template <class D>
+HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,
+                              Carrier<D>& carrier) {
+  const MoveLanes& move = *row.move;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  carrier.position = joint;
+  carrier.angular_velocity = load(d, move.angular_velocity, lane);
+  carrier.angular_velocity_before = load(d, move.angular_velocity_before, lane);
+  const V3<D> before = rotate(d, load(d, move.from_head_before, lane), carrier.position);
+  const V3<D> now = rotate(d, turn, carrier.position);
+  carrier.way = add(d, load(d, move.way, lane), sub(d, now, before));
+  carrier.velocity = add(d, load(d, move.velocity, lane), cross(d, carrier.angular_velocity, now));
+  carrier.velocity_before =
+      add(d, load(d, move.velocity_before, lane), cross(d, carrier.angular_velocity_before, before));
+  carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+}
+
+/// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity`. `direction` is
+/// now.direction in head space and follows it. Returns the lanes in which the bone touched something.
+template <class D>
+HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
+                                     const V3<D>& start, const V3<D>& start_velocity, const V3<D>& before,
+                                     BoneMotion<D>& now, V3<D>& direction) {
+  const PlacedColliders& colliders = *row.colliders;
+  const BoneLanes& constants = row.constants[bone];
+  const std::uint32_t set = row.bones[bone].colliders;
+  const auto length = load(d, constants.length, lane), hit_radius = load(d, constants.hit_radius, lane);
+  const auto is_near = in_reach(d, colliders, set, start, hn::Add(length, hit_radius));
+  if (HWY_LIKELY(hn::AllFalse(d, is_near))) return is_near;
+  // Far enough in one step, the bone may have jumped through a collider.
+  const MoveLanes& move = *row.move;
+  auto reached = hn::Lt(dot(d, before, now.direction), load(d, move.near_cosine, lane));
+  const auto in_head_space = [&] { return rotate_back(d, load(d, move.from_head_before, lane), before); };
+  if (!hn::AllFalse(d, reached)) {
+    reached = hn::And(reached, hn::Lt(dot(d, in_head_space(), direction), hn::Set(d, kFarTurn)));
+  }
+  for (std::uint32_t left = set; left != 0; left &= left - 1) {
+    const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
+    reached = hn::Or(reached, reaches(d, collider, start, direction, length, hit_radius));
+  }
+  reached = hn::And(reached, is_near);
+  if (HWY_LIKELY(hn::AllFalse(d, reached))) return reached;
+  TouchingBone<D> touching;
+  copy(d, start, touching.start);
+  copy(d, direction, touching.direction);
+  copy(d, in_head_space(), touching.before);
+  touching.velocity = rotate_back(d, turn, now.velocity);
+  touching.start_velocity = rotate_back(d, turn, sub(d, start_velocity, load(d, move.velocity, lane)));
+  touching.head_turning = rotate_back(d, turn, load(d, move.angular_velocity, lane));
+  touching.length = length;
+  touching.hit_radius = hit_radius;
+  const auto touched = keep_clear(d, colliders, set, constants, lane, reached, touching);
+  if (hn::AllFalse(d, touched)) return touched;
+  direction = choose<D>(touched, touching.direction, direction);
+  now.direction = choose<D>(touched, rotate(d, turn, direction), now.direction);
+  now.velocity = choose<D>(touched, rotate(d, turn, touching.velocity), now.velocity);
+  return touched;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -39,21 +39,6 @@ class CoifChain {
  private:
   HWY_INLINE void advance(std::size_t i);
 
-  HWY_INLINE void joint_on_head(const BoneLanes& bone, Carrier<D>& carrier) const {
-    const MoveLanes& move = *row_.move;
-    const auto zero = hn::Zero(d_), one = hn::Set(d_, 1.0f);
-    carrier.position = load(d_, bone.joint, lane_);
-    carrier.angular_velocity = load(d_, move.angular_velocity, lane_);
-    carrier.angular_velocity_before = load(d_, move.angular_velocity_before, lane_);
-    const V3<D> before = rotate(d_, load(d_, move.from_head_before, lane_), carrier.position);
-    const V3<D> now = rotate(d_, turn_, carrier.position);
-    carrier.way = add(d_, load(d_, move.way, lane_), sub(d_, now, before));
-    carrier.velocity = add(d_, load(d_, move.velocity, lane_), cross(d_, carrier.angular_velocity, now));
-    carrier.velocity_before =
-        add(d_, load(d_, move.velocity_before, lane_), cross(d_, carrier.angular_velocity_before, before));
-    carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  }
-
   /// What the children hang from. The motion before the step is put together from what was stored after the last one.
   HWY_INLINE void leave_carrier(Carrier<D>& tail, CoifState& state, const Carrier<D>& from, const BoneMotion<D>& now,
                                 const V3<D>& before, const V3<D>& speed_before, const V3<D>& swing, V<D> spin,
@@ -135,42 +120,6 @@ class CoifChain {
     return keep_length(d_, free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
-  /// Section 4. `direction` is now.direction in head space and follows it.
-  HWY_INLINE void keep_clear_of(const RowBone& shape, const BoneLanes& bone, const Carrier<D>& from,
-                                const V3<D>& before, BoneMotion<D>& now, V3<D>& direction) const {
-    const PlacedColliders& colliders = *row_.colliders;
-    const auto length = load(d_, bone.length, lane_), hit_radius = load(d_, bone.hit_radius, lane_);
-    const auto is_near = in_reach(d_, colliders, shape.colliders, from.position, hn::Add(length, hit_radius));
-    if (HWY_LIKELY(hn::AllFalse(d_, is_near))) return;
-    // Far enough in one step, the bone may have jumped through a collider.
-    const MoveLanes& move = *row_.move;
-    auto reached = hn::Lt(dot(d_, before, now.direction), load(d_, move.near_cosine, lane_));
-    const auto in_head_space = [&] { return rotate_back(d_, load(d_, move.from_head_before, lane_), before); };
-    if (!hn::AllFalse(d_, reached)) {
-      reached = hn::And(reached, hn::Lt(dot(d_, in_head_space(), direction), hn::Set(d_, kFarTurn)));
-    }
-    for (std::uint32_t left = shape.colliders; left != 0; left &= left - 1) {
-      const PlacedCollider& collider = colliders[std::uint32_t(std::countr_zero(left))];
-      reached = hn::Or(reached, reaches(d_, collider, from.position, direction, length, hit_radius));
-    }
-    reached = hn::And(reached, is_near);
-    if (HWY_LIKELY(hn::AllFalse(d_, reached))) return;
-    TouchingBone<D> touching;
-    copy(d_, from.position, touching.start);
-    copy(d_, direction, touching.direction);
-    copy(d_, in_head_space(), touching.before);
-    touching.velocity = rotate_back(d_, turn_, now.velocity);
-    touching.start_velocity = rotate_back(d_, turn_, sub(d_, from.velocity, load(d_, move.velocity, lane_)));
-    touching.head_turning = rotate_back(d_, turn_, load(d_, move.angular_velocity, lane_));
-    touching.length = length;
-    touching.hit_radius = hit_radius;
-    const auto touched = keep_clear(d_, colliders, shape.colliders, bone, lane_, reached, touching);
-    if (hn::AllFalse(d_, touched)) return;
-    direction = choose<D>(touched, touching.direction, direction);
-    now.direction = choose<D>(touched, rotate(d_, turn_, direction), now.direction);
-    now.velocity = choose<D>(touched, rotate(d_, turn_, touching.velocity), now.velocity);
-  }
-
   /// Levels of detail: where the bone is not simulated it keeps its rest direction in its parent's frame.
   HWY_INLINE void stay_rigid(const BoneLanes& bone, const Carrier<D>& from, const Target<D>& target, V<D> length,
                              BoneMotion<D>& now, V3<D>& direction) const {
@@ -208,7 +157,7 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   const RowBone& shape = row_.bones[i];
   const BoneLanes& bone = row_.constants[i];
   CoifState& state = state_[i];
-  if (shape.features & kRowHangsFromHead) joint_on_head(bone, joint_);
+  if (shape.features & kRowHangsFromHead) joint_on_head(d_, row_, lane_, turn_, load(d_, bone.joint, lane_), joint_);
   const Carrier<D>& from = (shape.features & kRowHangsFromHead) ? joint_ : carriers_[shape.parent_slot];
   const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
@@ -223,7 +172,8 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     }
   }
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
-  if (shape.features & kRowCollides) keep_clear_of(shape, bone, from, before, now, direction);
+  if (shape.features & kRowCollides)
+    keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
   if (row_.level >= shape.fewest_levels) stay_rigid(bone, from, target, length, now, direction);
 
   const V3<D> rest = load(d_, bone.rest, lane_);

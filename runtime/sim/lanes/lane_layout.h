@@ -55,6 +55,7 @@ struct BoneLanes {
   Lanes parent_share;
   Lanes torsion;
   Lanes resistance;
+  Lanes carried;  ///< Moment of inertia of all that hangs from the start, at rest, if bones weigh a kilogram a metre: kg m^2.
   alignas(64) std::uint32_t colliders[kLanes];  ///< Sets.
   alignas(64) std::int32_t levels[kLanes];  ///< In how many levels of detail, from the finest, the bone is simulated.
 };
@@ -79,6 +80,17 @@ struct CoifCoefficients {
   Lanes velocity_from_constraint;  ///< m/s per bone length that the force along the bone takes
 };
 
+/// The same for `passive`.
+struct PassiveCoefficients {
+  Lanes stiffness;  ///< 1/s^2
+  Lanes damping;    ///< 1/s
+  Lanes friction;   ///< 1/s
+  Lanes gravity_scale;
+  Lanes reach;    ///< s^2: how far an acceleration is believed to go on throughout the step.
+  Lanes firm;     ///< 1/s^2: stiffness and damping against a turn by the end of the step.
+  Lanes inertia;  ///< 1/s^2: force per kilogram and metre of such a turn's way, friction included.
+};
+
 /// The same for `thesis`.
 struct ThesisCoefficients {
   Lanes kept_velocity;  ///< Share of the velocity against the air that friction leaves.
@@ -91,6 +103,15 @@ struct CoifState {
   Lanes3 arm;        ///< Default direction; shorter than 1 where parent and head disagree about it.
   Lanes3 velocity;   ///< Of the particle relative to the bone's start, m/s.
   Lanes spin;        ///< Angular velocity about the direction, rad/s.
+};
+
+/// What one simulated bone remembers under `passive`, world axes.
+struct PassiveState {
+  Lanes3 direction;     ///< Unit.
+  Lanes3 velocity;      ///< Of the particle relative to the bone's start, m/s.
+  Lanes3 acceleration;  ///< Of the particle, as the forces on it say, m/s^2.
+  Lanes3 lagged;        ///< The same as the method has it, which lags behind.
+  Lanes tension;        ///< Along the bone, newtons for bones of a kilogram a metre; >= 0.
 };
 
 /// And what it remembers besides where bones may twist.

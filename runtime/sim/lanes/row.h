@@ -40,6 +40,7 @@ struct RowStep {
   const void* coefficients = nullptr;
   void* state = nullptr;
   TwistState* twist = nullptr;  ///< Null unless some bone twists.
+  void* scratch = nullptr;      ///< Solver::scratch_bytes for each bone.
   std::uint32_t lanes = 0;      ///< In use: 0..lanes-1.
   const MoveLanes* move = nullptr;
   Vec3 gravity;

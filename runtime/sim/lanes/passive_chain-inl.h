@@ -1,0 +1,243 @@
+// The passive model's chain (runtime/docs/MODEL.md): where its bones freely go in a step, down, up and down again. Compiled once
+// per instruction set.
+
+#include "bone_frame-inl.h"
+#include "coif_bone-inl.h"
+#include "lane_math-inl.h"
+#include "passive_bone-inl.h"
+#include "row.h"
+
+#if defined(COIF_SIM_LANES_PASSIVE_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_PASSIVE_CHAIN_INL_H_
+#undef COIF_SIM_LANES_PASSIVE_CHAIN_INL_H_
+#else
+#define COIF_SIM_LANES_PASSIVE_CHAIN_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+template <class D>
+class PassiveChain {
+ public:
+  PassiveChain(D d, const RowStep& row, std::size_t lane, PassiveBone<D>* bones)
+      : d_(d),
+        row_(row),
+        coefficients_(static_cast<const PassiveCoefficients*>(row.coefficients)),
+        state_(static_cast<PassiveState*>(row.state)),
+        bones_(bones),
+        lane_(lane),
+        method_(d, PassiveMethod(double(row.dt))),
+        turn_(load(d, row.move->from_head, lane)),
+        motion_(hn::Zero(d)),
+        fastest2_(hn::Zero(d)) {
+    const std::size_t left = row.lanes - lane;
+    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
+  }
+
+  HWY_INLINE void run() {
+    const std::size_t count = row_.bones.size();
+    for (std::size_t i = 0; i < count; ++i) guess(i);
+    for (std::size_t i = 0; i < count; ++i) find_forces(i);
+    for (std::size_t i = count; i-- > 0;) eliminate(i);
+    for (std::size_t i = 0; i < count; ++i) turn_bone(i);
+    for (std::size_t i = 0; i < count; ++i) settle(i);
+    for (std::size_t i = count; i-- > 0;) gather_momentum(i);
+    for (std::size_t i = 0; i < count; ++i) keep_links(i);
+    calm_what_is_wild();
+    store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
+  [[nodiscard]] HWY_INLINE PassiveBone<D>& parent_of(std::size_t i) const { return bones_[row_.bones[i].parent]; }
+
+  /// What the bone hangs from.
+  HWY_INLINE const Carrier<D>& carrier_of(std::size_t i) {
+    if (!is_first(i)) return parent_of(i).tail;
+    joint_on_head(d_, row_, lane_, turn_, load(d_, row_.constants[i].joint, lane_), joint_);
+    return joint_;
+  }
+
+  /// Where the levels of detail that simulate the bone end.
+  [[nodiscard]] HWY_INLINE hn::Mask<D> is_rigid(std::size_t i) const {
+    const hn::Rebind<std::int32_t, D> di;
+    const auto levels = hn::ConvertTo(d_, hn::Load(di, row_.constants[i].levels + lane_));
+    return hn::Le(levels, hn::Set(d_, float(row_.level)));
+  }
+  [[nodiscard]] HWY_INLINE bool any_rigid(std::size_t i) const { return row_.level >= row_.bones[i].fewest_levels; }
+
+  HWY_INLINE void guess(std::size_t i);
+  HWY_INLINE void find_forces(std::size_t i);
+  HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
+  HWY_INLINE void eliminate(std::size_t i);
+  HWY_INLINE void turn_bone(std::size_t i);
+  HWY_INLINE void settle(std::size_t i);
+  HWY_INLINE void gather_momentum(std::size_t i);
+  HWY_INLINE void keep_links(std::size_t i);
+  HWY_INLINE void calm_what_is_wild();
+
+  /// How a direction turns that is rigid to the head, 1/s.
+  [[nodiscard]] HWY_INLINE V3<D> with_head(const V3<D>& direction) const {
+    return cross(d_, load(d_, row_.move->angular_velocity, lane_), direction);
+  }
+
+  const D d_;
+  const RowStep& row_;
+  const PassiveCoefficients* const coefficients_;
+  PassiveState* const state_;
+  PassiveBone<D>* const bones_;
+  const std::size_t lane_;
+  const PassiveNumbers<D> method_;
+  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
+  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  V<D> motion_, fastest2_;
+  Carrier<D> joint_;
+};
+
+/// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
+template <class D>
+HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
+  const BoneLanes& constants = row_.constants[i];
+  const PassiveState& state = state_[i];
+  PassiveBone<D>& bone = bones_[i];
+  const Carrier<D>& from = carrier_of(i);
+  const auto one = hn::Set(d_, 1.0f);
+  const V3<D> before = load(d_, state.direction, lane_), relative = load(d_, state.velocity, lane_);
+  const V3<D> of_start = is_first(i) ? scale(d_, sub(d_, from.velocity, from.velocity_before), method_.per_dt)
+                                     : load(d_, state_[row_.bones[i].parent].acceleration, lane_);
+  const V3<D> change = sub(d_, load(d_, state.acceleration, lane_), of_start);
+  const V3<D> way = add_scaled(d_, scale(d_, relative, method_.dt), change, load(d_, coefficients_[i].reach, lane_));
+  const V3<D> turn = scale(d_, across(d_, way, before), load(d_, constants.per_length, lane_));
+  const auto turn2 = dot(d_, turn, turn);
+  const auto kept = hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))));
+  bone.direction = direction_or(d_, add_scaled(d_, before, turn, kept), before);
+  bone.tail.velocity_before = add(d_, from.velocity_before, relative);
+}
+
+/// The forces where the bone is thought to be at the end of the step.
+template <class D>
+HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
+  const BoneLanes& constants = row_.constants[i];
+  const PassiveCoefficients& c = coefficients_[i];
+  const PassiveState& state = state_[i];
+  PassiveBone<D>& bone = bones_[i];
+  const Carrier<D>& from = carrier_of(i);
+  const auto length = load(d_, constants.length, lane_), friction = load(d_, c.friction, lane_);
+  const V3<D> before = load(d_, state.direction, lane_);
+  bone.tail.way = add_scaled(d_, from.way, sub(d_, bone.direction, before), length);
+  const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
+                                           load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
+  bone.tail.velocity = pace.velocity;
+  const V3<D> weight = scale(d_, same(d_, row_.gravity), load(d_, c.gravity_scale, lane_));
+  const V3<D> wind = sub(d_, pace.velocity, load(d_, row_.move->air, lane_));
+  bone.load = scale(d_, add_scaled(d_, sub(d_, pace.acceleration, weight), wind, friction), length);
+  bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));
+  bone.find_sides(d_);
+  bend_towards_rest(i, from, bone);
+  if (any_rigid(i)) bone.be_rigid(d_, is_rigid(i));
+}
+
+/// The torque of the bending between the bone and what it hangs from, which is that of a potential, and of its damping.
+template <class D>
+HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone) {
+  const BoneLanes& constants = row_.constants[i];
+  const PassiveCoefficients& c = coefficients_[i];
+  const auto carried = load(d_, constants.carried, lane_), per_length = load(d_, constants.per_length, lane_);
+  const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
+  const Bent<D> bent = bend(d_, from.frame, rest, by_parent, rotate_back(d_, turn_, bone.direction));
+  copy(d_, bent.frame, bone.tail.frame);
+  bone.arc = rotate(d_, turn_, by_parent);
+  const auto one = hn::Set(d_, 1.0f), unfolded = hn::Add(one, dot(d_, bone.arc, bone.direction));
+  bone.per_fold = hn::Div(one, hn::Max(unfolded, hn::Set(d_, kLeastUnfolded)));
+
+  const V3<D> swing = scale(d_, cross(d_, bone.direction, sub(d_, bone.tail.velocity, from.velocity)), per_length);
+  const auto along = dot(d_, add(d_, bone.arc, bone.direction), from.angular_velocity);
+  const auto spin = hn::Mul(hn::Sub(along, dot(d_, bone.arc, swing)), bone.per_fold);
+  bone.tail.angular_velocity = add_scaled(d_, swing, bone.direction, spin);
+
+  const auto stiffness = hn::Mul(load(d_, c.stiffness, lane_), carried);
+  const auto damping = hn::Mul(load(d_, c.damping, lane_), carried);
+  const V3<D> pull = scale(d_, cross(d_, bone.direction, bone.arc), stiffness);
+  bone.firm = hn::Mul(load(d_, c.firm, lane_), carried);
+  bone.coupled = bone.firm;
+  if (row_.bones[i].features & kRowSharesPull) {
+    const auto share = load(d_, constants.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
+    const V3<D> by_head = rotate(d_, turn_, rest);
+    const V3<D> base = add_scaled(d_, scale(d_, from.angular_velocity, share),
+                                  load(d_, row_.move->angular_velocity, lane_), rest_share);
+    const V3<D> drag = scale(d_, across(d_, sub(d_, bone.tail.angular_velocity, base), bone.direction), damping);
+    const V3<D> of_head = scale(d_, cross(d_, bone.direction, by_head), hn::Mul(stiffness, rest_share));
+    bone.torque = sub(d_, add(d_, scale(d_, pull, share), of_head), drag);
+    bone.reaction = scale(d_, sub(d_, pull, drag), share);
+    bone.coupled = hn::Mul(bone.firm, share);
+    return;
+  }
+  const V3<D> turning = sub(d_, bone.tail.angular_velocity, from.angular_velocity);
+  bone.torque = sub_scaled(d_, pull, across(d_, turning, bone.direction), damping);
+  bone.reaction = bone.torque;
+}
+
+/// The two turns of the bone, as functions of how its start moves and how its parent turns, taken out of the equations; what
+/// is left of them goes to the parent.
+template <class D>
+HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  const BoneLanes& constants = row_.constants[i];
+  const auto length = load(d_, constants.length, lane_), tension = load(d_, state_[i].tension, lane_);
+  bone.load = add(d_, bone.load, bone.below.load);
+  const V3<D> torque = add(d_, bone.torque, bone.below.torque);
+  const auto spin = hn::Mul(dot(d_, torque, bone.direction), bone.per_fold);
+  const V3<D> bending = cross(d_, sub_scaled(d_, torque, bone.arc, spin), bone.direction);
+  for (int k = 0; k < 2; ++k) {
+    const V3<D> side = scale(d_, bone.side[k], length);
+    bone.by_start[k] = add(d_, times(d_, bone.below.inertia, side), bone.below.coupling[k]);
+    bone.wanted[k] = hn::Add(hn::Sub(dot(d_, side, bone.load), dot(d_, bone.side[k], bending)), bone.below.turn[k]);
+  }
+  const V3<D> first = scale(d_, bone.side[0], length), second = scale(d_, bone.side[1], length);
+  const auto slack = hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length));
+  const auto both = [&](const V3<D>& side, int k, int l) {
+    return hn::Add(dot(d_, side, bone.by_start[l]), dot(d_, l == 0 ? first : second, bone.below.coupling[k]));
+  };
+  const auto g11 = hn::Add(hn::Add(both(first, 0, 0), bone.below.stiff[0]), slack);
+  const auto g12 = hn::Add(both(first, 0, 1), bone.below.stiff[1]);
+  const auto g22 = hn::Add(hn::Add(both(second, 1, 1), bone.below.stiff[2]), slack);
+  bone.invert(d_, hn::Add(g11, bone.coupled), g12, hn::Add(g22, bone.coupled));
+  if (is_first(i)) return;
+  PassiveBone<D>& parent = parent_of(i);
+  bone.find_coupling(d_, parent);
+  bone.hand_up(d_, g11, g12, g22, parent.below);
+  parent.below.torque =
+      add(d_, parent.below.torque, sub(d_, scale(d_, add(d_, bone.arc, bone.direction), spin), bone.reaction));
+}
+
+/// The turns that balance the forces, as far as these are linear.
+template <class D>
+HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  auto first = bone.wanted[0], second = bone.wanted[1];
+  bone.shift = {hn::Zero(d_), hn::Zero(d_), hn::Zero(d_)};
+  if (!is_first(i)) {
+    const PassiveBone<D>& parent = parent_of(i);
+    const auto pulled = [&](int k) {
+      const auto by_turn =
+          hn::Add(hn::Mul(bone.from_parent[k][0], parent.turn[0]), hn::Mul(bone.from_parent[k][1], parent.turn[1]));
+      return hn::Sub(dot(d_, bone.by_start[k], parent.shift), hn::Mul(bone.coupled, by_turn));
+    };
+    first = hn::Add(first, pulled(0));
+    second = hn::Add(second, pulled(1));
+    bone.shift = parent.shift;
+  }
+  bone.turn[0] = hn::Neg(hn::Add(hn::Mul(bone.inverse[0], first), hn::Mul(bone.inverse[1], second)));
+  bone.turn[1] = hn::Neg(hn::Add(hn::Mul(bone.inverse[1], first), hn::Mul(bone.inverse[2], second)));
+  const V3<D> change = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
+  bone.shift = add_scaled(d_, bone.shift, change, load(d_, row_.constants[i].length, lane_));
+  bone.direction = direction_or(d_, add(d_, bone.direction, change), bone.direction);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

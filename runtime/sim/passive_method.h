@@ -1,0 +1,47 @@
+#pragma once
+// The numbers of the passive solver's integrator, which depend on the step alone.
+
+#include "lanes/lane_layout.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace coif {
+
+/// Generalized-alpha (Chung and Hulbert 1993, "A Time Integration Algorithm for Structural Dynamics With Improved Numerical
+/// Dissipation"): second order, and of what swings too fast for the step this share of the amplitude is left after each.
+inline constexpr double kPassiveRho = 0.4;
+
+/// With the acceleration a and the method's own lagging one l, over a step of dt in which a particle makes its way w:
+///     l1 = lagged_per_way (w - dt v - lag l),  a1 = mean l1 + from_lagged l + from_acceleration a,
+///     v1 = v + early l + late l1.
+struct PassiveMethod {
+  explicit PassiveMethod(double seconds) : dt(seconds) {
+    constexpr double kMass = (2 * kPassiveRho - 1) / (kPassiveRho + 1), kForce = kPassiveRho / (kPassiveRho + 1);
+    constexpr double kGamma = 0.5 + kForce - kMass, kBeta = 0.25 * (1 + kForce - kMass) * (1 + kForce - kMass);
+    mean = (1 - kMass) / (1 - kForce);
+    from_lagged = kMass / (1 - kForce);
+    from_acceleration = -kForce / (1 - kForce);
+    lag = dt * dt * (0.5 - kBeta);
+    lagged_per_way = 1 / (kBeta * dt * dt);
+    early = dt * (1 - kGamma);
+    late = dt * kGamma;
+    velocity_per_way = late * lagged_per_way;
+    acceleration_per_way = mean * lagged_per_way;
+  }
+
+  double dt;                                    ///< s
+  double mean, from_lagged, from_acceleration;  ///< 1
+  double lag;                                   ///< s^2
+  double lagged_per_way;                        ///< 1/s^2
+  double early, late;                           ///< s
+  double velocity_per_way;                      ///< 1/s
+  double acceleration_per_way;                  ///< 1/s^2
+};
+
+/// Bytes that a step needs for each bone besides its state, whatever the instruction set.
+inline constexpr std::size_t kPassiveScratch = 98 * sizeof(Lanes);
+/// Rows of so many bones find them on the stack, at most 50 kB; longer ones in the crowd's memory.
+inline constexpr std::uint32_t kPassiveBonesOnStack = 8;
+
+}  // namespace coif

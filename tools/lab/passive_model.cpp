@@ -1,0 +1,173 @@
+#include "lab/passive_model.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+/// 1 / unfolded, but for a bone that folds over its parent, whose frame would turn with every small movement.
+double per_fold(double unfolded) {
+  constexpr double kLeastUnfolded = 0.02;  // 11 degrees from folded over
+  return 1 / std::max(unfolded, kLeastUnfolded);
+}
+
+double mass_of(const RigBone& bone) { return bone.length; }
+
+const BoneMotion& carrier(std::span<const RigBone> bones, std::size_t i, const HeadState& head,
+                          std::span<const BoneMotion> motions, BoneMotion& joint) {
+  if (bones[i].parent >= 0) return motions[std::size_t(bones[i].parent)];
+  joint = motion_of_joint(bones[i].joint, head);
+  return joint;
+}
+
+}  // namespace
+
+std::vector<double> carried_inertias(std::span<const RigBone> bones) {
+  std::vector<Vector3d> starts(bones.size()), tails(bones.size());
+  std::vector<double> carried(bones.size(), 0.0);
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    starts[i] = bones[i].parent < 0 ? bones[i].joint : tails[std::size_t(bones[i].parent)];
+    tails[i] = starts[i] + bones[i].length * bones[i].rest_direction;
+    for (int up = int(i); up >= 0; up = bones[std::size_t(up)].parent) {
+      carried[std::size_t(up)] += mass_of(bones[i]) * (tails[i] - starts[std::size_t(up)]).squaredNorm();
+    }
+  }
+  return carried;
+}
+
+PassiveModel::PassiveModel(std::span<const RigBone> bones)
+    : bones_(bones),
+      carried_(carried_inertias(bones)),
+      bends_(bones.size()),
+      links_(bones.size()),
+      forces_(bones.size()),
+      torques_(bones.size()) {}
+
+PassiveModel::Bend PassiveModel::bend(std::size_t i, const HeadState& head, const BoneMotion& parent,
+                                      const BoneMotion& motion) const {
+  const RigBone& bone = bones_[i];
+  Bend bend;
+  bend.direction = motion.frame * bone.rest_direction;
+  bend.arc = parent.frame * bone.rest_direction;
+  bend.per_fold = per_fold(1 + bend.arc.dot(bend.direction));
+  const double share = bone.parent_share;
+  const Vector3d by_head = head.rotation * bone.rest_direction;
+  const Vector3d base = share * parent.angular_velocity + (1 - share) * head.angular_velocity;
+  const Vector3d drag = bone.damping * carried_[i] * across(motion.angular_velocity - base, bend.direction);
+  const double stiffness = bone.stiffness * carried_[i];
+  const Vector3d of_parent = stiffness * bend.direction.cross(bend.arc);
+  bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag;
+  bend.reaction = share * (of_parent - drag);
+  return bend;
+}
+
+void PassiveModel::gather(std::size_t i, double opening) {
+  Links& links = links_[i];
+  const Matrix3d inverse = links.mass.inverse();
+  const Vector3d& direction = bends_[i].direction;
+  links.by_pull = inverse * direction;
+  links.push = inverse * links.push;
+  links.yields = 1 / direction.dot(links.by_pull);
+  links.pull = (opening + direction.dot(links.push)) * links.yields;
+  if (bones_[i].parent < 0) return;
+  Links& above = links_[std::size_t(bones_[i].parent)];
+  above.mass += links.yields * direction * direction.transpose();
+  above.push += links.pull * direction;
+}
+
+Vector3d PassiveModel::release(std::size_t i, const Vector3d& of_start) const {
+  const Links& links = links_[i];
+  return links.push - (links.pull - bends_[i].direction.dot(of_start) * links.yields) * links.by_pull;
+}
+
+void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
+                         std::span<BoneMotion> motions, std::span<BoneRates> rates) {
+  const Vector3d air = scene.wind + head.velocity * scene.air_follow;
+  BoneMotion joint;
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const RigBone& bone = bones_[i];
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    BoneMotion& motion = motions[i];
+    motion.frame = states[i].frame.normalized();
+    const Vector3d direction = motion.frame * bone.rest_direction, arc = parent.frame * bone.rest_direction;
+    const Vector3d turning = across(states[i].turning, direction), swing = direction.cross(turning);
+    const double along = (arc + direction).dot(parent.angular_velocity) - arc.dot(swing);
+    motion.end = parent.end + bone.length * direction;
+    motion.velocity = parent.velocity + bone.length * turning;
+    motion.angular_velocity = swing + direction * (along * per_fold(1 + arc.dot(direction)));
+    bends_[i] = bend(i, head, parent, motion);
+    forces_[i] = mass_of(bone) * (scene.gravity * bone.gravity_scale - bone.friction * (motion.velocity - air));
+    torques_[i] = bends_[i].torque;
+    links_[i] = {mass_of(bone) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+    rates[i].turning = turning;
+  }
+  for (std::size_t i = bones_.size(); i-- > 0;) {
+    const Bend& bend = bends_[i];
+    const double length = bones_[i].length;
+    const double spin = torques_[i].dot(bend.direction) * bend.per_fold;
+    const Vector3d force = (torques_[i] - spin * bend.arc).cross(bend.direction) / length;
+    links_[i].push += forces_[i] + force;
+    if (bones_[i].parent >= 0) {
+      const auto up = std::size_t(bones_[i].parent);
+      forces_[up] -= force;
+      torques_[up] += spin * (bend.arc + bend.direction) - bend.reaction;
+    }
+    gather(i, length * rates[i].turning.squaredNorm());
+  }
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    motions[i].acceleration = release(i, parent.acceleration);
+    rates[i].turning = (motions[i].acceleration - parent.acceleration) / bones_[i].length;
+    const Vector3d half = 0.5 * motions[i].angular_velocity;
+    rates[i].frame = (Quaterniond(0, half.x(), half.y(), half.z()) * states[i].frame).coeffs();
+  }
+}
+
+void PassiveModel::keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states) {
+  BoneMotion joint;
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    bends_[i].direction = motions[i].frame * bones_[i].rest_direction;
+    links_[i] = {mass_of(bones_[i]) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+  }
+  for (std::size_t i = bones_.size(); i-- > 0;) {
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    gather(i, bends_[i].direction.dot(motions[i].velocity - parent.velocity));
+  }
+  std::vector<Vector3d>& changes = forces_;
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const bool is_first = bones_[i].parent < 0;
+    changes[i] = release(i, is_first ? Vector3d::Zero() : changes[std::size_t(bones_[i].parent)]);
+    motions[i].velocity += changes[i];
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    states[i].turning = across((motions[i].velocity - parent.velocity) / bones_[i].length, bends_[i].direction);
+  }
+}
+
+double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const {
+  std::vector<BoneMotion> motions(bones_.size());
+  double sum = 0;
+  BoneMotion joint;
+  for (std::size_t i = 0; i < bones_.size(); ++i) {
+    const RigBone& bone = bones_[i];
+    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+    motions[i].frame = states[i].frame;
+    const Vector3d direction = states[i].frame * bone.rest_direction;
+    motions[i].end = parent.end + bone.length * direction;
+    motions[i].velocity = parent.velocity + bone.length * states[i].turning;
+    const double cosine = bone.parent_share * direction.dot(parent.frame * bone.rest_direction) +
+                          (1 - bone.parent_share) * direction.dot(head.rotation * bone.rest_direction);
+    sum += mass_of(bone) *
+           (0.5 * motions[i].velocity.squaredNorm() - bone.gravity_scale * scene.gravity.dot(motions[i].end));
+    sum += bone.stiffness * carried_[i] * (1 - cosine);
+  }
+  return sum;
+}
+
+}  // namespace coif

@@ -1,0 +1,60 @@
+#pragma once
+
+// The passive model (runtime/docs/MODEL.md), as equations of motion: bones that hold back what they hang from.
+
+#include "lab/reference_model.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// Of each bone, about its start and at rest: the moment of inertia of all that hangs from there, kg m^2, where bones weigh a
+/// kilogram a metre, each at its tail. Parents come first.
+[[nodiscard]] std::vector<double> carried_inertias(std::span<const RigBone> bones);
+
+/// Forces and motion of bones whose parents come first, one step's scratch included.
+class PassiveModel {
+ public:
+  explicit PassiveModel(std::span<const RigBone> bones);
+
+  /// As free_rates(): of bones that never twist, without contacts. `motions` and `rates` are as long as the bones.
+  void rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
+             std::span<BoneMotion> motions, std::span<BoneRates> rates);
+
+  /// The velocities nearest to those of `motions`, by mass, that stretch no bone; `states` turn with them.
+  void keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states);
+
+  /// Kinetic energy, and that of weight and bending, joules; against the head's rotation and gravity of `scene`.
+  [[nodiscard]] double energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const;
+
+ private:
+  /// What all below a bone makes of its particle: `mass` times its acceleration is `push`, less the bone's own pull.
+  struct Links {
+    Eigen::Matrix3d mass;
+    Eigen::Vector3d push;
+    Eigen::Vector3d by_pull;  ///< mass^-1 direction
+    double yields = 0;
+    double pull = 0;
+  };
+
+  struct Bend {
+    Eigen::Vector3d direction, arc;  ///< Unit, world.
+    double per_fold = 0;
+    Eigen::Vector3d torque, reaction;
+  };
+
+  Bend bend(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion) const;
+  void gather(std::size_t i, double opening);
+  Eigen::Vector3d release(std::size_t i, const Eigen::Vector3d& of_start) const;
+
+  std::span<const RigBone> bones_;
+  std::vector<double> carried_;
+  std::vector<Bend> bends_;
+  std::vector<Links> links_;
+  std::vector<Eigen::Vector3d> forces_, torques_;
+};
+
+}  // namespace coif
