@@ -79,12 +79,12 @@ LoadStatus check_dynamics(const Asset& asset) {
   }
   for (std::size_t i = 0; i < dynamics.size(); ++i) {
     const DynamicsRecord& d = dynamics[i];
-    if (!all_zero(d.reserved)) return {LoadCode::kReserved, chunk::kDynamics, i};
     const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
                       in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
                       in_range(d.hit_radius, 0.0f, kMaxCoordinate) && in_range(d.stiffness, 0.0f, 1.0e12f) &&
                       in_range(d.damping, 0.0f, 1.0e6f) && in_range(d.torsion, 0.0f, 1.0e6f) &&
-                      in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f);
+                      in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f) &&
+                      all_finite(d.lean) && d.lean[0] * d.lean[0] + d.lean[1] * d.lean[1] <= 1.0f;
     if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
   }
   return {};

@@ -64,7 +64,7 @@ void put_to_rest(const ChainLane& chain, const Quat& head_rotation) {
     const Vec3 rest = lane(chain.constants[i].rest, chain.constant_lane);
     const Vec3 direction = rotate(head_rotation, rest);
     set_lane(state.direction, chain.state_lane, direction);
-    set_lane(state.arm, chain.state_lane, direction);
+    set_lane(state.arm, chain.state_lane, rotate(head_rotation, lane(chain.constants[i].pull, chain.constant_lane)));
     set_lane(state.velocity, chain.state_lane, Vec3{});
     state.spin.v[chain.state_lane] = 0.0f;
     if (chain.twist == nullptr) continue;

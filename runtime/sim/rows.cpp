@@ -68,6 +68,7 @@ std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics
   if (dynamics.parent_share != 1.0f) features |= kRowSharesPull;
   if (twists(dynamics)) features |= kRowTwists;
   if (dynamics.friction != 0.0f) features |= kRowFeelsAir;
+  if (dynamics.lean[0] != 0.0f || dynamics.lean[1] != 0.0f) features |= kRowLeans;
   return features;
 }
 
@@ -105,6 +106,10 @@ void set_constants(const Asset& asset, std::uint32_t bone, float carried, std::u
   const float* const rest = record.rest_direction;
   const float* const joint = record.joint;
   set_lane(lanes.rest, lane, {rest[0], rest[1], rest[2]});
+  float pull[3];
+  pull_direction(record.rest_direction, dynamics.lean, pull);
+  const bool leans = dynamics.lean[0] != 0.0f || dynamics.lean[1] != 0.0f;
+  set_lane(lanes.pull, lane, leans ? Vec3{pull[0], pull[1], pull[2]} : Vec3{rest[0], rest[1], rest[2]});
   set_lane(lanes.joint, lane, {joint[0], joint[1], joint[2]});
   lanes.length.v[lane] = record.length;
   lanes.per_length.v[lane] = 1.0f / record.length;

@@ -53,11 +53,12 @@ TEST(OpenDynamics, EveryFieldHasItsLimits) {
   }
 }
 
-TEST(OpenDynamics, EveryBoneHasARecordWithNothingReservedInUse) {
+TEST(OpenDynamics, EveryBoneHasARecordThatLeansNoFurtherThanItsLength) {
   EXPECT_EQ(refusal([](auto& a) { a.dynamics.clear(); }), LoadCode::kChunkMissing);
   EXPECT_EQ(refusal([](auto& a) { a.dynamics.pop_back(); }), LoadCode::kChunkSize);
-  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[0] = 1.0f; }), LoadCode::kReserved);
-  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].reserved[1] = std::nanf(""); }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].lean[0] = -1.0f; }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].lean[0] = a.dynamics[2].lean[1] = 0.71f; }), LoadCode::kNotFinite);
+  EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].lean[1] = std::nanf(""); }), LoadCode::kNotFinite);
 }
 
 TEST(OpenTuning, GivesBackWhatWasWritten) {

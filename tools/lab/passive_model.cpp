@@ -58,11 +58,11 @@ PassiveModel::Bend PassiveModel::bend(std::size_t i, const HeadState& head, cons
   bend.arc = parent.frame * bone.rest_direction;
   bend.per_fold = per_fold(1 + bend.arc.dot(bend.direction));
   const double share = bone.parent_share;
-  const Vector3d by_head = head.rotation * bone.rest_direction;
+  const Vector3d by_parent = parent.frame * bone.pull_direction(), by_head = head.rotation * bone.pull_direction();
   const Vector3d base = share * parent.angular_velocity + (1 - share) * head.angular_velocity;
   const Vector3d drag = bone.damping * carried_[i] * across(motion.angular_velocity - base, bend.direction);
   const double stiffness = bone.stiffness * carried_[i];
-  const Vector3d of_parent = stiffness * bend.direction.cross(bend.arc);
+  const Vector3d of_parent = stiffness * bend.direction.cross(by_parent);
   bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag;
   bend.reaction = share * (of_parent - drag);
   return bend;
@@ -161,8 +161,8 @@ double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std
     const Vector3d direction = states[i].frame * bone.rest_direction;
     motions[i].end = parent.end + bone.length * direction;
     motions[i].velocity = parent.velocity + bone.length * states[i].turning;
-    const double cosine = bone.parent_share * direction.dot(parent.frame * bone.rest_direction) +
-                          (1 - bone.parent_share) * direction.dot(head.rotation * bone.rest_direction);
+    const double cosine = bone.parent_share * direction.dot(parent.frame * bone.pull_direction()) +
+                          (1 - bone.parent_share) * direction.dot(head.rotation * bone.pull_direction());
     sum += mass_of(bone) *
            (0.5 * motions[i].velocity.squaredNorm() - bone.gravity_scale * scene.gravity.dot(motions[i].end));
     sum += bone.stiffness * carried_[i] * (1 - cosine);

@@ -84,10 +84,14 @@ BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
 }
 
 BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head) {
-  const Vector3d with_parent = parent.frame * bone.rest_direction;
+  return target_of(bone, bone.pull_direction(), parent, head);
+}
+
+BoneTarget target_of(const RigBone& bone, const Vector3d& unbent, const BoneMotion& parent, const HeadState& head) {
+  const Vector3d with_parent = parent.frame * unbent;
   BoneTarget target{with_parent, parent.angular_velocity.cross(with_parent)};
   if (const double share = bone.parent_share; share != 1) {
-    const Vector3d with_head = head.rotation * bone.rest_direction;
+    const Vector3d with_head = head.rotation * unbent;
     target.direction = share * target.direction + (1 - share) * with_head;
     target.turning = share * target.turning + (1 - share) * head.angular_velocity.cross(with_head);
   }

@@ -51,6 +51,9 @@ struct BoneTarget {
 [[nodiscard]] BoneMotion motion_of_joint(const Eigen::Vector3d& joint, const HeadState& head);
 
 [[nodiscard]] BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadState& head);
+/// The same of a direction that is `unbent` in the parent's frame.
+[[nodiscard]] BoneTarget target_of(const RigBone& bone, const Eigen::Vector3d& unbent, const BoneMotion& parent,
+                                   const HeadState& head);
 
 /// Angular velocity of a bone with this state: as its direction turns, and about it as the parent does, less the rate at
 /// which a twist between them goes back. Without twist (kShortestArc) as the shortest arc from the parent's frame turns.

@@ -183,7 +183,7 @@ void ReferenceTree::hold(const HeadState& head) {
 bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
                                BoneState& state) const {
   if (bone.angle_limit >= double(kNoAngleLimit)) return false;
-  const BoneTarget target = target_of(bone, parent, head);
+  const BoneTarget target = target_of(bone, bone.rest_direction, parent, head);
   const double size = target.direction.norm();
   if (!(size > kSameDirection)) return false;
   const Vector3d axis = target.direction / size;

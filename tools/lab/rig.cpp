@@ -25,6 +25,11 @@ RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uin
   out.torsion = dynamics.torsion;
   out.angle_limit = dynamics.angle_limit;
   out.parent_share = dynamics.parent_share;
+  if (dynamics.lean[0] != 0 || dynamics.lean[1] != 0) {
+    float pull[3];
+    pull_direction(bone.rest_direction, dynamics.lean, pull);
+    out.leaning = Eigen::Map<const Eigen::Vector3f>(pull).cast<double>().normalized();
+  }
   out.colliders = bone.colliders;
   return out;
 }

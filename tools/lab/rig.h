@@ -31,7 +31,11 @@ struct RigBone {
   double torsion = 0;                          ///< 1/s; kShortestArc: never a twist.
   double angle_limit = double(kNoAngleLimit);  ///< Radians.
   double parent_share = 1;
+  /// Unit, in the parent's frame: where the bone is pulled to. Zero: to its rest direction.
+  Eigen::Vector3d leaning = Eigen::Vector3d::Zero();
   std::uint32_t colliders = 0;
+
+  [[nodiscard]] const Eigen::Vector3d& pull_direction() const { return leaning.isZero() ? rest_direction : leaning; }
 };
 
 /// Which of the models in runtime/docs/MODEL.md moves the bones.

@@ -47,8 +47,10 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
     motion.frame = shortest_arc(with_parent, direction) * parent.frame;
     motion.end = parent.end + bone.length * direction;
     const bool parent_is_free = is_root || pose.is_free[up];
-    pose.is_free.push_back(parent_is_free && is_within_limit(bone, target, direction) &&
-                           is_clear(rig, solids, bone, {parent.end, direction, bone.length, bone.hit_radius}));
+    pose.is_free.push_back(
+        parent_is_free &&
+        is_within_limit(bone, target_of(bone, bone.rest_direction, parent, head).direction, direction) &&
+        is_clear(rig, solids, bone, {parent.end, direction, bone.length, bone.hit_radius}));
     pose.ends.push_back(motion.end);
     motions.push_back(motion);
   }

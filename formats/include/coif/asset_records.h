@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <cmath>
 #include <cstdint>
 
 namespace coif {
@@ -90,9 +91,22 @@ struct DynamicsRecord {
   float torsion;        ///< Rate at which a twist against the parent decays, 1/s, 0..kShortestArc.
   float angle_limit;    ///< Largest angle to the default direction, radians, 0..kNoAngleLimit.
   float parent_share;   ///< Share of the pull that turns with the parent, 0..1; the rest turns with the head.
-  float reserved[2];    ///< Zero.
+  float lean[2];        ///< Where the default direction is, beside the rest direction: pull_direction(). Zero: there.
 };
 static_assert(sizeof(DynamicsRecord) == 48);
+
+/// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most 1) goes
+/// along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"), what is left of a
+/// unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.
+inline void pull_direction(const float (&rest)[3], const float (&lean)[2], float (&pull)[3]) {
+  const float sign = rest[2] < 0.0f ? -1.0f : 1.0f;
+  const float a = -1.0f / (sign + rest[2]), b = rest[0] * rest[1] * a;
+  const float first[3] = {1.0f + sign * rest[0] * rest[0] * a, sign * b, -sign * rest[0]};
+  const float second[3] = {b, sign + rest[1] * rest[1] * a, -rest[1]};
+  const float left = 1.0f - lean[0] * lean[0] - lean[1] * lean[1];
+  const float along = std::sqrt(left > 0.0f ? left : 0.0f);
+  for (int k = 0; k < 3; ++k) pull[k] = rest[k] * along + first[k] * lean[0] + second[k] * lean[1];
+}
 
 enum class ColliderShape : std::uint32_t {
   kSphere = 0,

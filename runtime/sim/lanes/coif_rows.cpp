@@ -56,23 +56,23 @@ class CoifChain {
   }
 
   /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion then.
-  HWY_INLINE Target<D> target_of(const RowBone& shape, const BoneLanes& bone, const Carrier<D>& from,
+  HWY_INLINE Target<D> target_of(const RowBone& shape, bool leans, const BoneLanes& bone, const Carrier<D>& from,
                                  const V3<D>& arm_before, V<D> length) const {
-    const V3<D> rest = load(d_, bone.rest, lane_);
+    const V3<D> rest = load(d_, bone.rest, lane_), pull = leans ? load(d_, bone.pull, lane_) : rest;
     Target<D> target;
     target.by_parent = rotate(d_, from.frame, rest);
-    target.arm = rotate(d_, turn_, target.by_parent);
+    target.arm = rotate(d_, turn_, leans ? rotate(d_, from.frame, pull) : target.by_parent);
     V3<D> turning = cross(d_, from.angular_velocity, target.arm);
     V3<D> turning_before = cross(d_, from.angular_velocity_before, arm_before);
     if (shape.features & kRowSharesPull) {
       const MoveLanes& move = *row_.move;
       const auto share = load(d_, bone.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
-      const V3<D> by_head = rotate(d_, turn_, rest);
+      const V3<D> by_head = rotate(d_, turn_, pull);
       const V3<D> with_head = cross(d_, load(d_, move.angular_velocity, lane_), by_head);
       turning = add_scaled(d_, scale(d_, turning, share), with_head, rest_share);
       target.arm = add_scaled(d_, scale(d_, target.arm, share), by_head, rest_share);
       // What was stored is the blend; its head's part turned with the head, and the rest of it with the parent.
-      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), rest), rest_share);
+      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), pull), rest_share);
       const V3<D> by_parent_before = sub(d_, arm_before, by_head_before);
       turning_before = add(d_, cross(d_, from.angular_velocity_before, by_parent_before),
                            cross(d_, load(d_, move.angular_velocity_before, lane_), by_head_before));
@@ -135,7 +135,8 @@ class CoifChain {
   /// Section 5, without memory: how fast the frame that the shortest arc makes turns about its own direction.
   HWY_INLINE V<D> spin_of_arc(const RowBone& shape, const Carrier<D>& from, const Target<D>& target,
                               const BoneMotion<D>& now, const V3<D>& swing, V<D> per_fold) const {
-    const V3<D> arm = (shape.features & kRowSharesPull) ? rotate(d_, turn_, target.by_parent) : target.arm;
+    const V3<D> arm =
+        (shape.features & (kRowSharesPull | kRowLeans)) ? rotate(d_, turn_, target.by_parent) : target.arm;
     const auto along = dot(d_, add(d_, arm, now.direction), from.angular_velocity);
     return hn::Mul(hn::Sub(along, dot(d_, arm, swing)), per_fold);
   }
@@ -162,13 +163,17 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
   const V3<D> speed_before = load(d_, state.velocity, lane_);
-  const Target<D> target = target_of(shape, bone, from, arm_before, length);
+  const bool leans = (shape.features & kRowLeans) != 0;
+  const Target<D> target = target_of(shape, leans, bone, from, arm_before, length);
 
   BoneMotion<D> now{target.arm, target.velocity};
   if (row_.level < shape.most_levels) {
     now = move_freely(i, shape, from, target, before, arm_before, speed_before, length);
     if (shape.features & kRowHasLimit) {
-      keep_in_limit(d_, load(d_, bone.limit_cosine, lane_), rotate(d_, turn_, target.by_parent), target, now);
+      const auto cosine = load(d_, bone.limit_cosine, lane_);
+      const V3<D> by_parent = rotate(d_, turn_, target.by_parent);
+      keep_in_limit(d_, cosine, by_parent, leans ? target_of(shape, false, bone, from, arm_before, length) : target,
+                    now);
     }
   }
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space

@@ -47,6 +47,7 @@ inline void set_lane(Lanes4& to, std::uint32_t i, const Quat& value) {
 /// What a bone is, one lane for each chain of its row. SI units.
 struct BoneLanes {
   Lanes3 rest;   ///< Unit, from the bone's start to its particle, in the parent's frame at rest.
+  Lanes3 pull;   ///< The same of its default direction.
   Lanes3 joint;  ///< Start at rest, head space.
   Lanes length;
   Lanes per_length;

@@ -159,12 +159,14 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
 
   const auto stiffness = hn::Mul(load(d_, c.stiffness, lane_), carried);
   const auto damping = hn::Mul(load(d_, c.damping, lane_), carried);
-  const V3<D> pull = scale(d_, cross(d_, bone.direction, bone.arc), stiffness);
+  const V3<D> unbent = load(d_, constants.pull, lane_);
+  const V3<D> arm = rotate(d_, turn_, rotate(d_, from.frame, unbent));
+  const V3<D> pull = scale(d_, cross(d_, bone.direction, arm), stiffness);
   bone.firm = hn::Mul(load(d_, c.firm, lane_), carried);
   bone.coupled = bone.firm;
   if (row_.bones[i].features & kRowSharesPull) {
     const auto share = load(d_, constants.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
-    const V3<D> by_head = rotate(d_, turn_, rest);
+    const V3<D> by_head = rotate(d_, turn_, unbent);
     const V3<D> base = add_scaled(d_, scale(d_, from.angular_velocity, share),
                                   load(d_, row_.move->angular_velocity, lane_), rest_share);
     const V3<D> drag = scale(d_, across(d_, sub(d_, bone.tail.angular_velocity, base), bone.direction), damping);

@@ -18,6 +18,7 @@ enum RowFeature : std::uint32_t {
   kRowSharesPull = 1u << 4,  ///< The default direction is not the parent's alone.
   kRowTwists = 1u << 5,
   kRowFeelsAir = 1u << 6,
+  kRowLeans = 1u << 7,  ///< The default direction is not the rest direction.
 };
 
 /// One bone of all chains in a row.

@@ -96,23 +96,24 @@ Vector3d ParticleSolver::falling_velocity(std::size_t i, const ParticleStep& ste
   return step.air_velocity + (fallen - step.air_velocity) * std::exp(-bone(i).friction * step.dt);
 }
 
-std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& step) const {
+std::vector<Vector3d> ParticleSolver::default_directions(const ParticleStep& step, bool leaning) const {
   std::vector<Vector3d> directions(bone_count());
   std::vector<Quaterniond> frames(bone_count());
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const Quaterniond& frame = hangs_from_head(i) ? step.head_rotation : frames[parent(i)];
-    directions[i] = frame * bone(i).rest_direction;
-    if (has_children_[i]) frames[i] = bent_frame(frame, directions[i], positions_[i] - start(i, step));
+    const Vector3d arc = frame * bone(i).rest_direction;
+    directions[i] = leaning ? Vector3d(frame * bone(i).pull_direction()) : arc;
+    if (has_children_[i]) frames[i] = bent_frame(frame, arc, positions_[i] - start(i, step));
   }
   return directions;
 }
 
 std::vector<Vector3d> ParticleSolver::shared_directions(const ParticleStep& step) const {
   std::vector<Vector3d> directions =
-      turns_with_parents_ ? default_directions(step) : std::vector<Vector3d>(bone_count(), Vector3d::Zero());
+      turns_with_parents_ ? default_directions(step, true) : std::vector<Vector3d>(bone_count(), Vector3d::Zero());
   for (std::size_t i = 0; i < bone_count(); ++i) {
     const double share = bone(i).parent_share;
-    if (share < 1) directions[i] = directions[i] * share + step.head_rotation * bone(i).rest_direction * (1 - share);
+    if (share < 1) directions[i] = directions[i] * share + step.head_rotation * bone(i).pull_direction() * (1 - share);
   }
   return directions;
 }

@@ -56,7 +56,7 @@ class ParticleSolver : public ChainSolver {
 
   /// Default directions, root to tip, as Algorithm 1 (5.2) has them: each bone's rest direction in its parent's present
   /// frame, the frame turned by the shortest arc from there to where the bone points now. Unit, one per bone.
-  [[nodiscard]] std::vector<Eigen::Vector3d> default_directions(const ParticleStep& step) const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> default_directions(const ParticleStep& step, bool leaning = false) const;
 
   /// Where the pose pulls to when only RigBone::parent_share of it turns with the parent and the rest with the head: the
   /// mean of both directions, which is shorter than unit where they disagree.
