@@ -124,7 +124,7 @@ LoadStatus check_skeleton(const Asset& asset) {
   const auto fail = [](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
     return LoadStatus{code, chunk::kSkeleton, 0, expected, found};
   };
-  if ((skeleton.flags & ~kSkeletonFacesBackwards) != 0 || !(skeleton.reserved_tail == 0.0f)) return fail(LoadCode::kReserved);
+  if ((skeleton.flags & ~(kSkeletonFacesBackwards | kSkeletonPassive)) != 0 || !(skeleton.reserved_tail == 0.0f)) return fail(LoadCode::kReserved);
   if (!all_finite(skeleton.head_joint) || !is_unit(skeleton.head_rotation)) return fail(LoadCode::kNotFinite);
   if (bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
   if (skeleton.bone_count != bones.size()) return fail(LoadCode::kChunkSize, bones.size(), skeleton.bone_count);

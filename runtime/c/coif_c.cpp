@@ -32,6 +32,7 @@ const coif::Solver* solver_of(std::uint32_t solver) {
     case COIF_SOLVER_COIF: return &coif::kCoifSolver;
     case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
     case COIF_SOLVER_PASSIVE: return &coif::kPassiveSolver;
+    case COIF_SOLVER_CASCADE: return &coif::kCascadeSolver;
   }
   return nullptr;
 }

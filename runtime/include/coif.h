@@ -29,7 +29,7 @@ typedef enum coif_status {
 } coif_status;
 
 /* What each does: coif/hair.h. */
-typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2 } coif_solver;
+typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2, COIF_SOLVER_CASCADE = 3 } coif_solver;
 
 typedef struct coif_vec3 {
   float x, y, z;

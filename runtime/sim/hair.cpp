@@ -39,6 +39,7 @@ bool is_aligned(const std::byte* memory) {
 /// Takes the arrays of the crowd; while counting they are empty.
 void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, CrowdState& crowd) {
   const LaneOrder order = choose_lane_order(asset, desc.instances);
+  const Solver& solver = solver_for(*desc.solver, asset);
   const RowCount rows = count_rows(asset, order);
   const std::uint32_t intervals = power_of(desc.longest_interval) + 1;
   const std::uint32_t treatments = treatment_count(levels_of(asset), intervals);
@@ -49,11 +50,11 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.rows = carver.take<Row>(rows.rows);
   crowd.row_bones = carver.take<RowBone>(rows.bones);
   crowd.constants = carver.take<BoneLanes>(rows.bones);
-  crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * desc.solver->coefficient_bytes);
-  crowd.states = carver.take<std::byte>(states * desc.solver->state_bytes);
-  const std::uint64_t long_bones = rows.longest > desc.solver->scratch_from ? rows.longest : 0;
-  crowd.scratch = carver.take<std::byte>(blocks * long_bones * desc.solver->scratch_bytes);
-  if (desc.solver->carries_frames && any_bone_twists(asset)) crowd.twists = carver.take<TwistState>(states);
+  crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * solver.coefficient_bytes);
+  crowd.states = carver.take<std::byte>(states * solver.state_bytes);
+  const std::uint64_t long_bones = rows.longest > solver.scratch_from ? rows.longest : 0;
+  crowd.scratch = carver.take<std::byte>(blocks * long_bones * solver.scratch_bytes);
+  if (solver.carries_frames && any_bone_twists(asset)) crowd.twists = carver.take<TwistState>(states);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
@@ -112,8 +113,8 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   const InstructionSet set =
       desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set;
   crowd.asset = asset;
-  crowd.solver = desc.solver;
-  crowd.step_row = desc.solver->row_code(set);
+  crowd.solver = &solver_for(*desc.solver, asset);
+  crowd.step_row = crowd.solver->row_code(set);
   crowd.heads = head_code(set);
   crowd.colliders = PlacedColliders(asset.colliders());
   make_rows(asset, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);

@@ -34,26 +34,34 @@ struct CoefficientLanes {
 };
 
 struct Solver {
-  std::size_t state_bytes;        ///< Per bone of a row.
-  std::size_t coefficient_bytes;  ///< Per bone of a row.
-  std::size_t scratch_bytes;      ///< Per bone of the longest row, for each block,
-  std::uint32_t scratch_from;     ///< if that has more bones than this.
-  bool carries_frames;            ///< Bones may twist.
-  bool has_substeps;
+  /// Set where the asset says which solver moves it; then nothing else is.
+  const Solver* (*for_asset)(const Asset& asset) = nullptr;
 
-  RowFunction* (*row_code)(InstructionSet set);
+  std::size_t state_bytes = 0;        ///< Per bone of a row.
+  std::size_t coefficient_bytes = 0;  ///< Per bone of a row.
+  std::size_t scratch_bytes = 0;      ///< Per bone of the longest row, for each block,
+  std::uint32_t scratch_from = 0;     ///< if that has more bones than this.
+  bool carries_frames = false;            ///< Bones may twist.
+  bool has_substeps = false;
+
+  RowFunction* (*row_code)(InstructionSet set) = nullptr;
   void (*set_coefficients)(const StepTerms& terms, const DynamicsRecord& dynamics, float length,
-                           const CoefficientLanes& to);
+                           const CoefficientLanes& to) = nullptr;
   /// The rest pose under a head with this rotation, at rest.
-  void (*put_to_rest)(const ChainLane& chain, const Quat& head_rotation);
+  void (*put_to_rest)(const ChainLane& chain, const Quat& head_rotation) = nullptr;
   /// Turns everything that is kept in world axes.
-  void (*turn)(const ChainLane& chain, const Quat& by);
+  void (*turn)(const ChainLane& chain, const Quat& by) = nullptr;
   /// Takes all motion out; the shape stays.
-  void (*calm)(const ChainLane& chain);
+  void (*calm)(const ChainLane& chain) = nullptr;
   /// The bones' tails, head space, metres; as many as the chain has bones. `palette` are the chain's matrices.
   void (*tails)(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,
-                std::span<Vec3> tails);
+                std::span<Vec3> tails) = nullptr;
 };
+
+/// The one that moves this asset.
+[[nodiscard]] inline const Solver& solver_for(const Solver& asked, const Asset& asset) {
+  return asked.for_asset != nullptr ? *asked.for_asset(asset) : asked;
+}
 
 /// Solver::tails where nothing stretches: where a matrix brings the tail of the rest pose.
 void tails_of_palette(const ChainLane& chain, const Quat& head_rotation, std::span<const Mat34> palette,

@@ -15,7 +15,7 @@ coif_cli_case(cook_no_threads EXIT 1 STDERR "coif cook: error: --threads" ARGS c
 
 coif_cli_case(simulate_unknown_motion EXIT 1 STDERR "coif simulate: error: --motion: 'walk' is not one of still, nod"
   ARGS simulate a.coif --motion walk -o out.csv)
-coif_cli_case(simulate_unknown_solver EXIT 1 STDERR "--solver: 'magic' is not one of coif, passive, thesis"
+coif_cli_case(simulate_unknown_solver EXIT 1 STDERR "--solver: 'magic' is not one of coif, cascade, passive, thesis"
   ARGS simulate a.coif --motion nod --solver magic -o out.csv)
 coif_cli_case(simulate_unknown_suffix EXIT 1 STDERR "coif simulate: error: out.fbx: the suffix must be .csv or .glb"
   ARGS simulate a.coif --motion nod -o out.fbx)

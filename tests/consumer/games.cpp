@@ -31,6 +31,17 @@ int main() {
   return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && hair.step({}) != coif::Status::kOk ? 0 : 1;
 }
 
+#elif defined GAME_step_cascade
+// A game whose hair is all of one model.
+#include <coif/hair.h>
+
+int main() {
+  coif::Hair hair;
+  const coif::Asset asset;
+  const coif::HairDesc desc{.solver = &coif::kCascadeSolver};
+  return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && hair.step({}) != coif::Status::kOk ? 0 : 1;
+}
+
 #elif defined GAME_only_skin
 // A game that skins on the processor and simulates elsewhere.
 #include <coif/skinning.h>

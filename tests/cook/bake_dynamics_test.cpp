@@ -1,5 +1,6 @@
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/built_models.h"
+#include "cook/dynamics/natural_dynamics.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/select_hair.h"
 #include "write/pose_oscillator.h"
@@ -34,7 +35,9 @@ Skeleton chain_of(std::uint32_t bones) {
 }
 
 std::vector<DynamicsRecord> records_of(const Skeleton& skeleton) {
-  return bake_dynamics(SourceModel(), skeleton, default_recipe(), {}, unheard());
+  Recipe recipe = default_recipe();
+  recipe.resistance = {{0, 0.35}, {1, 0.06}};
+  return bake_dynamics(SourceModel(), skeleton, recipe, {}, unheard());
 }
 
 TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
@@ -133,6 +136,26 @@ Told<std::vector<DynamicsRecord>> baked(const SourceModel& model, const Recipe& 
   return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, {}, findings); });
 }
 
+TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
+  const SourceModel model = sprung_wig();
+  const auto hair = select_hair(model, default_recipe(), unheard());
+  ASSERT_TRUE(hair);
+  const Skeleton skeleton =
+      *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
+  Recipe recipe = default_recipe();
+  const auto of = [&] { return motion_sources(model, skeleton, recipe, {}); };
+  EXPECT_EQ(std::ranges::count(of(), MotionSource::kSpring), std::ptrdiff_t(skeleton.simulated_count()));
+  recipe.dynamics_source = "curves";
+  EXPECT_EQ(std::ranges::count(of(), MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()));
+  recipe.resistance = {{0, 0.3}};
+  EXPECT_EQ(std::ranges::count(of(), MotionSource::kCurve), std::ptrdiff_t(skeleton.simulated_count()));
+  PatchOverride own;
+  own.resistance = std::vector<CurvePoint>{{0, 0.1}};
+  recipe.resistance.clear();
+  EXPECT_EQ(motion_sources(model, skeleton, recipe, std::vector{own})[skeleton.chains[0].first_bone],
+            MotionSource::kCurve);
+}
+
 TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
   SourceModel model = sprung_wig();
   model.springs[0].joints.erase(model.springs[0].joints.begin() + 1);
@@ -142,7 +165,7 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
   ASSERT_EQ(mixed.made.size(), 4u);
   EXPECT_FLOAT_EQ(mixed.made[2].resistance, by_spring.resistance);
   EXPECT_FLOAT_EQ(mixed.made[2].friction, by_spring.friction);
-  EXPECT_FLOAT_EQ(mixed.made[3].friction, float(recipe.friction)) << "no spring: the curves";
+  EXPECT_FLOAT_EQ(mixed.made[3].friction, float(preset_of(recipe).friction)) << "no spring: the preset";
   ASSERT_EQ(mixed.notes.size(), 1u);
   EXPECT_NE(mixed.notes[0].find("1 of 2"), std::string::npos);
   EXPECT_TRUE(mixed.warnings.empty());
@@ -154,7 +177,7 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
 
   recipe.dynamics_source = "curves";
   const auto curves = baked(model, recipe);
-  EXPECT_FLOAT_EQ(curves.made[2].friction, float(recipe.friction));
+  EXPECT_FLOAT_EQ(curves.made[2].friction, float(preset_of(recipe).friction));
   EXPECT_TRUE(curves.notes.empty());
 }
 

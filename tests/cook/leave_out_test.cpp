@@ -116,7 +116,9 @@ float torsion_of(const Cooked& cooked) {
 
 TEST(LeaveOut, TwistGoesUnlessTheRecipeAsksForIt) {
   const std::string why = "no motion bends them by 120 degrees from their parents";
-  const Cooked chosen(make_wig(), default_recipe());
+  Recipe by_curve = default_recipe();
+  by_curve.resistance = {{0, 0.35}, {1, 0.06}};
+  const Cooked chosen(make_wig(), by_curve);
   EXPECT_EQ(torsion_of(chosen), kShortestArc);
   const LeftOut* note = chosen.left_out(why);
   ASSERT_NE(note, nullptr);

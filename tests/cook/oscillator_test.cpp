@@ -109,8 +109,14 @@ std::vector<DynamicsRecord> baked(const Recipe& recipe) {
   return bake_dynamics(SourceModel(), two_bones(), recipe, {}, unheard());
 }
 
-Recipe undamped_recipe() {
+Recipe curve_recipe() {
   Recipe recipe = default_recipe();
+  recipe.resistance = {{0, 0.35}, {1, 0.06}};
+  return recipe;
+}
+
+Recipe undamped_recipe() {
+  Recipe recipe = curve_recipe();
   recipe.damping_ratio = 0;
   return recipe;
 }
@@ -127,7 +133,7 @@ TEST(BakeDynamics, WithoutADampingRatioEachBoneHasItsResistancesOwn) {
 }
 
 TEST(BakeDynamics, TheDampingRatioCountsThePendulumAndTheFriction) {
-  Recipe recipe = default_recipe();
+  Recipe recipe = curve_recipe();
   recipe.damping_ratio = 0.8;
   const auto records = baked(recipe);
   const auto pure = baked(undamped_recipe());
@@ -145,7 +151,7 @@ TEST(BakeDynamics, TheDampingRatioCountsThePendulumAndTheFriction) {
 }
 
 TEST(BakeDynamics, TheDampingRatioNeverTakesDampingAway) {
-  Recipe recipe = default_recipe();
+  Recipe recipe = curve_recipe();
   recipe.damping_ratio = 0.01;
   recipe.friction = 100;
   for (std::size_t b = 1; b < 3; ++b) EXPECT_FLOAT_EQ(baked(recipe)[b].damping, baked(undamped_recipe())[b].damping);

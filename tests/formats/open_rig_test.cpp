@@ -178,7 +178,7 @@ TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
 
 TEST(OpenColliders, RefusesReservedFieldsInUse) {
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved = 1; }), LoadCode::kReserved);
-  EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonFacesBackwards << 1; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonPassive << 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_center = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_radii = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_axis = kNan; }), LoadCode::kReserved);

@@ -140,7 +140,7 @@ TEST_F(CInterface, SaysWhatIsWrongWithAnAsset) {
 TEST_F(CInterface, DescriptionsItDoesNotKnowAreRefused) {
   ASSERT_EQ(create(), COIF_OK);
   const std::size_t bytes = memory_->bytes().size();
-  for (const coif_hair_desc wrong : {coif_hair_desc{0, COIF_SOLVER_COIF, 1}, {1, 3, 1}, {1, COIF_SOLVER_COIF, 3}}) {
+  for (const coif_hair_desc wrong : {coif_hair_desc{0, COIF_SOLVER_COIF, 1}, {1, 4, 1}, {1, COIF_SOLVER_COIF, 3}}) {
     desc_ = wrong;
     EXPECT_EQ(coif_hair_memory_need(asset(), asset_bytes(), &desc_), 0u);
     EXPECT_EQ(create_in(memory(), bytes), COIF_BAD_ARGUMENT);

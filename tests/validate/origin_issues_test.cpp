@@ -33,7 +33,7 @@ TEST(OriginIssues, SameOriginHasNone) {
 TEST(OriginIssues, OtherSourceAndRecipeAreNamed) {
   const ProvenanceRecord then = make_provenance({}, default_recipe(), 7);
   Recipe recipe = default_recipe();
-  recipe.friction += 1;
+  recipe.friction = 3;
   EXPECT_EQ(differences(then, make_provenance({}, default_recipe(), 8)), Codes{"R101"});
   EXPECT_EQ(differences(then, make_provenance({}, recipe, 7)), Codes{"R102"});
   EXPECT_EQ(differences(then, make_provenance({}, recipe, 8)), (Codes{"R101", "R102"}));

@@ -158,6 +158,9 @@ ordered_json summarize(const Asset& asset) {
                           {"textures", texture_list(asset)},
                           {"settings", dynamics_ranges(asset)},
                           {"quality", quality_json(asset)}};
+  if (!asset.chains().empty()) {
+    summary["model"] = (asset.skeleton().flags & kSkeletonPassive) != 0 ? "passive" : "cascade";
+  }
   if (asset.tuning() != nullptr) summary["settings"]["tuning"] = tuning_json(asset);
   if (asset.material() != nullptr) {
     summary["sides"] = (asset.material()->flags & kMaterialDoubleSided) != 0 ? "both" : "front";
@@ -204,7 +207,7 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
   text += count_line("colliding_bones", summary["colliding_bones"]);
   for (const auto& texture : summary["textures"]) text += texture_line(texture);
-  for (const char* key : {"sides", "shading"}) {
+  for (const char* key : {"model", "sides", "shading"}) {
     if (summary.contains(key)) text += fmt::format("  {:<16}{:>12}\n", key, summary[key].get<std::string>());
   }
   text += lod_table(summary["lods"]);

@@ -48,7 +48,7 @@ CLI::Option* add_size(CLI::App& app, PixelSize& size) {
 
 CLI::Option* add_solver(CLI::App& app, const Solver*& solver) {
   static constexpr Choice<const Solver*> kSolvers[] = {
-      {"coif", &kCoifSolver}, {"passive", &kPassiveSolver}, {"thesis", &kThesisSolver}};
+      {"coif", &kCoifSolver}, {"cascade", &kCascadeSolver}, {"passive", &kPassiveSolver}, {"thesis", &kThesisSolver}};
   return add_choice<const Solver*>(app, "--solver", solver, kSolvers, "Which method moves the bones");
 }
 

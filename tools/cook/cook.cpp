@@ -3,6 +3,7 @@
 #include "base/work_limit.h"
 #include "cook/cooking.h"
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/dynamics/natural_dynamics.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
@@ -126,15 +127,19 @@ const Pass kPasses[] = {
        c.contents.dynamics = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
+       settle_model(c.recipe, motion_sources(c.source, c.rig.skeleton, c.recipe, of_chain),
+                    said_damping_ratios(c.rig.skeleton, c.recipe, of_chain), c.contents, c.report);
        c.moves = can_be_run(c.contents);
        return {};
      }},
     {"conditioning",
      [](Cooking& c) { return keep(condition_chains(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) { return c.moves && c.recipe.conditioning != "off" && !c.settings.draft; }},
+     [](const Cooking& c) {
+       return c.moves && c.recipe.conditioning != "off" && !c.settings.draft && !is_passive(c.contents);
+     }},
     {"twist",
      [](Cooking& c) { return keep(choose_twist(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) { return c.moves && !c.recipe.torsion; }},
+     [](const Cooking& c) { return c.moves && !c.recipe.torsion && !is_passive(c.contents); }},
     {"tuning",
      [](Cooking& c) {
        const auto name = [&](ToolError error) { return ToolError{error.kind, c.source.path + ": " + error.message}; };

@@ -49,7 +49,7 @@ struct ReferenceRun {
 struct StaticPose {
   std::vector<Eigen::Vector3d> ends;  ///< Bone tails, head space, metres; the order of Rig::bones.
   /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit: the pose then
-  /// says only where it would hang without.
+  /// says only where it would hang without. And in the passive model, of which it says nothing.
   std::vector<bool> is_free;
 };
 

@@ -27,12 +27,14 @@ inline constexpr std::uint32_t kMaxOpenBones = 16;
 
 /// The model looks along -Z at rest; otherwise along +Z. For pictures and names; the simulation does not care.
 inline constexpr std::uint32_t kSkeletonFacesBackwards = 1;
+/// The dynamics are meant for the passive model (runtime/docs/MODEL.md), in which bones hold back their parents.
+inline constexpr std::uint32_t kSkeletonPassive = 2;
 
 struct SkeletonRecord {
   std::uint32_t bone_count;
   std::uint32_t simulated_count;
   std::uint32_t chain_count;
-  std::uint32_t flags;  ///< kSkeletonFacesBackwards; other bits are zero.
+  std::uint32_t flags;  ///< kSkeletonFacesBackwards, kSkeletonPassive; other bits are zero.
   /// Head bone in the rest pose of the source model: its joint (metres) and the rotation (x, y, z, w) from the
   /// bone's own axes to the model's. A host whose head bone has the world pose (p, q) passes the head pose
   /// (p, q * conjugate(head_rotation)).

@@ -24,10 +24,11 @@ inline constexpr float kLongestStep = 0.5f;
 /// How bones are moved. A program links only those that it names.
 struct Solver;
 extern COIF_API const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
-/// The model of runtime/docs/MODEL.md: the same at every frame rate, no stretch, no penetration.
+/// Which of the next two moves an asset, it says itself. The models are in runtime/docs/MODEL.md: the same at every frame rate,
+/// no stretch, no penetration.
 extern COIF_API const Solver kCoifSolver;
-/// The passive model of runtime/docs/MODEL.md: bones hold back their parents, so that soft hair swings and comes to rest.
-/// No stretch, no penetration; about four times the work of kCoifSolver. Bones never twist.
+extern COIF_API const Solver kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
+/// Bones hold back their parents, so that soft hair swings and comes to rest. Two to three times the work. Bones never twist.
 extern COIF_API const Solver kPassiveSolver;
 
 struct HairDesc {
@@ -63,12 +64,12 @@ struct StepSettings {
   /// parts of at most kMaxTimeStep, and costs no more than a step of kMaxTimeStep or five parts. At 0 nothing moves but heads, with
   /// their hair as it is: those of a paused game that are moved have been put there.
   float dt = 1.0f / 60.0f;
-  /// kCoifSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
+  /// Not kThesisSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
   /// A step above kMaxTimeStep has as many as one of kMaxTimeStep, or more where they would be longer than that.
   std::uint32_t substeps = 0;
   std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
-  DynamicsScale dynamics{};  ///< kCoifSolver: may change from step to step; the hair goes on from where it is.
+  DynamicsScale dynamics{};  ///< Not kThesisSolver: may change from step to step; the hair goes on from where it is.
   /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and
   /// contacts move it; for acrobatics, vehicles and cut scenes.
   float inertia = 1.0f;

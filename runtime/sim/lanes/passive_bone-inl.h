@@ -145,7 +145,7 @@ struct PassiveBone {
   V<D> wanted[2];
   V<D> from_parent[2][2];
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
-  V3<D> shift;      ///< Of its end, against the first guess.
+  V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V<D> turn[2];
 
   /// Nothing hangs from it yet but its own weight.

@@ -27,14 +27,19 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
+  // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
   BoneMotion<D> now{direction, sub(d_, pace.velocity, from.velocity)};
+  if (!is_first(i)) {
+    const V3<D> end = sub(d_, scale(d_, direction, length), parent_of(i).shift);
+    now.direction = direction_or(d_, end, direction);
+  }
   auto held = hn::Lt(length, hn::Zero(d_));
   if (shape.features & kRowHasLimit) {
     Target<D> target;
     target.arm = rotate(d_, turn_, by_parent);
     target.velocity = scale(d_, cross(d_, from.angular_velocity, target.arm), length);
     const auto cosine = load(d_, constants.limit_cosine, lane_);
-    held = hn::Lt(dot(d_, direction, target.arm), cosine);
+    held = hn::Lt(dot(d_, now.direction, target.arm), cosine);
     keep_in_limit(d_, cosine, target.arm, target, now);
   }
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
@@ -73,6 +78,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   if (row_.palette != nullptr) {
     store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i, used_);
   }
+  bone.shift = scale(d_, sub(d_, now.direction, direction), length);
+  if (!is_first(i)) bone.shift = add(d_, bone.shift, parent_of(i).shift);
   bone.links.start_velocity = from.velocity;
   bone.direction = now.direction;
   bone.load = scale(
@@ -155,7 +162,7 @@ HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
 namespace {
 
 template <class D>
-HWY_INLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
+HWY_NOINLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
   for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) PassiveChain<D>(d, row, lane, bones).run();
 }
 

@@ -1,6 +1,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 
 #include "base/geometry.h"
+#include "cook/dynamics/natural_dynamics.h"
 #include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace coif {
 namespace {
 
-constexpr double kGravity = 9.81;           // m/s^2
+constexpr double kUsualFriction = 2;        ///< 1/s
 constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag of 1 keeps none, and friction has no end.
 constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
 constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that counts as down.
@@ -19,8 +20,11 @@ constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that coun
 DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
   DynamicsRecord record{};
-  record.resistance = float(evaluate_curve(recipe.resistance, 0.5 * (root_place + bone.place)));
-  record.friction = float(recipe.friction);
+  if (!recipe.resistance.empty()) {
+    record.resistance = float(evaluate_curve(recipe.resistance, 0.5 * (root_place + bone.place)));
+  }
+  record.friction =
+      float(recipe.friction.value_or(recipe.resistance.empty() ? preset_of(recipe).friction : kUsualFriction));
   record.gravity_scale = float(recipe.gravity_scale);
   record.authoring_rate = float(recipe.authoring_rate);
   return record;
@@ -35,7 +39,7 @@ double damping_for(double ratio, double length, const DynamicsRecord& record) {
 void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
   record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
-  const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio, length, record));
+  const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio.value_or(1), length, record));
   record.damping = float(std::min(damping, kMostDamping));
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
   record.angle_limit = std::min(float(recipe.angle_limit * kDegree), kNoAngleLimit);
@@ -48,8 +52,8 @@ Recipe recipe_of(Recipe recipe, const PatchOverride& said) {
 }
 
 /// What is said of a chain alone holds before the file's springs, too.
-DynamicsRecord record_of(const Skeleton& skeleton, const SkeletonBone& bone, const BoneJoint& joint, const Recipe& recipe,
-                         const PatchOverride& said) {
+DynamicsRecord record_of(const Skeleton& skeleton, const SkeletonBone& bone, const BoneJoint& joint,
+                         const Recipe& recipe, const PatchOverride& said) {
   const bool by_curve = !joint || said.resistance;
   DynamicsRecord record =
       by_curve ? dynamics_by_curve(skeleton, bone, recipe) : dynamics_of_joint(*joint.joint, bone.length());
@@ -100,7 +104,24 @@ void warn_of_lost_settings(const SourceModel& source, const std::vector<BoneJoin
   }
 }
 
+/// What is said of a bone's chain alone, in the recipe.
+Recipe recipe_of_chain(const Recipe& recipe, std::span<const PatchOverride> of_chain, std::uint32_t chain) {
+  return chain < of_chain.size() ? recipe_of(recipe, of_chain[chain]) : recipe;
+}
+
 }  // namespace
+
+std::vector<double> said_damping_ratios(const Skeleton& skeleton, const Recipe& recipe,
+                                        std::span<const PatchOverride> of_chain) {
+  std::vector<double> ratios;
+  for (const SkeletonBone& bone : skeleton.bones) {
+    const Recipe said = recipe_of_chain(recipe, of_chain, bone.chain);
+    const HairPreset& preset = preset_of(said);
+    const double usual = said.liveliness ? 1 - *said.liveliness : preset.damping_ratio;
+    ratios.push_back(said.damping_ratio.value_or(usual));
+  }
+  return ratios;
+}
 
 double natural_rate(const DynamicsRecord& record, double length) {
   const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
@@ -117,6 +138,24 @@ double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   return curve.back().value;
 }
 
+std::vector<MotionSource> motion_sources(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+                                         std::span<const PatchOverride> of_chain) {
+  std::vector<BoneJoint> joints(skeleton.bones.size());
+  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
+  std::vector<MotionSource> sources;
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    const SkeletonBone& bone = skeleton.bones[b];
+    const bool is_said =
+        bone.chain < of_chain.size() && of_chain[bone.chain].resistance && !of_chain[bone.chain].resistance->empty();
+    const bool by_curve = is_said || (!joints[b] && !recipe.resistance.empty());
+    const MotionSource of_bone = by_curve    ? MotionSource::kCurve
+                                 : joints[b] ? MotionSource::kSpring
+                                             : MotionSource::kPreset;
+    sources.push_back(bone.kind == BoneKind::kSimulated ? of_bone : MotionSource::kRigid);
+  }
+  return sources;
+}
+
 std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
                                           std::span<const PatchOverride> of_chain, Findings& findings) {
   if (skeleton.chains.empty()) return {};
@@ -126,9 +165,9 @@ std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skele
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     const SkeletonBone& bone = skeleton.bones[b];
     const bool is_alone = bone.chain < of_chain.size() && of_chain[bone.chain].is_of_motion();
-    records.push_back(is_alone ? record_of(skeleton, bone, joints[b], recipe_of(recipe, of_chain[bone.chain]),
-                                           of_chain[bone.chain])
-                               : record_of(skeleton, bone, joints[b], recipe, {}));
+    records.push_back(
+        is_alone ? record_of(skeleton, bone, joints[b], recipe_of(recipe, of_chain[bone.chain]), of_chain[bone.chain])
+                 : record_of(skeleton, bone, joints[b], recipe, {}));
   }
   report_sources(joints, skeleton.simulated_count(), recipe, findings);
   warn_of_lost_settings(source, joints, findings);

@@ -44,6 +44,8 @@
 
 namespace coif {
 
+inline constexpr double kGravity = 9.81;  ///< m/s^2
+
 inline constexpr double kSpringRate = 60;  ///< Frames per second at which spring bones have their look.
 
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
@@ -64,10 +66,21 @@ inline constexpr double kUsualTorsion = 20;
 /// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
 [[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
 
+/// Who says how a bone moves.
+enum class MotionSource { kRigid, kSpring, kCurve, kPreset };
+
+/// One for each bone.
+[[nodiscard]] std::vector<MotionSource> motion_sources(const SourceModel& source, const Skeleton& skeleton,
+                                                       const Recipe& recipe, std::span<const PatchOverride> of_chain);
+
+/// By how much the bones that a preset moves are damped, of what would keep them from swinging past their rest; one each.
+[[nodiscard]] std::vector<double> said_damping_ratios(const Skeleton& skeleton, const Recipe& recipe,
+                                                      std::span<const PatchOverride> of_chain);
+
 /// How each bone moves, one record each, hit radii 0; none where nothing is simulated: as the file's spring bones say or by
 /// the recipe's curves, as "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of
 /// one bone has the mean and not the tip's value. `of_chain`, empty or one for each chain, is what the recipe says of its
-/// motion alone. Notes how many have springs; warns of what springs lose.
+/// motion alone. Bones that a preset moves are left without stiffness (bake_natural_dynamics()). Notes how many have springs; warns of what springs lose.
 [[nodiscard]] std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
                                                         const Recipe& recipe, std::span<const PatchOverride> of_chain,
                                                         Findings& findings);

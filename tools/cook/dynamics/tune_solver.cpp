@@ -90,7 +90,9 @@ class Bench {
     QualityRecord row{};
     row.frame_rate = float(rate);
     row.substeps = parts;
-    row.cost = float(nominal_cost(bones_, parts) + nominal_twist_cost(twisting_, parts));
+    const bool is_passive = rig_.model == ChainModel::kPassive;
+    const double model_cost = is_passive ? nominal_passive_cost(bones_, parts) : nominal_twist_cost(twisting_, parts);
+    row.cost = float(nominal_cost(bones_, parts) + model_cost);
     // What did not stay finite is as wrong as can be written down, and not right for comparing false.
     const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
     for (std::size_t m = 0; m < errors.size(); ++m) {

@@ -21,13 +21,15 @@ void Findings::append(const Findings& later) {
 
 namespace {
 
-/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, and of a twist's
-/// share of that, scalar, on a 2.1 GHz server core. A yardstick, not a promise: it stays, so that budgets and bytes do.
-constexpr double kFrameCost = 45, kPartCost = 105, kTwistCost = 25;
+/// Nanoseconds per bone, single core: of a frame (matrices, the head's path), of each part of its step, of a twist's share of
+/// that, and of what the passive model takes on top, scalar, on a 2.1 GHz server core. A yardstick, not a promise: it stays, so that budgets and bytes do.
+constexpr double kFrameCost = 45, kPartCost = 105, kTwistCost = 25, kPassiveCost = 155;
 
 }  // namespace
 
 double nominal_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * (kFrameCost + kPartCost * parts); }
+
+double nominal_passive_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * kPassiveCost * parts; }
 
 double nominal_twist_cost(std::size_t bones, std::uint32_t parts) { return double(bones) * kTwistCost * parts; }
 

@@ -59,12 +59,16 @@ struct Recipe {
   // strands
   std::string strand_root;  ///< "auto", "low_u", "high_u", "low_v" or "high_v".
   // dynamics
-  std::string dynamics_source;  ///< "auto", "curves" or "springs".
-  std::vector<CurvePoint> resistance;
-  double friction = 0;
+  std::string dynamics_source;         ///< "auto", "curves" or "springs".
+  std::string dynamics_preset;         ///< "natural", "stiff", "heavy", "bouncy" or "wet".
+  std::string dynamics_model;          ///< "auto", "cascade" or "passive".
+  std::optional<double> liveliness;    ///< 0..1; none: the preset's.
+  std::vector<CurvePoint> resistance;  ///< Empty: by the preset.
+  std::optional<double> friction;      ///< 1/s; none: the preset's, or 2 beside a resistance.
+  bool sags = false;
   double gravity_scale = 0;
   double authoring_rate = 0;
-  double damping_ratio = 0;
+  std::optional<double> damping_ratio;  ///< None: the preset's, or at least 1 beside a resistance or spring.
   std::string conditioning;       ///< "auto" or "off".
   std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;         ///< Degrees.

@@ -68,7 +68,7 @@ Outcome read(const RecipeKey&, const json& value, std::vector<std::string>& out)
 
 Outcome read(const RecipeKey& key, const json& value, std::vector<CurvePoint>& out) {
   const std::string what = "points [place 0..1, value " + number_range(key) + "] with ascending places";
-  if (!value.is_array() || value.empty()) return wants(what, value);
+  if (!value.is_array()) return wants(what, value);
   std::vector<CurvePoint> points;
   for (const json& item : value) {
     const bool pair = item.is_array() && item.size() == 2 && item[0].is_number() && allowed(key, item[1]);
