@@ -188,7 +188,7 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
       measure(stress, asset, kMostBones, *solvers, progress, report);
       continue;
     }
-    const StressAsset made(*stress.rig);
+    const StressAsset made(*stress.rig, rig_of(asset).model);
     if (made.is_open()) {
       measure(stress, made.asset(), kMaxBones, *solvers, progress, report);
     } else {

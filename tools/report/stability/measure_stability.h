@@ -33,7 +33,8 @@ struct StressRig {
 class StressAsset {
  public:
   /// Simulates as cooked hair does: stiffness from the resistance, damped to critical or more.
-  explicit StressAsset(const StressRig& rig);
+  /// `model`: which moves it.
+  explicit StressAsset(const StressRig& rig, ChainModel model = ChainModel::kCascade);
 
   /// False where the format does not allow such a rig.
   [[nodiscard]] bool is_open() const { return asset().is_open(); }

@@ -52,8 +52,9 @@ ColliderRecord head_sphere(double radius) {
 /// Adds the chains one by one.
 class StressContents {
  public:
-  explicit StressContents(const StressRig& rig) : rig_(rig) {
+  StressContents(const StressRig& rig, ChainModel model) : rig_(rig) {
     contents_.skeleton.head_rotation[3] = 1;
+    if (model == ChainModel::kPassive) contents_.skeleton.flags |= kSkeletonPassive;
     contents_.bones.push_back(rigid_head());
     contents_.dynamics.push_back(dynamics_of(rig, 0));
     contents_.colliders.push_back(head_sphere(rig.head_radius));
@@ -128,6 +129,6 @@ class StressContents {
 
 }  // namespace
 
-StressAsset::StressAsset(const StressRig& rig) : opened_(StressContents(rig).make()) {}
+StressAsset::StressAsset(const StressRig& rig, ChainModel model) : opened_(StressContents(rig, model).make()) {}
 
 }  // namespace coif
