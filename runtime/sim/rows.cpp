@@ -82,25 +82,7 @@ std::uint8_t levels_of(const Asset& asset, std::uint32_t bone) {
   return asset.lod_bones().empty() ? std::uint8_t(kMaxLods) : asset.lod_bones()[bone];
 }
 
-/// See BoneLanes::carried.
-float carried_inertia(const Asset& asset, const ChainRecord& chain, std::uint32_t bone) {
-  const float* const start = asset.bones()[bone].joint;
-  double sum = 0;
-  for (std::uint32_t b = bone; b < chain.first_bone + chain.bone_count; ++b) {
-    std::uint32_t above = b;
-    while (above > bone && above != kNone) above = asset.bones()[above].parent;
-    if (above != bone) continue;
-    const BoneRecord& record = asset.bones()[b];
-    for (int k = 0; k < 3; ++k) {
-      const double arm =
-          double(record.joint[k]) + double(record.rest_direction[k]) * double(record.length) - double(start[k]);
-      sum += double(record.length) * arm * arm;
-    }
-  }
-  return float(sum);
-}
-
-void set_constants(const Asset& asset, std::uint32_t bone, float carried, std::uint32_t lane, BoneLanes& lanes) {
+void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, BoneLanes& lanes) {
   const BoneRecord& record = asset.bones()[bone];
   const DynamicsRecord& dynamics = asset.dynamics()[bone];
   const float* const rest = record.rest_direction;
@@ -119,7 +101,6 @@ void set_constants(const Asset& asset, std::uint32_t bone, float carried, std::u
   lanes.parent_share.v[lane] = dynamics.parent_share;
   lanes.torsion.v[lane] = dynamics.torsion;
   lanes.resistance.v[lane] = dynamics.resistance;
-  lanes.carried.v[lane] = carried;
   lanes.colliders[lane] = record.colliders & existing_colliders(asset);
   lanes.levels[lane] = levels_of(asset, bone);
 }
@@ -130,20 +111,60 @@ void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& sha
   shape.parent = parent_in_chain(asset.bones(), asset.chains()[row.first_chain], i);
   if (shape.parent < 0) shape.features |= kRowHangsFromHead;
   shape.fewest_levels = kMaxLods;
-  std::uint32_t last = kNone;
-  float carried = 0;
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     const std::uint32_t bone = bone_in_lane(asset, row, i, lane);
     const std::uint8_t levels = levels_of(asset, bone);
-    if (lane == 0 || bone != last) carried = carried_inertia(asset, chain_in_lane(asset, row, lane), bone);
-    last = bone;
-    set_constants(asset, bone, carried, lane, constants);
+    set_constants(asset, bone, lane, constants);
     shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
     shape.colliders |= constants.colliders[lane];
     if (levels < shape.fewest_levels) shape.fewest_levels = levels;
     if (levels > shape.most_levels) shape.most_levels = levels;
   }
   if (shape.colliders == 0) shape.features &= ~std::uint32_t(kRowCollides);
+}
+
+/// What hangs from a bone's start, at rest, for bones of a kilogram a metre, each at its end: mass, and its moments about that
+/// place.
+struct Hanging {
+  double mass = 0, first[3] = {}, second = 0;
+
+  /// Adds what has these moments about the start `to` to those about `from`. Steps from bone to bone: nothing cancels, however
+  /// far hair is from the origin.
+  void add(const Hanging& other, const Vec3& to, const Vec3& from) {
+    const double way[3] = {double(to.x) - double(from.x), double(to.y) - double(from.y), double(to.z) - double(from.z)};
+    for (int k = 0; k < 3; ++k) {
+      first[k] += other.first[k] + other.mass * way[k];
+      second += way[k] * (2 * other.first[k] + other.mass * way[k]);
+    }
+    mass += other.mass;
+    second += other.second;
+  }
+};
+
+/// Fills BoneLanes::carried, from the tips upwards. On the way no more sums are open than bones are on the way down.
+void find_carried(std::span<const RowBone> bones, std::uint32_t lane, std::span<BoneLanes> constants) {
+  Hanging from_start[kMaxOpenBones];
+  for (std::size_t i = bones.size(); i-- > 0;) {
+    const RowBone& bone = bones[i];
+    BoneLanes& lanes = constants[i];
+    Hanging all;
+    if (bone.children != 0) {
+      all = from_start[bone.slot];
+      from_start[bone.slot] = {};
+    }
+    const Vec3 start = coif::lane(lanes.joint, lane), rest = coif::lane(lanes.rest, lane);
+    const double length = double(lanes.length.v[lane]);
+    const double way[3] = {length * double(rest.x), length * double(rest.y), length * double(rest.z)};
+    all.mass += length;
+    for (int k = 0; k < 3; ++k) {
+      all.first[k] += length * way[k];
+      all.second += length * way[k] * way[k];
+    }
+    lanes.carried.v[lane] = float(all.second);
+    if (bone.parent < 0) continue;
+    const Vec3 above = coif::lane(constants[std::size_t(bone.parent)].joint, lane);
+    from_start[bone.parent_slot].add(all, start, above);
+  }
 }
 
 }  // namespace
@@ -175,7 +196,11 @@ void make_rows(const Asset& asset, LaneOrder order, std::span<Row> rows, std::sp
     for (std::uint32_t i = 0; i < row.bone_count; ++i) {
       make_bone(asset, row, i, bones[next_bone + i], constants[next_bone + i]);
     }
-    assign_slots(bones.subspan(next_bone, row.bone_count));
+    const auto of_row = bones.subspan(next_bone, row.bone_count);
+    assign_slots(of_row);
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      find_carried(of_row, lane, constants.subspan(next_bone, row.bone_count));
+    }
     next_bone += row.bone_count;
   });
 }

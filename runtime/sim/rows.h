@@ -39,15 +39,10 @@ struct RowCount {
 void make_rows(const Asset& asset, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
                std::span<BoneLanes> constants);
 
-/// The chain of the asset that stands in `lane` of a row; the first lane's for kHeads.
-[[nodiscard]] inline const ChainRecord& chain_in_lane(const Asset& asset, const Row& row, std::uint32_t lane) {
-  return asset.chains()[row.first_chain + (lane < row.chain_count ? lane : 0)];
-}
-
-/// And the bone.
+/// The bone of the asset that stands in `lane` of a row's bone; the first lane's for kHeads.
 [[nodiscard]] inline std::uint32_t bone_in_lane(const Asset& asset, const Row& row, std::uint32_t bone,
                                                 std::uint32_t lane) {
-  return chain_in_lane(asset, row, lane).first_bone + bone;
+  return asset.chains()[row.first_chain + (lane < row.chain_count ? lane : 0)].first_bone + bone;
 }
 
 }  // namespace coif
