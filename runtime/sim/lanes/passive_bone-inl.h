@@ -2,6 +2,8 @@
 // between the walks along its chain, and the algebra of those. Masses in kilograms for bones of one a metre, world axes.
 // Compiled once per instruction set.
 
+#include <new>
+
 #include "../passive_method.h"
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
@@ -130,6 +132,8 @@ struct PassiveLinks {
 /// Nothing of it outlives a step.
 template <class D>
 struct PassiveBone {
+  HWY_INLINE PassiveBone() { new (static_cast<void*>(&below)) PassiveBelow<D>; }
+
   Carrier<D> tail;
   V3<D> direction, arc;  ///< The bone's, and where it would rest.
   V<D> per_fold;
@@ -138,7 +142,7 @@ struct PassiveBone {
   V3<D> side[2];       ///< A turn y brings the direction to side[0] y[0] + side[1] y[1].
   union {
     PassiveBelow<D> below;
-    PassiveLinks<D> links;  ///< When `below` has done its work.
+    PassiveLinks<D> links;  ///< When `below` has done its work, begun by link().
   };
   /// Its turns y solve H y + by_start p + wanted = coupled from_parent y', where its start goes by p and its parent turns by y'.
   V3<D> by_start[2];
@@ -155,6 +159,12 @@ struct PassiveBone {
     below.inertia = {inertia, zero, zero, inertia, zero, inertia};
     below.coupling[0] = below.coupling[1] = below.load = below.torque = none;
     below.stiff[0] = below.stiff[1] = below.stiff[2] = below.turn[0] = below.turn[1] = zero;
+  }
+
+  /// Nothing is linked to it yet.
+  HWY_INLINE void link(D d, V<D> inertia) {
+    new (static_cast<void*>(&links)) PassiveLinks<D>;
+    links.clear(d, inertia);
   }
 
   /// In these lanes it weighs nothing and keeps its rest direction.

@@ -89,7 +89,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, hn::Mul(along, bent.per_fold));
   bone.tail.position = add_scaled(d_, from.position, in_head, length);
   copy(d_, bent.frame, bone.tail.frame);
-  bone.links.clear(d_, length);
+  bone.link(d_, length);
 }
 
 /// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part of its
