@@ -28,10 +28,6 @@ Terms terms_of(double from_velocity, double from_load, double from_bend, double 
   return terms;
 }
 
-void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
-  for (std::uint32_t i = to.begin; i < to.end; ++i) lanes.v[i] = float(value);
-}
-
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float length, const CoefficientLanes& to) {
   const double friction = double(dynamics.friction) * double(step.scale.friction), dt = double(step.dt);
   const double damping = double(dynamics.damping) * double(step.scale.damping) + friction;

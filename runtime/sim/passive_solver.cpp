@@ -7,10 +7,6 @@ namespace {
 
 PassiveState* state_of(const ChainLane& chain) { return static_cast<PassiveState*>(chain.state); }
 
-void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
-  for (std::uint32_t i = to.begin; i < to.end; ++i) lanes.v[i] = float(value);
-}
-
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float, const CoefficientLanes& to) {
   const double stiffness = double(dynamics.stiffness) * double(step.scale.stiffness);
   const double damping = double(dynamics.damping) * double(step.scale.damping);

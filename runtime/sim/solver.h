@@ -33,6 +33,10 @@ struct CoefficientLanes {
   std::uint32_t begin = 0, end = 0;
 };
 
+inline void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
+  for (std::uint32_t i = to.begin; i < to.end; ++i) lanes.v[i] = float(value);
+}
+
 struct Solver {
   /// Set where the asset says which solver moves it; then nothing else is.
   const Solver* (*for_asset)(const Asset& asset) = nullptr;
@@ -41,7 +45,7 @@ struct Solver {
   std::size_t coefficient_bytes = 0;  ///< Per bone of a row.
   std::size_t scratch_bytes = 0;      ///< Per bone of the longest row, for each block,
   std::uint32_t scratch_from = 0;     ///< if that has more bones than this.
-  bool carries_frames = false;            ///< Bones may twist.
+  bool carries_frames = false;        ///< Bones may twist.
   bool has_substeps = false;
 
   RowFunction* (*row_code)(InstructionSet set) = nullptr;
@@ -77,8 +81,8 @@ struct PoseResponse {
   double velocity_from_offset;    ///< 1/s
   double velocity_from_velocity;  ///< 1
   double velocity_from_bend;      ///< 1/s
-  double
-      velocity_per_offset;  ///< 1/s: what a constant force that moves the particle by 1 m leaves behind; within 2/dt.
+  /// 1/s: what a constant force that moves the particle by 1 m leaves behind; within 2/dt.
+  double velocity_per_offset;
 };
 
 /// `stiffness` 1/s^2, `damping` 1/s, both >= 0; `dt` seconds, > 0.

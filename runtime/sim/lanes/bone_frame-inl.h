@@ -65,6 +65,15 @@ HWY_INLINE Bent<D> bend(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>
   return bent;
 }
 
+/// How fast the frame that bend() makes turns about its own direction `to`, 1/s; without memory. `from` and `to` in the axes of
+/// the parent's angular velocity and of the bone's `swing`, which is across `to`.
+template <class D>
+HWY_INLINE V<D> spin_of_arc(D d, const V3<D>& from, const V3<D>& to, const V3<D>& angular_velocity, const V3<D>& swing,
+                            V<D> per_fold) {
+  const auto along = dot(d, add(d, from, to), angular_velocity);
+  return hn::Mul(hn::Sub(along, dot(d, from, swing)), per_fold);
+}
+
 /// The frame turned about the unit vector `axis` by the angle with this sine and this 1 - cosine.
 template <class D>
 HWY_INLINE V3<D> twisted(D d, const V3<D>& v, const V3<D>& axis, V<D> sine, V<D> versine) {

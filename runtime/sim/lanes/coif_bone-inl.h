@@ -97,6 +97,23 @@ HWY_INLINE void keep_in_limit(D d, V<D> cosine, const V3<D>& by_parent, const Ta
   now.velocity = choose<D>(is_over, velocity, now.velocity);
 }
 
+/// Where the levels of detail that simulate the bone end.
+template <class D>
+HWY_INLINE hn::Mask<D> is_rigid(D d, const RowStep& row, std::size_t bone, std::size_t lane) {
+  const hn::Rebind<std::int32_t, D> di;
+  const auto levels = hn::ConvertTo(d, hn::Load(di, row.constants[bone].levels + lane));
+  return hn::Le(levels, hn::Set(d, float(row.level)));
+}
+
+/// There it keeps its rest direction in its parent's frame: `arm`, and `by_parent` in head space.
+template <class D>
+HWY_INLINE void stay_rigid(D d, hn::Mask<D> rigid, const Carrier<D>& from, const V3<D>& by_parent, const V3<D>& arm,
+                           V<D> length, BoneMotion<D>& now, V3<D>& direction) {
+  now.direction = choose<D>(rigid, arm, now.direction);
+  now.velocity = choose<D>(rigid, scale(d, cross(d, from.angular_velocity, arm), length), now.velocity);
+  direction = choose<D>(rigid, by_parent, direction);
+}
+
 /// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the step.
 template <class D>
 HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,

@@ -120,25 +120,10 @@ class CoifChain {
     return keep_length(d_, free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
-  /// Levels of detail: where the bone is not simulated it keeps its rest direction in its parent's frame.
-  HWY_INLINE void stay_rigid(const BoneLanes& bone, const Carrier<D>& from, const Target<D>& target, V<D> length,
-                             BoneMotion<D>& now, V3<D>& direction) const {
-    const hn::Rebind<std::int32_t, D> di;
-    const auto levels = hn::ConvertTo(d_, hn::Load(di, bone.levels + lane_));
-    const auto is_rigid = hn::Le(levels, hn::Set(d_, float(row_.level)));
-    const V3<D> arm = rotate(d_, turn_, target.by_parent);
-    now.direction = choose<D>(is_rigid, arm, now.direction);
-    now.velocity = choose<D>(is_rigid, scale(d_, cross(d_, from.angular_velocity, arm), length), now.velocity);
-    direction = choose<D>(is_rigid, target.by_parent, direction);
-  }
-
-  /// Section 5, without memory: how fast the frame that the shortest arc makes turns about its own direction.
-  HWY_INLINE V<D> spin_of_arc(const RowBone& shape, const Carrier<D>& from, const Target<D>& target,
-                              const BoneMotion<D>& now, const V3<D>& swing, V<D> per_fold) const {
-    const V3<D> arm =
-        (shape.features & (kRowSharesPull | kRowLeans)) ? rotate(d_, turn_, target.by_parent) : target.arm;
-    const auto along = dot(d_, add(d_, arm, now.direction), from.angular_velocity);
-    return hn::Mul(hn::Sub(along, dot(d_, arm, swing)), per_fold);
+  /// The rest direction in the parent's frame, world axes.
+  HWY_INLINE V3<D> arm_at_rest(const RowBone& shape, const Target<D>& target) const {
+    const bool is_target = (shape.features & (kRowSharesPull | kRowLeans)) == 0;
+    return is_target ? target.arm : rotate(d_, turn_, target.by_parent);
   }
 
   const D d_;
@@ -179,7 +164,10 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
   if (shape.features & kRowCollides)
     keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
-  if (row_.level >= shape.fewest_levels) stay_rigid(bone, from, target, length, now, direction);
+  if (row_.level >= shape.fewest_levels) {
+    const V3<D> arm = rotate(d_, turn_, target.by_parent);
+    stay_rigid(d_, is_rigid(d_, row_, i, lane_), from, target.by_parent, arm, length, now, direction);
+  }
 
   const V3<D> rest = load(d_, bone.rest, lane_);
   Bent<D> bent = bend(d_, from.frame, rest, target.by_parent, direction);
@@ -190,7 +178,8 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
         twist(d_, rest, direction, load(d_, bone.torsion, lane_), row_.dt, row_.twist[i], lane_, bent);
     spin = hn::Sub(dot(d_, now.direction, from.angular_velocity), unwinding);
   } else if (shape.features & kRowHasChildren) {
-    spin = spin_of_arc(shape, from, target, now, swing, bent.per_fold);
+    // Section 5, without memory.
+    spin = spin_of_arc(d_, arm_at_rest(shape, target), now.direction, from.angular_velocity, swing, bent.per_fold);
   }
   store(d_, now.direction, state.direction, lane_);
   store(d_, target.arm, state.arm, lane_);

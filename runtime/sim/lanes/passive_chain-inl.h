@@ -21,14 +21,14 @@ namespace HWY_NAMESPACE {
 template <class D>
 class PassiveChain {
  public:
-  PassiveChain(D d, const RowStep& row, std::size_t lane, PassiveBone<D>* bones)
+  PassiveChain(D d, const PassiveMethod& method, const RowStep& row, std::size_t lane, PassiveBone<D>* bones)
       : d_(d),
         row_(row),
         coefficients_(static_cast<const PassiveCoefficients*>(row.coefficients)),
         state_(static_cast<PassiveState*>(row.state)),
         bones_(bones),
         lane_(lane),
-        method_(d, PassiveMethod(double(row.dt))),
+        method_(d, method),
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)) {
@@ -38,8 +38,10 @@ class PassiveChain {
 
   HWY_INLINE void run() {
     const std::size_t count = row_.bones.size();
-    for (std::size_t i = 0; i < count; ++i) guess(i);
-    for (std::size_t i = 0; i < count; ++i) find_forces(i);
+    for (std::size_t i = 0; i < count; ++i) {
+      guess(i);
+      find_forces(i);
+    }
     for (std::size_t i = count; i-- > 0;) eliminate(i);
     for (std::size_t i = 0; i < count; ++i) turn_bone(i);
     for (std::size_t i = 0; i < count; ++i) settle(i);
@@ -56,16 +58,11 @@ class PassiveChain {
   /// What the bone hangs from.
   HWY_INLINE const Carrier<D>& carrier_of(std::size_t i) {
     if (!is_first(i)) return parent_of(i).tail;
-    joint_on_head(d_, row_, lane_, turn_, load(d_, row_.constants[i].joint, lane_), joint_);
+    if (i != joint_of_) joint_on_head(d_, row_, lane_, turn_, load(d_, row_.constants[i].joint, lane_), joint_);
+    joint_of_ = i;
     return joint_;
   }
 
-  /// Where the levels of detail that simulate the bone end.
-  [[nodiscard]] HWY_INLINE hn::Mask<D> is_rigid(std::size_t i) const {
-    const hn::Rebind<std::int32_t, D> di;
-    const auto levels = hn::ConvertTo(d_, hn::Load(di, row_.constants[i].levels + lane_));
-    return hn::Le(levels, hn::Set(d_, float(row_.level)));
-  }
   [[nodiscard]] HWY_INLINE bool any_rigid(std::size_t i) const { return row_.level >= row_.bones[i].fewest_levels; }
 
   HWY_INLINE void guess(std::size_t i);
@@ -93,6 +90,7 @@ class PassiveChain {
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
+  std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
 };
 
@@ -136,7 +134,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));
   bone.find_sides(d_);
   bend_towards_rest(i, from, bone);
-  if (any_rigid(i)) bone.be_rigid(d_, is_rigid(i));
+  if (any_rigid(i)) bone.be_rigid(d_, is_rigid(d_, row_, i, lane_));
 }
 
 /// The torque of the bending between the bone and what it hangs from, which is that of a potential, and of its damping.
@@ -153,14 +151,14 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   bone.per_fold = hn::Div(one, hn::Max(unfolded, hn::Set(d_, kLeastUnfolded)));
 
   const V3<D> swing = scale(d_, cross(d_, bone.direction, sub(d_, bone.tail.velocity, from.velocity)), per_length);
-  const auto along = dot(d_, add(d_, bone.arc, bone.direction), from.angular_velocity);
-  const auto spin = hn::Mul(hn::Sub(along, dot(d_, bone.arc, swing)), bone.per_fold);
+  const auto spin = spin_of_arc(d_, bone.arc, bone.direction, from.angular_velocity, swing, bone.per_fold);
   bone.tail.angular_velocity = add_scaled(d_, swing, bone.direction, spin);
 
   const auto stiffness = hn::Mul(load(d_, c.stiffness, lane_), carried);
   const auto damping = hn::Mul(load(d_, c.damping, lane_), carried);
-  const V3<D> unbent = load(d_, constants.pull, lane_);
-  const V3<D> arm = rotate(d_, turn_, rotate(d_, from.frame, unbent));
+  const bool leans = (row_.bones[i].features & kRowLeans) != 0;
+  const V3<D> unbent = leans ? load(d_, constants.pull, lane_) : rest;
+  const V3<D> arm = leans ? rotate(d_, turn_, rotate(d_, from.frame, unbent)) : bone.arc;
   const V3<D> pull = scale(d_, cross(d_, bone.direction, arm), stiffness);
   bone.firm = hn::Mul(load(d_, c.firm, lane_), carried);
   bone.coupled = bone.firm;

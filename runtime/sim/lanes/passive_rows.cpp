@@ -27,6 +27,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
+  const V3<D> arm = rotate(d_, turn_, by_parent);
   // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
   BoneMotion<D> now{direction, sub(d_, pace.velocity, from.velocity)};
   if (!is_first(i)) {
@@ -36,22 +37,19 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   auto held = hn::Lt(length, hn::Zero(d_));
   if (shape.features & kRowHasLimit) {
     Target<D> target;
-    target.arm = rotate(d_, turn_, by_parent);
-    target.velocity = scale(d_, cross(d_, from.angular_velocity, target.arm), length);
+    target.arm = arm;
+    target.velocity = scale(d_, cross(d_, from.angular_velocity, arm), length);
     const auto cosine = load(d_, constants.limit_cosine, lane_);
-    held = hn::Lt(dot(d_, now.direction, target.arm), cosine);
-    keep_in_limit(d_, cosine, target.arm, target, now);
+    held = hn::Lt(dot(d_, now.direction, arm), cosine);
+    keep_in_limit(d_, cosine, arm, target, now);
   }
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
   if (shape.features & kRowCollides) {
     held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, in_head));
   }
   if (any_rigid(i)) {
-    const auto rigid = is_rigid(i);
-    const V3<D> arm = rotate(d_, turn_, by_parent);
-    now.direction = choose<D>(rigid, arm, now.direction);
-    now.velocity = choose<D>(rigid, scale(d_, cross(d_, from.angular_velocity, arm), length), now.velocity);
-    in_head = choose<D>(rigid, by_parent, in_head);
+    const auto rigid = is_rigid(d_, row_, i, lane_);
+    stay_rigid(d_, rigid, from, by_parent, arm, length, now, in_head);
     held = hn::Or(held, rigid);
   }
   const V3<D> end_velocity = add(d_, from.velocity, now.velocity);
@@ -73,23 +71,22 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
-  const V3<D> arm = rotate(d_, turn_, by_parent);
-  const auto along = hn::Sub(dot(d_, add(d_, arm, now.direction), from.angular_velocity), dot(d_, arm, swing));
+  const auto spin = spin_of_arc(d_, arm, now.direction, from.angular_velocity, swing, bent.per_fold);
   if (row_.palette != nullptr) {
     store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i, used_);
   }
   bone.shift = scale(d_, sub(d_, now.direction, direction), length);
   if (!is_first(i)) bone.shift = add(d_, bone.shift, parent_of(i).shift);
+  bone.link(d_, length);
   bone.links.start_velocity = from.velocity;
   bone.direction = now.direction;
   bone.load = scale(
       d_, sub_scaled(d_, pace.acceleration, same(d_, row_.gravity), load(d_, coefficients_[i].gravity_scale, lane_)),
       length);
   bone.tail.velocity = end_velocity;
-  bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, hn::Mul(along, bent.per_fold));
+  bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
   bone.tail.position = add_scaled(d_, from.position, in_head, length);
   copy(d_, bent.frame, bone.tail.frame);
-  bone.link(d_, length);
 }
 
 /// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part of its
@@ -163,7 +160,8 @@ namespace {
 
 template <class D>
 HWY_NOINLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
-  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) PassiveChain<D>(d, row, lane, bones).run();
+  const PassiveMethod method{double(row.dt)};
+  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) PassiveChain<D>(d, method, row, lane, bones).run();
 }
 
 template <class D>
