@@ -4,7 +4,7 @@ namespace coif {
 namespace {
 
 const Solver* solver_of(const Asset& asset) {
-  return (asset.skeleton().flags & kSkeletonPassive) != 0 ? &kPassiveSolver : &kCascadeSolver;
+  return is_passive(asset.skeleton()) ? &kPassiveSolver : &kCascadeSolver;
 }
 
 }  // namespace

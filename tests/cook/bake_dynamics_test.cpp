@@ -1,6 +1,6 @@
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/built_models.h"
-#include "cook/dynamics/natural_dynamics.h"
+#include "cook/recipe/hair_preset.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/select_hair.h"
 #include "write/pose_oscillator.h"
@@ -37,7 +37,7 @@ Skeleton chain_of(std::uint32_t bones) {
 std::vector<DynamicsRecord> records_of(const Skeleton& skeleton) {
   Recipe recipe = default_recipe();
   recipe.resistance = {{0, 0.35}, {1, 0.06}};
-  return bake_dynamics(SourceModel(), skeleton, recipe, {}, unheard());
+  return bake_dynamics(SourceModel(), skeleton, recipe, {}, unheard()).records;
 }
 
 TEST(BakeDynamics, ResistanceFallsFromRootToTip) {
@@ -133,7 +133,7 @@ TEST(BuildSkeleton, AFirstBoneThatASpringTurnsIsNoScalp) {
 }
 
 Told<std::vector<DynamicsRecord>> baked(const SourceModel& model, const Recipe& recipe = default_recipe()) {
-  return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, {}, findings); });
+  return told([&](Findings& findings) { return bake_dynamics(model, wig_skeleton(), recipe, {}, findings).records; });
 }
 
 TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
@@ -143,17 +143,29 @@ TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
   const Skeleton skeleton =
       *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
   Recipe recipe = default_recipe();
-  const auto of = [&] { return motion_sources(model, skeleton, recipe, {}); };
+  std::vector<PatchOverride> of_chain;
+  const auto of = [&] { return bake_dynamics(model, skeleton, recipe, of_chain, unheard()).sources; };
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kSpring), std::ptrdiff_t(skeleton.simulated_count()));
   recipe.dynamics_source = "curves";
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()));
   recipe.resistance = {{0, 0.3}};
   EXPECT_EQ(std::ranges::count(of(), MotionSource::kCurve), std::ptrdiff_t(skeleton.simulated_count()));
-  PatchOverride own;
-  own.resistance = std::vector<CurvePoint>{{0, 0.1}};
+  of_chain.emplace_back().resistance = std::vector<CurvePoint>{{0, 0.1}};
   recipe.resistance.clear();
-  EXPECT_EQ(motion_sources(model, skeleton, recipe, std::vector{own})[skeleton.chains[0].first_bone],
-            MotionSource::kCurve);
+  EXPECT_EQ(of()[skeleton.chains[0].first_bone], MotionSource::kCurve);
+}
+
+TEST(MotionSource, OfAChainWhoseOwnResistanceIsEmptyIsThePreset) {
+  const SourceModel model = sprung_wig();
+  const auto hair = select_hair(model, default_recipe(), unheard());
+  const Skeleton skeleton =
+      *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
+  PatchOverride own;
+  own.resistance.emplace();
+  const SaidMotion motion =
+      bake_dynamics(model, skeleton, default_recipe(), std::vector(skeleton.chains.size(), own), unheard());
+  EXPECT_EQ(std::ranges::count(motion.sources, MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()));
+  EXPECT_FLOAT_EQ(motion.records.back().friction, float(preset_of(default_recipe()).friction));
 }
 
 TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {

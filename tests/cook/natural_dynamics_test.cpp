@@ -2,6 +2,8 @@
 
 #include "cook/built_models.h"
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/dynamics/rest_shape.h"
+#include "cook/dynamics/settle_model.h"
 #include "cook/told.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
@@ -217,7 +219,7 @@ TEST(SettleModel, IsAsTheRecipeSaysElsePassiveForPresets) {
     recipe.dynamics_model = model;
     AssetContents contents = strand(2, 0.2f);
     settle_model(recipe, {MotionSource::kRigid, source, source}, ratios, contents, unheard());
-    return is_passive(contents);
+    return is_passive(contents.skeleton);
   };
   EXPECT_TRUE(settled("auto", MotionSource::kPreset));
   EXPECT_FALSE(settled("auto", MotionSource::kCurve));

@@ -106,7 +106,7 @@ Skeleton two_bones() {
 }
 
 std::vector<DynamicsRecord> baked(const Recipe& recipe) {
-  return bake_dynamics(SourceModel(), two_bones(), recipe, {}, unheard());
+  return bake_dynamics(SourceModel(), two_bones(), recipe, {}, unheard()).records;
 }
 
 Recipe curve_recipe() {

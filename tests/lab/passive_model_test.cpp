@@ -128,11 +128,13 @@ TEST(PassiveModel, SoftLivelyHairHasOneMotionAndACascadeHasNone) {
 }
 
 TEST(PassiveModel, WhatAJointCarriesIsAllThatHangsFromIt) {
-  const std::vector<double> carried = carried_inertias(chain(3, 1, 1).bones);
+  const std::vector<Carried> carried = carried_at_rest(chain(3, 1, 1).bones);
   const Vector3d a = 0.1 * Vector3d(0, -1, -0.5).normalized(), c = 0.1 * Vector3d(0, -1, 0.1).normalized();
-  EXPECT_NEAR(carried[2], 0.1 * 0.01, 1e-12);
-  EXPECT_NEAR(carried[1], 0.1 * (0.01 + (a + c).squaredNorm()), 1e-12);
-  EXPECT_NEAR(carried[0], 0.1 * (0.01 + 0.04 + (2 * a + c).squaredNorm()), 1e-12);
+  EXPECT_NEAR(carried[2].inertia, 0.1 * 0.01, 1e-12);
+  EXPECT_NEAR(carried[1].inertia, 0.1 * (0.01 + (a + c).squaredNorm()), 1e-12);
+  EXPECT_NEAR(carried[0].inertia, 0.1 * (0.01 + 0.04 + (2 * a + c).squaredNorm()), 1e-12);
+  EXPECT_NEAR(carried[2].arm, 0.1 * 0.1, 1e-12);
+  EXPECT_NEAR(carried[0].arm, 0.1 * (0.1 + 0.2 + (2 * a + c).norm()), 1e-12);
 }
 
 }  // namespace coif::passive_model_test

@@ -159,7 +159,7 @@ ordered_json summarize(const Asset& asset) {
                           {"settings", dynamics_ranges(asset)},
                           {"quality", quality_json(asset)}};
   if (!asset.chains().empty()) {
-    summary["model"] = (asset.skeleton().flags & kSkeletonPassive) != 0 ? "passive" : "cascade";
+    summary["model"] = is_passive(asset.skeleton()) ? "passive" : "cascade";
   }
   if (asset.tuning() != nullptr) summary["settings"]["tuning"] = tuning_json(asset);
   if (asset.material() != nullptr) {

@@ -3,7 +3,7 @@
 #include "base/work_limit.h"
 #include "cook/cooking.h"
 #include "cook/dynamics/bake_dynamics.h"
-#include "cook/dynamics/natural_dynamics.h"
+#include "cook/dynamics/settle_model.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
@@ -124,22 +124,22 @@ const Pass kPasses[] = {
     {"dynamics",
      [](Cooking& c) -> Done {
        const auto of_chain = chain_overrides(c.hair, c.rig, c.recipe, c.report);
-       c.contents.dynamics = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
+       const SaidMotion said = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
+       c.contents.dynamics = said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
-       settle_model(c.recipe, motion_sources(c.source, c.rig.skeleton, c.recipe, of_chain),
-                    said_damping_ratios(c.rig.skeleton, c.recipe, of_chain), c.contents, c.report);
+       settle_model(c.recipe, said.sources, said.damping_ratios, c.contents, c.report);
        c.moves = can_be_run(c.contents);
        return {};
      }},
     {"conditioning",
      [](Cooking& c) { return keep(condition_chains(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
      [](const Cooking& c) {
-       return c.moves && c.recipe.conditioning != "off" && !c.settings.draft && !is_passive(c.contents);
+       return c.moves && c.recipe.conditioning != "off" && !c.settings.draft && !is_passive(c.contents.skeleton);
      }},
     {"twist",
      [](Cooking& c) { return keep(choose_twist(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) { return c.moves && !c.recipe.torsion && !is_passive(c.contents); }},
+     [](const Cooking& c) { return c.moves && !c.recipe.torsion && !is_passive(c.contents.skeleton); }},
     {"tuning",
      [](Cooking& c) {
        const auto name = [&](ToolError error) { return ToolError{error.kind, c.source.path + ": " + error.message}; };

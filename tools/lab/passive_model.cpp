@@ -29,14 +29,16 @@ const BoneMotion& carrier(std::span<const RigBone> bones, std::size_t i, const H
 
 }  // namespace
 
-std::vector<double> carried_inertias(std::span<const RigBone> bones) {
+std::vector<Carried> carried_at_rest(std::span<const RigBone> bones) {
   std::vector<Vector3d> starts(bones.size()), tails(bones.size());
-  std::vector<double> carried(bones.size(), 0.0);
+  std::vector<Carried> carried(bones.size());
   for (std::size_t i = 0; i < bones.size(); ++i) {
     starts[i] = bones[i].parent < 0 ? bones[i].joint : tails[std::size_t(bones[i].parent)];
     tails[i] = starts[i] + bones[i].length * bones[i].rest_direction;
     for (int up = int(i); up >= 0; up = bones[std::size_t(up)].parent) {
-      carried[std::size_t(up)] += mass_of(bones[i]) * (tails[i] - starts[std::size_t(up)]).squaredNorm();
+      const Vector3d from = tails[i] - starts[std::size_t(up)];
+      carried[std::size_t(up)].inertia += mass_of(bones[i]) * from.squaredNorm();
+      carried[std::size_t(up)].arm += mass_of(bones[i]) * from.norm();
     }
   }
   return carried;
@@ -44,7 +46,7 @@ std::vector<double> carried_inertias(std::span<const RigBone> bones) {
 
 PassiveModel::PassiveModel(std::span<const RigBone> bones)
     : bones_(bones),
-      carried_(carried_inertias(bones)),
+      carried_(carried_at_rest(bones)),
       bends_(bones.size()),
       links_(bones.size()),
       forces_(bones.size()),
@@ -60,8 +62,8 @@ PassiveModel::Bend PassiveModel::bend(std::size_t i, const HeadState& head, cons
   const double share = bone.parent_share;
   const Vector3d by_parent = parent.frame * bone.pull_direction(), by_head = head.rotation * bone.pull_direction();
   const Vector3d base = share * parent.angular_velocity + (1 - share) * head.angular_velocity;
-  const Vector3d drag = bone.damping * carried_[i] * across(motion.angular_velocity - base, bend.direction);
-  const double stiffness = bone.stiffness * carried_[i];
+  const Vector3d drag = bone.damping * carried_[i].inertia * across(motion.angular_velocity - base, bend.direction);
+  const double stiffness = bone.stiffness * carried_[i].inertia;
   const Vector3d of_parent = stiffness * bend.direction.cross(by_parent);
   bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag;
   bend.reaction = share * (of_parent - drag);
@@ -165,7 +167,7 @@ double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std
                           (1 - bone.parent_share) * direction.dot(head.rotation * bone.pull_direction());
     sum += mass_of(bone) *
            (0.5 * motions[i].velocity.squaredNorm() - bone.gravity_scale * scene.gravity.dot(motions[i].end));
-    sum += bone.stiffness * carried_[i] * (1 - cosine);
+    sum += bone.stiffness * carried_[i].inertia * (1 - cosine);
   }
   return sum;
 }

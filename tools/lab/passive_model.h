@@ -11,9 +11,14 @@
 
 namespace coif {
 
-/// Of each bone, about its start and at rest: the moment of inertia of all that hangs from there, kg m^2, where bones weigh a
-/// kilogram a metre, each at its tail. Parents come first.
-[[nodiscard]] std::vector<double> carried_inertias(std::span<const RigBone> bones);
+/// All that hangs from a bone's start, about that, where bones weigh a kilogram a metre, each at its tail.
+struct Carried {
+  double inertia = 0;  ///< kg m^2
+  double arm = 0;      ///< First moment, kg m: what it swings by as a pendulum, with gravity.
+};
+
+/// One for each bone, at rest. Parents come first.
+[[nodiscard]] std::vector<Carried> carried_at_rest(std::span<const RigBone> bones);
 
 /// Forces and motion of bones whose parents come first, one step's scratch included.
 class PassiveModel {
@@ -51,7 +56,7 @@ class PassiveModel {
   Eigen::Vector3d release(std::size_t i, const Eigen::Vector3d& of_start) const;
 
   std::span<const RigBone> bones_;
-  std::vector<double> carried_;
+  std::vector<Carried> carried_;
   std::vector<Bend> bends_;
   std::vector<Links> links_;
   std::vector<Eigen::Vector3d> forces_, torques_;

@@ -59,7 +59,7 @@ Rig rig_of(const Asset& asset) {
     rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
-  if ((asset.skeleton().flags & kSkeletonPassive) != 0) rig.model = ChainModel::kPassive;
+  if (is_passive(asset.skeleton())) rig.model = ChainModel::kPassive;
   find_tips(asset, rig);
   return rig;
 }

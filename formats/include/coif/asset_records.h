@@ -44,6 +44,10 @@ struct SkeletonRecord {
 };
 static_assert(sizeof(SkeletonRecord) == 48);
 
+[[nodiscard]] constexpr bool is_passive(const SkeletonRecord& skeleton) {
+  return (skeleton.flags & kSkeletonPassive) != 0;
+}
+
 enum class BoneKind : std::uint32_t {
   kHead = 0,       ///< Bone 0, and only bone 0: moved by the host.
   kScalp = 1,      ///< Rigid with the head.

@@ -1,7 +1,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 
 #include "base/geometry.h"
-#include "cook/dynamics/natural_dynamics.h"
+#include "cook/recipe/hair_preset.h"
 #include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
@@ -46,26 +46,54 @@ void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record
   record.parent_share = float(recipe.parent_share);
 }
 
-Recipe recipe_of(Recipe recipe, const PatchOverride& said) {
-  said.apply_motion(recipe);
-  return recipe;
-}
+/// Who says how a bone moves.
+struct Sayer {
+  MotionSource source = MotionSource::kRigid;
+  BoneJoint joint;                      ///< Of the file's springs, if any.
+  const PatchOverride* said = nullptr;  ///< Of its chain alone; null: nothing.
+};
 
 /// What is said of a chain alone holds before the file's springs, too.
-DynamicsRecord record_of(const Skeleton& skeleton, const SkeletonBone& bone, const BoneJoint& joint,
-                         const Recipe& recipe, const PatchOverride& said) {
-  const bool by_curve = !joint || said.resistance;
-  DynamicsRecord record =
-      by_curve ? dynamics_by_curve(skeleton, bone, recipe) : dynamics_of_joint(*joint.joint, bone.length());
-  if (said.friction) record.friction = float(*said.friction);
-  if (said.gravity_scale) record.gravity_scale = float(*said.gravity_scale);
-  bake_oscillator(recipe, bone.length(), record);
-  return record;
+MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe) {
+  if (bone.kind != BoneKind::kSimulated) return MotionSource::kRigid;
+  const bool is_alone = sayer.said != nullptr && sayer.said->resistance;
+  if (!is_alone && sayer.joint) return MotionSource::kSpring;
+  const std::vector<CurvePoint>& curve = is_alone ? *sayer.said->resistance : recipe.resistance;
+  return curve.empty() ? MotionSource::kPreset : MotionSource::kCurve;
 }
 
-void report_sources(const std::vector<BoneJoint>& joints, std::size_t simulated, const Recipe& recipe,
+std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+                             std::span<const PatchOverride> of_chain) {
+  std::vector<BoneJoint> joints(skeleton.bones.size());
+  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
+  std::vector<Sayer> sayers;
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    const SkeletonBone& bone = skeleton.bones[b];
+    Sayer sayer{.joint = joints[b]};
+    if (bone.chain < of_chain.size() && of_chain[bone.chain].is_of_motion()) sayer.said = &of_chain[bone.chain];
+    sayer.source = source_of(bone, sayer, recipe);
+    sayers.push_back(sayer);
+  }
+  return sayers;
+}
+
+/// What a bone's recipe, in which what is said of its chain holds, and the file say of it.
+void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe,
+                SaidMotion& motion) {
+  DynamicsRecord record = sayer.source == MotionSource::kSpring ? dynamics_of_joint(*sayer.joint.joint, bone.length())
+                                                                : dynamics_by_curve(skeleton, bone, recipe);
+  if (sayer.said != nullptr && sayer.said->friction) record.friction = float(*sayer.said->friction);
+  if (sayer.said != nullptr && sayer.said->gravity_scale) record.gravity_scale = float(*sayer.said->gravity_scale);
+  bake_oscillator(recipe, bone.length(), record);
+  const double usual = recipe.liveliness ? 1 - *recipe.liveliness : preset_of(recipe).damping_ratio;
+  motion.records.push_back(record);
+  motion.sources.push_back(sayer.source);
+  motion.damping_ratios.push_back(recipe.damping_ratio.value_or(usual));
+}
+
+void report_sources(const std::vector<MotionSource>& sources, std::size_t simulated, const Recipe& recipe,
                     Findings& findings) {
-  const auto by_spring = std::size_t(std::ranges::count_if(joints, [](const BoneJoint& bone) { return bool(bone); }));
+  const auto by_spring = std::size_t(std::ranges::count(sources, MotionSource::kSpring));
   if (by_spring != 0) {
     findings.note(fmt::format("{} of {} simulated bones move by the file's spring bones", by_spring, simulated));
   }
@@ -82,11 +110,12 @@ bool has_sideways_gravity(const SourceSpringJoint& joint) {
 }
 
 /// What of the joints' settings is lost on these bones, one warning for each kind.
-void warn_of_lost_settings(const SourceModel& source, const std::vector<BoneJoint>& joints, Findings& findings) {
+void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> sayers, Findings& findings) {
   const SourceSpring* sideways = nullptr;
   const SourceSpring* centered = nullptr;
-  for (const BoneJoint& bone : joints) {
-    if (!bone) continue;
+  for (const Sayer& sayer : sayers) {
+    if (sayer.source != MotionSource::kSpring) continue;
+    const BoneJoint& bone = sayer.joint;
     if (sideways == nullptr && has_sideways_gravity(*bone.joint)) sideways = bone.spring;
     if (centered == nullptr && bone.spring->center != kNoIndex) centered = bone.spring;
   }
@@ -104,24 +133,7 @@ void warn_of_lost_settings(const SourceModel& source, const std::vector<BoneJoin
   }
 }
 
-/// What is said of a bone's chain alone, in the recipe.
-Recipe recipe_of_chain(const Recipe& recipe, std::span<const PatchOverride> of_chain, std::uint32_t chain) {
-  return chain < of_chain.size() ? recipe_of(recipe, of_chain[chain]) : recipe;
-}
-
 }  // namespace
-
-std::vector<double> said_damping_ratios(const Skeleton& skeleton, const Recipe& recipe,
-                                        std::span<const PatchOverride> of_chain) {
-  std::vector<double> ratios;
-  for (const SkeletonBone& bone : skeleton.bones) {
-    const Recipe said = recipe_of_chain(recipe, of_chain, bone.chain);
-    const HairPreset& preset = preset_of(said);
-    const double usual = said.liveliness ? 1 - *said.liveliness : preset.damping_ratio;
-    ratios.push_back(said.damping_ratio.value_or(usual));
-  }
-  return ratios;
-}
 
 double natural_rate(const DynamicsRecord& record, double length) {
   const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
@@ -138,40 +150,23 @@ double evaluate_curve(std::span<const CurvePoint> curve, double at) {
   return curve.back().value;
 }
 
-std::vector<MotionSource> motion_sources(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
-                                         std::span<const PatchOverride> of_chain) {
-  std::vector<BoneJoint> joints(skeleton.bones.size());
-  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
-  std::vector<MotionSource> sources;
-  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
-    const SkeletonBone& bone = skeleton.bones[b];
-    const bool is_said =
-        bone.chain < of_chain.size() && of_chain[bone.chain].resistance && !of_chain[bone.chain].resistance->empty();
-    const bool by_curve = is_said || (!joints[b] && !recipe.resistance.empty());
-    const MotionSource of_bone = by_curve    ? MotionSource::kCurve
-                                 : joints[b] ? MotionSource::kSpring
-                                             : MotionSource::kPreset;
-    sources.push_back(bone.kind == BoneKind::kSimulated ? of_bone : MotionSource::kRigid);
-  }
-  return sources;
-}
-
-std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
-                                          std::span<const PatchOverride> of_chain, Findings& findings) {
+SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+                         std::span<const PatchOverride> of_chain, Findings& findings) {
   if (skeleton.chains.empty()) return {};
-  std::vector<DynamicsRecord> records;
-  std::vector<BoneJoint> joints(skeleton.bones.size());
-  if (recipe.dynamics_source != "curves") joints = joints_of_bones(source, skeleton);
+  const std::vector<Sayer> sayers = sayers_of(source, skeleton, recipe, of_chain);
+  SaidMotion motion;
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
-    const SkeletonBone& bone = skeleton.bones[b];
-    const bool is_alone = bone.chain < of_chain.size() && of_chain[bone.chain].is_of_motion();
-    records.push_back(
-        is_alone ? record_of(skeleton, bone, joints[b], recipe_of(recipe, of_chain[bone.chain]), of_chain[bone.chain])
-                 : record_of(skeleton, bone, joints[b], recipe, {}));
+    if (sayers[b].said == nullptr) {
+      add_motion(skeleton, skeleton.bones[b], sayers[b], recipe, motion);
+      continue;
+    }
+    Recipe of_bone = recipe;
+    sayers[b].said->apply_motion(of_bone);
+    add_motion(skeleton, skeleton.bones[b], sayers[b], of_bone, motion);
   }
-  report_sources(joints, skeleton.simulated_count(), recipe, findings);
-  warn_of_lost_settings(source, joints, findings);
-  return records;
+  report_sources(motion.sources, skeleton.simulated_count(), recipe, findings);
+  warn_of_lost_settings(source, sayers, findings);
+  return motion;
 }
 
 DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) {

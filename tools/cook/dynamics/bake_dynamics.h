@@ -69,20 +69,19 @@ inline constexpr double kUsualTorsion = 20;
 /// Who says how a bone moves.
 enum class MotionSource { kRigid, kSpring, kCurve, kPreset };
 
-/// One for each bone.
-[[nodiscard]] std::vector<MotionSource> motion_sources(const SourceModel& source, const Skeleton& skeleton,
-                                                       const Recipe& recipe, std::span<const PatchOverride> of_chain);
+/// One of each for every bone of a skeleton; empty where nothing is simulated.
+struct SaidMotion {
+  std::vector<DynamicsRecord> records;  ///< Hit radii 0; bones that a preset moves have no stiffness yet.
+  std::vector<MotionSource> sources;
+  /// What the bones that a preset moves are damped by, of what would keep them from swinging past their rest.
+  std::vector<double> damping_ratios;
+};
 
-/// By how much the bones that a preset moves are damped, of what would keep them from swinging past their rest; one each.
-[[nodiscard]] std::vector<double> said_damping_ratios(const Skeleton& skeleton, const Recipe& recipe,
-                                                      std::span<const PatchOverride> of_chain);
-
-/// How each bone moves, one record each, hit radii 0; none where nothing is simulated: as the file's spring bones say or by
-/// the recipe's curves, as "dynamics.source" has it. By its curve a bone takes the value at its middle, so that a chain of
-/// one bone has the mean and not the tip's value. `of_chain`, empty or one for each chain, is what the recipe says of its
-/// motion alone. Bones that a preset moves are left without stiffness (bake_natural_dynamics()). Notes how many have springs; warns of what springs lose.
-[[nodiscard]] std::vector<DynamicsRecord> bake_dynamics(const SourceModel& source, const Skeleton& skeleton,
-                                                        const Recipe& recipe, std::span<const PatchOverride> of_chain,
-                                                        Findings& findings);
+/// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its curve a
+/// bone takes the value at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
+/// one for each chain, is what the recipe says of its motion alone, before the file's springs. Notes how many have springs;
+/// warns of what springs lose.
+[[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
+                                       std::span<const PatchOverride> of_chain, Findings& findings);
 
 }  // namespace coif

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "cook/recipe/recipe.h"
+
+namespace coif {
+
+/// What "dynamics.preset" means.
+struct HairPreset {
+  const char* name;
+  double bending_length;  ///< Metres.
+  double damping_ratio;
+  double friction;  ///< 1/s, against the air.
+};
+
+[[nodiscard]] const HairPreset& preset_of(const Recipe& recipe);
+
+}  // namespace coif
