@@ -160,7 +160,16 @@ const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone) {
 }
 
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {
-  return call(&coif::Hair::set_head, hair, instance, pose);
+  return call(static_cast<PoseCall>(&coif::Hair::set_head), hair, instance, pose);
+}
+
+coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,
+                                      const coif_head_velocity* velocity) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (pose == nullptr || velocity == nullptr) return COIF_BAD_POSE;
+  const auto vector = [](const float(&v)[3]) { return coif::Vec3{v[0], v[1], v[2]}; };
+  const coif::HeadVelocity its{vector(velocity->linear), vector(velocity->angular)};
+  return code(hair->hair.set_head(instance, pose_of(*pose), its));
 }
 
 coif_status coif_hair_reset(coif_hair* hair, uint32_t instance, const coif_head_pose* pose) {

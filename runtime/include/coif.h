@@ -46,6 +46,12 @@ typedef struct coif_head_pose {
   float rotation[4];
 } coif_head_pose;
 
+/* World axes, m/s and rad/s. */
+typedef struct coif_head_velocity {
+  float linear[3];
+  float angular[3];
+} coif_head_velocity;
+
 typedef struct coif_hair_desc {
   uint32_t instances;
   uint32_t solver; /* coif_solver */
@@ -101,6 +107,9 @@ uint32_t coif_hair_bone_count(const coif_hair* hair);
 const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone);
 
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
+/* The same for a host that knows how fast the head moves when it arrives. */
+coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,
+                                      const coif_head_velocity* velocity);
 coif_status coif_hair_reset(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
 coif_status coif_hair_teleport(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
 coif_status coif_hair_set_detail(coif_hair* hair, uint32_t instance, const coif_detail* detail);

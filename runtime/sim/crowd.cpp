@@ -11,6 +11,7 @@ void stand_still(HeadLanes& heads, std::uint32_t i) {
        {&heads.way, &heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
     set_lane(*vector, i, Vec3{});
   }
+  heads.is_told.v[i] = 0.0f;
   heads.last_dt.v[i] = 0.0f;
   heads.quiet.v[i] = 0.0f;
 }
@@ -66,9 +67,10 @@ void jump(CrowdState& crowd, std::uint32_t slot, float dt) {
   const Quat now = lane(heads.rotation, i);
   const Quat expected = rotation_by(lane(heads.angular_velocity, i) * dt) * now;
   const Quat turn = renormalised(lane(heads.next_rotation, i) * conjugate(expected));
-  for (Lanes3* const velocity :
-       {&heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
-    set_lane(*velocity, i, rotate(turn, lane(*velocity, i)));
+  const auto turn_lane = [&](Lanes3& velocity) { set_lane(velocity, i, rotate(turn, lane(velocity, i))); };
+  for (Lanes3* const velocity : {&heads.velocity, &heads.angular_velocity}) turn_lane(*velocity);
+  if (heads.is_told.v[i] == 0.0f) {
+    for (Lanes3* const velocity : {&heads.mean_velocity, &heads.mean_angular_velocity}) turn_lane(*velocity);
   }
   set_lane(heads.rotation, i, renormalised(turn * now));
   set_lane(heads.way, i, lane(heads.velocity, i) * dt);

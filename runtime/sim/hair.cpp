@@ -88,6 +88,33 @@ bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
          heads.next_position[1][lane] == unit.position[1] && heads.next_position[2][lane] == unit.position[2];
 }
 
+void tell_velocity(HeadLanes& heads, std::uint32_t lane, const HeadVelocity* velocity) {
+  // Who takes back what was told finds the mean before gone.
+  if (velocity == nullptr && heads.is_told.v[lane] != 0.0f) heads.last_dt.v[lane] = 0.0f;
+  heads.is_told.v[lane] = velocity != nullptr ? 1.0f : 0.0f;
+  if (velocity == nullptr) return;
+  set_lane(heads.mean_velocity, lane, velocity->linear);
+  set_lane(heads.mean_angular_velocity, lane, velocity->angular);
+}
+
+/// `velocity` may be null.
+Status move_head(CrowdState* crowd, std::uint32_t instance, const HeadPose& pose, const HeadVelocity* velocity) {
+  Block* block = block_of(crowd, instance);
+  if (block == nullptr) return missing(crowd);
+  const FloatEnvironment plain;
+  HeadPose unit;
+  if (const Status status = normalise_pose(pose, unit); status != Status::kOk) return status;
+  if (velocity != nullptr && !(is_finite(velocity->linear) && is_finite(velocity->angular))) return Status::kBadPose;
+  if (crowd->details[instance].asleep) {
+    if (stays(block->heads, crowd->slots[instance] % kLanes, unit)) return Status::kOk;
+    wake(*crowd, instance);
+    block = block_of(crowd, instance);
+  }
+  aim_head(*block, crowd->slots[instance] % kLanes, unit);
+  tell_velocity(block->heads, crowd->slots[instance] % kLanes, velocity);
+  return Status::kOk;
+}
+
 }  // namespace
 
 MemoryNeed Hair::memory_need(const Asset& asset, const HairDesc& desc) {
@@ -134,18 +161,11 @@ std::uint32_t Hair::instance_count() const { return crowd_ == nullptr ? 0 : crow
 std::uint32_t Hair::bone_count() const { return crowd_ == nullptr ? 0 : crowd_->bone_count(); }
 
 Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
-  Block* block = block_of(crowd_, instance);
-  if (block == nullptr) return missing(crowd_);
-  const FloatEnvironment plain;
-  HeadPose unit;
-  if (const Status status = normalise_pose(pose, unit); status != Status::kOk) return status;
-  if (crowd_->details[instance].asleep) {
-    if (stays(block->heads, crowd_->slots[instance] % kLanes, unit)) return Status::kOk;
-    wake(*crowd_, instance);
-    block = block_of(crowd_, instance);
-  }
-  aim_head(*block, crowd_->slots[instance] % kLanes, unit);
-  return Status::kOk;
+  return move_head(crowd_, instance, pose, nullptr);
+}
+
+Status Hair::set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity) {
+  return move_head(crowd_, instance, pose, &velocity);
 }
 
 Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {

@@ -62,8 +62,14 @@ TEST_F(CInterface, MovesHairToTheSameBits) {
     for (int frame = 1; frame <= 30; ++frame) {
       const HeadPose pose = wander(frame / 60.0);
       const coif_head_pose pose_in_c = in_c(pose);
-      ASSERT_EQ(coif_hair_set_head(hair_, 1, &pose_in_c), COIF_OK);
-      ASSERT_EQ(same.hair.set_head(1, pose), Status::kOk);
+      if (frame % 3 == 0) {
+        const coif_head_velocity velocity{{1, 2, 3}, {0.1f, 0.2f, 0.3f}};
+        ASSERT_EQ(coif_hair_set_moving_head(hair_, 1, &pose_in_c, &velocity), COIF_OK);
+        ASSERT_EQ(same.hair.set_head(1, pose, {{1, 2, 3}, {0.1f, 0.2f, 0.3f}}), Status::kOk);
+      } else {
+        ASSERT_EQ(coif_hair_set_head(hair_, 1, &pose_in_c), COIF_OK);
+        ASSERT_EQ(same.hair.set_head(1, pose), Status::kOk);
+      }
       ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
       ASSERT_EQ(same.hair.step({}), Status::kOk);
     }
@@ -158,6 +164,8 @@ TEST_F(CInterface, NullIsAnErrorAndNoCrash) {
   EXPECT_EQ(coif_hair_memory_need(asset(), asset_bytes(), nullptr), 0u);
   ASSERT_EQ(create(), COIF_OK);
   EXPECT_EQ(coif_hair_set_head(hair_, 0, nullptr), COIF_BAD_POSE);
+  EXPECT_EQ(coif_hair_set_moving_head(hair_, 0, &pose, nullptr), COIF_BAD_POSE);
+  EXPECT_EQ(coif_hair_set_moving_head(nullptr, 0, &pose, nullptr), COIF_NOT_CREATED);
   EXPECT_EQ(coif_hair_set_head(hair_, 2, &pose), COIF_BAD_INDEX);
   EXPECT_EQ(coif_hair_step(hair_, nullptr), COIF_BAD_ARGUMENT);
   EXPECT_EQ(coif_hair_bone_ends(hair_, 0, nullptr, 12), COIF_SIZE_MISMATCH);

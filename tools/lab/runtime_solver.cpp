@@ -31,6 +31,11 @@ bool RuntimeSolver::step(const HeadPose& head, double dt) {
   return hair_.set_head(0, head) == Status::kOk && hair_.step(settings_) == Status::kOk;
 }
 
+bool RuntimeSolver::step(const HeadPose& head, const HeadVelocity& velocity, double dt) {
+  settings_.dt = float(dt);
+  return hair_.set_head(0, head, velocity) == Status::kOk && hair_.step(settings_) == Status::kOk;
+}
+
 std::span<const Eigen::Vector3d> RuntimeSolver::bone_ends() const {
   (void)hair_.bone_ends(0, all_ends_);
   for (std::size_t i = 0; i < ends_.size(); ++i) {

@@ -49,6 +49,8 @@ class RuntimeSolver final : public ChainSolver {
 
   void reset(const HeadPose& head) override;
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
+  /// As a host that knows how fast the head moves.
+  [[nodiscard]] bool step(const HeadPose& head, const HeadVelocity& velocity, double dt);
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override;
   /// Of all the asset's bones, as Hair::palette().
   [[nodiscard]] std::span<const Mat34> palette() const { return hair_.palette(0); }

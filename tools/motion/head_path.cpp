@@ -1,5 +1,6 @@
 #include "motion/head_path.h"
 
+#include "base/geometry.h"
 #include "base/hair_runtime.h"
 #include "motion/motion_path.h"
 
@@ -83,6 +84,8 @@ HeadPose pose_of(const HeadState& state) {
   pose.rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
   return pose;
 }
+
+HeadVelocity velocity_of(const HeadState& state) { return {to_vec3(state.velocity), to_vec3(state.angular_velocity)}; }
 
 namespace {
 

@@ -81,6 +81,7 @@ class HeadPath {
 
 /// Rounded to the precision of the runtime's rotations.
 [[nodiscard]] HeadPose pose_of(const HeadState& state);
+[[nodiscard]] HeadVelocity velocity_of(const HeadState& state);
 
 /// Turns the head from rest by `radians` about `axis` (unit) within `seconds` (> 0), without a jerk at either end, and
 /// holds it there.

@@ -141,6 +141,10 @@ class COIF_API Hair {
   /// is off one by more than 1e-3; smaller errors are normalised away.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
+  /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
+  /// poses: the head's path is then exact to one order more, at sharp turns above all. kBadPose for what is not finite, too.
+  Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
+
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
   Status reset(std::uint32_t instance, const HeadPose& pose);
 

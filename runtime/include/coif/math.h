@@ -23,4 +23,10 @@ struct HeadPose {
   Quat rotation;
 };
 
+/// How a head moves at an instant, world axes.
+struct HeadVelocity {
+  Vec3 linear;   ///< Of HeadPose::position, m/s.
+  Vec3 angular;  ///< rad/s.
+};
+
 }  // namespace coif

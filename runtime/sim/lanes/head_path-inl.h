@@ -1,5 +1,5 @@
 // A smooth path through the poses of many heads. Between two poses it is the cubic with the velocities at both ends; the
-// velocity at a new pose is that of the parabola through the last three. Without it a head is a polygon in time: at each
+// velocity at a new pose is what the host told, or that of the parabola through the last three. Without it a head is a polygon in time: at each
 // frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per instruction set.
 
 #include "lane_math-inl.h"
@@ -151,6 +151,11 @@ HWY_INLINE void look_ahead(D d, const HeadLanes& heads, const StepParts& parts, 
   store(d, hn::IfThenElseZero(hn::Or(too_far, too_wide), hn::Set(d, 1.0f)), out.is_far, lane);
 }
 
+template <class D>
+HWY_INLINE void set_where(D d, hn::Mask<D> chosen, const V3<D>& value, Lanes3& to, std::size_t lane) {
+  store(d, choose<D>(chosen, value, load(d, to, lane)), to, lane);
+}
+
 /// Begins the step: mean velocities, and the velocities at its end.
 template <class D>
 HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& step) {
@@ -167,6 +172,11 @@ HWY_INLINE void begin_path(D d, HeadLanes& heads, const StepParts& parts, std::s
     store(d, slope_at_end(d, mean, before, share), step.next_velocity, lane);
     store(d, slope_at_end(d, mean_turn, turn_before, share), step.next_angular_velocity, lane);
   }
+  const auto is_told = hn::Gt(load(d, heads.is_told, lane), hn::Zero(d));
+  if (!hn::AllFalse(d, is_told)) {
+    set_where(d, is_told, before, step.next_velocity, lane);
+    set_where(d, is_told, turn_before, step.next_angular_velocity, lane);
+  }
   store(d, mean, heads.mean_velocity, lane);
   store(d, mean_turn, heads.mean_angular_velocity, lane);
   store(d, dt, heads.last_dt, lane);
@@ -180,6 +190,7 @@ HWY_INLINE void finish_path(D d, HeadLanes& heads, std::size_t lane, const HeadS
   store(d, load(d, step.next_velocity, lane), heads.velocity, lane);
   store(d, load(d, step.next_angular_velocity, lane), heads.angular_velocity, lane);
   store(d, V3<D>{zero, zero, zero}, heads.way, lane);
+  store(d, zero, heads.is_told, lane);
 }
 
 /// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first terms

@@ -150,8 +150,9 @@ struct HeadLanes {
   Lanes3 way;            ///< To there, metres.
   Lanes3 velocity;       ///< Now, m/s and rad/s.
   Lanes3 angular_velocity;
-  Lanes3 mean_velocity;  ///< Over the last step.
+  Lanes3 mean_velocity;  ///< Over the last step. Where is_told: at the end of the coming one, for which the mean is not needed.
   Lanes3 mean_angular_velocity;
+  Lanes is_told;                    ///< 1: the host said how fast the head arrives; or 0.
   Lanes last_dt;                    ///< Seconds; 0: there was no step yet.
   Lanes quiet;                      ///< Seconds for which head and hair have been at rest.
   double next_position[3][kLanes];  ///< World, metres.
