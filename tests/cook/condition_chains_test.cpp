@@ -32,9 +32,9 @@ AssetContents named(const TestRig& rig) {
 void expect_well_posed(const AssetContents& contents) {
   const OpenedAsset opened(contents);
   const Rig rig = rig_of(opened.asset());
-  constexpr std::uint32_t kSampled[] = {30};
+  constexpr std::uint32_t kSampled[] = {60};
   ReferenceSettings settings;
-  settings.sample_times = common_times(kSampled, 2);
+  settings.sample_times = frame_times(kSampled, 2);
   settings.most_steps_per_second = 11520;
   settings.wanted_self_difference_pct = 0.1;
   for (const MotionInfo& info : all_motions()) {

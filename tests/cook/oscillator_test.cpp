@@ -117,7 +117,7 @@ Recipe curve_recipe() {
 
 Recipe undamped_recipe() {
   Recipe recipe = curve_recipe();
-  recipe.damping_ratio = 0;
+  recipe.damping_ratio.reset();
   return recipe;
 }
 
@@ -150,11 +150,31 @@ TEST(BakeDynamics, TheDampingRatioCountsThePendulumAndTheFriction) {
   }
 }
 
-TEST(BakeDynamics, TheDampingRatioNeverTakesDampingAway) {
+TEST(BakeDynamics, TheDampingRatioMeansWhatItSaysAboveAndBelowTheResistancesOwn) {
+  double before = -1;
+  for (const double ratio : {0.1, 0.3, 0.5, 1.0, 2.0}) {
+    Recipe recipe = curve_recipe();
+    recipe.damping_ratio = ratio;
+    const DynamicsRecord tip = baked(recipe)[2];
+    EXPECT_GT(tip.damping, before) << ratio;
+    EXPECT_NEAR(tip.damping + tip.friction, 2 * ratio * std::sqrt(tip.stiffness + 2 * 9.81 / 0.2), 1e-3);
+    before = double(tip.damping);
+  }
+  EXPECT_LT(baked(undamped_recipe())[2].damping, before);
+}
+
+TEST(BakeDynamics, FrictionAloneMayBeMoreThanTheDampingRatio) {
   Recipe recipe = curve_recipe();
   recipe.damping_ratio = 0.01;
   recipe.friction = 100;
-  for (std::size_t b = 1; b < 3; ++b) EXPECT_FLOAT_EQ(baked(recipe)[b].damping, baked(undamped_recipe())[b].damping);
+  for (std::size_t b = 1; b < 3; ++b) EXPECT_EQ(baked(recipe)[b].damping, 0);
+}
+
+TEST(BakeDynamics, LivelinessIsWhatTheDampingRatioLeaves) {
+  Recipe by_ratio = curve_recipe(), by_liveliness = by_ratio;
+  by_ratio.damping_ratio = 0.3;
+  by_liveliness.liveliness = 0.7;
+  for (std::size_t b = 1; b < 3; ++b) EXPECT_FLOAT_EQ(baked(by_ratio)[b].damping, baked(by_liveliness)[b].damping);
 }
 
 TEST(BakeDynamics, FullResistanceLooksRigidAndCanBeResolved) {

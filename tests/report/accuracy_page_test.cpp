@@ -36,6 +36,28 @@ TEST(AccuracyMeans, AreOverMotionsAtTheRateNextToSixty) {
   EXPECT_NEAR(mean_of(means, "thesis", 4).stretch_max_pct, 60, 1.0e-12);
 }
 
+TEST(AccuracyMeans, LeaveOutMotionsInWhichLittleHappens) {
+  AccuracyReport report = made_up_accuracy();
+  const double before = mean_of(means_over_motions(report, 60), "coif", 1).rms_error_pct;
+  for (const char* motion : {"still", "teleport"}) {
+    AccuracyRow row = report.rows[0];
+    row.fps = 60;
+    row.motion = motion;
+    row.rms_error_pct = 0;
+    report.rows.push_back(row);
+  }
+  EXPECT_EQ(mean_of(means_over_motions(report, 60), "coif", 1).rms_error_pct, before) << "or quiet motions flatter";
+  std::erase_if(report.rows, [](const AccuracyRow& row) { return row.motion != "still"; });
+  ASSERT_EQ(means_over_motions(report, 60).size(), 1u) << "unless there are no others";
+}
+
+TEST(AccuracyMeans, TellWhatTheErrorIsOfTheMotion) {
+  AccuracyReport report = made_up_accuracy();
+  for (AccuracyRow& row : report.rows) row.of_motion_pct = row.rms_error_pct / 0.4;  // hair that moves by 40 % of its length
+  const AccuracyRow mean = mean_of(means_over_motions(report, 60), "thesis", 1);
+  EXPECT_NEAR(mean.of_motion_pct, mean.rms_error_pct / 0.4, 1e-9);
+}
+
 TEST(AccuracyMeans, FrontHoldsWhatNothingBeats) {
   const auto means = means_over_motions(made_up_accuracy(), 60);
   // 25 ns 30 %; 30 ns 1 %; 120 ns 0.25 %; "thesis x4" (100 ns, 7.5 %) and "slow" are beaten by coif.

@@ -11,23 +11,41 @@
 namespace coif {
 namespace {
 
-/// Adds the distances of all tips to where they should be at sample `sample`.
-void add_distances(const Rig& rig, const ReferenceRun& reference, std::size_t sample,
-                   std::span<const Eigen::Vector3d> ends, RuntimeError& sums) {
+constexpr double kSameTime = 1e-9;  ///< Seconds: the same moment as two fractions differs by rounding.
+
+/// Adds the distances of all tips to where they should be at sample `sample`; the sum of their squares.
+double add_distances(const Rig& rig, const ReferenceRun& reference, std::size_t sample,
+                     std::span<const Eigen::Vector3d> ends, RuntimeError& error) {
+  double sum = 0;
   for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
     const double off = (ends[rig.tips[tip]] - reference.path_of_tip(tip)[sample]).norm() / rig.tip_length[tip];
-    sums.rms += off * off;
-    sums.max = off <= sums.max ? sums.max : off;  // a NaN stays
+    sum += off * off;
+    error.max = off <= error.max ? error.max : off;  // a NaN stays
   }
+  return sum;
+}
+
+/// Largest mean of `width` neighbours, or of all where there are fewer.
+double largest_mean(std::span<const double> values, std::size_t width) {
+  width = std::min(width, values.size());
+  double largest = 0;
+  for (std::size_t first = 0; width > 0 && first + width <= values.size(); ++first) {
+    const auto window = values.subspan(first, width);
+    largest = std::max(largest, std::accumulate(window.begin(), window.end(), 0.0) / double(width));
+  }
+  return largest;
 }
 
 }  // namespace
 
-std::vector<double> common_times(std::span<const std::uint32_t> rates, double seconds) {
-  std::uint32_t common = 0;
-  for (const std::uint32_t rate : rates) common = std::gcd(common, rate);
+std::vector<double> frame_times(std::span<const std::uint32_t> rates, double seconds) {
   std::vector<double> times;
-  for (std::uint32_t k = 1; common != 0 && k <= seconds * common; ++k) times.push_back(double(k) / common);
+  for (const std::uint32_t rate : rates) {
+    for (std::uint32_t k = 1; k <= seconds * rate; ++k) times.push_back(double(k) / rate);
+  }
+  std::ranges::sort(times);
+  const auto same = [](double a, double b) { return b - a < kSameTime; };
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
   return times;
 }
 
@@ -39,16 +57,21 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
   solver.reset(path->pose(0));
   ConstraintMeter meter(rig);
   RuntimeError error;
+  std::vector<double> squares;  // of each frame, a mean over the tips
   std::size_t sample = 0;
-  for (std::uint32_t frame = 1; sample < reference.times.size(); ++frame) {
+  for (std::uint32_t frame = 1;; ++frame) {
     WorkLimit::check();
     const double time = double(frame) / rate;
-    if (!solver.step(path->pose(time), 1.0 / rate)) return {NAN, NAN, NAN, NAN};
+    while (sample < reference.times.size() && reference.times[sample] < time - kSameTime) ++sample;
+    if (sample == reference.times.size()) break;
+    if (!solver.step(path->pose(time), 1.0 / rate)) return {NAN, NAN, NAN, NAN, NAN};
     meter.look(solver.bone_ends());
-    if (time < reference.times[sample] - 0.5 / rate) continue;
-    add_distances(rig, reference, sample++, solver.bone_ends(), error);
+    if (reference.times[sample] > time + kSameTime) continue;
+    const double sum = add_distances(rig, reference, sample, solver.bone_ends(), error);
+    squares.push_back(sum / double(std::max<std::size_t>(rig.tips.size(), 1)));
   }
-  error.rms = std::sqrt(error.rms / double(std::max<std::size_t>(sample * rig.tips.size(), 1)));
+  error.rms = std::sqrt(largest_mean(squares, squares.size()));
+  error.worst_second = std::sqrt(largest_mean(squares, rate));
   error.stretch = meter.worst().stretch;
   error.penetration = meter.sees_colliders() ? std::max(meter.worst().point_depth, meter.worst().segment_depth) : 0;
   return error;

@@ -20,17 +20,18 @@ struct KnownMotion {
 
 /// What the runtime's default solver does at one frame rate. Shares, not percent; NaN where it did not stay finite.
 struct RuntimeError {
-  double rms = 0;  ///< Distance of the tips to the reference over the chain's length.
+  double rms = 0;  ///< Distance of the tips to the reference over the chain's length, at every frame.
   double max = 0;
-  double stretch = 0;      ///< Worst |length / rest - 1|.
-  double penetration = 0;  ///< Worst depth over the collider's smallest radius.
+  double worst_second = 0;  ///< The RMS over the worst second of it.
+  double stretch = 0;       ///< Worst |length / rest - 1|.
+  double penetration = 0;   ///< Worst depth over the collider's smallest radius.
 };
 
-/// Times that frames of all these rates (whole numbers) have in common, up to `seconds`.
-[[nodiscard]] std::vector<double> common_times(std::span<const std::uint32_t> rates, double seconds);
+/// When frames of any of these rates (whole numbers) end, up to `seconds`.
+[[nodiscard]] std::vector<double> frame_times(std::span<const std::uint32_t> rates, double seconds);
 
-/// Runs `motion` from rest at `rate` frames per second with so many sub-steps. The reference's times must be multiples of
-/// 1/rate. `rig` is the asset's.
+/// Runs `motion` from rest at `rate` frames per second with so many sub-steps, and looks at every frame of which the
+/// reference tells. `rig` is the asset's.
 [[nodiscard]] RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion,
                                            std::uint32_t rate, std::uint32_t substeps);
 

@@ -30,16 +30,24 @@ DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& b
   return record;
 }
 
-/// The least damping that, with the friction, brings a bone of `length` metres to this share of critical damping.
+/// The damping that, with the friction, brings a bone of `length` metres to this share of critical damping; 0 where friction
+/// alone does more.
 double damping_for(double ratio, double length, const DynamicsRecord& record) {
-  return 2 * ratio * natural_rate(record, length) - record.friction;
+  return std::max(0.0, 2 * ratio * natural_rate(record, length) - double(record.friction));
+}
+
+/// What the recipe says of critical damping; none: nothing.
+std::optional<double> said_ratio(const Recipe& recipe) {
+  if (recipe.damping_ratio) return recipe.damping_ratio;
+  return recipe.liveliness ? std::optional(1 - *recipe.liveliness) : std::nullopt;
 }
 
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
 void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
   const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
   record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
-  const double damping = std::max(oscillator.damping, damping_for(recipe.damping_ratio.value_or(1), length, record));
+  const std::optional<double> ratio = said_ratio(recipe);
+  const double damping = ratio ? damping_for(*ratio, length, record) : oscillator.damping;
   record.damping = float(std::min(damping, kMostDamping));
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
   record.angle_limit = std::min(float(recipe.angle_limit * kDegree), kNoAngleLimit);
@@ -85,10 +93,9 @@ void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer&
   if (sayer.said != nullptr && sayer.said->friction) record.friction = float(*sayer.said->friction);
   if (sayer.said != nullptr && sayer.said->gravity_scale) record.gravity_scale = float(*sayer.said->gravity_scale);
   bake_oscillator(recipe, bone.length(), record);
-  const double usual = recipe.liveliness ? 1 - *recipe.liveliness : preset_of(recipe).damping_ratio;
   motion.records.push_back(record);
   motion.sources.push_back(sayer.source);
-  motion.damping_ratios.push_back(recipe.damping_ratio.value_or(usual));
+  motion.damping_ratios.push_back(said_ratio(recipe).value_or(preset_of(recipe).damping_ratio));
 }
 
 void report_sources(const std::vector<MotionSource>& sources, std::size_t simulated, const Recipe& recipe,

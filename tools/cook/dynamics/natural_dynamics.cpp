@@ -37,8 +37,8 @@ void bake_natural_dynamics(const HairPreset& preset, std::span<const double> dam
     const double stiffness = kGravity * std::pow(preset.bending_length, 3) / span / carried[i].inertia;
     DynamicsRecord& record = contents.dynamics[rig.rigid_count + i];
     record.stiffness = float(std::min(stiffness, kMostStiffness));
-    const double swing =
-        std::sqrt(double(record.stiffness) + kGravity * std::abs(bone.gravity_scale) * carried[i].arm / carried[i].inertia);
+    const double swing = std::sqrt(double(record.stiffness) +
+                                   kGravity * std::abs(bone.gravity_scale) * carried[i].arm / carried[i].inertia);
     record.damping = float(std::min(2 * damping_ratios[rig.rigid_count + i] * swing, kMostDamping));
     record.resistance = float(resistance_for(double(record.stiffness), double(record.authoring_rate)));
   }

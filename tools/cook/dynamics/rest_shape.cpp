@@ -64,7 +64,8 @@ std::vector<Burden> burdens_in_passive(const Rig& rig) {
     // The bending of what hangs from it turns it too; what is left, its own has to hold.
     const Vector3d wanted = -bone.length * direction.cross(weights[i]);
     const Vector3d torque = wanted - across(torques[i], direction);
-    burdens[i] = {torque.cross(direction) / carried[i].inertia, joints[i] * std::max(0.0, -middles[i].y() / carried[i].inertia)};
+    burdens[i] = {torque.cross(direction) / carried[i].inertia,
+                  joints[i] * std::max(0.0, -middles[i].y() / carried[i].inertia)};
     if (bone.parent < 0) continue;
     const auto up = std::size_t(bone.parent);
     const Vector3d all = torque + torques[i];

@@ -20,8 +20,9 @@ namespace coif {
 /// Checks that the model (runtime/docs/MODEL.md, "Well-posed or not") is one for every chain: over motions of the suite two
 /// computations of the reference, one with half the other's step, differ by at most 0.1 % of the chain's length (RMS), and
 /// 240 steps a second of the runtime follow it within 5 %. Where they do not, damping and friction are raised and
-/// `parent_share` lowered, as little as it takes; a note names the chain. A chain that nothing helps keeps the last try and
-/// is warned of. Returns the dynamics, one per bone.
+/// `parent_share` lowered: of the first few of the candidates that help, ordered by how much they do, the one whose motion is
+/// nearest to what was asked for; which is that of Algorithm 1 where that has none. A note names the chain and the difference. A
+/// chain that nothing helps keeps the last candidate and is warned of. Returns the dynamics, one per bone.
 ///
 /// Of chains with equally many bones the softest and the longest are computed, and the others treated as they are.
 [[nodiscard]] std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, unsigned threads,

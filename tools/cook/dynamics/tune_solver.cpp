@@ -18,6 +18,9 @@ namespace {
 constexpr double kSeconds = 2;
 constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
+/// Slower frames may be as much more off as they are longer: what the head does in them is not known.
+constexpr double kUsualRate = 60;
+constexpr double kWorthwhile = 0.8;    ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -51,6 +54,12 @@ std::size_t twisting_bones(const AssetContents& contents, const ChainRecord& cha
       std::ranges::count_if(bones, [](const DynamicsRecord& bone) { return bone.torsion < kShortestArc; }));
 }
 
+/// What the runtime does at one frame rate, over all motions.
+struct MeasuredRate {
+  QualityRecord quality;
+  double worst_second = 0;
+};
+
 /// The runtime beside the reference, for any frame rate of the recipe's and number of parts; each is measured once.
 class Bench {
  public:
@@ -59,7 +68,7 @@ class Bench {
     for (const ChainRecord& chain : contents.chains) bones_ += chain.bone_count;
     for (const ChainRecord& chain : contents.chains) twisting_ += twisting_bones(contents, chain);
     ReferenceSettings settings;
-    settings.sample_times = common_times(rates, kSeconds);
+    settings.sample_times = frame_times(rates, kSeconds);
     settings.most_steps_per_second = 5760;
     settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
     known_.resize(all_motions().size());
@@ -69,7 +78,7 @@ class Bench {
     });
   }
 
-  const QualityRecord& at(std::uint32_t rate, std::uint32_t parts) {
+  const MeasuredRate& at(std::uint32_t rate, std::uint32_t parts) {
     const auto [found, is_new] = measured_.try_emplace({rate, parts});
     if (is_new) found->second = measure(rate, parts);
     return found->second;
@@ -78,16 +87,17 @@ class Bench {
   [[nodiscard]] double longest() const { return *std::ranges::max_element(rig_.tip_length); }
   [[nodiscard]] std::vector<QualityRecord> table() const {
     std::vector<QualityRecord> rows;
-    for (const auto& [key, row] : measured_) rows.push_back(row);
+    for (const auto& [key, measured] : measured_) rows.push_back(measured.quality);
     return rows;
   }
 
  private:
-  QualityRecord measure(std::uint32_t rate, std::uint32_t parts) const {
+  MeasuredRate measure(std::uint32_t rate, std::uint32_t parts) const {
     std::vector<RuntimeError> errors(known_.size());
     parallel_for(known_.size(), threads_,
                  [&](std::size_t m) { errors[m] = measure_runtime(opened_.asset(), rig_, known_[m], rate, parts); });
-    QualityRecord row{};
+    MeasuredRate measured{};
+    QualityRecord& row = measured.quality;
     row.frame_rate = float(rate);
     row.substeps = parts;
     const bool is_passive = rig_.model == ChainModel::kPassive;
@@ -101,8 +111,9 @@ class Bench {
       row.max_error = worse(row.max_error, errors[m].max);
       row.stretch = worse(row.stretch, errors[m].stretch);
       row.penetration = worse(row.penetration, errors[m].penetration);
+      measured.worst_second = double(worse(float(measured.worst_second), errors[m].worst_second));
     }
-    return row;
+    return measured;
   }
 
   OpenedAsset opened_;
@@ -110,60 +121,108 @@ class Bench {
   unsigned threads_;
   std::size_t bones_ = 0, twisting_ = 0;
   std::vector<KnownMotion> known_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, QualityRecord> measured_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, MeasuredRate> measured_;
 };
 
 /// What the recipe asks for, as shares and nanoseconds; 0: nothing.
 struct Budget {
+  bool is_usual = false;  ///< Nobody asked.
   double error = 0;
+  double max_error = 0;
+  double worst_second = 0;
   double cost = 0;
+
+  /// The RMS error that may be had at this rate.
+  [[nodiscard]] double error_at(std::uint32_t rate) const {
+    return is_usual ? error * std::max(1.0, kUsualRate / rate) : error;
+  }
+  /// How many times what it may be the worst of the errors is.
+  [[nodiscard]] double excess(const MeasuredRate& measured, std::uint32_t rate) const {
+    const auto share = [](double reached, double asked) { return asked > 0 ? reached / asked : 0.0; };
+    return std::max({share(double(measured.quality.rms_error), error_at(rate)),
+                     share(double(measured.quality.max_error), max_error), share(measured.worst_second, worst_second)});
+  }
 };
 
 Budget budget_of(const Recipe& recipe, double longest) {
-  Budget budget{recipe.budget_error / 100, recipe.budget_cost};
+  Budget budget{.error = recipe.budget_error / 100,
+                .max_error = recipe.budget_max_error / 100,
+                .worst_second = recipe.budget_worst_second / 100,
+                .cost = recipe.budget_cost};
   if (recipe.budget_error_mm > 0) {
     const double share = recipe.budget_error_mm / 1000 / longest;
     budget.error = budget.error > 0 ? std::min(budget.error, share) : share;
   }
+  const bool asks = budget.error > 0 || budget.max_error > 0 || budget.worst_second > 0;
+  if (asks) return budget;
+  budget.is_usual = true;  // a cost alone may be spent on as much
+  budget.error = kUsualError;
   return budget;
 }
 
-/// All frame rates, with sub-steps of the same rate. The dearest of the parts and the worst of the errors.
-TuningRecord try_rate(Bench& bench, std::span<const std::uint32_t> rates, std::uint32_t substep_rate) {
+/// All frame rates with sub-steps of the same rate: the dearest of the parts, the worst of the errors.
+struct TriedRate {
   TuningRecord tuning{};
-  tuning.substep_rate = float(substep_rate);
-  tuning.slowest_rate = float(rates.front());
-  tuning.fastest_rate = float(rates.back());
+  double max_error = 0;
+  double worst_second = 0;
+  double excess = 0;  ///< Budget::excess()
+  std::uint32_t worst_motion = 0;
+};
+
+TriedRate try_rate(Bench& bench, std::span<const std::uint32_t> rates, std::uint32_t substep_rate,
+                   const Budget& budget) {
+  TriedRate trial;
+  trial.tuning.substep_rate = float(substep_rate);
+  trial.tuning.slowest_rate = float(rates.front());
+  trial.tuning.fastest_rate = float(rates.back());
+  trial.tuning.asked_error = float(budget.is_usual && budget.cost > 0 ? 0 : budget.error_at(rates.front()));
+  trial.tuning.asked_cost = float(budget.cost);
   for (const std::uint32_t rate : rates) {
-    const QualityRecord& row = bench.at(rate, (substep_rate + rate - 1) / rate);
-    tuning.reached_error = std::max(tuning.reached_error, row.rms_error);
-    tuning.cost = std::max(tuning.cost, row.cost);
+    const MeasuredRate& row = bench.at(rate, (substep_rate + rate - 1) / rate);
+    trial.tuning.reached_error = std::max(trial.tuning.reached_error, row.quality.rms_error);
+    trial.tuning.cost = std::max(trial.tuning.cost, row.quality.cost);
+    trial.max_error = std::max(trial.max_error, double(row.quality.max_error));
+    trial.worst_second = std::max(trial.worst_second, row.worst_second);
+    const double excess = budget.excess(row, rate);
+    if (excess >= trial.excess) trial.worst_motion = row.quality.worst_motion;
+    trial.excess = std::max(trial.excess, excess);
   }
-  return tuning;
+  return trial;
 }
 
-ToolError over_budget(const Budget& budget, const TuningRecord& best) {
-  std::string text = "\"budget\": ";
-  if (budget.error > 0) {
-    text += fmt::format("an error of {:.3g} % of the chain's length was asked for and {:.3g} % reached",
-                        100 * budget.error, 100 * best.reached_error);
+ToolError over_budget(const Budget& budget, const TriedRate& best) {
+  std::string text;
+  const auto tell = [&](const char* what, double asked, double reached) {
+    if (asked <= 0) return;
+    text += fmt::format("{}{} of {:.3g} % of the chain's length was asked for and {:.3g} % reached",
+                        text.empty() ? "" : "; ", what, 100 * asked, 100 * reached);
+  };
+  if (!budget.is_usual) {
+    tell("an error", budget.error, double(best.tuning.reached_error));
+    tell("a largest error", budget.max_error, best.max_error);
+    tell("a worst second", budget.worst_second, best.worst_second);
   }
   if (budget.cost > 0) {
-    text += fmt::format("{}{:.0f} ns per frame {} with {:.0f} ns", budget.error > 0 ? ", where " : "", budget.cost,
-                        budget.error > 0 ? "were allowed," : "were allowed; the least is", best.cost);
+    text += fmt::format("{}{:.0f} ns per frame {} with {:.0f} ns", text.empty() ? "" : ", where ", budget.cost,
+                        text.empty() ? "were allowed; the least is" : "were allowed,", best.tuning.cost);
   } else {
-    text += fmt::format(" with {:g} sub-steps a second", best.substep_rate);
+    text += fmt::format(" with {:g} sub-steps a second", best.tuning.substep_rate);
   }
-  return {ToolError::Kind::kOverBudget, text + "; ask for less, or damp the hair (dynamics.damping_ratio)"};
+  return {ToolError::Kind::kOverBudget,
+          "\"budget\": " + text + "; ask for less, or damp the hair (dynamics.damping_ratio)"};
 }
 
-std::string describe(const TuningRecord& tuning) {
+std::string describe(const TriedRate& trial) {
+  const TuningRecord& tuning = trial.tuning;
   return fmt::format(
-      "tuned: {} at {:g} to {:g} frames per second, error {:.2g} % of the chain's length{}, {:.2g} us per head",
+      "tuned: {} at {:g} to {:g} frames per second, error {:.2g} % of the chain's length (RMS; {:.2g} % in the worst "
+      "second, "
+      "{:.2g} % at most, worst in {}){}, {:.2g} us per head",
       tuning.substep_rate > tuning.slowest_rate ? fmt::format("sub-steps of {:g} Hz", tuning.substep_rate)
                                                 : std::string("one step a frame"),
-      tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error,
-      tuning.met == 1 ? "" : ", the least to be had", tuning.cost / 1000);
+      tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error, 100 * trial.worst_second,
+      100 * trial.max_error, all_motions()[trial.worst_motion].name, tuning.met == 1 ? "" : ", the least to be had",
+      tuning.cost / 1000);
 }
 
 }  // namespace
@@ -171,27 +230,26 @@ std::string describe(const TuningRecord& tuning) {
 tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, const Recipe& recipe, unsigned threads,
                                                  Findings& findings) {
   if (contents.chains.empty()) return TunedSolver{};
-  const bool asked = recipe.budget_error > 0 || recipe.budget_error_mm > 0 || recipe.budget_cost > 0;
   const std::vector<std::uint32_t> rates = frame_rates(recipe);
   Bench bench(contents, rates, threads);
-  const Budget budget = asked ? budget_of(recipe, bench.longest()) : Budget{kUsualError, 0};
-  const double wanted = budget.error > 0 ? budget.error : kUsualError;  // a cost alone may be spent on as much
+  const Budget budget = budget_of(recipe, bench.longest());
 
-  TuningRecord best{};
+  TriedRate best, least;
   for (const std::uint32_t parts : kParts) {
-    TuningRecord tried = try_rate(bench, rates, parts * rates.front());
-    tried.asked_error = float(budget.error);
-    tried.asked_cost = float(budget.cost);
-    const bool affordable = budget.cost <= 0 || tried.cost <= budget.cost;
+    const TriedRate tried = try_rate(bench, rates, parts * rates.front(), budget);
+    const bool affordable = budget.cost <= 0 || double(tried.tuning.cost) <= budget.cost;
     const bool is_first = parts == kParts[0];
     if (!affordable && !is_first) break;
-    if (is_first || tried.reached_error < best.reached_error) best = tried;
-    best.met = affordable && (budget.error <= 0 || best.reached_error <= budget.error);
-    if (best.reached_error <= wanted || !affordable) break;
+    if (is_first || tried.excess < least.excess) least = tried;
+    // Where nothing is good enough, more sub-steps have to gain something.
+    const bool gains = tried.excess < (tried.excess <= 1 ? 1.0 : kWorthwhile) * best.excess;
+    if (is_first || gains) best = tried;
+    best.tuning.met = affordable && ((budget.is_usual && budget.cost > 0) || best.excess <= 1);
+    if (best.excess <= 1 || !affordable) break;
   }
-  if (best.met == 0 && asked) return tl::unexpected(over_budget(budget, best));
+  if (best.tuning.met == 0 && (!budget.is_usual || budget.cost > 0)) return tl::unexpected(over_budget(budget, least));
   findings.note(describe(best));
-  return TunedSolver{{best}, bench.table()};
+  return TunedSolver{{best.tuning}, bench.table()};
 }
 
 }  // namespace coif

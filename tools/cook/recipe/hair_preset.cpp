@@ -6,11 +6,11 @@
 namespace coif {
 namespace {
 
-constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 1},
-                                   {"stiff", 0.2, 0.5, 1},
-                                   {"heavy", 0.05, 0.4, 0.5},
-                                   {"bouncy", 0.1, 0.25, 0.5},
-                                   {"wet", 0.05, 0.8, 1.5}};
+constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 2.2},
+                                   {"stiff", 0.2, 0.5, 2.2},
+                                   {"heavy", 0.05, 0.4, 1.5},
+                                   {"bouncy", 0.1, 0.25, 1},
+                                   {"wet", 0.05, 0.8, 3}};
 
 }  // namespace
 

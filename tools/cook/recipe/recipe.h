@@ -62,13 +62,13 @@ struct Recipe {
   std::string dynamics_source;         ///< "auto", "curves" or "springs".
   std::string dynamics_preset;         ///< "natural", "stiff", "heavy", "bouncy" or "wet".
   std::string dynamics_model;          ///< "auto", "cascade" or "passive".
-  std::optional<double> liveliness;    ///< 0..1; none: the preset's.
+  std::optional<double> liveliness;    ///< 0..1; none: the preset's, or what a resistance or spring has.
   std::vector<CurvePoint> resistance;  ///< Empty: by the preset.
   std::optional<double> friction;      ///< 1/s; none: the preset's, or 2 beside a resistance.
   bool sags = false;
   double gravity_scale = 0;
   double authoring_rate = 0;
-  std::optional<double> damping_ratio;  ///< None: the preset's, or at least 1 beside a resistance or spring.
+  std::optional<double> damping_ratio;  ///< None: as `liveliness` says.
   std::string conditioning;       ///< "auto" or "off".
   std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;         ///< Degrees.
@@ -76,6 +76,8 @@ struct Recipe {
   // budget
   double budget_error = 0;  ///< Percent of the chain's length.
   double budget_error_mm = 0;
+  double budget_max_error = 0;     ///< Percent of the chain's length.
+  double budget_worst_second = 0;  ///< Percent of the chain's length.
   double budget_cost = 0;  ///< Nominal nanoseconds per head and frame.
   double slowest_rate = 0;
   double fastest_rate = 0;

@@ -85,7 +85,7 @@ const RecipeKey kKeys[] = {
   {"dynamics", "preset", &R::dynamics_preset, "\"natural\"", 0, 0, "natural|stiff|heavy|bouncy|wet", "",
    "what hair it is, where neither the file nor \"resistance\" says how it moves: how long it has to be to hang, and how it swings"},
   {"dynamics", "liveliness", &R::liveliness, "null", 0, 1, nullptr, "",
-   "of a preset: 0 no bone swings past where it rests, 1 it swings for ever; null: the preset's"},
+   "0: no bone swings past where it rests, 1: only the air stops it; null: the preset's, or what a resistance or spring brings"},
   {"dynamics", "model", &R::dynamics_model, "\"auto\"", 0, 0, "auto|cascade|passive", "",
    "passive: bones hold back the one before, which soft hair needs to swing; cascade: they do not, at half the price; auto:"
    " passive for presets, cascade for springs and resistances"},
@@ -101,10 +101,10 @@ const RecipeKey kKeys[] = {
   {"dynamics", "authoring_rate", &R::authoring_rate, "60", 1, 1000, nullptr, "1/s",
    "frame rate at which the resistance was tuned"},
   {"dynamics", "damping_ratio", &R::damping_ratio, "null", 0, 10, nullptr, "",
-   "damping, of what would keep a bone from swinging past its pose: of a preset just this, beside resistances and springs, which"
-   " bring their own, at least this; null: the preset's, or 1"},
+   "the same as a share of what would keep a bone from swinging past its pose, the air's friction included; null: as"
+   " \"liveliness\" says"},
   {"dynamics", "conditioning", &R::conditioning, "\"auto\"", 0, 0, "auto|off", "",
-   "auto: where a chain's motion would not be the same twice, damps it and says so; off: never"},
+   "auto: where a chain's motion would not be the same twice, damps it, by what changes it least, and says so; off: never"},
   {"dynamics", "torsion", &R::torsion, "null", 0, 1.0e6, nullptr, "1/s",
    "how fast a twist of a bone against its parent goes back; 1e6: there never is one; null: 20 for chains that fold back"
    " over themselves in some motion, never one for others"},
@@ -114,9 +114,13 @@ const RecipeKey kKeys[] = {
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
   {"budget", "error", &R::budget_error, "0", 0, 100, nullptr, "% of length",
-   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it, exit code 4 where none do; 0: 0.7 if it can be had"},
+   "largest RMS error of the hair's tips against the exact motion; sub-steps are chosen to keep it, exit code 4 where none do; 0: 0.7 at 60 frames a second and more, in proportion to their length at fewer, if it can be had"},
   {"budget", "error_mm", &R::budget_error_mm, "0", 0, 1000, nullptr, "mm",
    "the same as a length; with both, both are kept"},
+  {"budget", "max_error", &R::budget_max_error, "0", 0, 100, nullptr, "% of length",
+   "the same for the tip and the frame that are furthest off; 0: any"},
+  {"budget", "worst_second", &R::budget_worst_second, "0", 0, 100, nullptr, "% of length",
+   "the same for the RMS over the worst second of each motion; 0: any"},
   {"budget", "ns_per_frame", &R::budget_cost, "0", 0, 1.0e9, nullptr, "ns",
    "most that a head may cost per frame, in nominal nanoseconds; 0: any"},
   {"budget", "slowest_rate", &R::slowest_rate, "30", 10, 1000, nullptr, "1/s",

@@ -233,6 +233,17 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   page.heading("Where does the hair come to rest?");
   page.paragraph("RMS distance of the tips under a still head to the reference's rest, in % of the length.");
   page.table(page_table(settle_columns(report.budget_rms_pct), report.settle));
+  if (!report.swings.empty()) {
+    page.heading("How does it swing?");
+    page.paragraph(
+        "After a charge from 0 to 8 m/s in 0.3 s, at 60 frames per second: how far each tip is thrown, how far it then "
+        "comes to "
+        "the other side, and when it stays within a twentieth of the first. As the asset asks for, and by Algorithm 1 "
+        "with the "
+        "artist's resistance and eight iterations; apart is the RMS distance of the two, their different rests "
+        "included.");
+    page.table(page_table(swing_columns(), report.swings));
+  }
   page.heading("Every measurement");
   page.table(page_table(accuracy_columns(report.budget_rms_pct), report.rows));
   return page.text();

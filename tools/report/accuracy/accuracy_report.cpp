@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace coif {
 namespace {
 
 // Unlike std::max, keeps a NaN: what failed once must not look good.
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+bool moves(const AccuracyRow& row) { return row.motion != "still" && row.motion != "teleport"; }
 
 AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row) {
   const auto found = std::ranges::find_if(
@@ -21,7 +24,8 @@ AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row
   mean.substeps = row.substeps;
   for (double AccuracyRow::*figure :
        {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::max_error_pct,
-        &AccuracyRow::stretch_max_pct, &AccuracyRow::penetration_max_pct, &AccuracyRow::segment_penetration_max_pct}) {
+        &AccuracyRow::worst_second_pct, &AccuracyRow::of_motion_pct, &AccuracyRow::stretch_max_pct,
+        &AccuracyRow::penetration_max_pct, &AccuracyRow::segment_penetration_max_pct}) {
     mean.*figure = 0;
   }
   return mean;
@@ -52,24 +56,36 @@ double main_frame_rate(const AccuracyReport& report) {
 std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double fps) {
   std::vector<AccuracyRow> means;
   std::vector<double> counts;
+  const bool all_count = std::ranges::none_of(report.rows, moves);
   for (const AccuracyRow& row : report.rows) {
-    if (row.fps != fps) continue;
+    if (row.fps != fps || !(all_count || moves(row))) continue;
     AccuracyRow& mean = find_or_add(means, row);
     counts.resize(means.size());
     counts[std::size_t(&mean - means.data())] += 1;
     mean.ns_per_bone_frame += row.ns_per_bone_frame;
     mean.rms_error_pct += row.rms_error_pct * row.rms_error_pct;
     mean.max_error_pct = worse(mean.max_error_pct, row.max_error_pct);
+    mean.worst_second_pct = worse(mean.worst_second_pct, row.worst_second_pct);
+    // Until all are added, the mean square of the motion itself.
+    const double moved = row.rms_error_pct / row.of_motion_pct;
+    mean.of_motion_pct += moved * moved;
     mean.stretch_max_pct = worse(mean.stretch_max_pct, row.stretch_max_pct);
     mean.penetration_max_pct = worse(mean.penetration_max_pct, row.penetration_max_pct);
     mean.segment_penetration_max_pct = worse(mean.segment_penetration_max_pct, row.segment_penetration_max_pct);
   }
   for (std::size_t i = 0; i < means.size(); ++i) {
     means[i].ns_per_bone_frame /= counts[i];
+    means[i].of_motion_pct = std::sqrt(means[i].rms_error_pct / means[i].of_motion_pct);
     means[i].rms_error_pct = std::sqrt(means[i].rms_error_pct / counts[i]);
   }
   mark_fronts(means);
   return means;
+}
+
+std::vector<std::string> averaged_motions(const AccuracyReport& report) {
+  std::vector<AccuracyRow> rows;
+  std::ranges::copy_if(report.rows, std::back_inserter(rows), moves);
+  return names_of(rows.empty() ? report.rows : rows, &AccuracyRow::motion);
 }
 
 std::string setting_text(const std::string& solver, std::uint32_t substeps) {

@@ -4,6 +4,7 @@
 // percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has no
 // error, an asset without head colliders no penetration.
 
+#include "report/accuracy/swing.h"
 #include "report/page/report_columns.h"
 
 #include <cstdint>
@@ -15,7 +16,8 @@
 namespace coif {
 
 /// One solver with one setting, run through one motion at one frame rate. Also of all motions together: then the time is
-/// their mean, the RMS error the root of the mean square, the others the worst; what one of them has not is missing.
+/// their mean, the RMS error the root of the mean square (and what it is of the motion, that of both), the others the worst;
+/// what one of them has not is missing.
 struct AccuracyRow {
   std::string motion;
   std::string solver;
@@ -25,6 +27,8 @@ struct AccuracyRow {
   /// Distance of chain tips to the converged solution of the same model, head space, in % of the chain's length.
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
+  double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
+  double of_motion_pct = kNoNumber;     ///< The RMS error in % of how far the tips move from their rest, RMS too.
   double stretch_max_pct = kNoNumber;  ///< Worst |length / rest - 1|.
   /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
   double penetration_max_pct = kNoNumber;
@@ -45,6 +49,8 @@ struct AccuracyRow {
           {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"ns/bone"}, {"ns/bone", 10}},
           {"rms_error_pct", &Row::rms_error_pct, {"RMS error %", against_budget(budget_pct)}, {"rms %", 9}},
           {"max_error_pct", &Row::max_error_pct, {"max error %"}, {"max %", 9}},
+          {"worst_second_pct", &Row::worst_second_pct, {"worst second %"}, {"second %", 10}},
+          {"of_motion_pct", &Row::of_motion_pct, {"of the motion %"}, {"of motion %", 13}},
           {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}, {"stretch %", 11}},
           {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}, {"penetration %", 15}},
           {"segment_penetration_max_pct", &Row::segment_penetration_max_pct, {"between ends %"}},
@@ -114,6 +120,8 @@ struct AccuracyReport {
   std::vector<SpreadRow> spread;
   std::vector<ReferenceRow> reference;  ///< One per motion.
   std::vector<SettleRow> settle;
+  std::vector<SwingRow> swings;        ///< One per tip, longest first.
+  bool is_passive = false;             ///< The model in which bones hold back their parents.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
@@ -124,13 +132,17 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// The frame rate to compare solvers at: 60, or else the measured one next to it. NaN for an empty report.
 [[nodiscard]] double main_frame_rate(const AccuracyReport& report);
 
-/// Every solver and setting at one frame rate over all motions, in the order in which they first occur.
+/// Every solver and setting at one frame rate over all motions but `still` and `teleport`, in which little happens, unless
+/// there are no others; in the order in which they first occur.
 [[nodiscard]] std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double fps);
+
+/// The motions that means_over_motions() is of.
+[[nodiscard]] std::vector<std::string> averaged_motions(const AccuracyReport& report);
 
 /// "coif", or "coif x2" for two sub-steps or iterations of a frame.
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
-/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, settle and chosen, which is null
+/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, settle, swings and chosen, which is null
 /// where no setting meets the budget. The keys are those of the columns.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
 

@@ -18,6 +18,7 @@ ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& r
   json["spread"] = json_list(spread_columns(), report.spread);
   json["reference"] = json_list(reference_columns(budget), report.reference);
   json["settle"] = json_list(settle_columns(budget), report.settle);
+  json["swings"] = json_list(swing_columns(), report.swings);
   json["budget_rms_pct"] = number_json(budget);
   json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
   return json;
@@ -97,10 +98,15 @@ std::string reference_summary(const AccuracyReport& report) {
   if (unsure.empty()) {
     return fmt::format(
         "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
-        "it agrees with itself to {} in every motion; errors above that are the solvers'. In that model bones do not "
-        "pull on their parents; the methods whose bones do (all but coif and projective) solve another equation, and a "
-        "part of their distance is that difference, whatever their steps.",
-        percent_text(worst));
+        "it agrees with itself to {} in every motion; errors above that are the solvers'. {}",
+        percent_text(worst),
+        report.is_passive
+            ? "In that model bones hold back their parents, by a potential of their bending; the other methods solve "
+              "other "
+              "equations, and a part of their distance is that difference, whatever their steps."
+            : "In that model bones do not pull on their parents; the methods whose bones do (all but coif and "
+              "projective) "
+              "solve another equation, and a part of their distance is that difference, whatever their steps.");
   }
   return fmt::format(
       "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "
@@ -108,6 +114,26 @@ std::string reference_summary(const AccuracyReport& report) {
       "nothing. More damping in the recipe makes the motion repeatable.",
       fmt::join(unsure, ", "), budget_text(limit));
 }
+
+namespace {
+
+/// How the hair swings, of the longest chains.
+std::string swings_text(const AccuracyReport& report) {
+  constexpr std::size_t kMostLines = 12;
+  if (report.swings.empty()) return "";
+  std::vector<SwingRow> shown = report.swings;
+  shown.resize(std::min(shown.size(), kMostLines));
+  std::string text = text_heading(swing_columns()) + text_lines(swing_columns(), shown);
+  if (shown.size() < report.swings.size()) {
+    text += fmt::format("  and {} shorter, with --format json\n", report.swings.size() - shown.size());
+  }
+  return text +
+         "  after a charge from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 per second, and by Algorithm 1 with "
+         "the "
+         "artist's resistance\n";
+}
+
+}  // namespace
 
 std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
@@ -119,11 +145,11 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
            });
   });
   const auto columns = accuracy_columns(report.budget_rms_pct);
-  const std::size_t motions = names_of(report.rows, &AccuracyRow::motion).size();
+  const std::size_t motions = averaged_motions(report).size();
   return heading_text(heading) + "\n" + text_heading(columns) + text_lines(columns, shown) +
          fmt::format("  at {} per second, over {}; *: nothing is both cheaper and more exact\n", fps,
                      counted(motions, "motion", "motions")) +
-         accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
+         swings_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
 }
 
 }  // namespace coif

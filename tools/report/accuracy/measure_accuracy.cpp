@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace coif {
@@ -20,6 +21,7 @@ constexpr std::size_t kMostBones = 128;  ///< Beside each other; more trees of a
 constexpr double kSettleSeconds = 6;
 constexpr double kSettleRate = 60;
 constexpr double kPercent = 100;
+constexpr double kLeastMoved = 1e-3;  ///< Lengths, RMS: of less no share is told.
 
 class AccuracyMeasurement {
  public:
@@ -29,6 +31,10 @@ class AccuracyMeasurement {
   AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
     for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
+    report_.is_passive = sample_.rig.model == ChainModel::kPassive;
+    tell("swings");
+    report_.swings = measure_swings(asset_);
+    std::ranges::stable_sort(report_.swings, std::greater(), &SwingRow::length_mm);
     choose();
     return std::move(report_);
   }
@@ -67,6 +73,8 @@ class AccuracyMeasurement {
       const TipError error = tip_error(trial, at_rate, sample_.rig, reference);
       row.rms_error_pct = kPercent * error.rms;
       row.max_error_pct = kPercent * error.max;
+      row.worst_second_pct = kPercent * error.worst_second;
+      if (error.moved > kLeastMoved) row.of_motion_pct = kPercent * error.rms / error.moved;
       row.stretch_max_pct = trial.is_finite ? kPercent * trial.worst.stretch : kNoNumber;
       if (trial.is_finite && meter_.sees_colliders()) {
         row.penetration_max_pct = kPercent * trial.worst.point_depth;

@@ -67,6 +67,8 @@ struct MotionTrial {
 struct TipError {
   double rms = 0;
   double max = 0;
+  double worst_second = 0;  ///< RMS over the worst second, or all where that is shorter.
+  double moved = 0;         ///< RMS distance of the reference's tips from their rest.
 };
 /// Over all frames and tips; NaN for a trial that is not finite. Every frame's time is one of the reference's.
 [[nodiscard]] TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig,

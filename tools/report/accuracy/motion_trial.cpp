@@ -33,6 +33,31 @@ struct SquareMean {
   [[nodiscard]] double root() const { return count == 0 ? kNan : std::sqrt(sum / double(count)); }
 };
 
+double worst_second(std::span<const SquareMean> frames, double fps) {
+  const std::size_t width =
+      std::clamp<std::size_t>(std::size_t(std::lround(fps)), 1, std::max<std::size_t>(frames.size(), 1));
+  double worst = 0;
+  for (std::size_t first = 0; first + width <= frames.size(); ++first) {
+    SquareMean second;
+    for (const SquareMean& frame : frames.subspan(first, width)) {
+      second.sum += frame.sum;
+      second.count += frame.count;
+    }
+    worst = std::max(worst, second.root());
+  }
+  return worst;
+}
+
+std::vector<Vector3d> tips_at_rest(const Rig& rig) {
+  std::vector<Vector3d> ends, tips;
+  for (const RigBone& bone : rig.bones) {
+    const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
+    ends.push_back(start + bone.length * bone.rest_direction);
+  }
+  for (const std::uint32_t tip : rig.tips) tips.push_back(ends[tip]);
+  return tips;
+}
+
 }  // namespace
 
 FramePoses::FramePoses(const HeadPath& path, double frames_per_second, double seconds) : fps(frames_per_second) {
@@ -70,18 +95,24 @@ MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& fr
 }
 
 TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig, const ReferenceRun& reference) {
-  if (!trial.is_finite) return {kNan, kNan};
-  SquareMean mean;
+  if (!trial.is_finite) return {kNan, kNan, kNan, kNan};
+  SquareMean mean, moved;
+  std::vector<SquareMean> of_frames;
+  const std::vector<Vector3d> rest = tips_at_rest(rig);
   for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
+    SquareMean& of_frame = of_frames.emplace_back();
     const auto sample =
         std::size_t(std::ranges::lower_bound(reference.times, frames.times[frame]) - reference.times.begin());
     for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
       const Vector3d& place = trial.tips[(frame - 1) * rig.tips.size() + tip];
       const double apart = (place - reference.path_of_tip(tip)[sample]).norm() / rig.tip_length[tip];
       mean.add(apart * apart);
+      of_frame.add(apart * apart);
+      moved.add((reference.path_of_tip(tip)[sample] - rest[tip]).squaredNorm() /
+                (rig.tip_length[tip] * rig.tip_length[tip]));
     }
   }
-  return {mean.root(), std::sqrt(mean.worst)};
+  return {mean.root(), std::sqrt(mean.worst), worst_second(of_frames, frames.fps), moved.root()};
 }
 
 double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b, const FramePoses& b_frames,

@@ -1,0 +1,111 @@
+#include "report/accuracy/swing.h"
+
+#include "lab/rig.h"
+#include "lab/runtime_solver.h"
+#include "report/accuracy/measure_accuracy.h"
+
+#include <coif/hair.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kMostSwingBones = 128;
+constexpr double kSeconds = 8, kRate = 60;
+constexpr double kFirstSwing = 0.5;   ///< Seconds in which a tip is where it is thrown to.
+constexpr double kSettled = 0.05;     ///< Of the first swing.
+constexpr int kArtistIterations = 8;  ///< Of Algorithm 1: more change nothing that is seen.
+constexpr double kInPercent = 100;
+
+/// Tips of all frames from rest, as try_motion() has them.
+std::vector<Vector3d> run(const Asset& asset, const RigSample& sample, const FramePoses& frames, const Solver& solver,
+                          int effort) {
+  RuntimeSolver runtime(asset, {}, solver, effort);
+  runtime.reset(frames.poses.front());
+  std::vector<Vector3d> tips;
+  for (std::size_t i = 1; i < frames.poses.size(); ++i) {
+    if (!runtime.step(frames.poses[i], 1 / kRate)) return {};
+    for (const std::uint32_t tip : sample.rig.tips) tips.push_back(runtime.bone_ends()[sample.bones[tip]]);
+  }
+  return tips;
+}
+
+std::vector<Vector3d> of_tip(const std::vector<Vector3d>& all, std::size_t tip, std::size_t tips, std::size_t first) {
+  std::vector<Vector3d> one;
+  for (std::size_t frame = first; frame * tips < all.size(); ++frame) one.push_back(all[frame * tips + tip]);
+  return one;
+}
+
+double rms_apart(std::span<const Vector3d> a, std::span<const Vector3d> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]).squaredNorm();
+  return std::sqrt(sum / double(std::max<std::size_t>(a.size(), 1)));
+}
+
+std::string name_of_chain(const Asset& asset, std::uint32_t chain) {
+  const std::string name(asset.bone_name(asset.chains()[chain].first_bone));
+  return name.empty() ? fmt::format("{}", chain) : name;
+}
+
+}  // namespace
+
+Swing swing_of(std::span<const Vector3d> tips, const Vector3d& rest, double dt) {
+  Swing swing;
+  for (const Vector3d& tip : tips) swing.thrown = std::max(swing.thrown, (tip - rest).norm());
+  if (!(swing.thrown > 0)) return swing;
+  // Level, as heads go: a tip that is thrown up to one side comes up on the other.
+  const auto sideways = [&](std::size_t i) { return Vector3d(tips[i].x() - rest.x(), 0, tips[i].z() - rest.z()); };
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < tips.size() && double(i) * dt < kFirstSwing; ++i) {
+    if (sideways(i).norm() > sideways(farthest).norm()) farthest = i;
+  }
+  const Vector3d way = sideways(farthest);
+  double back = 0;
+  for (std::size_t i = farthest; i < tips.size(); ++i) back = std::max(back, -sideways(i).dot(way));
+  swing.overshoot = way.squaredNorm() > 0 ? back / way.squaredNorm() : 0;
+  std::size_t settled = tips.size();
+  while (settled > 0 && (tips[settled - 1] - rest).norm() <= kSettled * swing.thrown) --settled;
+  swing.settling_s = settled < tips.size() ? double(settled) * dt : kNoNumber;
+  return swing;
+}
+
+std::vector<SwingRow> measure_swings(const Asset& asset) {
+  const auto path = path_of(Motion::kCharge);
+  const std::vector<PathBreak> breaks = path->breaks(kSeconds);
+  const RigSample sample = sample_of(rig_of(asset), kMostSwingBones);
+  const FramePoses frames(*path, kRate, kSeconds), still(*path_of(Motion::kStill), kRate, kSeconds);
+  const std::vector<Vector3d> ours = run(asset, sample, frames, kCoifSolver, 0);
+  const std::vector<Vector3d> artists = run(asset, sample, frames, kThesisSolver, kArtistIterations);
+  const std::vector<Vector3d> at_rest = run(asset, sample, still, kCoifSolver, 0);
+  const std::vector<Vector3d> artists_rest = run(asset, sample, still, kThesisSolver, kArtistIterations);
+  const auto steady = std::size_t(std::lround(breaks.front().seconds * kRate)) - 1;  // tips begin after the first frame
+  const std::size_t tips = sample.rig.tips.size();
+  std::vector<SwingRow> rows;
+  for (std::size_t tip = 0; tip < tips; ++tip) {
+    const double length = sample.rig.tip_length[tip];
+    SwingRow row{.chain = name_of_chain(asset, sample.rig.tip_chain[tip]), .length_mm = 1000 * length};
+    if (!ours.empty() && !at_rest.empty()) {
+      const Swing swing = swing_of(of_tip(ours, tip, tips, steady), of_tip(at_rest, tip, tips, 0).back(), 1 / kRate);
+      row.thrown_pct = kInPercent * swing.thrown / length;
+      row.overshoot_pct = kInPercent * swing.overshoot;
+      row.settling_s = swing.settling_s;
+    }
+    if (!artists.empty() && !artists_rest.empty()) {
+      const Swing swing =
+          swing_of(of_tip(artists, tip, tips, steady), of_tip(artists_rest, tip, tips, 0).back(), 1 / kRate);
+      row.artist_overshoot_pct = kInPercent * swing.overshoot;
+      row.artist_settling_s = swing.settling_s;
+      row.apart_pct = kInPercent * rms_apart(of_tip(ours, tip, tips, 0), of_tip(artists, tip, tips, 0)) / length;
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace coif

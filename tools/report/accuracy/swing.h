@@ -1,0 +1,61 @@
+#pragma once
+
+// How alive hair is: what it does after the head has stopped accelerating.
+
+#include "report/page/report_columns.h"
+
+#include <coif/asset.h>
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// A tip that was thrown from where it rests.
+struct Swing {
+  double thrown = 0;     ///< Farthest from its rest.
+  double overshoot = 0;  ///< How far it then comes to the other side, share of how far it was thrown, both level.
+  double settling_s =
+      0;  ///< From when the head went on steadily until the tip stays within a twentieth of `thrown`. NaN: never.
+};
+
+/// `tips`: where the tip is, seen from the head, at equal times `dt` seconds apart, the first one when the head goes on
+/// steadily. `rest`: where it hangs. Units are the caller's.
+[[nodiscard]] Swing swing_of(std::span<const Eigen::Vector3d> tips, const Eigen::Vector3d& rest, double dt);
+
+/// One chain after the motion `charge`, from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 frames a second, and as Algorithm 1
+/// has it with the artist's resistance.
+struct SwingRow {
+  std::string chain;
+  double length_mm = kNoNumber;
+  double thrown_pct = kNoNumber;  ///< Of the chain's length.
+  double overshoot_pct = kNoNumber;
+  double settling_s = kNoNumber;
+  double artist_overshoot_pct = kNoNumber;
+  double artist_settling_s = kNoNumber;
+  double apart_pct = kNoNumber;  ///< RMS distance of the two over the motion, of the chain's length.
+};
+
+[[nodiscard]] inline Columns<SwingRow> swing_columns() {
+  using Row = SwingRow;
+  return {{"chain", &Row::chain, {"chain"}, {"chain", -24}},
+          {"length_mm", &Row::length_mm, {"length mm"}, {"mm", 6, "{:.0f}"}},
+          {"thrown_pct", &Row::thrown_pct, {"thrown %"}, {"thrown %", 10, "{:.0f}"}},
+          {"overshoot_pct", &Row::overshoot_pct, {"overshoot %"}, {"overshoot %", 13, "{:.0f}"}},
+          {"settling_s", &Row::settling_s, {"settles in s"}, {"settles s", 11, "{:.2f}"}},
+          {"artist_overshoot_pct",
+           &Row::artist_overshoot_pct,
+           {"Algorithm 1: overshoot %"},
+           {"Algorithm 1: %", 16, "{:.0f}"}},
+          {"artist_settling_s", &Row::artist_settling_s, {"Algorithm 1: settles in s"}, {"s", 7, "{:.2f}"}},
+          {"apart_pct", &Row::apart_pct, {"apart %"}, {"apart %", 9, "{:.0f}"}}};
+}
+
+/// Of the chains that end in at most 128 bones of the asset, evenly chosen; one row for each tip.
+[[nodiscard]] std::vector<SwingRow> measure_swings(const Asset& asset);
+
+}  // namespace coif
