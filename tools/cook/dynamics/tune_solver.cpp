@@ -20,7 +20,7 @@ constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
 /// Slower frames may be as much more off as they are longer: what the head does in them is not known.
 constexpr double kUsualRate = 60;
-constexpr double kWorthwhile = 0.8;    ///< Of an error that is too large: dearer settings leave no more of it.
+constexpr double kWorthwhile = 0.9;    ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
 
@@ -165,7 +165,9 @@ struct TriedRate {
   TuningRecord tuning{};
   double max_error = 0;
   double worst_second = 0;
-  double excess = 0;  ///< Budget::excess()
+  double excess = 0;  ///< Budget::excess() of the worst rate.
+  double mean_excess =
+      0;  ///< Of all rates, 1 where it is less: finer steps may help some where one is as good as it gets.
   std::uint32_t worst_motion = 0;
 };
 
@@ -186,6 +188,7 @@ TriedRate try_rate(Bench& bench, std::span<const std::uint32_t> rates, std::uint
     const double excess = budget.excess(row, rate);
     if (excess >= trial.excess) trial.worst_motion = row.quality.worst_motion;
     trial.excess = std::max(trial.excess, excess);
+    trial.mean_excess += std::max(excess, 1.0) / double(rates.size());
   }
   return trial;
 }
@@ -242,8 +245,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
     if (!affordable && !is_first) break;
     if (is_first || tried.excess < least.excess) least = tried;
     // Where nothing is good enough, more sub-steps have to gain something.
-    const bool gains = tried.excess < (tried.excess <= 1 ? 1.0 : kWorthwhile) * best.excess;
-    if (is_first || gains) best = tried;
+    if (is_first || tried.excess <= 1 || tried.mean_excess < kWorthwhile * best.mean_excess) best = tried;
     best.tuning.met = affordable && ((budget.is_usual && budget.cost > 0) || best.excess <= 1);
     if (best.excess <= 1 || !affordable) break;
   }
