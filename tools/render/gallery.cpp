@@ -4,6 +4,8 @@
 #include "base/srgb.h"
 #include "motion/head_path.h"
 
+#include <coif/hair.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -117,6 +119,23 @@ void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
   }
 }
 
+void add_swings(PictureSettings picture, std::vector<Gallery>& galleries) {
+  constexpr int kMoments = 2 * int(kGalleryColumns);
+  constexpr double kFirst = 0.15, kStep = 0.15;  // seconds; the head goes on steadily from 0.3 on
+  picture.clip = path_of(Motion::kCharge);
+  picture.yaw_degrees = 75;
+  for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
+    Gallery gallery{6, solver == &kCoifSolver ? "Swing after a charge, as cooked" : "The same by Algorithm 1", {}};
+    picture.solver = solver;
+    if (solver == &kThesisSolver) picture.step.iterations = 8;
+    for (int i = 0; i < kMoments; ++i) {
+      picture.time = kFirst + i * kStep;
+      gallery.pictures.push_back({fmt::format("{:.2f} s", picture.time), picture});
+    }
+    galleries.push_back(std::move(gallery));
+  }
+}
+
 }  // namespace
 
 std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings) {
@@ -124,6 +143,7 @@ std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings&
   std::vector<Gallery> galleries{components(asset, picture), shifts(asset, picture), exponents(asset, picture),
                                  colors(asset, picture)};
   add_motion(picture, galleries);
+  add_swings(picture, galleries);
   if (settings.only > 0) std::erase_if(galleries, [&](const Gallery& g) { return g.number != settings.only; });
   return galleries;
 }
@@ -167,7 +187,7 @@ tl::expected<GallerySheet, ToolError> render_gallery(const Asset& asset, const G
   if (const auto checked = check_tile_size(settings.width, settings.height); !checked)
     return tl::unexpected(checked.error());
   if (settings.only > kGalleries) {
-    return usage("there is no gallery " + std::to_string(settings.only) + "; the thesis has 1 to 5");
+    return usage("there is no gallery " + std::to_string(settings.only) + "; there are 1 to 6");
   }
   return draw_sheet(asset, thesis_galleries(asset, settings), kGalleryColumns, {}, progress);
 }
@@ -176,9 +196,7 @@ namespace {
 
 constexpr double kMaxColor = 1000;  // of a material: formats/SPECIFICATION.md
 
-double linear(std::byte srgb) {
-  return decode_srgb(std::to_integer<int>(srgb) / 255.0);
-}
+double linear(std::byte srgb) { return decode_srgb(std::to_integer<int>(srgb) / 255.0); }
 
 MaterialRecord first_gallery() {
   MaterialRecord material{};

@@ -41,9 +41,9 @@ struct SheetSection {
 /// All tiles have the first one's size; `columns` (> 0) of them make a row. ASCII only.
 [[nodiscard]] Picture contact_sheet(std::span<const SheetSection> sections, std::uint32_t columns);
 
-// The five galleries of the thesis, taken of any asset.
+// The five galleries of the thesis and one of how hair swings, taken of any asset.
 
-inline constexpr std::uint32_t kGalleries = 5;
+inline constexpr std::uint32_t kGalleries = 6;
 inline constexpr std::uint32_t kGalleryColumns = 6;
 
 struct GallerySettings {
@@ -59,13 +59,13 @@ struct GalleryPicture {
 
 /// A row or two of pictures that are to be compared.
 struct Gallery {
-  std::uint32_t number = 1;  ///< In the thesis.
+  std::uint32_t number = 1;  ///< In the thesis, up to 5.
   std::string title;
   std::vector<GalleryPicture> pictures;
 };
 
 /// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
-/// moments one after the other.
+/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1.
 [[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
 
 struct GallerySheet {
