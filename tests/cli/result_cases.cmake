@@ -6,7 +6,7 @@ coif_cli_case(info_json EXIT 0 SAMPLE
        simulated_bones twisting_bones settings collider_shapes colliding_bones lods textures,0,format sides shading
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
 coif_cli_case(info_text_shows_tuning EXIT 0 SAMPLE
-  STDOUT "stiffness.*damping.*torsion.*angle_limit .*180 [.][.] 180.*parent_share.*tuning [(]met[)].*30 [.][.] 120 .*Hz.*asked: 0.7 %.*ns per head.*quality .*worst motion\n +30 .* +[1-9][0-9]*  [a-z]+\n +"
+  STDOUT "stiffness.*damping.*torsion.*angle_limit .*180 [.][.] 180.*parent_share.*tuning [(]met[)].*30 [.][.] 120 .*Hz.*asked: 2 %.*ns per head.*quality .*worst motion\n +30 .* +[1-9][0-9]*  [a-z]+\n +"
   ARGS info ${COIF_COOKED_SAMPLE})
 coif_cli_case(info_json_shows_tuning EXIT 0 SAMPLE
   JSON settings,resistance,1 settings,stiffness,1 settings,damping,1 settings,torsion,1 settings,angle_limit,1

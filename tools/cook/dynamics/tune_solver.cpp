@@ -18,8 +18,8 @@ namespace {
 constexpr double kSeconds = 2;
 constexpr double kMostError = 1000;    ///< That an asset may hold.
 constexpr double kUsualError = 0.007;  ///< Where the recipe asks for nothing, this is wanted and nothing less refused.
-/// Slower frames may be as much more off as they are longer: what the head does in them is not known.
-constexpr double kUsualRate = 60;
+/// In slower frames nobody knows what the head does: there the error grows with their square, and up to this much is let be.
+constexpr double kUsualRate = 60, kMostUsualError = 0.02;
 constexpr double kWorthwhile = 0.9;    ///< Of an error that is too large: dearer settings leave no more of it.
 constexpr std::size_t kFewBones = 24;  ///< Up to here every chain is run.
 constexpr std::uint32_t kParts[] = {1, 2, 3, 4, 6, 8, 12, 16};
@@ -134,7 +134,8 @@ struct Budget {
 
   /// The RMS error that may be had at this rate.
   [[nodiscard]] double error_at(std::uint32_t rate) const {
-    return is_usual ? error * std::max(1.0, kUsualRate / rate) : error;
+    const double longer = std::max(1.0, kUsualRate / rate);
+    return is_usual ? std::min(error * longer * longer, kMostUsualError) : error;
   }
   /// How many times what it may be the worst of the errors is.
   [[nodiscard]] double excess(const MeasuredRate& measured, std::uint32_t rate) const {
