@@ -69,13 +69,46 @@ TEST(BuildSkeleton, WhatABoneCarriesByHalfIsItsOwn) {
     // The lowest vertices, with this much of their weight on the last bone.
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
       if (mesh.positions[v].y() > 1.41f) continue;
-      for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k) mesh.influences[k].weight = 0;
+      for (std::uint32_t k = mesh.influence_begin[v]; k < mesh.influence_begin[v + 1]; ++k)
+        mesh.influences[k].weight = 0;
       mesh.influences[mesh.influence_begin[v]] = {4, weight};
     }
     return skeleton_of(model)->bones[3].tail.y();
   };
   EXPECT_NEAR(tail(0.52f), tail(1.0f), 1.0e-6);
   EXPECT_GT(tail(0.48f), tail(1.0f) + 0.01);
+}
+
+/// The wig, whose end marker (node 5) has this much of the vertices at the end of the last bone (node 4).
+tl::expected<Skeleton, ToolError> skeleton_with_end_weight(float weight) {
+  SourceModel model = make_wig();
+  SourceMesh& mesh = model.meshes[0];
+  std::vector<SourceInfluence> influences;
+  std::vector<std::uint32_t> begin{0};
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v].y() > 1.45f) {
+      influences.insert(influences.end(), mesh.influences.begin() + mesh.influence_begin[v],
+                        mesh.influences.begin() + mesh.influence_begin[v + 1]);
+    } else {
+      influences.push_back({4, 1 - weight});
+      influences.push_back({5, weight});
+    }
+    begin.push_back(std::uint32_t(influences.size()));
+  }
+  mesh.influences = influences;
+  mesh.influence_begin = begin;
+  return skeleton_of(model);
+}
+
+TEST(BuildSkeleton, AnEndMarkerThatSmoothingGaveSomeSkinIsNoBone) {
+  const auto skeleton = skeleton_with_end_weight(0.3f);
+  ASSERT_TRUE(skeleton);
+  EXPECT_EQ(skeleton->bones.size(), 4u) << "or the last bone points back up, as stiff as it is short";
+  EXPECT_EQ(skeleton->bone_of_node[5], 3u) << "its share moves with the bone above";
+  EXPECT_NEAR((skeleton->bones[3].tail - Eigen::Vector3d(0, 1.4, -0.1)).norm(), 0, 1.0e-9);
+  const auto heavy = skeleton_with_end_weight(0.7f);
+  ASSERT_TRUE(heavy);
+  EXPECT_EQ(heavy->bones.size(), 5u) << "what is mostly its own it moves";
 }
 
 /// Where the bone of node 0 ends that starts at the origin below one that comes from the side, 0.2 m. It has so much of one

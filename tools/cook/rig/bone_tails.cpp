@@ -96,6 +96,19 @@ Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, 
   return start + direction * (tail ? kShortestBone : length);
 }
 
+bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start,
+                       const Eigen::Vector3d& above) {
+  for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
+    float own = 0, most = 0;
+    for (const SourceInfluence& influence : hair.influences_of(v)) {
+      (influence.node == node ? own : most) = std::max(influence.node == node ? own : most, influence.weight);
+    }
+    if (own > most) return false;
+  }
+  const std::optional<Eigen::Vector3d> end = end_of_vertices(hair, node, start);
+  return end && (*end - start).dot(above) < 0;
+}
+
 namespace {
 
 /// The bone that is this node and not only carries its vertices; kNone: there is none.

@@ -111,8 +111,13 @@ class SkeletonBuilder {
     skeleton_.bone_of_node[node] = index;
     skeleton_.bones.push_back(bone);
     for (std::uint32_t child : children_[node]) {
-      if (!too_many()) add_simulated(child, index, chain);
+      if (!too_many() && !is_marker(child, bone)) add_simulated(child, index, chain);
     }
+  }
+
+  [[nodiscard]] bool is_marker(std::uint32_t node, const SkeletonBone& above) const {
+    return children_[node].empty() && !swings_[node] &&
+           only_marks_an_end(hair_, node, above.tail, above.tail - above.start);
   }
 
   /// Refused by the caller; until then a hostile hierarchy must not deepen the recursion further.

@@ -60,6 +60,11 @@ tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, cons
                                              std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
                                              const SkeletonBone& parent);
 
+/// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has given it a
+/// little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
+[[nodiscard]] bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Vector3d& start,
+                                     const Eigen::Vector3d& above);
+
 struct BoneWeight {
   std::uint32_t bone = 0;
   double weight = 0;  ///< > 0.
