@@ -180,6 +180,25 @@ Figure stretch_figure(const AccuracyReport& report) {
   return figure;
 }
 
+Figure swing_figure(const SwingPath& path) {
+  constexpr double kShown = 2.5;  // seconds
+  Figure figure{{.title = "Swing of " + path.chain,
+                 .x_label = "seconds since the head began to charge",
+                 .y_label = "mm behind where the tip began"},
+                "From 0 to 8 m/s in 0.3 s, at 60 frames per second, seen from the head. Above the axis the tip is "
+                "thrown back, below "
+                "it swings past where it began."};
+  const auto add = [&](const char* name, const std::vector<double>& behind) {
+    PlotSeries& series = figure.plot.add(name, {}, PlotSeries::Style::kLine);
+    for (std::size_t i = 0; i < behind.size() && double(i) * path.seconds_per_frame < kShown; ++i) {
+      series.points.push_back({double(i + 1) * path.seconds_per_frame, 1000 * behind[i]});
+    }
+  };
+  add("as cooked", path.behind_m);
+  add("Algorithm 1", path.artist_behind_m);
+  return figure;
+}
+
 Table settings_table(const AccuracyReport& report) {
   return page_table(accuracy_columns(report.budget_rms_pct).without({"motion", "fps"}),
                     means_over_motions(report, main_frame_rate(report)));
@@ -233,7 +252,7 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   page.heading("Where does the hair come to rest?");
   page.paragraph("RMS distance of the tips under a still head to the reference's rest, in % of the length.");
   page.table(page_table(settle_columns(report.budget_rms_pct), report.settle));
-  if (!report.swings.empty()) {
+  if (!report.swings.rows.empty()) {
     page.heading("How does it swing?");
     page.paragraph(
         "After a charge from 0 to 8 m/s in 0.3 s, at 60 frames per second: how far each tip is thrown, how far it then "
@@ -242,7 +261,8 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
         "with the "
         "artist's resistance and eight iterations; apart is the RMS distance of the two, their different rests "
         "included.");
-    page.table(page_table(swing_columns(), report.swings));
+    page.figure(swing_figure(report.swings.longest));
+    page.table(page_table(swing_columns(), report.swings.rows));
   }
   page.heading("Every measurement");
   page.table(page_table(accuracy_columns(report.budget_rms_pct), report.rows));

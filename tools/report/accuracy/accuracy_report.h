@@ -29,7 +29,7 @@ struct AccuracyRow {
   double max_error_pct = kNoNumber;
   double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
   double of_motion_pct = kNoNumber;     ///< The RMS error in % of how far the tips move from their rest, RMS too.
-  double stretch_max_pct = kNoNumber;  ///< Worst |length / rest - 1|.
+  double stretch_max_pct = kNoNumber;   ///< Worst |length / rest - 1|.
   /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
   double penetration_max_pct = kNoNumber;
   double segment_penetration_max_pct = kNoNumber;  ///< The same of whole bones, between their ends too.
@@ -120,7 +120,7 @@ struct AccuracyReport {
   std::vector<SpreadRow> spread;
   std::vector<ReferenceRow> reference;  ///< One per motion.
   std::vector<SettleRow> settle;
-  std::vector<SwingRow> swings;        ///< One per tip, longest first.
+  Swings swings;
   bool is_passive = false;             ///< The model in which bones hold back their parents.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
@@ -157,6 +157,9 @@ void mark_fronts(std::span<AccuracyRow> rows);
 
 /// How far the reference can be trusted, as a sentence.
 [[nodiscard]] std::string reference_summary(const AccuracyReport& report);
+
+/// The longest chain's tip over time, when the head charges.
+[[nodiscard]] Figure swing_figure(const SwingPath& path);
 
 /// Error against cost, one curve a solver, with the Pareto front.
 [[nodiscard]] Figure work_precision_figure(const AccuracyReport& report);

@@ -18,7 +18,7 @@ ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& r
   json["spread"] = json_list(spread_columns(), report.spread);
   json["reference"] = json_list(reference_columns(budget), report.reference);
   json["settle"] = json_list(settle_columns(budget), report.settle);
-  json["swings"] = json_list(swing_columns(), report.swings);
+  json["swings"] = json_list(swing_columns(), report.swings.rows);
   json["budget_rms_pct"] = number_json(budget);
   json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
   return json;
@@ -120,12 +120,12 @@ namespace {
 /// How the hair swings, of the longest chains.
 std::string swings_text(const AccuracyReport& report) {
   constexpr std::size_t kMostLines = 12;
-  if (report.swings.empty()) return "";
-  std::vector<SwingRow> shown = report.swings;
+  if (report.swings.rows.empty()) return "";
+  std::vector<SwingRow> shown = report.swings.rows;
   shown.resize(std::min(shown.size(), kMostLines));
   std::string text = text_heading(swing_columns()) + text_lines(swing_columns(), shown);
-  if (shown.size() < report.swings.size()) {
-    text += fmt::format("  and {} shorter, with --format json\n", report.swings.size() - shown.size());
+  if (shown.size() < report.swings.rows.size()) {
+    text += fmt::format("  and {} shorter, with --format json\n", report.swings.rows.size() - shown.size());
   }
   return text +
          "  after a charge from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 per second, and by Algorithm 1 with "

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace coif {
@@ -34,7 +33,6 @@ class AccuracyMeasurement {
     report_.is_passive = sample_.rig.model == ChainModel::kPassive;
     tell("swings");
     report_.swings = measure_swings(asset_);
-    std::ranges::stable_sort(report_.swings, std::greater(), &SwingRow::length_mm);
     choose();
     return std::move(report_);
   }

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace coif {
 namespace {
@@ -48,6 +50,13 @@ double rms_apart(std::span<const Vector3d> a, std::span<const Vector3d> b) {
   return std::sqrt(sum / double(std::max<std::size_t>(a.size(), 1)));
 }
 
+/// `charge` goes along +Z.
+std::vector<double> behind(std::span<const Vector3d> tips) {
+  std::vector<double> metres;
+  for (const Vector3d& tip : tips) metres.push_back(tips.front().z() - tip.z());
+  return metres;
+}
+
 std::string name_of_chain(const Asset& asset, std::uint32_t chain) {
   const std::string name(asset.bone_name(asset.chains()[chain].first_bone));
   return name.empty() ? fmt::format("{}", chain) : name;
@@ -75,19 +84,22 @@ Swing swing_of(std::span<const Vector3d> tips, const Vector3d& rest, double dt) 
   return swing;
 }
 
-std::vector<SwingRow> measure_swings(const Asset& asset) {
+Swings measure_swings(const Asset& asset) {
   const auto path = path_of(Motion::kCharge);
-  const std::vector<PathBreak> breaks = path->breaks(kSeconds);
   const RigSample sample = sample_of(rig_of(asset), kMostSwingBones);
   const FramePoses frames(*path, kRate, kSeconds), still(*path_of(Motion::kStill), kRate, kSeconds);
   const std::vector<Vector3d> ours = run(asset, sample, frames, kCoifSolver, 0);
   const std::vector<Vector3d> artists = run(asset, sample, frames, kThesisSolver, kArtistIterations);
   const std::vector<Vector3d> at_rest = run(asset, sample, still, kCoifSolver, 0);
   const std::vector<Vector3d> artists_rest = run(asset, sample, still, kThesisSolver, kArtistIterations);
-  const auto steady = std::size_t(std::lround(breaks.front().seconds * kRate)) - 1;  // tips begin after the first frame
+  // Tips begin after the first frame.
+  const auto steady = std::size_t(std::lround(path->breaks(kSeconds).front().seconds * kRate)) - 1;
   const std::size_t tips = sample.rig.tips.size();
-  std::vector<SwingRow> rows;
-  for (std::size_t tip = 0; tip < tips; ++tip) {
+  std::vector<std::size_t> order(tips);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t tip) { return sample.rig.tip_length[tip]; });
+  Swings swings;
+  for (const std::size_t tip : order) {
     const double length = sample.rig.tip_length[tip];
     SwingRow row{.chain = name_of_chain(asset, sample.rig.tip_chain[tip]), .length_mm = 1000 * length};
     if (!ours.empty() && !at_rest.empty()) {
@@ -103,9 +115,13 @@ std::vector<SwingRow> measure_swings(const Asset& asset) {
       row.artist_settling_s = swing.settling_s;
       row.apart_pct = kInPercent * rms_apart(of_tip(ours, tip, tips, 0), of_tip(artists, tip, tips, 0)) / length;
     }
-    rows.push_back(row);
+    swings.rows.push_back(row);
   }
-  return rows;
+  if (tips > 0) {
+    swings.longest = {swings.rows.front().chain, 1 / kRate, behind(of_tip(ours, order.front(), tips, 0)),
+                      behind(of_tip(artists, order.front(), tips, 0))};
+  }
+  return swings;
 }
 
 }  // namespace coif

@@ -55,7 +55,21 @@ struct SwingRow {
           {"apart_pct", &Row::apart_pct, {"apart %"}, {"apart %", 9, "{:.0f}"}}};
 }
 
-/// Of the chains that end in at most 128 bones of the asset, evenly chosen; one row for each tip.
-[[nodiscard]] std::vector<SwingRow> measure_swings(const Asset& asset);
+/// Where a tip is in its motion, seen from the head: metres by which it is behind where it began, or before that, as the head
+/// goes.
+struct SwingPath {
+  std::string chain;
+  double seconds_per_frame = 0;  ///< The first frame ends after one.
+  std::vector<double> behind_m;
+  std::vector<double> artist_behind_m;  ///< By Algorithm 1.
+};
+
+struct Swings {
+  std::vector<SwingRow> rows;  ///< One for each tip, longest chain first.
+  SwingPath longest;           ///< Of the longest chain.
+};
+
+/// Of the chains that at most 128 bones of the asset make up, evenly chosen.
+[[nodiscard]] Swings measure_swings(const Asset& asset);
 
 }  // namespace coif
