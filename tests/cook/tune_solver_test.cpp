@@ -145,6 +145,27 @@ TEST(TuneSolver, AnImpossibleBudgetIsRefusedWithBothFigures) {
       << both.message;
 }
 
+TEST(TuneSolver, ABudgetMayBeOnTheFurthestFrameOrTheWorstSecond) {
+  const TuningRecord by_mean = tuned(budget(0.3));
+  Recipe recipe = budget(0);
+  recipe.budget_max_error = 1.5;
+  const auto by_most = tune_solver(calm_chain(), recipe, 1, unheard());
+  ASSERT_TRUE(by_most) << by_most.error().message;
+  for (const QualityRecord& row : by_most->quality) {
+    const bool is_chosen = float(row.substeps) == std::ceil(by_most->tuning[0].substep_rate / row.frame_rate);
+    EXPECT_TRUE(!is_chosen || row.max_error <= 0.015f) << row.max_error;
+  }
+  recipe.budget_max_error = 0;
+  recipe.budget_worst_second = 0.3;
+  EXPECT_GE(tuned(recipe).substep_rate, by_mean.substep_rate) << "no second is worse than the worst";
+  recipe.budget_worst_second = 1e-6;
+  EXPECT_NE(refusal(recipe).message.find("a worst second of 1e-06 % of the chain's length was asked for"),
+            std::string::npos);
+  recipe.budget_worst_second = 0;
+  recipe.budget_max_error = 1e-6;
+  EXPECT_NE(refusal(recipe).message.find("a largest error of 1e-06 %"), std::string::npos);
+}
+
 TEST(TuneSolver, WithoutABudgetNothingIsRefused) {
   AssetContents wild = rig_of_chain({.bones = 8, .length = 0.8f, .stiffness = 20}).contents();
   const auto result = tune_solver(wild, default_recipe(), 2, unheard());
