@@ -124,13 +124,30 @@ const Pass kPasses[] = {
     {"dynamics",
      [](Cooking& c) -> Done {
        const auto of_chain = chain_overrides(c.hair, c.rig, c.recipe, c.report);
-       const SaidMotion said = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
-       c.contents.dynamics = said.records;
+       c.said = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
+       c.contents.dynamics = c.said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
-       settle_model(c.recipe, said.sources, said.damping_ratios, c.contents, c.report);
+       settle_model(c.recipe, c.said.sources, c.said.damping_ratios, c.contents, c.report);
        c.moves = can_be_run(c.contents);
        return {};
+     }},
+    {"model",
+     [](Cooking& c) -> Done {
+       Recipe recipe = c.recipe;
+       recipe.dynamics_model = "passive";
+       AssetContents passive = c.contents;
+       passive.dynamics = c.said.records;
+       Findings of_passive;
+       settle_model(recipe, c.said.sources, c.said.damping_ratios, passive, of_passive);
+       if (!needs_passive_model(c.contents, passive, c.settings.threads, c.report)) return {};
+       c.contents = std::move(passive);
+       c.report.append(of_passive);
+       return {};
+     },
+     [](const Cooking& c) {
+       const bool is_open = c.recipe.dynamics_model == "auto" && c.recipe.conditioning != "off";
+       return c.moves && is_open && !c.settings.draft && !is_passive(c.contents.skeleton);
      }},
     {"conditioning",
      [](Cooking& c) { return keep(condition_chains(c.contents, c.settings.threads, c.report), c.contents.dynamics); },

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cook/cook.h"
+#include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/lods/make_lods.h"
 #include "cook/order/choose_order.h"
@@ -29,6 +30,7 @@ struct Cooking {
   std::vector<PatchListing> listings{};  ///< Empty unless somebody asks, or the recipe says something of patches alone.
   HairRig rig{};
   Colliders colliders{};
+  SaidMotion said{};   ///< Of the rig's bones.
   bool moves = false;  ///< The packed rig can be run.
   TunedSolver tuned{};
   PatchOrder order{};

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coif {
 namespace {
@@ -42,6 +43,16 @@ std::vector<Carried> carried_at_rest(std::span<const RigBone> bones) {
     }
   }
   return carried;
+}
+
+double fastest_rate(std::span<const RigBone> bones) {
+  const std::vector<Carried> carried = carried_at_rest(bones);
+  double fastest = 0;
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    const double ratio = 16 * carried[i].inertia / std::pow(bones[i].length, 3);
+    fastest = std::max({fastest, bones[i].damping * ratio, std::sqrt(bones[i].stiffness * ratio)});
+  }
+  return fastest;
 }
 
 PassiveModel::PassiveModel(std::span<const RigBone> bones)

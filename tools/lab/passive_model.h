@@ -20,6 +20,10 @@ struct Carried {
 /// One for each bone, at rest. Parents come first.
 [[nodiscard]] std::vector<Carried> carried_at_rest(std::span<const RigBone> bones);
 
+/// 1/s: what an explicit solution of the passive model has to follow. A joint's spring and damper carry all that hangs from it,
+/// and may move its own bone alone: as fast as the fourth difference of a beam lets it.
+[[nodiscard]] double fastest_rate(std::span<const RigBone> bones);
+
 /// Forces and motion of bones whose parents come first, one step's scratch included.
 class PassiveModel {
  public:

@@ -245,14 +245,8 @@ double ReferenceTree::fastest_turning() const {
 }
 
 double ReferenceTree::least_steps_per_second() const {
-  double fastest = 0;
-  // A joint's spring and damper carry all that hangs from it, and may move its own bone alone: as fast as the fourth
-  // difference of a beam lets it. Within the bounds of the method on the axes, 2.8 both ways.
-  const std::vector<Carried> carried = passive_ ? carried_at_rest(bones_) : std::vector<Carried>{};
-  for (std::size_t i = 0; i < carried.size(); ++i) {
-    const double ratio = 16 * carried[i].inertia / std::pow(bones_[i].length, 3);
-    fastest = std::max({fastest, bones_[i].damping * ratio / 2.8, std::sqrt(bones_[i].stiffness * ratio) / 2.8});
-  }
+  // Within the bounds of the method on the axes, 2.8 both ways.
+  double fastest = passive_ ? fastest_rate(bones_) / 2.8 : 0;
   for (const RigBone& bone : bones_) {
     const double torsion = never_twists(bone) ? 0 : bone.torsion;
     fastest = std::max({fastest, std::sqrt(bone.stiffness), bone.damping + bone.friction, torsion});

@@ -1,8 +1,8 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/chain_groups.h"
+#include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "lab/measure_runtime.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 
@@ -14,17 +14,6 @@
 
 namespace coif {
 namespace {
-
-constexpr double kTrialSeconds = 2;
-constexpr double kMostSelfDifferencePct = 0.1;
-/// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one that
-/// amplifies is off by ten and more.
-constexpr double kMostRuntimeError = 0.05;
-constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
-constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
-
-/// From what most easily parts two computations to what least does; still and nod never did so alone.
-constexpr Motion kMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge, Motion::kJump};
 
 /// What a chain is given. Damping and friction are shares of the square root of the bone's stiffness, its own weight's and
 /// its acceleration's included; both at 1 are half of critical each.
@@ -46,25 +35,10 @@ std::size_t enough_good(std::uint32_t bones) { return bones <= 16 ? 3 : 1; }
 constexpr double kMostSelfDifferenceOfArtistPct = 5;
 constexpr int kArtistIterations = 8;
 
-/// How a chain failed.
-struct Finding {
-  bool is_good = true;
-  Motion motion = Motion::kStill;
-  double self_difference_pct = 0;
-  double runtime_error = 0;
-  double growth = 0;  ///< Above kMostGrowth nothing was computed.
-};
-
-/// One chain alone with one candidate. Where it is good, `runs` are its motions, in the order of kMotions.
-struct Trial {
-  Finding finding;
-  std::vector<ReferenceRun> runs;
-};
-
 struct Outcome {
   std::size_t candidate = 0;
   std::uint32_t worst_chain = 0;  ///< The first that failed as it was.
-  Finding first;                  ///< As it was.
+  ChainFinding first;             ///< As it was.
   double difference = 0;          ///< From what the artist asked for, share of the length, RMS over the motions.
   bool is_good = true;
 };
@@ -83,56 +57,20 @@ void apply(const Conditioning& rung, AssetContents& contents, std::uint32_t chai
   }
 }
 
-ReferenceSettings trial_settings(double most_steps_per_second = 11520) {
-  constexpr std::uint32_t kSampled[] = {kTrialRate};
-  ReferenceSettings settings;
-  settings.sample_times = frame_times(kSampled, kTrialSeconds);
-  settings.most_steps_per_second = most_steps_per_second;
-  settings.wanted_self_difference_pct = kMostSelfDifferencePct;
-  return settings;
-}
-
-/// What is far from agreeing with coarse steps would not with fine ones: those are left.
-ReferenceRun solve_trial(const Rig& rig, Motion motion) {
-  constexpr double kCoarse = 2880, kHopelessPct = 3;
-  ReferenceRun run = solve_reference(rig, {}, *path_of(motion), trial_settings(kCoarse));
-  const double difference = run.self_difference_pct();
-  if (difference <= kMostSelfDifferencePct || !(difference <= kHopelessPct)) return run;
-  return solve_reference(rig, {}, *path_of(motion), trial_settings());
-}
-
-Finding examine_motion(const OpenedAsset& opened, const Rig& rig, const KnownMotion& known) {
-  Finding finding{true, known.motion, known.reference.self_difference_pct(), 0};
-  finding.is_good = finding.self_difference_pct <= kMostSelfDifferencePct;  // false for NaN
-  if (!finding.is_good) return finding;
-  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps).rms;
-  finding.is_good = finding.runtime_error <= kMostRuntimeError;
-  return finding;
-}
-
-Trial examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& candidate) {
+ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Conditioning& candidate) {
   AssetContents alone = chains_alone(contents, std::array{chain});
   apply(candidate, alone, 0);
-  const double growth = chain_growth(alone, 0);
-  if (growth > kMostGrowth && &candidate != std::end(kCandidates) - 1) {
-    return {{false, Motion::kStill, 0, 0, growth}, {}};
+  const bool is_last = &candidate == std::end(kCandidates) - 1;
+  if (!is_last && grows_beyond_hope(alone)) {
+    return {{false, Motion::kStill, 0, 0, chain_growth(alone, 0)}, {}};
   }
-  const OpenedAsset opened(alone);
-  const Rig rig = rig_of(opened.asset());
-  Trial trial;
-  for (const Motion motion : kMotions) {
-    KnownMotion known{motion, solve_trial(rig, motion)};
-    trial.finding = examine_motion(opened, rig, known);
-    if (!trial.finding.is_good) return trial;
-    trial.runs.push_back(std::move(known.reference));
-  }
-  return trial;
+  return try_chain(alone);
 }
 
 /// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the runtime's.
 ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion motion) {
   ReferenceRun run;
-  run.times = trial_settings().sample_times;
+  run.times = trial_times();
   run.places.resize(run.times.size() * rig.tips.size());
   const auto path = path_of(motion);
   const bool has_resistance = std::ranges::any_of(rig.bones, [](const RigBone& bone) { return bone.resistance > 0; });
@@ -148,14 +86,14 @@ ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion moti
   return run;
 }
 
-/// What the artist asked for, in the order of kMotions: the motion of the chain as it is, where there is one.
+/// What the artist asked for, in the order of kTrialMotions: the motion of the chain as it is, where there is one.
 std::vector<ReferenceRun> artists_motions(const AssetContents& contents, std::uint32_t chain) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
-  const bool may_exist = chain_growth(alone, 0) <= kMostGrowth;
+  const bool may_exist = !grows_beyond_hope(alone);
   std::vector<ReferenceRun> runs;
-  for (const Motion motion : kMotions) {
+  for (const Motion motion : kTrialMotions) {
     if (may_exist) runs.push_back(solve_trial(rig, motion));
     if (may_exist && runs.back().self_difference_pct() <= kMostSelfDifferenceOfArtistPct) continue;
     if (may_exist) runs.pop_back();
@@ -194,7 +132,7 @@ Outcome search(const AssetContents& contents, const ChainGroup& group) {
     bool is_good = true;
     for (std::size_t k = 0; k < group.telling.size() && is_good; ++k) {
       const std::uint32_t chain = group.telling[k];
-      const Trial trial = examine(contents, chain, kCandidates[c]);
+      const ChainTrial trial = examine(contents, chain, kCandidates[c]);
       is_good = trial.finding.is_good;
       if (c == 0 && !is_good) {
         outcome.worst_chain = chain;
@@ -214,27 +152,6 @@ Outcome search(const AssetContents& contents, const ChainGroup& group) {
   outcome.is_good = good > 0;
   if (!outcome.is_good) outcome.candidate = std::size(kCandidates) - 1;
   return outcome;
-}
-
-const char* name_of(Motion motion) {
-  for (const MotionInfo& info : all_motions()) {
-    if (info.motion == motion) return info.name;
-  }
-  return "";
-}
-
-std::string what_failed(const Finding& finding) {
-  if (finding.growth > 0) {
-    return fmt::format("its bones amplify what moves the first of them {:.0g} times", finding.growth);
-  }
-  if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
-    return std::isfinite(finding.self_difference_pct)
-               ? fmt::format("two computations of motion {} differed by {:.2g} % of its length",
-                             name_of(finding.motion), finding.self_difference_pct)
-               : fmt::format("two computations of motion {} had nothing in common", name_of(finding.motion));
-  }
-  return fmt::format("240 steps a second were off by {:.2g} % of its length in motion {}", 100 * finding.runtime_error,
-                     name_of(finding.motion));
 }
 
 void report(const AssetContents& contents, const ChainGroup& group, const Outcome& outcome, Findings& findings) {

@@ -17,6 +17,13 @@ namespace coif {
 /// False for a rig without chains, and for one with numbers that no asset may hold.
 [[nodiscard]] bool can_be_run(const AssetContents& contents);
 
+/// Whether hair that was meant for the cascade (`cascade`) swings as it was asked to only in the passive model (`passive`: the same
+/// hair there): some chain has no motion that could be computed twice as a cascade, so that it would have to be damped, and each
+/// such chain has one in the passive model, without. Not where that would be so stiff that nothing could check it. A note says
+/// why. Both as condition_chains() has its contents.
+[[nodiscard]] bool needs_passive_model(const AssetContents& cascade, const AssetContents& passive, unsigned threads,
+                                       Findings& findings);
+
 /// Checks that the model (runtime/docs/MODEL.md, "Well-posed or not") is one for every chain: over motions of the suite two
 /// computations of the reference, one with half the other's step, differ by at most 0.1 % of the chain's length (RMS), and
 /// 240 steps a second of the runtime follow it within 5 %. Where they do not, damping and friction are raised and

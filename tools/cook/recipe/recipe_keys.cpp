@@ -88,7 +88,7 @@ const RecipeKey kKeys[] = {
    "0: no bone swings past where it rests, 1: only the air stops it; null: the preset's, or what a resistance or spring brings"},
   {"dynamics", "model", &R::dynamics_model, "\"auto\"", 0, 0, "auto|cascade|passive", "",
    "passive: bones hold back the one before, which soft hair needs to swing; cascade: they do not, at half the price; auto:"
-   " passive for presets, cascade for springs and resistances"},
+   " passive for presets; for springs and resistances cascade, unless hair that soft would have to be damped as one"},
   {"dynamics", "resistance", &R::resistance, "[]", 0, 1, nullptr, "per step",
    "pull to the modelled pose, points [place along the chain from root 0 to tip 1, value 0..1]; none: as the preset says"},
   {"dynamics", "friction", &R::friction, "null", 0, 1.0e4, nullptr, "1/s",

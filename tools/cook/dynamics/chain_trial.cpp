@@ -1,0 +1,92 @@
+#include "cook/dynamics/chain_trial.h"
+
+#include "cook/dynamics/chain_groups.h"
+#include "lab/measure_runtime.h"
+#include "lab/rig.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr double kTrialSeconds = 2;
+constexpr double kMostSelfDifferencePct = 0.1;
+/// Share of the chain's length. A chain that hurries about its head is off by a few percent for the contacts' sake; one that
+/// amplifies is off by ten and more.
+constexpr double kMostRuntimeError = 0.05;
+constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a rounding error into sight.
+
+ReferenceSettings trial_settings(double most_steps_per_second = 11520) {
+  ReferenceSettings settings;
+  settings.sample_times = trial_times();
+  settings.most_steps_per_second = most_steps_per_second;
+  settings.wanted_self_difference_pct = kMostSelfDifferencePct;
+  return settings;
+}
+
+ChainFinding examine_motion(const OpenedAsset& opened, const Rig& rig, const KnownMotion& known) {
+  ChainFinding finding{true, known.motion, known.reference.self_difference_pct(), 0};
+  finding.is_good = finding.self_difference_pct <= kMostSelfDifferencePct;  // false for NaN
+  if (!finding.is_good) return finding;
+  finding.runtime_error = measure_runtime(opened.asset(), rig, known, kTrialRate, kTrialSubsteps).rms;
+  finding.is_good = finding.runtime_error <= kMostRuntimeError;
+  return finding;
+}
+
+const char* name_of(Motion motion) {
+  for (const MotionInfo& info : all_motions()) {
+    if (info.motion == motion) return info.name;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<double> trial_times() {
+  constexpr std::uint32_t kSampled[] = {kTrialRate};
+  return frame_times(kSampled, kTrialSeconds);
+}
+
+ReferenceRun solve_trial(const Rig& rig, Motion motion) {
+  // What is far from agreeing with coarse steps would not with fine ones: those are left.
+  constexpr double kCoarse = 2880, kHopelessPct = 3;
+  ReferenceRun run = solve_reference(rig, {}, *path_of(motion), trial_settings(kCoarse));
+  const double difference = run.self_difference_pct();
+  if (difference <= kMostSelfDifferencePct || !(difference <= kHopelessPct)) return run;
+  return solve_reference(rig, {}, *path_of(motion), trial_settings());
+}
+
+bool grows_beyond_hope(const AssetContents& alone) {
+  return !is_passive(alone.skeleton) && chain_growth(alone, 0) > kMostGrowth;
+}
+
+ChainTrial try_chain(const AssetContents& alone) {
+  const OpenedAsset opened(alone);
+  const Rig rig = rig_of(opened.asset());
+  ChainTrial trial;
+  for (const Motion motion : kTrialMotions) {
+    KnownMotion known{motion, solve_trial(rig, motion)};
+    trial.finding = examine_motion(opened, rig, known);
+    if (!trial.finding.is_good) return trial;
+    trial.runs.push_back(std::move(known.reference));
+  }
+  return trial;
+}
+
+std::string what_failed(const ChainFinding& finding) {
+  if (finding.growth > 0) {
+    return fmt::format("its bones amplify what moves the first of them {:.0g} times", finding.growth);
+  }
+  if (!(finding.self_difference_pct <= kMostSelfDifferencePct)) {
+    return std::isfinite(finding.self_difference_pct)
+               ? fmt::format("two computations of motion {} differed by {:.2g} % of its length",
+                             name_of(finding.motion), finding.self_difference_pct)
+               : fmt::format("two computations of motion {} had nothing in common", name_of(finding.motion));
+  }
+  return fmt::format("240 steps a second were off by {:.2g} % of its length in motion {}", 100 * finding.runtime_error,
+                     name_of(finding.motion));
+}
+
+}  // namespace coif

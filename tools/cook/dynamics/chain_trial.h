@@ -1,0 +1,52 @@
+#pragma once
+
+#include "lab/reference_solver.h"
+#include "motion/head_path.h"
+#include "write/asset_writer.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+// Whether a chain has one motion: over motions of the suite two computations of the reference agree, and the runtime follows
+// it (runtime/docs/MODEL.md, "Well-posed or not").
+
+inline constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
+
+/// From what most easily parts two computations to what least does; still and nod never did so alone.
+inline constexpr Motion kTrialMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge,
+                                           Motion::kJump};
+
+/// How a chain failed.
+struct ChainFinding {
+  bool is_good = true;
+  Motion motion = Motion::kStill;
+  double self_difference_pct = 0;
+  double runtime_error = 0;
+  double growth = 0;  ///< So large that nothing was computed.
+};
+
+/// Where it is good, `runs` are its motions, in the order of kTrialMotions.
+struct ChainTrial {
+  ChainFinding finding;
+  std::vector<ReferenceRun> runs;
+};
+
+/// When trials look, seconds.
+[[nodiscard]] std::vector<double> trial_times();
+
+/// The motion of all that moves, as finely as it takes, or as coarsely as shows that there is none.
+[[nodiscard]] ReferenceRun solve_trial(const Rig& rig, Motion motion);
+
+/// True where a cascade amplifies rounding into sight: there is no need to compute it.
+[[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
+
+/// Of contents with one chain (chains_alone()), in the model that they are meant for.
+[[nodiscard]] ChainTrial try_chain(const AssetContents& alone);
+
+[[nodiscard]] std::string what_failed(const ChainFinding& finding);
+
+}  // namespace coif
