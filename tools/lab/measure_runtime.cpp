@@ -49,6 +49,11 @@ std::vector<double> frame_times(std::span<const std::uint32_t> rates, double sec
   return times;
 }
 
+double worst_second(std::span<const double> mean_squares, double frames_per_second) {
+  const auto frames = std::max<std::size_t>(std::size_t(std::lround(frames_per_second)), 1);
+  return std::sqrt(largest_mean(mean_squares, frames));
+}
+
 RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMotion& motion, std::uint32_t rate,
                              std::uint32_t substeps) {
   const ReferenceRun& reference = motion.reference;
@@ -71,7 +76,7 @@ RuntimeError measure_runtime(const Asset& asset, const Rig& rig, const KnownMoti
     squares.push_back(sum / double(std::max<std::size_t>(rig.tips.size(), 1)));
   }
   error.rms = std::sqrt(largest_mean(squares, squares.size()));
-  error.worst_second = std::sqrt(largest_mean(squares, rate));
+  error.worst_second = worst_second(squares, rate);
   error.stretch = meter.worst().stretch;
   error.penetration = meter.sees_colliders() ? std::max(meter.worst().point_depth, meter.worst().segment_depth) : 0;
   return error;

@@ -63,6 +63,11 @@ bool grows_beyond_hope(const AssetContents& alone) {
 }
 
 ChainTrial try_chain(const AssetContents& alone) {
+  if (!grows_beyond_hope(alone)) return try_any_chain(alone);
+  return {{.is_good = false, .growth = chain_growth(alone, 0)}, {}};
+}
+
+ChainTrial try_any_chain(const AssetContents& alone) {
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   ChainTrial trial;

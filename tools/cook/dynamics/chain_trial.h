@@ -46,6 +46,8 @@ struct ChainTrial {
 
 /// Of contents with one chain (chains_alone()), in the model that they are meant for.
 [[nodiscard]] ChainTrial try_chain(const AssetContents& alone);
+/// The same, however hopeless it is.
+[[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone);
 
 [[nodiscard]] std::string what_failed(const ChainFinding& finding);
 

@@ -30,9 +30,7 @@ bool is_too_stiff(const AssetContents& passive) {
 Verdict judge(const AssetContents& cascade, const AssetContents& passive, const ChainGroup& group) {
   Verdict verdict;
   for (const std::uint32_t chain : group.telling) {
-    const AssetContents alone = chains_alone(cascade, std::array{chain});
-    ChainFinding finding{.is_good = false, .growth = chain_growth(alone, 0)};
-    if (!grows_beyond_hope(alone)) finding = try_chain(alone).finding;
+    const ChainFinding finding = try_chain(chains_alone(cascade, std::array{chain})).finding;
     if (finding.is_good) continue;
     verdict.chain = chain;
     verdict.as_cascade = finding;

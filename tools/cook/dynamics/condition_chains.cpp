@@ -61,10 +61,7 @@ ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Con
   AssetContents alone = chains_alone(contents, std::array{chain});
   apply(candidate, alone, 0);
   const bool is_last = &candidate == std::end(kCandidates) - 1;
-  if (!is_last && grows_beyond_hope(alone)) {
-    return {{false, Motion::kStill, 0, 0, chain_growth(alone, 0)}, {}};
-  }
-  return try_chain(alone);
+  return is_last ? try_any_chain(alone) : try_chain(alone);
 }
 
 /// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the runtime's.

@@ -101,7 +101,8 @@ bool only_marks_an_end(const HairMesh& hair, std::uint32_t node, const Eigen::Ve
   for (std::uint32_t v = 0; v < hair.positions.size(); ++v) {
     float own = 0, most = 0;
     for (const SourceInfluence& influence : hair.influences_of(v)) {
-      (influence.node == node ? own : most) = std::max(influence.node == node ? own : most, influence.weight);
+      float& whose = influence.node == node ? own : most;
+      whose = std::max(whose, influence.weight);
     }
     if (own > most) return false;
   }

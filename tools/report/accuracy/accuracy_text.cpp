@@ -102,11 +102,9 @@ std::string reference_summary(const AccuracyReport& report) {
         percent_text(worst),
         report.is_passive
             ? "In that model bones hold back their parents, by a potential of their bending; the other methods solve "
-              "other "
-              "equations, and a part of their distance is that difference, whatever their steps."
+              "other equations, and a part of their distance is that difference, whatever their steps."
             : "In that model bones do not pull on their parents; the methods whose bones do (all but coif and "
-              "projective) "
-              "solve another equation, and a part of their distance is that difference, whatever their steps.");
+              "projective) solve another equation, and a part of their distance is that difference, whatever their steps.");
   }
   return fmt::format(
       "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "
@@ -129,8 +127,7 @@ std::string swings_text(const AccuracyReport& report) {
   }
   return text +
          "  after a charge from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 per second, and by Algorithm 1 with "
-         "the "
-         "artist's resistance\n";
+         "the artist's resistance\n";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "report/accuracy/measure_accuracy.h"
 
+#include "lab/measure_runtime.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,23 +32,9 @@ struct SquareMean {
     worst = std::max(worst, square);
     ++count;
   }
-  [[nodiscard]] double root() const { return count == 0 ? kNan : std::sqrt(sum / double(count)); }
+  [[nodiscard]] double mean() const { return count == 0 ? kNan : sum / double(count); }
+  [[nodiscard]] double root() const { return std::sqrt(mean()); }
 };
-
-double worst_second(std::span<const SquareMean> frames, double fps) {
-  const std::size_t width =
-      std::clamp<std::size_t>(std::size_t(std::lround(fps)), 1, std::max<std::size_t>(frames.size(), 1));
-  double worst = 0;
-  for (std::size_t first = 0; first + width <= frames.size(); ++first) {
-    SquareMean second;
-    for (const SquareMean& frame : frames.subspan(first, width)) {
-      second.sum += frame.sum;
-      second.count += frame.count;
-    }
-    worst = std::max(worst, second.root());
-  }
-  return worst;
-}
 
 std::vector<Vector3d> tips_at_rest(const Rig& rig) {
   std::vector<Vector3d> ends, tips;
@@ -97,10 +85,10 @@ MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& fr
 TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig, const ReferenceRun& reference) {
   if (!trial.is_finite) return {kNan, kNan, kNan, kNan};
   SquareMean mean, moved;
-  std::vector<SquareMean> of_frames;
+  std::vector<double> of_frames;
   const std::vector<Vector3d> rest = tips_at_rest(rig);
   for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
-    SquareMean& of_frame = of_frames.emplace_back();
+    SquareMean of_frame;
     const auto sample =
         std::size_t(std::ranges::lower_bound(reference.times, frames.times[frame]) - reference.times.begin());
     for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
@@ -111,6 +99,7 @@ TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig
       moved.add((reference.path_of_tip(tip)[sample] - rest[tip]).squaredNorm() /
                 (rig.tip_length[tip] * rig.tip_length[tip]));
     }
+    of_frames.push_back(of_frame.mean());
   }
   return {mean.root(), std::sqrt(mean.worst), worst_second(of_frames, frames.fps), moved.root()};
 }

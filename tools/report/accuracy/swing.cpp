@@ -1,10 +1,7 @@
 #include "report/accuracy/swing.h"
 
 #include "lab/rig.h"
-#include "lab/runtime_solver.h"
 #include "report/accuracy/measure_accuracy.h"
-
-#include <coif/hair.h>
 
 #include <fmt/format.h>
 
@@ -12,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -25,17 +23,12 @@ constexpr double kSettled = 0.05;     ///< Of the first swing.
 constexpr int kArtistIterations = 8;  ///< Of Algorithm 1: more change nothing that is seen.
 constexpr double kInPercent = 100;
 
-/// Tips of all frames from rest, as try_motion() has them.
-std::vector<Vector3d> run(const Asset& asset, const RigSample& sample, const FramePoses& frames, const Solver& solver,
+/// Tips of all frames from rest; none where the solver broke down.
+std::vector<Vector3d> run(const Asset& asset, const RigSample& sample, const FramePoses& frames, const char* solver,
                           int effort) {
-  RuntimeSolver runtime(asset, {}, solver, effort);
-  runtime.reset(frames.poses.front());
-  std::vector<Vector3d> tips;
-  for (std::size_t i = 1; i < frames.poses.size(); ++i) {
-    if (!runtime.step(frames.poses[i], 1 / kRate)) return {};
-    for (const std::uint32_t tip : sample.rig.tips) tips.push_back(runtime.bone_ends()[sample.bones[tip]]);
-  }
-  return tips;
+  const SolverAtWork at_work = make_solver(*find_measured_solver(solver), asset, sample, {}, effort);
+  MotionTrial trial = try_motion(*at_work.solver, sample.rig, frames);
+  return trial.is_finite ? std::move(trial.tips) : std::vector<Vector3d>();
 }
 
 std::vector<Vector3d> of_tip(const std::vector<Vector3d>& all, std::size_t tip, std::size_t tips, std::size_t first) {
@@ -88,10 +81,10 @@ Swings measure_swings(const Asset& asset) {
   const auto path = path_of(Motion::kCharge);
   const RigSample sample = sample_of(rig_of(asset), kMostSwingBones);
   const FramePoses frames(*path, kRate, kSeconds), still(*path_of(Motion::kStill), kRate, kSeconds);
-  const std::vector<Vector3d> ours = run(asset, sample, frames, kCoifSolver, 0);
-  const std::vector<Vector3d> artists = run(asset, sample, frames, kThesisSolver, kArtistIterations);
-  const std::vector<Vector3d> at_rest = run(asset, sample, still, kCoifSolver, 0);
-  const std::vector<Vector3d> artists_rest = run(asset, sample, still, kThesisSolver, kArtistIterations);
+  const std::vector<Vector3d> ours = run(asset, sample, frames, "coif", 0);
+  const std::vector<Vector3d> artists = run(asset, sample, frames, "thesis", kArtistIterations);
+  const std::vector<Vector3d> at_rest = run(asset, sample, still, "coif", 0);
+  const std::vector<Vector3d> artists_rest = run(asset, sample, still, "thesis", kArtistIterations);
   // Tips begin after the first frame.
   const auto steady = std::size_t(std::lround(path->breaks(kSeconds).front().seconds * kRate)) - 1;
   const std::size_t tips = sample.rig.tips.size();
