@@ -49,7 +49,7 @@ LoadStatus check_chain(const Asset& asset, std::size_t c, std::uint32_t expected
   const auto fail = [&](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
     return LoadStatus{code, chunk::kChains, c, expected, found};
   };
-  if (chain.reserved != 0) return fail(LoadCode::kReserved, 0, chain.reserved);
+  if (chain.model > ChainModel::kPassive) return fail(LoadCode::kEnumerator, 0, std::uint32_t(chain.model));
   if (chain.first_bone != expected_first) return fail(LoadCode::kChainCover, expected_first, chain.first_bone);
   if (chain.bone_count == 0 || chain.bone_count > bones.size() - chain.first_bone) return fail(LoadCode::kChainCover);
   if (chain.root >= bones.size() || !is_rigid(bones[chain.root])) return fail(LoadCode::kReference);
@@ -124,7 +124,8 @@ LoadStatus check_skeleton(const Asset& asset) {
   const auto fail = [](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
     return LoadStatus{code, chunk::kSkeleton, 0, expected, found};
   };
-  if ((skeleton.flags & ~(kSkeletonFacesBackwards | kSkeletonPassive)) != 0 || !(skeleton.reserved_tail == 0.0f)) return fail(LoadCode::kReserved);
+  const bool is_reserved = (skeleton.flags & ~kSkeletonFacesBackwards) != 0 || !(skeleton.reserved_tail == 0.0f);
+  if (is_reserved) return fail(LoadCode::kReserved);
   if (!all_finite(skeleton.head_joint) || !is_unit(skeleton.head_rotation)) return fail(LoadCode::kNotFinite);
   if (bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
   if (skeleton.bone_count != bones.size()) return fail(LoadCode::kChunkSize, bones.size(), skeleton.bone_count);

@@ -75,7 +75,7 @@ Span last_frames(const CrowdState& crowd, std::uint32_t count) {
 std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, const Span& span) {
   // What several frames make up, or one that stalled, may be longer than may be computed at once.
   const float least = std::ceil(smaller(span.dt, kLongestStep) / kMaxTimeStep - 1e-3f);
-  if (!crowd.solver->has_substeps) return span.steady < span.dt ? in_range(least) : 1;
+  if (!crowd.has_substeps) return span.steady < span.dt ? in_range(least) : 1;
   float parts = parts_of_tuning(crowd.asset, span.steady);
   if (settings.substeps != 0) {
     parts = float(settings.substeps) * std::ceil(span.steady / smaller(settings.dt, kMaxTimeStep) - 1e-3f);
@@ -116,7 +116,7 @@ void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, c
     to.begin = lane;
     to.end = lane + 1;
     while (to.end < kLanes && alike(crowd.asset, bone, bone_in_lane(crowd.asset, row, i, to.end))) ++to.end;
-    crowd.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
+    row.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
   }
 }
 
@@ -132,11 +132,14 @@ bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
 void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms& terms, std::byte* all) {
   const Row& row = crowd.rows[index];
   const Row& last = crowd.rows[index == 0 ? 0 : index - 1];
-  const std::size_t bytes = crowd.solver->coefficient_bytes;
+  const std::size_t bytes = row.solver->coefficient_bytes;
+  std::byte* const own = all + row.first_bone * crowd.coefficient_bytes;
+  const std::byte* const lasts = all + last.first_bone * crowd.coefficient_bytes;
+  const bool may_be_known = index > 0 && row.solver == last.solver;
   for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-    std::byte* const to = all + (row.first_bone + i) * bytes;
-    const bool is_known = index > 0 && i < last.bone_count && alike(crowd.asset, row, last, i);
-    if (is_known) std::memcpy(to, all + (last.first_bone + i) * bytes, bytes);
+    std::byte* const to = own + i * bytes;
+    const bool is_known = may_be_known && i < last.bone_count && alike(crowd.asset, row, last, i);
+    if (is_known) std::memcpy(to, lasts + i * bytes, bytes);
     if (!is_known) set_bone_coefficients(crowd, row, i, terms, to);
   }
 }
@@ -147,7 +150,7 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const D
   const float dt = interval.parts.part_dt();
   if (interval.terms.dt == dt && same(interval.terms.scale, scale)) return;
   interval.terms = {dt, scale};
-  const std::size_t bytes = crowd.solver->coefficient_bytes;
+  const std::size_t bytes = crowd.coefficient_bytes;
   std::byte* const all = crowd.coefficients.data() + interval_power * crowd.row_bone_count() * bytes;
   for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, interval.terms, all);
 }

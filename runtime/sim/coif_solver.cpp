@@ -3,12 +3,12 @@
 namespace coif {
 namespace {
 
-const Solver* solver_of(const Asset& asset) {
-  return is_passive(asset.skeleton()) ? &kPassiveSolver : &kCascadeSolver;
+const Solver* solver_of(ChainModel model) {
+  return model == ChainModel::kPassive ? &kPassiveSolver : &kCascadeSolver;
 }
 
 }  // namespace
 
-const Solver kCoifSolver{.for_asset = &solver_of};
+const Solver kCoifSolver{.for_model = &solver_of};
 
 }  // namespace coif

@@ -27,8 +27,9 @@ void put_to_rest(CrowdState& crowd, std::uint32_t slot) {
   block.may_sleep &= keep;
   stand_still(block.heads, i);
   const Quat rotation = lane(block.heads.rotation, i);
-  for_each_chain(crowd, slot,
-                 [&](const ChainRecord&, const ChainLane& chain) { crowd.solver->put_to_rest(chain, rotation); });
+  for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
+    solver.put_to_rest(chain, rotation);
+  });
   for (Mat34& matrix : crowd.palette(block.instance[i])) matrix = Mat34{};
 }
 
@@ -41,7 +42,7 @@ void put_idle_lanes_to_rest(CrowdState& crowd) {
       ChainLane chain = row_of(crowd, row, slot);
       for (std::uint32_t i = by_heads ? crowd.blocks[k].count : row.chain_count; i < kLanes; ++i) {
         chain.constant_lane = chain.state_lane = i;
-        crowd.solver->put_to_rest(chain, Quat{});
+        row.solver->put_to_rest(chain, Quat{});
       }
     }
   }
@@ -52,13 +53,15 @@ void come_into_view(CrowdState& crowd, std::uint32_t slot) {
   const std::uint32_t i = slot % kLanes;
   const Quat turn = lane(block.heads.next_rotation, i) * conjugate(lane(block.heads.rotation, i));
   turn_hair(crowd, slot, turn);
-  for_each_chain(crowd, slot, [&](const ChainRecord&, const ChainLane& chain) { crowd.solver->calm(chain); });
+  for_each_chain(crowd, slot,
+                 [](const Solver& solver, const ChainRecord&, const ChainLane& chain) { solver.calm(chain); });
   stand_still(block.heads, i);
   block.is_lost = std::uint16_t(block.is_lost & ~(1u << i));
 }
 
 void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) {
-  for_each_chain(crowd, slot, [&](const ChainRecord&, const ChainLane& chain) { crowd.solver->turn(chain, by); });
+  for_each_chain(crowd, slot,
+                 [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) { solver.turn(chain, by); });
 }
 
 void jump(CrowdState& crowd, std::uint32_t slot, float dt) {

@@ -50,8 +50,8 @@ struct IntervalStep {
 /// Arrays "per block" or "per instance" hold one value for each.
 struct CrowdState {
   Asset asset;  ///< A view.
-  const Solver* solver = nullptr;
-  RowFunction* step_row = nullptr;
+  std::size_t state_bytes = 0, coefficient_bytes = 0;  ///< As RowCount has them.
+  bool has_substeps = false;
   HeadCode heads;
   LaneOrder order = LaneOrder::kHeads;
   PlacedColliders colliders;
@@ -98,12 +98,12 @@ struct CrowdState {
   ChainLane chain;
   chain.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   chain.constants = &crowd.constants[row.first_bone];
-  chain.state = &crowd.states[state * crowd.solver->state_bytes];
-  chain.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+  chain.state = &crowd.states[state * crowd.state_bytes];
+  chain.twist = crowd.twists.empty() || !row.solver->carries_frames ? nullptr : &crowd.twists[state];
   return chain;
 }
 
-/// Calls visit(chain of the asset, ChainLane) for each chain of the head in `slot`.
+/// Calls visit(solver, chain of the asset, ChainLane) for each chain of the head in `slot`.
 template <typename Visit>
 void for_each_chain(const CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
   for (const Row& row : crowd.rows) {
@@ -111,7 +111,7 @@ void for_each_chain(const CrowdState& crowd, std::uint32_t slot, const Visit& vi
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       chain.constant_lane = i;
       chain.state_lane = crowd.order == LaneOrder::kHeads ? slot % kLanes : i;
-      visit(crowd.asset.chains()[row.first_chain + i], chain);
+      visit(*row.solver, crowd.asset.chains()[row.first_chain + i], chain);
     }
   }
 }

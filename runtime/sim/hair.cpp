@@ -21,8 +21,9 @@ Status check_desc(const HairDesc& desc, const Asset& asset) {
   return Status::kOk;
 }
 
-bool any_bone_twists(const Asset& asset) {
+bool any_bone_twists(const Asset& asset, const Solver& solver) {
   for (const ChainRecord& chain : asset.chains()) {
+    if (!solver_for(solver, chain).carries_frames) continue;
     for (const DynamicsRecord& bone : asset.dynamics().subspan(chain.first_bone, chain.bone_count)) {
       if (bone.torsion < kShortestArc) return true;
     }
@@ -38,23 +39,24 @@ bool is_aligned(const std::byte* memory) {
 
 /// Takes the arrays of the crowd; while counting they are empty.
 void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, CrowdState& crowd) {
-  const LaneOrder order = choose_lane_order(asset, desc.instances);
-  const Solver& solver = solver_for(*desc.solver, asset);
-  const RowCount rows = count_rows(asset, order);
+  const LaneOrder order = choose_lane_order(asset, *desc.solver, desc.instances);
+  const RowCount rows = count_rows(asset, *desc.solver, order);
   const std::uint32_t intervals = power_of(desc.longest_interval) + 1;
   const std::uint32_t treatments = treatment_count(levels_of(asset), intervals);
   const std::uint32_t blocks = block_count(desc.instances, treatments);
   const std::uint64_t states = std::uint64_t(rows.bones) * (order == LaneOrder::kHeads ? blocks : desc.instances);
   crowd.order = order;
+  crowd.state_bytes = rows.state_bytes;
+  crowd.coefficient_bytes = rows.coefficient_bytes;
+  crowd.has_substeps = rows.has_substeps;
   crowd.interval_count = intervals;
   crowd.rows = carver.take<Row>(rows.rows);
   crowd.row_bones = carver.take<RowBone>(rows.bones);
   crowd.constants = carver.take<BoneLanes>(rows.bones);
-  crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * solver.coefficient_bytes);
-  crowd.states = carver.take<std::byte>(states * solver.state_bytes);
-  const std::uint64_t long_bones = rows.longest > solver.scratch_from ? rows.longest : 0;
-  crowd.scratch = carver.take<std::byte>(blocks * long_bones * solver.scratch_bytes);
-  if (solver.carries_frames && any_bone_twists(asset)) crowd.twists = carver.take<TwistState>(states);
+  crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * rows.coefficient_bytes);
+  crowd.states = carver.take<std::byte>(states * rows.state_bytes);
+  crowd.scratch = carver.take<std::byte>(std::uint64_t(blocks) * rows.scratch_bytes);
+  if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
@@ -140,11 +142,10 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   const InstructionSet set =
       desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set;
   crowd.asset = asset;
-  crowd.solver = &solver_for(*desc.solver, asset);
-  crowd.step_row = crowd.solver->row_code(set);
   crowd.heads = head_code(set);
   crowd.colliders = PlacedColliders(asset.colliders());
-  make_rows(asset, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
+  make_rows(asset, *desc.solver, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
+  for (Row& row : crowd.rows) row.step = row.solver->row_code(set);
   fill_blocks(crowd);
   for (Block& block : crowd.blocks) {
     for (float& w : block.heads.rotation.w.v) w = 1.0f;
@@ -250,9 +251,9 @@ Status Hair::bone_ends(std::uint32_t instance, std::span<Vec3> ends) const {
   const FloatEnvironment plain;
   const Quat rotation = lane(block->heads.rotation, slot % kLanes);
   const std::span<const Mat34> palette = crowd_->palette(instance);
-  for_each_chain(*crowd_, slot, [&](const ChainRecord& chain, const ChainLane& lane) {
-    crowd_->solver->tails(lane, rotation, palette.subspan(chain.first_bone, chain.bone_count),
-                          ends.subspan(chain.first_bone, chain.bone_count));
+  for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord& chain, const ChainLane& lane) {
+    solver.tails(lane, rotation, palette.subspan(chain.first_bone, chain.bone_count),
+                 ends.subspan(chain.first_bone, chain.bone_count));
   });
   return Status::kOk;
 }

@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include "solver.h"
 #include "vector_math.h"
 
 namespace coif {
@@ -13,10 +14,10 @@ std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecor
 
 bool twists(const DynamicsRecord& dynamics) { return dynamics.torsion < kShortestArc; }
 
-/// Of the same bones, which either twist in both or in neither: a bone that has no twist computes other bits beside one
-/// that has. All other features compute zeros where they are not wanted.
-bool fit_in_one_row(const Asset& asset, const ChainRecord& a, const ChainRecord& b) {
-  if (a.bone_count != b.bone_count) return false;
+/// Of one solver and the same bones, which either twist in both or in neither: a bone that has no twist computes other bits
+/// beside one that has. All other features compute zeros where they are not wanted.
+bool fit_in_one_row(const Asset& asset, const Solver& solver, const ChainRecord& a, const ChainRecord& b) {
+  if (a.bone_count != b.bone_count || &solver_for(solver, a) != &solver_for(solver, b)) return false;
   for (std::uint32_t i = 0; i < a.bone_count; ++i) {
     if (parent_in_chain(asset.bones(), a, i) != parent_in_chain(asset.bones(), b, i)) return false;
     if (twists(asset.dynamics()[a.first_bone + i]) != twists(asset.dynamics()[b.first_bone + i])) return false;
@@ -26,13 +27,13 @@ bool fit_in_one_row(const Asset& asset, const ChainRecord& a, const ChainRecord&
 
 /// Calls visit(first chain, count) for each row. The cooker stores chains of equal shape next to each other.
 template <typename Visit>
-void for_each_row(const Asset& asset, LaneOrder order, const Visit& visit) {
+void for_each_row(const Asset& asset, const Solver& solver, LaneOrder order, const Visit& visit) {
   const auto chains = asset.chains();
   const std::uint32_t most = order == LaneOrder::kHeads ? 1 : kLanes;
   for (std::uint32_t first = 0; first < chains.size();) {
     std::uint32_t count = 1;
     while (count < most && first + count < chains.size() &&
-           fit_in_one_row(asset, chains[first], chains[first + count])) {
+           fit_in_one_row(asset, solver, chains[first], chains[first + count])) {
       ++count;
     }
     visit(first, count);
@@ -123,6 +124,8 @@ void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& sha
   if (shape.colliders == 0) shape.features &= ~std::uint32_t(kRowCollides);
 }
 
+std::size_t larger(std::size_t a, std::size_t b) { return a > b ? a : b; }
+
 /// What hangs from a bone's start, at rest, for bones of a kilogram a metre, each at its end: mass, and its moments about that
 /// place.
 struct Hanging {
@@ -169,30 +172,37 @@ void find_carried(std::span<const RowBone> bones, std::uint32_t lane, std::span<
 
 }  // namespace
 
-RowCount count_rows(const Asset& asset, LaneOrder order) {
+RowCount count_rows(const Asset& asset, const Solver& solver, LaneOrder order) {
   RowCount count;
-  for_each_row(asset, order, [&](std::uint32_t first, std::uint32_t) {
+  for_each_row(asset, solver, order, [&](std::uint32_t first, std::uint32_t) {
+    const ChainRecord& chain = asset.chains()[first];
+    const Solver& own = solver_for(solver, chain);
     ++count.rows;
-    const std::uint32_t bones = asset.chains()[first].bone_count;
-    count.bones += bones;
-    if (bones > count.longest) count.longest = bones;
+    count.bones += chain.bone_count;
+    count.state_bytes = larger(count.state_bytes, own.state_bytes);
+    count.coefficient_bytes = larger(count.coefficient_bytes, own.coefficient_bytes);
+    if (chain.bone_count > own.scratch_from) {
+      count.scratch_bytes = larger(count.scratch_bytes, chain.bone_count * own.scratch_bytes);
+    }
+    count.has_substeps = count.has_substeps || own.has_substeps;
   });
   return count;
 }
 
-LaneOrder choose_lane_order(const Asset& asset, std::uint32_t instances) {
+LaneOrder choose_lane_order(const Asset& asset, const Solver& solver, std::uint32_t instances) {
   const std::uint64_t by_heads =
-      std::uint64_t(count_rows(asset, LaneOrder::kHeads).bones) * ((instances + kLanes - 1) / kLanes);
-  const std::uint64_t by_chains = std::uint64_t(count_rows(asset, LaneOrder::kChains).bones) * instances;
+      std::uint64_t(count_rows(asset, solver, LaneOrder::kHeads).bones) * ((instances + kLanes - 1) / kLanes);
+  const std::uint64_t by_chains = std::uint64_t(count_rows(asset, solver, LaneOrder::kChains).bones) * instances;
   return by_chains < by_heads ? LaneOrder::kChains : LaneOrder::kHeads;
 }
 
-void make_rows(const Asset& asset, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
+void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
                std::span<BoneLanes> constants) {
   std::uint32_t next_row = 0, next_bone = 0;
-  for_each_row(asset, order, [&](std::uint32_t first, std::uint32_t count) {
+  for_each_row(asset, solver, order, [&](std::uint32_t first, std::uint32_t count) {
+    const ChainRecord& chain = asset.chains()[first];
     Row& row = rows[next_row++];
-    row = {next_bone, asset.chains()[first].bone_count, first, count};
+    row = {&solver_for(solver, chain), nullptr, next_bone, chain.bone_count, first, count};
     for (std::uint32_t i = 0; i < row.bone_count; ++i) {
       make_bone(asset, row, i, bones[next_bone + i], constants[next_bone + i]);
     }

@@ -38,8 +38,8 @@ inline void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
 }
 
 struct Solver {
-  /// Set where the asset says which solver moves it; then nothing else is.
-  const Solver* (*for_asset)(const Asset& asset) = nullptr;
+  /// Set where each chain says which solver moves it; then nothing else is.
+  const Solver* (*for_model)(ChainModel model) = nullptr;
 
   std::size_t state_bytes = 0;        ///< Per bone of a row.
   std::size_t coefficient_bytes = 0;  ///< Per bone of a row.
@@ -62,9 +62,9 @@ struct Solver {
                 std::span<Vec3> tails) = nullptr;
 };
 
-/// The one that moves this asset.
-[[nodiscard]] inline const Solver& solver_for(const Solver& asked, const Asset& asset) {
-  return asked.for_asset != nullptr ? *asked.for_asset(asset) : asked;
+/// The one that moves this chain.
+[[nodiscard]] inline const Solver& solver_for(const Solver& asked, const ChainRecord& chain) {
+  return asked.for_model != nullptr ? *asked.for_model(chain.model) : asked;
 }
 
 /// Solver::tails where nothing stretches: where a matrix brings the tail of the rest pose.

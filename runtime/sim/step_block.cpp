@@ -62,9 +62,9 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   RowStep job;
   job.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   job.constants = &crowd.constants[row.first_bone];
-  job.coefficients = step.coefficients + row.first_bone * crowd.solver->coefficient_bytes;
-  job.state = &crowd.states[state * crowd.solver->state_bytes];
-  job.twist = crowd.twists.empty() ? nullptr : &crowd.twists[state];
+  job.coefficients = step.coefficients + row.first_bone * crowd.coefficient_bytes;
+  job.state = &crowd.states[state * crowd.state_bytes];
+  job.twist = crowd.twists.empty() || !row.solver->carries_frames ? nullptr : &crowd.twists[state];
   job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
   job.move = &move;
   job.gravity = step.interval.parts.gravity;
@@ -86,7 +86,7 @@ void step_heads(BlockStep& step, const MoveLanes& move, bool is_last) {
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
     job.motion = &step.motion;
-    crowd.step_row(job);
+    row.step(job);
   }
 }
 
@@ -106,7 +106,7 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, bo
     job.palette = is_last ? palettes : nullptr;
     Lanes motion{};
     job.motion = &motion;
-    crowd.step_row(job);
+    row.step(job);
     // In the order of the chains, as for kHeads, and without the lanes that are not in use.
     for (std::uint32_t i = 0; i < row.chain_count; ++i) step.motion.v[head] += motion.v[i];
   }
@@ -152,7 +152,7 @@ void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
 void step_block(CrowdState& crowd, std::uint32_t index) {
   Block& block = crowd.blocks[index];
   const std::uint32_t power = interval_power_of(crowd, block.treatment);
-  const std::size_t stride = crowd.row_bone_count() * crowd.solver->coefficient_bytes;
+  const std::size_t stride = crowd.row_bone_count() * crowd.coefficient_bytes;
   BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, {}};
   look_ahead(step);
   crowd.heads.begin(block.heads, step.interval.parts, step.heads);

@@ -33,7 +33,7 @@ void swap_heads(Block& a, std::uint32_t i, Block& b, std::uint32_t k) {
 void swap_states(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
   const std::size_t bones = crowd.row_bone_count();
   if (crowd.order == LaneOrder::kChains || bones == 0) return;
-  const std::size_t bytes = crowd.solver->state_bytes, from = crowd.first_state(a), to = crowd.first_state(b);
+  const std::size_t bytes = crowd.state_bytes, from = crowd.first_state(a), to = crowd.first_state(b);
   swap_lanes(&crowd.states[from * bytes], a % kLanes, &crowd.states[to * bytes], b % kLanes, bones * bytes);
   if (crowd.twists.empty()) return;
   swap_lanes(&crowd.twists[from], a % kLanes, &crowd.twists[to], b % kLanes, bones * sizeof(TwistState));

@@ -71,7 +71,7 @@ void add_chain(AssetContents& contents, std::uint32_t chain, const CrowdShape& s
     contents.bones.push_back(bone);
     contents.dynamics.push_back(dynamics_at((depth + 0.5) / shape.bones));
   }
-  contents.chains.push_back({first, shape.bones, 0, 0});
+  contents.chains.push_back({first, shape.bones, 0, {}});
 }
 
 ColliderRecord head_sphere() {

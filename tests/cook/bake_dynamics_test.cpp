@@ -30,7 +30,7 @@ Skeleton chain_of(std::uint32_t bones) {
     skeleton.bones[i].parent = i - 1;
     skeleton.bones[i].place = double(i) / bones;
   }
-  skeleton.chains = {{1, bones, 0, 0}};
+  skeleton.chains = {{1, bones, 0, {}}};
   return skeleton;
 }
 
@@ -95,7 +95,7 @@ Skeleton wig_skeleton() {
     skeleton.bones[b].start = {0, 1.6 - 0.1 * (b - 2), -0.1};
     skeleton.bones[b].tail = {0, 1.5 - 0.1 * (b - 2), -0.1};
   }
-  skeleton.chains = {{2, 2, 1, 0}};
+  skeleton.chains = {{2, 2, 1, {}}};
   skeleton.bone_of_node = {0, 0, 1, 2, 3, 3};
   return skeleton;
 }

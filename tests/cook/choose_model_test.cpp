@@ -1,47 +1,144 @@
-// Which model moves hair that was meant for the cascade.
+// Which model moves which chain.
 
-#include "cook/dynamics/settle_dynamics.h"
+#include "cook/dynamics/choose_model.h"
 
+#include "cook/dynamics/settle_model.h"
+#include "cook/recipe/hair_preset.h"
 #include "cook/told.h"
 #include "cook/vrm_chain.h"
 #include "lab/rig.h"
+#include "models/test_rig.h"
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace coif::choose_model_test {
 
-AssetContents passive_of(AssetContents contents) {
-  contents.skeleton.flags |= kSkeletonPassive;
-  for (DynamicsRecord& record : contents.dynamics) record.torsion = kShortestArc;
-  return contents;
+Recipe recipe_with(const char* model = "auto") {
+  Recipe recipe = default_recipe();
+  recipe.dynamics_model = model;
+  return recipe;
 }
 
-Told<bool> needs_passive(const AssetContents& contents, unsigned threads = 1) {
-  return told(
-      [&](Findings& findings) { return needs_passive_model(contents, passive_of(contents), threads, findings); });
+/// All bones by one source.
+SaidMotion said_by(MotionSource source, const AssetContents& contents) {
+  SaidMotion said{.records = contents.dynamics, .sources = {}, .damping_ratios = {}};
+  for (const BoneRecord& bone : contents.bones) {
+    said.sources.push_back(bone.kind == BoneKind::kSimulated ? source : MotionSource::kRigid);
+    said.damping_ratios.push_back(preset_of(default_recipe()).damping_ratio);
+  }
+  return said;
 }
 
-TEST(ChooseModel, SoftHairThatACascadeWouldAmplifyIsPassive) {
-  const AssetContents soft =
-      rig_of_chain({.bones = 5, .length = 0.4f, .stiffness = 60, .damping_ratio = 0.2f}).contents();
-  const auto chosen = needs_passive(soft);
-  EXPECT_TRUE(chosen.made);
-  ASSERT_EQ(chosen.notes.size(), 1u);
-  EXPECT_NE(chosen.notes[0].find("passive model"), std::string::npos) << chosen.notes[0];
-  EXPECT_NE(chosen.notes[0].find("tumble"), std::string::npos) << "and says what went wrong: " << chosen.notes[0];
-  EXPECT_EQ(needs_passive(soft, 3).notes, chosen.notes);
+Told<ModelChoice> chosen(const AssetContents& contents, MotionSource source = MotionSource::kCurve,
+                         const char* model = "auto", unsigned threads = 1) {
+  return told([&](Findings& findings) {
+    return choose_models(recipe_with(model), said_by(source, contents), contents, threads, findings);
+  });
 }
 
-TEST(ChooseModel, HairWithOneMotionAsACascadeStaysOne) {
-  const auto chosen = needs_passive(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}).contents());
-  EXPECT_FALSE(chosen.made);
-  EXPECT_TRUE(chosen.notes.empty());
+AssetContents soft() {
+  return rig_of_chain({.bones = 5, .length = 0.4f, .stiffness = 60, .damping_ratio = 0.2f}).contents();
 }
 
-TEST(ChooseModel, WhatIsTooStiffToBeCheckedStaysACascade) {
-  const AssetContents stiff =
-      rig_of_chain({.bones = 16, .length = 0.6f, .stiffness = 4000, .damping_ratio = 0.3f}).contents();
-  EXPECT_FALSE(needs_passive(stiff).made);
+/// `bones` of equal length down from the head, without numbers.
+AssetContents strand(int bones, float length, const Vec3& joint = {0, 0.05f, -0.1f}, TestRig rig = {}) {
+  for (int i = 0; i < bones; ++i) {
+    rig.add({.parent = i == 0 ? 0 : std::uint32_t(rig.bones.size() - 1),
+             .joint = joint,
+             .rest_direction = {0, -1, 0},
+             .length = length / float(bones),
+             .friction = 0.5f,
+             .stiffness = 0,
+             .damping = 0,
+             .torsion = kShortestArc});
+  }
+  return rig.contents();
+}
+
+TEST(ChooseModels, SoftHairThatACascadeWouldAmplifyIsPassive) {
+  const auto choice = chosen(soft());
+  EXPECT_EQ(choice.made.models, std::vector{ChainModel::kPassive});
+  EXPECT_TRUE(choice.made.ill_posed.empty());
+  ASSERT_EQ(choice.notes.size(), 1u);
+  EXPECT_NE(choice.notes[0].find("passive model"), std::string::npos) << choice.notes[0];
+  EXPECT_NE(choice.notes[0].find("tumble"), std::string::npos) << "and says what went wrong: " << choice.notes[0];
+  EXPECT_EQ(chosen(soft(), MotionSource::kCurve, "auto", 3).notes, choice.notes);
+}
+
+TEST(ChooseModels, HairWithOneMotionAsACascadeStaysOne) {
+  const auto choice = chosen(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}).contents());
+  EXPECT_EQ(choice.made.models, std::vector{ChainModel::kCascade});
+  EXPECT_TRUE(choice.made.ill_posed.empty());
+  EXPECT_TRUE(choice.notes.empty());
+}
+
+TEST(ChooseModels, WhatIsTooStiffToBeCheckedStaysACascadeAndIsToBeConditioned) {
+  const auto choice =
+      chosen(rig_of_chain({.bones = 16, .length = 0.6f, .stiffness = 4000, .damping_ratio = 0.3f}).contents());
+  EXPECT_EQ(choice.made.models, std::vector{ChainModel::kCascade});
+  ASSERT_EQ(choice.made.ill_posed.size(), 1u);
+  EXPECT_FALSE(choice.made.ill_posed[0].finding.is_good);
+}
+
+TEST(ChooseModels, ARecipesWordStands) {
+  const auto cascade = chosen(soft(), MotionSource::kCurve, "cascade");
+  EXPECT_EQ(cascade.made.models, std::vector{ChainModel::kCascade});
+  EXPECT_EQ(cascade.made.ill_posed.size(), 1u) << "and is conditioned";
+  const auto passive =
+      chosen(rig_of_chain({.bones = 3, .length = 0.3f, .damping_ratio = 1}).contents(), MotionSource::kCurve, "passive");
+  EXPECT_EQ(passive.made.models, std::vector{ChainModel::kPassive});
+}
+
+TEST(ChooseModels, OfAPresetLongHairIsPassiveAndABoneAloneNeedNotBe) {
+  EXPECT_EQ(chosen(strand(5, 0.4f), MotionSource::kPreset).made.models, std::vector{ChainModel::kPassive});
+  const auto one = chosen(strand(1, 0.05f), MotionSource::kPreset);
+  EXPECT_EQ(one.made.models, std::vector{ChainModel::kCascade}) << "there it moves alike";
+  ASSERT_EQ(one.notes.size(), 1u);
+  EXPECT_NE(one.notes[0].find("costs less"), std::string::npos) << one.notes[0];
+  EXPECT_EQ(chosen(strand(1, 0.05f), MotionSource::kPreset, "cascade").made.models, std::vector{ChainModel::kCascade});
+}
+
+TEST(ChooseModels, EachChainGetsItsOwn) {
+  TestRig rig;
+  rig.add({.parent = 0,
+           .joint = {0, 0.05f, 0.1f},
+           .rest_direction = {0, -1, 0},
+           .length = 0.05f,
+           .friction = 0.5f,
+           .stiffness = 0,
+           .damping = 0,
+           .torsion = kShortestArc});
+  AssetContents contents = strand(5, 0.4f, {0, 0.05f, -0.1f}, rig);
+  ASSERT_EQ(contents.chains.size(), 2u);
+  const auto choice = chosen(contents, MotionSource::kPreset);
+  EXPECT_EQ(choice.made.models, (std::vector{ChainModel::kCascade, ChainModel::kPassive}));
+}
+
+TEST(ModelsByRule, AreAsTheRecipeSaysElsePassiveForPresets) {
+  const AssetContents contents = strand(2, 0.2f);
+  const auto rule = [&](const char* model, MotionSource source) {
+    return models_by_rule(recipe_with(model), said_by(source, contents), contents)[0];
+  };
+  EXPECT_EQ(rule("auto", MotionSource::kPreset), ChainModel::kPassive);
+  EXPECT_EQ(rule("auto", MotionSource::kCurve), ChainModel::kCascade);
+  EXPECT_EQ(rule("auto", MotionSource::kSpring), ChainModel::kCascade);
+  EXPECT_EQ(rule("passive", MotionSource::kSpring), ChainModel::kPassive);
+  EXPECT_EQ(rule("cascade", MotionSource::kPreset), ChainModel::kCascade);
+}
+
+TEST(SettleModel, KeepsWhatIsSaidOfContacts) {
+  AssetContents contents = strand(3, 0.3f);
+  for (DynamicsRecord& bone : contents.dynamics) bone.hit_radius = 0.01f;
+  const SaidMotion said = said_by(MotionSource::kPreset, strand(3, 0.3f));
+  for (const ChainModel model : {ChainModel::kCascade, ChainModel::kPassive}) {
+    AssetContents settled = contents;
+    settle_model(recipe_with(), said, std::vector{model}, settled, unheard());
+    EXPECT_EQ(settled.chains[0].model, model);
+    EXPECT_EQ(settled.dynamics[1].hit_radius, 0.01f);
+    EXPECT_GT(settled.dynamics[1].stiffness, 0);
+  }
 }
 
 }  // namespace coif::choose_model_test

@@ -46,7 +46,9 @@ void expect_well_posed(const AssetContents& contents) {
 }
 
 Told<std::vector<DynamicsRecord>> conditioned(const AssetContents& contents, unsigned threads = 1) {
-  return told([&](Findings& findings) { return condition_chains(contents, threads, findings); });
+  return told([&](Findings& findings) {
+    return condition_chains(contents, find_ill_posed(contents, threads), threads, findings);
+  });
 }
 
 TEST(ConditionChains, LeavesADampedChainAlone) {

@@ -3,6 +3,7 @@
 #include "cook/built_models.h"
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/rest_shape.h"
+#include "cook/dynamics/choose_model.h"
 #include "cook/dynamics/settle_model.h"
 #include "cook/told.h"
 #include "lab/rig.h"
@@ -48,12 +49,12 @@ std::vector<bool> all_of(const AssetContents& contents) {
 AssetContents with_preset(AssetContents contents, const char* preset = "natural") {
   Recipe recipe = default_recipe();
   recipe.dynamics_preset = preset;
-  std::vector<MotionSource> sources;
+  SaidMotion said{.records = contents.dynamics, .sources = {}, .damping_ratios = {}};
   for (const bool simulated : all_of(contents)) {
-    sources.push_back(simulated ? MotionSource::kPreset : MotionSource::kRigid);
+    said.sources.push_back(simulated ? MotionSource::kPreset : MotionSource::kRigid);
   }
-  const std::vector<double> ratios(contents.bones.size(), preset_of(recipe).damping_ratio);
-  settle_model(recipe, sources, ratios, contents, unheard());
+  said.damping_ratios.assign(contents.bones.size(), preset_of(recipe).damping_ratio);
+  settle_model(recipe, said, models_by_rule(recipe, said, contents), contents, unheard());
   return contents;
 }
 
@@ -119,7 +120,7 @@ TEST(RestShape, IsTheModelledOneInBothModels) {
       contents.dynamics[b].parent_share = b == 3 ? 0.5f : 1;
       contents.dynamics[b].gravity_scale = b == 4 ? 0.5f : 1;
     }
-    if (passive) contents.skeleton.flags |= kSkeletonPassive;
+    for (ChainRecord& chain : contents.chains) chain.model = passive ? ChainModel::kPassive : ChainModel::kCascade;
     Worn sagging(contents);
     sagging.wait(6, {});
     const auto made = told([&](Findings& findings) {
@@ -153,7 +154,7 @@ TEST(NaturalHair, IsStifferInShortBonesAndSofterWhereMoreHangs) {
   const AssetContents one = with_preset(strand(1, 0.1f));
   // rho g b^3 / (l / 2) over the inertia rho l^3 of a bone of the length l alone
   EXPECT_NEAR(one.dynamics[1].stiffness, 9.81 * std::pow(0.08, 3) / 0.05 / 0.001, 0.1);
-  EXPECT_EQ(one.skeleton.flags, kSkeletonPassive);
+  EXPECT_EQ(one.chains[0].model, ChainModel::kPassive);
   const AssetContents six = with_preset(strand(6, 0.6f));
   for (std::size_t b = 2; b < six.dynamics.size(); ++b) {
     EXPECT_GT(six.dynamics[b].stiffness, b > 2 ? six.dynamics[b - 1].stiffness : 0) << b;
@@ -210,22 +211,6 @@ TEST(NaturalHair, SwingsPastItsRestAndSettles) {
             swing_after_charge(with_preset(middle)).overshoot);
   EXPECT_LT(swing_after_charge(with_preset(middle, "wet")).overshoot,
             swing_after_charge(with_preset(middle)).overshoot);
-}
-
-TEST(SettleModel, IsAsTheRecipeSaysElsePassiveForPresets) {
-  const std::vector<double> ratios(3, 0.3);
-  const auto settled = [&](const char* model, MotionSource source) {
-    Recipe recipe = default_recipe();
-    recipe.dynamics_model = model;
-    AssetContents contents = strand(2, 0.2f);
-    settle_model(recipe, {MotionSource::kRigid, source, source}, ratios, contents, unheard());
-    return is_passive(contents.skeleton);
-  };
-  EXPECT_TRUE(settled("auto", MotionSource::kPreset));
-  EXPECT_FALSE(settled("auto", MotionSource::kCurve));
-  EXPECT_FALSE(settled("auto", MotionSource::kSpring));
-  EXPECT_TRUE(settled("passive", MotionSource::kSpring));
-  EXPECT_FALSE(settled("cascade", MotionSource::kPreset));
 }
 
 }  // namespace coif::natural_dynamics_test

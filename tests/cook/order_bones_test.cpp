@@ -35,7 +35,7 @@ Skeleton skeleton_of(const std::vector<std::vector<std::uint32_t>>& trees) {
       bone.parent = trees[c][i] == kNone ? kRoot : first + trees[c][i];
       skeleton.bones.push_back(bone);
     }
-    skeleton.chains.push_back({first, std::uint32_t(trees[c].size()), kRoot, 0});
+    skeleton.chains.push_back({first, std::uint32_t(trees[c].size()), kRoot, {}});
   }
   for (std::uint32_t b = 0; b < skeleton.bones.size(); ++b) skeleton.bone_of_node.push_back(b);
   return skeleton;

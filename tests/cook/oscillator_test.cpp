@@ -101,7 +101,7 @@ Skeleton two_bones() {
     skeleton.bones[b].place = 0.5 * b;
     skeleton.bones[b].tail = skeleton.bones[b].start - Eigen::Vector3d(0, 0.1 * b, 0);
   }
-  skeleton.chains = {{1, 2, 0, 0}};
+  skeleton.chains = {{1, 2, 0, {}}};
   return skeleton;
 }
 

@@ -25,7 +25,7 @@ AssetContents with_chain(const std::vector<std::uint32_t>& parents) {
     }
     contents.bones.push_back(bone);
   }
-  contents.chains = {{2, std::uint32_t(parents.size()), 1, 0}};
+  contents.chains = {{2, std::uint32_t(parents.size()), 1, {}}};
   contents.dynamics.assign(contents.bones.size(), whole.dynamics[2]);
   return contents;
 }
@@ -178,7 +178,7 @@ TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
 
 TEST(OpenColliders, RefusesReservedFieldsInUse) {
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved = 1; }), LoadCode::kReserved);
-  EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonPassive << 1; }), LoadCode::kReserved);
+  EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonFacesBackwards << 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_center = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_radii = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_axis = kNan; }), LoadCode::kReserved);

@@ -17,7 +17,6 @@ const SolverScene kEarth;
 /// Bones from the head downwards, bent, of 10 cm each.
 Rig chain(int count, double stiffness, double damping) {
   Rig rig;
-  rig.model = ChainModel::kPassive;
   for (int i = 0; i < count; ++i) {
     RigBone bone;
     bone.parent = i - 1;
@@ -29,6 +28,7 @@ Rig chain(int count, double stiffness, double damping) {
     bone.torsion = double(kShortestArc);
     rig.bones.push_back(bone);
   }
+  set_model(rig, ChainModel::kPassive);
   return with_tips(std::move(rig));
 }
 
@@ -37,9 +37,9 @@ TEST(PassiveModel, ABoneAloneMovesAsItDoesInACascadeButForItsDamping) {
   rig.bones[0].friction = 1;
   rig.bones[0].parent_share = 0.6;
   for (const Motion motion : {Motion::kTurn, Motion::kRun}) {
-    rig.model = ChainModel::kPassive;
+    set_model(rig, ChainModel::kPassive);
     const ReferenceRun passive = solve_at(rig, kEarth, *path_of(motion), 3, 720);
-    rig.model = ChainModel::kCascade;
+    set_model(rig, ChainModel::kCascade);
     EXPECT_LT(worst_apart(passive, solve_at(rig, kEarth, *path_of(motion), 3, 720)), 1e-6);
   }
 }
@@ -120,7 +120,7 @@ TEST(PassiveModel, DampedItLosesEnergyAlways) {
 TEST(PassiveModel, SoftLivelyHairHasOneMotionAndACascadeHasNone) {
   Rig rig = chain(6, 60, 4.2);
   const auto disagreement = [&](ChainModel model) {
-    rig.model = model;
+    set_model(rig, model);
     return solve_at(rig, kEarth, *path_of(Motion::kTurn), 6, 2880).self_difference_pct();
   };
   EXPECT_LT(disagreement(ChainModel::kPassive), 1e-3);

@@ -54,7 +54,7 @@ struct Trial {
 Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double reference_rate = 9600) {
   const OpenedAsset opened(strand.contents());
   Rig rig = rig_of(opened.asset());
-  rig.model = ChainModel::kPassive;
+  set_model(rig, ChainModel::kPassive);
   const auto path = path_of(motion);
   constexpr int kSampled = 30, kSeconds = 4;
   const ReferenceRun reference = solve_reference(rig, {}, *path,

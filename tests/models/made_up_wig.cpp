@@ -130,7 +130,7 @@ void add_chain(AssetContents& out, const WigSettings& settings, const Strip& str
     out.bones.push_back(bone);
     out.dynamics.push_back(swinging(0.6f / static_cast<float>(i + 1)));
   }
-  out.chains.push_back({first, settings.bones_per_chain, 0, 0});
+  out.chains.push_back({first, settings.bones_per_chain, 0, {}});
 }
 
 /// Coverage 0..1 of strands at a place of the strip; each column of texels belongs to one strand.

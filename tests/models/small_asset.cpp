@@ -105,7 +105,7 @@ AssetContents small_asset() {
   asset.bones = {rigid(BoneKind::kHead, kNone, 0.0f), rigid(BoneKind::kScalp, 0, 0.05f), simulated(1, 0, 0.05f),
                  simulated(2, 0, -0.05f), simulated(0, 1, 0.0f)};
   asset.bone_names = {"Head", "scalp", "hair_1", "hair_2", "fringe"};
-  asset.chains = {{2, 2, 1, 0}, {4, 1, 0, 0}};
+  asset.chains = {{2, 2, 1, {}}, {4, 1, 0, {}}};
   for (std::size_t i = 0; i < asset.bones.size(); ++i) {
     asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f, 0.005f, 1543.0f, 21.4f, 20.0f, kNoAngleLimit, 1.0f, {}});
   }

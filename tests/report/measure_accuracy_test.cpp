@@ -137,7 +137,7 @@ TEST_F(AccuracyTest, RefusesWhatCannotBeMeasured) {
   settings.solvers = {"magic"};
   ASSERT_FALSE(measure(settings));
   EXPECT_EQ(measure(settings).error().kind, ToolError::Kind::kUsage);
-  EXPECT_NE(measure(settings).error().message.find("'magic' is not a solver; there are coif, thesis"),
+  EXPECT_NE(measure(settings).error().message.find("'magic' is not a solver; there are coif, cascade, passive, thesis"),
             std::string::npos);
   for (const auto spoil : {+[](AccuracySettings& s) { s.seconds = 61; }, +[](AccuracySettings& s) { s.fps = {0}; },
                            +[](AccuracySettings& s) { s.fps.clear(); }, +[](AccuracySettings& s) { s.substeps = {65}; },

@@ -38,7 +38,7 @@ TEST(StressCases, HaveNamesOfTheirOwnAndRigsThatTheFormatAllows) {
     const bool is_allowed = !stress.rig || StressAsset(*stress.rig).is_open();
     EXPECT_TRUE(is_allowed) << stress.about.name;
   }
-  EXPECT_GT(names.size(), 40u);
+  EXPECT_GT(names.size(), 55u);
 }
 
 TEST(StressRig, BranchesAsDeepAsItSays) {

@@ -16,13 +16,13 @@ constexpr std::uint32_t kInUse = 7;  // the others' particles are at the origin
 /// The rows of an asset under the solver `thesis`, with room for one block of heads.
 struct Rows {
   Rows(const Asset& asset, float dt) {
-    const RowCount count = count_rows(asset, LaneOrder::kHeads);
+    const RowCount count = count_rows(asset, kThesisSolver, LaneOrder::kHeads);
     rows.resize(count.rows);
     bones.resize(count.bones);
     constants.resize(count.bones);
     coefficients.resize(count.bones);
     states.resize(count.bones);
-    make_rows(asset, LaneOrder::kHeads, rows, bones, constants);
+    make_rows(asset, kThesisSolver, LaneOrder::kHeads, rows, bones, constants);
     for (const Row& row : rows) {
       for (std::uint32_t i = 0; i < row.bone_count; ++i) {
         const std::uint32_t bone = bone_in_lane(asset, row, i, 0);

@@ -72,7 +72,7 @@ void add_stub(AssetContents& asset) {
   asset.bone_names.push_back("stub");
   asset.dynamics.push_back(asset.dynamics.back());
   asset.lod_bones.push_back(1);
-  asset.chains.push_back({4, 1, 0, 0});
+  asset.chains.push_back({4, 1, 0, {}});
 }
 
 void reach_no_collider(AssetContents& asset) {

@@ -120,6 +120,18 @@ std::ptrdiff_t colliding_bones(const Asset& asset) {
 }
 
 /// Bones that carry a twist from step to step; the frames of all others are shortest arcs.
+std::size_t passive_bones(const Asset& asset) {
+  std::size_t count = 0;
+  for (const ChainRecord& chain : asset.chains()) count += chain.model == ChainModel::kPassive ? chain.bone_count : 0;
+  return count;
+}
+
+const char* model_of(const Asset& asset) {
+  const std::size_t passive = passive_bones(asset);
+  if (passive == 0) return "cascade";
+  return passive == asset.skeleton().simulated_count ? "passive" : "mixed";
+}
+
 std::ptrdiff_t twisting_bones(const Asset& asset) {
   return std::ranges::count_if(simulated_dynamics(asset),
                                [](const DynamicsRecord& bone) { return bone.torsion < kShortestArc; });
@@ -150,6 +162,7 @@ ordered_json summarize(const Asset& asset) {
                           {"chains", asset.chains().size()},
                           {"bones", asset.bones().size()},
                           {"simulated_bones", asset.skeleton().simulated_count},
+                          {"passive_bones", passive_bones(asset)},
                           {"twisting_bones", twisting_bones(asset)},
                           {"colliders", asset.colliders().size()},
                           {"collider_shapes", collider_shapes(asset)},
@@ -159,7 +172,7 @@ ordered_json summarize(const Asset& asset) {
                           {"settings", dynamics_ranges(asset)},
                           {"quality", quality_json(asset)}};
   if (!asset.chains().empty()) {
-    summary["model"] = is_passive(asset.skeleton()) ? "passive" : "cascade";
+    summary["model"] = model_of(asset);
   }
   if (asset.tuning() != nullptr) summary["settings"]["tuning"] = tuning_json(asset);
   if (asset.material() != nullptr) {
@@ -201,7 +214,7 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   std::string text = fmt::format("{}: format {}.{}, {} bytes\n", name, summary["format"]["major"].get<int>(),
                                  summary["format"]["minor"].get<int>(), summary["bytes"].get<std::uint64_t>());
   for (const char* key : {"triangles", "vertices", "patches", "orders", "chains", "bones", "simulated_bones",
-                          "twisting_bones", "colliders"}) {
+                          "passive_bones", "twisting_bones", "colliders"}) {
     text += count_line(key, summary[key]);
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);

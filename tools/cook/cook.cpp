@@ -12,6 +12,7 @@
 #include "cook/texture/hair_views.h"
 #include "cook/texture/strand_lines.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace coif {
@@ -128,35 +129,28 @@ const Pass kPasses[] = {
        c.contents.dynamics = c.said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
-       settle_model(c.recipe, c.said.sources, c.said.damping_ratios, c.contents, c.report);
-       c.moves = can_be_run(c.contents);
        return {};
      }},
     {"model",
      [](Cooking& c) -> Done {
-       Recipe recipe = c.recipe;
-       recipe.dynamics_model = "passive";
-       AssetContents passive = c.contents;
-       passive.dynamics = c.said.records;
-       Findings of_passive;
-       settle_model(recipe, c.said.sources, c.said.damping_ratios, passive, of_passive);
-       if (!needs_passive_model(c.contents, passive, c.settings.threads, c.report)) return {};
-       c.contents = std::move(passive);
-       c.report.append(of_passive);
+       const bool is_checked = c.recipe.conditioning != "off" && !c.settings.draft;
+       c.model = is_checked ? choose_models(c.recipe, c.said, c.contents, c.settings.threads, c.report)
+                            : ModelChoice{models_by_rule(c.recipe, c.said, c.contents), {}};
+       settle_model(c.recipe, c.said, c.model.models, c.contents, c.report);
+       c.moves = can_be_run(c.contents);
        return {};
-     },
-     [](const Cooking& c) {
-       const bool is_open = c.recipe.dynamics_model == "auto" && c.recipe.conditioning != "off";
-       return c.moves && is_open && !c.settings.draft && !is_passive(c.contents.skeleton);
      }},
     {"conditioning",
-     [](Cooking& c) { return keep(condition_chains(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) {
-       return c.moves && c.recipe.conditioning != "off" && !c.settings.draft && !is_passive(c.contents.skeleton);
-     }},
+     [](Cooking& c) {
+       return keep(condition_chains(c.contents, c.model.ill_posed, c.settings.threads, c.report), c.contents.dynamics);
+     },
+     [](const Cooking& c) { return c.moves && !c.model.ill_posed.empty(); }},
     {"twist",
      [](Cooking& c) { return keep(choose_twist(c.contents, c.settings.threads, c.report), c.contents.dynamics); },
-     [](const Cooking& c) { return c.moves && !c.recipe.torsion && !is_passive(c.contents.skeleton); }},
+     [](const Cooking& c) {
+       const bool any_cascade = std::ranges::find(c.model.models, ChainModel::kCascade) != c.model.models.end();
+       return c.moves && any_cascade && !c.recipe.torsion;
+     }},
     {"tuning",
      [](Cooking& c) {
        const auto name = [&](ToolError error) { return ToolError{error.kind, c.source.path + ": " + error.message}; };

@@ -2,6 +2,7 @@
 
 #include "cook/cook.h"
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/dynamics/choose_model.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/lods/make_lods.h"
 #include "cook/order/choose_order.h"
@@ -30,8 +31,9 @@ struct Cooking {
   std::vector<PatchListing> listings{};  ///< Empty unless somebody asks, or the recipe says something of patches alone.
   HairRig rig{};
   Colliders colliders{};
-  SaidMotion said{};   ///< Of the rig's bones.
-  bool moves = false;  ///< The packed rig can be run.
+  SaidMotion said{};    ///< Of the rig's bones.
+  ModelChoice model{};  ///< Of its chains.
+  bool moves = false;   ///< The packed rig can be run.
   TunedSolver tuned{};
   PatchOrder order{};
   BakedTextures textures{};

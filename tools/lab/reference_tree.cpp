@@ -82,14 +82,14 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   for (std::size_t i = 0; i < members_.size(); ++i) {
     RigBone bone = rig.bones[members_[i]];
     if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
-    if (rig.model == ChainModel::kPassive) bone.torsion = double(kShortestArc);
+    if (bone.model == ChainModel::kPassive) bone.torsion = double(kShortestArc);
     if (!never_twists(bone)) bone.torsion = std::min(bone.torsion, kFastestTorsion);
     if (solids_.size() < 32) bone.colliders &= (1u << solids_.size()) - 1;
     is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit);
     place[members_[i]] = int(i);
     bones_.push_back(bone);
   }
-  if (rig.model == ChainModel::kPassive) passive_ = std::make_unique<PassiveModel>(bones_);
+  if (bones_.front().model == ChainModel::kPassive) passive_ = std::make_unique<PassiveModel>(bones_);
   states_.resize(bones_.size());
   trial_.resize(bones_.size());
   motions_.resize(bones_.size());

@@ -57,9 +57,9 @@ Rig rig_of(const Asset& asset) {
   rig.rigid_count = asset.skeleton().bone_count - asset.skeleton().simulated_count;
   for (std::size_t i = rig.rigid_count; i < asset.bones().size(); ++i) {
     rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
+    rig.bones.back().model = asset.chains()[asset.bones()[i].chain].model;
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
-  if (is_passive(asset.skeleton())) rig.model = ChainModel::kPassive;
   find_tips(asset, rig);
   return rig;
 }
@@ -88,7 +88,6 @@ RigSample sample_of(const Rig& rig, std::size_t most_bones) {
   sample.bones = chosen_bones(rig, most_bones);
   sample.rig.colliders = rig.colliders;
   sample.rig.rigid_count = rig.rigid_count;
-  sample.rig.model = rig.model;
   std::vector<int> place(rig.bones.size(), -1);
   for (std::size_t i = 0; i < sample.bones.size(); ++i) {
     RigBone bone = rig.bones[sample.bones[i]];

@@ -34,14 +34,9 @@ struct RigBone {
   /// Unit, in the parent's frame: where the bone is pulled to. Zero: to its rest direction.
   Eigen::Vector3d leaning = Eigen::Vector3d::Zero();
   std::uint32_t colliders = 0;
+  ChainModel model = ChainModel::kCascade;  ///< The same for all bones of a tree.
 
   [[nodiscard]] const Eigen::Vector3d& pull_direction() const { return leaning.isZero() ? rest_direction : leaning; }
-};
-
-/// Which of the models in runtime/docs/MODEL.md moves the bones.
-enum class ChainModel {
-  kCascade,  ///< Bones do not hold back their parents.
-  kPassive,  ///< They do.
 };
 
 /// What of an asset moves, for solvers that are not the runtime's. Parents come first.
@@ -53,7 +48,6 @@ struct Rig {
   std::vector<double> tip_length;        ///< Of the chain that ends there, joint to tip, metres.
   std::vector<std::uint32_t> tip_chain;  ///< Index of that chain in the asset.
   std::uint32_t rigid_count = 0;         ///< Bones of the asset before the first simulated one.
-  ChainModel model = ChainModel::kCascade;
 };
 
 [[nodiscard]] Rig rig_of(const Asset& asset);

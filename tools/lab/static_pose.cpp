@@ -47,7 +47,7 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
     motion.frame = shortest_arc(with_parent, direction) * parent.frame;
     motion.end = parent.end + bone.length * direction;
     // Of the passive model there is no closed form: every bone's rest depends on all that hangs from it.
-    const bool parent_is_free = rig.model == ChainModel::kCascade && (is_root || pose.is_free[up]);
+    const bool parent_is_free = bone.model == ChainModel::kCascade && (is_root || pose.is_free[up]);
     pose.is_free.push_back(
         parent_is_free &&
         is_within_limit(bone, target_of(bone, bone.rest_direction, parent, head).direction, direction) &&

@@ -27,14 +27,12 @@ inline constexpr std::uint32_t kMaxOpenBones = 16;
 
 /// The model looks along -Z at rest; otherwise along +Z. For pictures and names; the simulation does not care.
 inline constexpr std::uint32_t kSkeletonFacesBackwards = 1;
-/// The dynamics are meant for the passive model (runtime/docs/MODEL.md), in which bones hold back their parents.
-inline constexpr std::uint32_t kSkeletonPassive = 2;
 
 struct SkeletonRecord {
   std::uint32_t bone_count;
   std::uint32_t simulated_count;
   std::uint32_t chain_count;
-  std::uint32_t flags;  ///< kSkeletonFacesBackwards, kSkeletonPassive; other bits are zero.
+  std::uint32_t flags;  ///< kSkeletonFacesBackwards; other bits are zero.
   /// Head bone in the rest pose of the source model: its joint (metres) and the rotation (x, y, z, w) from the
   /// bone's own axes to the model's. A host whose head bone has the world pose (p, q) passes the head pose
   /// (p, q * conjugate(head_rotation)).
@@ -43,10 +41,6 @@ struct SkeletonRecord {
   float reserved_tail;
 };
 static_assert(sizeof(SkeletonRecord) == 48);
-
-[[nodiscard]] constexpr bool is_passive(const SkeletonRecord& skeleton) {
-  return (skeleton.flags & kSkeletonPassive) != 0;
-}
 
 enum class BoneKind : std::uint32_t {
   kHead = 0,       ///< Bone 0, and only bone 0: moved by the host.
@@ -69,13 +63,19 @@ struct BoneRecord {
 };
 static_assert(sizeof(BoneRecord) == 48);
 
+/// Which of the models in runtime/docs/MODEL.md a chain's dynamics are meant for.
+enum class ChainModel : std::uint32_t {
+  kCascade = 0,  ///< Bones do not hold back their parents.
+  kPassive = 1,  ///< They do.
+};
+
 /// A tree of simulated bones that hangs from one rigid bone. A bone of it is open from its own place in the order to that
 /// of its last child; at no place more than kMaxOpenBones are, those that open or close there included.
 struct ChainRecord {
   std::uint32_t first_bone;
   std::uint32_t bone_count;
   std::uint32_t root;  ///< The head or scalp bone that carries it.
-  std::uint32_t reserved;
+  ChainModel model;
 };
 static_assert(sizeof(ChainRecord) == 16);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -33,11 +34,12 @@ double total_length(const AssetContents& contents, std::uint32_t chain) {
 }  // namespace
 
 std::vector<ChainGroup> group_chains(const AssetContents& contents) {
-  std::map<std::uint32_t, ChainGroup> by_bones;
-  for (std::uint32_t c = 0; c < contents.chains.size(); ++c)
-    by_bones[contents.chains[c].bone_count].chains.push_back(c);
+  std::map<std::pair<ChainModel, std::uint32_t>, ChainGroup> by_shape;
+  for (std::uint32_t c = 0; c < contents.chains.size(); ++c) {
+    by_shape[{contents.chains[c].model, contents.chains[c].bone_count}].chains.push_back(c);
+  }
   std::vector<ChainGroup> groups;
-  for (auto& [bones, group] : by_bones) {
+  for (auto& [shape, group] : by_shape) {
     const auto by = [&](auto measure) {
       return *std::ranges::max_element(group.chains, {}, [&](std::uint32_t c) { return measure(contents, c); });
     };
@@ -89,6 +91,11 @@ std::string chain_name(const AssetContents& contents, std::uint32_t chain) {
   const std::uint32_t bone = contents.chains[chain].first_bone;
   const bool named = bone < contents.bone_names.size() && !contents.bone_names[bone].empty();
   return named ? fmt::format("'{}'", contents.bone_names[bone]) : fmt::format("{}", chain);
+}
+
+std::string names_of(const AssetContents& contents, const ChainGroup& group, std::uint32_t chain) {
+  const std::string first = fmt::format("chain {}", chain_name(contents, chain));
+  return group.chains.size() == 1 ? first : fmt::format("{} and {} like it", first, group.chains.size() - 1);
 }
 
 namespace {

@@ -9,13 +9,13 @@
 
 namespace coif {
 
-/// Chains with equally many bones, and those of them that tell most about all: the softest and the longest.
+/// Chains of one model with equally many bones, and those of them that tell most about all: the softest and the longest.
 struct ChainGroup {
   std::vector<std::uint32_t> chains;
   std::vector<std::uint32_t> telling;  ///< One or two of them.
 };
 
-/// Every chain of the skeleton in one group, by their number of bones.
+/// Every chain of the skeleton in one group, by its model and number of bones.
 [[nodiscard]] std::vector<ChainGroup> group_chains(const AssetContents& contents);
 
 /// By how much a straight chain amplifies what moves its root, at the worst frequency of each bone, in the linear model
@@ -25,6 +25,9 @@ struct ChainGroup {
 
 /// A chain as notes and warnings call it: its first bone's name in quotes, or its number where that has none.
 [[nodiscard]] std::string chain_name(const AssetContents& contents, std::uint32_t chain);
+
+/// "chain 'tail' and 3 like it": this one of the group, and how many more there are.
+[[nodiscard]] std::string names_of(const AssetContents& contents, const ChainGroup& group, std::uint32_t chain);
 
 // Parts of a skeleton, so that passes can run through the runtime what a game will run.
 

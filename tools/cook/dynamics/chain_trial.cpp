@@ -59,7 +59,7 @@ ReferenceRun solve_trial(const Rig& rig, Motion motion) {
 }
 
 bool grows_beyond_hope(const AssetContents& alone) {
-  return !is_passive(alone.skeleton) && chain_growth(alone, 0) > kMostGrowth;
+  return alone.chains[0].model == ChainModel::kCascade && chain_growth(alone, 0) > kMostGrowth;
 }
 
 ChainTrial try_chain(const AssetContents& alone) {

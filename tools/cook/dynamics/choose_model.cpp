@@ -1,7 +1,8 @@
+#include "cook/dynamics/choose_model.h"
+
 #include "base/parallel_for.h"
-#include "cook/dynamics/chain_groups.h"
-#include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
+#include "cook/dynamics/settle_model.h"
 #include "lab/passive_model.h"
 #include "lab/rig.h"
 
@@ -9,6 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
 
 namespace coif {
 namespace {
@@ -16,46 +21,156 @@ namespace {
 /// 1/s. A reference of what is stiffer takes minutes; and what is stiff hardly swings.
 constexpr double kMostRate = 60000;
 
-struct Verdict {
-  std::uint32_t chain = 0;
-  ChainFinding as_cascade;
-  bool is_good_passive = true;
+/// Of the chain's length, RMS over a motion: less than what stepping usually errs by.
+constexpr double kAlike = 0.005;
+/// A cascade that amplifies this much does not move as if it did not.
+constexpr double kMostGrowthAlike = 30;
+
+/// The same hair in either model.
+struct BothModels {
+  AssetContents cascade, passive;
 };
 
-bool is_too_stiff(const AssetContents& passive) {
-  const OpenedAsset opened(passive);
-  return fastest_rate(rig_of(opened.asset()).bones) > kMostRate;
+AssetContents alone(const AssetContents& contents, std::uint32_t chain) {
+  return chains_alone(contents, std::array{chain});
 }
 
-Verdict judge(const AssetContents& cascade, const AssetContents& passive, const ChainGroup& group) {
-  Verdict verdict;
+bool is_too_stiff(const AssetContents& passive, const ChainGroup& group) {
+  return std::ranges::any_of(group.telling, [&](std::uint32_t chain) {
+    const OpenedAsset opened(alone(passive, chain));
+    return fastest_rate(rig_of(opened.asset()).bones) > kMostRate;
+  });
+}
+
+/// Of the first telling chain that has no one motion; empty if each has.
+std::optional<IllPosedChains> try_group(const AssetContents& contents, const ChainGroup& group) {
   for (const std::uint32_t chain : group.telling) {
-    const ChainFinding finding = try_chain(chains_alone(cascade, std::array{chain})).finding;
-    if (finding.is_good) continue;
-    verdict.chain = chain;
-    verdict.as_cascade = finding;
-    verdict.is_good_passive =
-        verdict.is_good_passive && try_chain(chains_alone(passive, std::array{chain})).finding.is_good;
+    const ChainFinding finding = try_chain(alone(contents, chain)).finding;
+    if (!finding.is_good) return IllPosedChains{group, chain, finding};
   }
+  return std::nullopt;
+}
+
+/// RMS over the samples of two runs of one chain, share of its length.
+double difference(const Rig& rig, const ReferenceRun& a, const ReferenceRun& b) {
+  const std::size_t samples = a.times.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < a.places.size(); ++i) {
+    sum += (a.places[i] - b.places[i]).squaredNorm() / std::pow(rig.tip_length[i / samples], 2);
+  }
+  return std::sqrt(sum / double(a.places.size()));
+}
+
+/// How far apart the models move a chain, over the worst motion; infinite as soon as that is too far.
+double distance_of_models(const BothModels& both, std::uint32_t chain) {
+  const AssetContents cascade = alone(both.cascade, chain), passive = alone(both.passive, chain);
+  if (chain_growth(cascade, 0) > kMostGrowthAlike) return INFINITY;
+  const OpenedAsset opened_cascade(cascade), opened_passive(passive);
+  const Rig rig = rig_of(opened_cascade.asset()), other = rig_of(opened_passive.asset());
+  double worst = 0;
+  for (const Motion motion : kTrialMotions) {
+    const double apart = difference(rig, solve_trial(rig, motion), solve_trial(other, motion));
+    if (!(apart <= kAlike)) return INFINITY;
+    worst = std::max(worst, apart);
+  }
+  return worst;
+}
+
+/// What became of a group, and why; `why` is empty where it stays what it is by rule.
+struct Verdict {
+  ChainModel model = ChainModel::kCascade;
+  std::string why;
+  std::optional<IllPosedChains> ill_posed;
+};
+
+Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be_passive) {
+  Verdict verdict;
+  verdict.ill_posed = try_group(both.cascade, group);
+  if (!verdict.ill_posed || !may_be_passive || is_too_stiff(both.passive, group)) return verdict;
+  if (try_group(both.passive, group)) return verdict;
+  verdict.model = ChainModel::kPassive;
+  verdict.why = fmt::format(
+      "{}: moved by the passive model; as a cascade it would have to be damped ({}), and then not swing as it was asked to",
+      names_of(both.cascade, group, verdict.ill_posed->chain), what_failed(verdict.ill_posed->finding));
+  verdict.ill_posed.reset();
   return verdict;
+}
+
+Verdict judge_preset(const BothModels& both, const ChainGroup& group) {
+  Verdict verdict{.model = ChainModel::kPassive, .why = {}, .ill_posed = {}};
+  const std::string names = names_of(both.cascade, group, group.telling[0]);
+  if (is_too_stiff(both.passive, group)) {
+    if (try_group(both.cascade, group)) return verdict;
+    verdict.model = ChainModel::kCascade;
+    verdict.why = fmt::format("{}: moved as a cascade: it is too stiff to swing", names);
+    return verdict;
+  }
+  double apart = 0;
+  for (const std::uint32_t chain : group.telling) apart = std::max(apart, distance_of_models(both, chain));
+  if (!(apart <= kAlike) || try_group(both.cascade, group)) return verdict;
+  verdict.model = ChainModel::kCascade;
+  verdict.why = fmt::format("{}: moved as a cascade, which is within {:.2g} % of its length of the passive model and costs less",
+                            names, 100 * apart);
+  return verdict;
+}
+
+AssetContents settled(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+                      AssetContents contents) {
+  Findings unheard;
+  settle_model(recipe, said, models, contents, unheard);
+  return contents;
 }
 
 }  // namespace
 
-bool needs_passive_model(const AssetContents& cascade, const AssetContents& passive, unsigned threads,
-                         Findings& findings) {
-  if (is_too_stiff(passive)) return false;
-  const std::vector<ChainGroup> groups = group_chains(cascade);
+std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, unsigned threads) {
+  const std::vector<ChainGroup> groups = group_chains(contents);
+  std::vector<std::optional<IllPosedChains>> tried(groups.size());
+  parallel_for(groups.size(), threads, [&](std::size_t g) {
+    const bool is_cascade = contents.chains[groups[g].chains[0]].model == ChainModel::kCascade;
+    if (is_cascade) tried[g] = try_group(contents, groups[g]);
+  });
+  std::vector<IllPosedChains> found;
+  for (const auto& each : tried) {
+    if (each) found.push_back(*each);
+  }
+  return found;
+}
+
+std::vector<ChainModel> models_by_rule(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents) {
+  std::vector<ChainModel> models;
+  for (const ChainRecord& chain : contents.chains) {
+    const auto sources = std::span(said.sources).subspan(chain.first_bone, chain.bone_count);
+    const bool by_preset = std::ranges::find(sources, MotionSource::kPreset) != sources.end();
+    const bool passive = recipe.dynamics_model == "passive" || (recipe.dynamics_model == "auto" && by_preset);
+    models.push_back(passive ? ChainModel::kPassive : ChainModel::kCascade);
+  }
+  return models;
+}
+
+ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents, unsigned threads,
+                          Findings& findings) {
+  ModelChoice choice{models_by_rule(recipe, said, contents), {}};
+  if (recipe.dynamics_model == "passive") return choice;
+  const std::size_t count = contents.chains.size();
+  const AssetContents by_rule = settled(recipe, said, choice.models, contents);
+  const BothModels both{settled(recipe, said, std::vector(count, ChainModel::kCascade), contents),
+                        settled(recipe, said, std::vector(count, ChainModel::kPassive), contents)};
+  if (!can_be_run(by_rule) || !can_be_run(both.cascade) || !can_be_run(both.passive)) return choice;
+
+  const std::vector<ChainGroup> groups = group_chains(by_rule);
   std::vector<Verdict> verdicts(groups.size());
-  parallel_for(groups.size(), threads, [&](std::size_t g) { verdicts[g] = judge(cascade, passive, groups[g]); });
-  const auto failed =
-      std::ranges::find_if(verdicts, [](const Verdict& verdict) { return !verdict.as_cascade.is_good; });
-  if (failed == verdicts.end() || !std::ranges::all_of(verdicts, &Verdict::is_good_passive)) return false;
-  findings.note(
-      fmt::format("moved by the passive model: as a cascade chain {} would have to be damped ({}), and then not swing "
-                  "as it was asked to",
-                  chain_name(cascade, failed->chain), what_failed(failed->as_cascade)));
-  return true;
+  parallel_for(groups.size(), threads, [&](std::size_t g) {
+    const bool by_preset = by_rule.chains[groups[g].chains[0]].model == ChainModel::kPassive;
+    verdicts[g] = by_preset ? judge_preset(both, groups[g])
+                            : judge_given(both, groups[g], recipe.dynamics_model == "auto");
+  });
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const std::uint32_t chain : groups[g].chains) choice.models[chain] = verdicts[g].model;
+    if (!verdicts[g].why.empty()) findings.note(verdicts[g].why);
+    if (verdicts[g].ill_posed) choice.ill_posed.push_back(*verdicts[g].ill_posed);
+  }
+  return choice;
 }
 
 }  // namespace coif

@@ -30,6 +30,7 @@ bool may_fold(const BoneRecord& bone, const DynamicsRecord& dynamics) {
 }
 
 bool may_fold(const AssetContents& contents, const ChainRecord& chain) {
+  if (chain.model == ChainModel::kPassive) return false;
   for (std::uint32_t b = chain.first_bone; b < chain.first_bone + chain.bone_count; ++b) {
     if (may_fold(contents.bones[b], contents.dynamics[b])) return true;
   }
@@ -121,7 +122,7 @@ std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, unsigned
   AssetContents chosen = contents;
   std::vector<std::uint32_t> kept;
   double largest = 0;
-  std::size_t bones = 0;
+  std::size_t bones = 0, without = 0;
   for (std::uint32_t c = 0; c < contents.chains.size(); ++c) {
     if (!(folds[c] < kMostFold)) {
       kept.push_back(c);
@@ -129,11 +130,13 @@ std::vector<DynamicsRecord> choose_twist(const AssetContents& contents, unsigned
       continue;
     }
     const ChainRecord& chain = contents.chains[c];
+    if (chain.model == ChainModel::kPassive) continue;
+    ++without;
     bones += chain.bone_count;
     for (std::uint32_t i = 0; i < chain.bone_count; ++i) chosen.dynamics[chain.first_bone + i].torsion = kShortestArc;
   }
   if (!kept.empty()) findings.note(kept_text(contents, kept, largest));
-  if (bones > 0) findings.leave_out(twist_left_out(contents, chosen, contents.chains.size() - kept.size(), bones));
+  if (bones > 0) findings.leave_out(twist_left_out(contents, chosen, without, bones));
   return std::move(chosen.dynamics);
 }
 

@@ -23,9 +23,9 @@ struct Conditioning {
   double parent_share = 1;
 };
 
-/// From nothing to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share of the
+/// From little to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share of the
 /// pull that does not follow the parent bounds the gain of very long ones.
-constexpr Conditioning kCandidates[] = {{0, 0, 1},     {0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},   {3, 0, 1},
+constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},     {3, 0, 1},
                                         {1, 0.5, 0.8}, {1, 0.7, 0.6}, {2, 0.7, 0.8}, {2, 1, 0.6}, {2, 1, 0.4},
                                         {2, 1.4, 0.3}, {3, 2, 0.2},   {4, 3, 0.1},   {4, 4, 0}};
 /// What comes after so many that are good changes more. Chains of many bones take long to compute.
@@ -37,8 +37,6 @@ constexpr int kArtistIterations = 8;
 
 struct Outcome {
   std::size_t candidate = 0;
-  std::uint32_t worst_chain = 0;  ///< The first that failed as it was.
-  ChainFinding first;             ///< As it was.
   double difference = 0;          ///< From what the artist asked for, share of the length, RMS over the motions.
   bool is_good = true;
 };
@@ -122,23 +120,17 @@ double difference(const AssetContents& contents, std::uint32_t chain, const std:
 Outcome search(const AssetContents& contents, const ChainGroup& group) {
   Outcome outcome;
   std::vector<std::vector<ReferenceRun>> asked;
+  for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain));
   std::size_t good = 0;
   const std::size_t enough = enough_good(contents.chains[group.telling[0]].bone_count);
   for (std::size_t c = 0; c < std::size(kCandidates) && good < enough; ++c) {
     double farthest = 0;
     bool is_good = true;
     for (std::size_t k = 0; k < group.telling.size() && is_good; ++k) {
-      const std::uint32_t chain = group.telling[k];
-      const ChainTrial trial = examine(contents, chain, kCandidates[c]);
+      const ChainTrial trial = examine(contents, group.telling[k], kCandidates[c]);
       is_good = trial.finding.is_good;
-      if (c == 0 && !is_good) {
-        outcome.worst_chain = chain;
-        outcome.first = trial.finding;
-        for (const std::uint32_t each : group.telling) asked.push_back(artists_motions(contents, each));
-      }
-      if (c > 0 && is_good) farthest = std::max(farthest, difference(contents, chain, trial.runs, asked[k]));
+      if (is_good) farthest = std::max(farthest, difference(contents, group.telling[k], trial.runs, asked[k]));
     }
-    if (c == 0 && is_good) return outcome;
     if (!is_good) continue;
     if (good == 0 || farthest < outcome.difference) {
       outcome.candidate = c;
@@ -151,23 +143,19 @@ Outcome search(const AssetContents& contents, const ChainGroup& group) {
   return outcome;
 }
 
-void report(const AssetContents& contents, const ChainGroup& group, const Outcome& outcome, Findings& findings) {
-  if (outcome.candidate == 0 && outcome.is_good) return;
+void report(const AssetContents& contents, const IllPosedChains& ill, const Outcome& outcome, Findings& findings) {
   const Conditioning& chosen = kCandidates[outcome.candidate];
-  const std::string which =
-      group.chains.size() == 1
-          ? fmt::format("chain {}", chain_name(contents, outcome.worst_chain))
-          : fmt::format("chain {} and {} like it", chain_name(contents, outcome.worst_chain), group.chains.size() - 1);
+  const std::string which = names_of(contents, ill.group, ill.chain);
   const std::string done = fmt::format("damping {:g}, friction {:g} (of the root of the stiffness), parent_share {:g}",
                                        chosen.damping, chosen.friction, chosen.parent_share);
   if (outcome.is_good) {
     findings.note(fmt::format("{}: {}; raised to {}, which changes its motion by {:.2g} % of its length", which,
-                              what_failed(outcome.first), done, 100 * outcome.difference));
+                              what_failed(ill.finding), done, 100 * outcome.difference));
   } else {
     findings.warn(
         fmt::format("{}: {}, and with {} as well; its motion will depend on the frame rate; raise dynamics.resistance "
                     "or use fewer bones",
-                    which, what_failed(outcome.first), done));
+                    which, what_failed(ill.finding), done));
   }
 }
 
@@ -177,14 +165,15 @@ bool can_be_run(const AssetContents& contents) {
   return !contents.chains.empty() && OpenedAsset(contents).asset().is_open();
 }
 
-std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, unsigned threads, Findings& findings) {
-  const std::vector<ChainGroup> groups = group_chains(contents);
-  std::vector<Outcome> outcomes(groups.size());
-  parallel_for(groups.size(), threads, [&](std::size_t g) { outcomes[g] = search(contents, groups[g]); });
+std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, std::span<const IllPosedChains> ill_posed,
+                                             unsigned threads, Findings& findings) {
+  std::vector<Outcome> outcomes(ill_posed.size());
+  parallel_for(ill_posed.size(), threads, [&](std::size_t g) { outcomes[g] = search(contents, ill_posed[g].group); });
   AssetContents conditioned = contents;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (const std::uint32_t chain : groups[g].chains) apply(kCandidates[outcomes[g].candidate], conditioned, chain);
-    report(contents, groups[g], outcomes[g], findings);
+  for (std::size_t g = 0; g < ill_posed.size(); ++g) {
+    const Conditioning& chosen = kCandidates[outcomes[g].candidate];
+    for (const std::uint32_t chain : ill_posed[g].group.chains) apply(chosen, conditioned, chain);
+    report(contents, ill_posed[g], outcomes[g], findings);
   }
   return std::move(conditioned.dynamics);
 }

@@ -91,21 +91,21 @@ void keep_rest_shape(const std::vector<bool>& takes, AssetContents& contents, Fi
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return;
   const Rig rig = rig_of(opened.asset());
-  const std::vector<Burden> burdens =
-      rig.model == ChainModel::kPassive ? burdens_in_passive(rig) : burdens_in_cascade(rig);
+  const std::vector<Burden> passive = burdens_in_passive(rig), cascade = burdens_in_cascade(rig);
   std::size_t stiffened = 0;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     const std::size_t b = rig.rigid_count + i;
     if (!takes[b]) continue;
+    const Burden& burden = rig.bones[i].model == ChainModel::kPassive ? passive[i] : cascade[i];
     DynamicsRecord& record = contents.dynamics[b];
-    const double least = std::max(burdens[i].side.norm() / kMostLean, kSteady * burdens[i].topple);
+    const double least = std::max(burden.side.norm() / kMostLean, kSteady * burden.topple);
     if (double(record.stiffness) < least) {
       record.damping *= float(std::sqrt(least / std::max(double(record.stiffness), 1.0e-9)));
       record.damping = std::min(record.damping, float(kMostDamping));
       record.stiffness = float(std::min(least, kMostStiffness));
       ++stiffened;
     }
-    if (record.stiffness > 0) lean(burdens[i].side / double(record.stiffness), contents.bones[b], record);
+    if (record.stiffness > 0) lean(burden.side / double(record.stiffness), contents.bones[b], record);
   }
   if (stiffened > 0) {
     findings.note(fmt::format("{} bones were made stiffer, so that they carry the shape that was modelled", stiffened));

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/dynamics/choose_model.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "write/asset_writer.h"
 
 #include <tl/expected.hpp>
 
+#include <span>
 #include <vector>
 
 namespace coif {
@@ -17,22 +19,14 @@ namespace coif {
 /// False for a rig without chains, and for one with numbers that no asset may hold.
 [[nodiscard]] bool can_be_run(const AssetContents& contents);
 
-/// Whether hair that was meant for the cascade (`cascade`) swings as it was asked to only in the passive model (`passive`: the same
-/// hair there): some chain has no motion that could be computed twice as a cascade, so that it would have to be damped, and each
-/// such chain has one in the passive model, without. Not where that would be so stiff that nothing could check it. A note says
-/// why. Both as condition_chains() has its contents.
-[[nodiscard]] bool needs_passive_model(const AssetContents& cascade, const AssetContents& passive, unsigned threads,
-                                       Findings& findings);
-
-/// Checks that the model (runtime/docs/MODEL.md, "Well-posed or not") is one for every chain: over motions of the suite two
-/// computations of the reference, one with half the other's step, differ by at most 0.1 % of the chain's length (RMS), and
-/// 240 steps a second of the runtime follow it within 5 %. Where they do not, damping and friction are raised and
-/// `parent_share` lowered: of the first few of the candidates that help, ordered by how much they do, the one whose motion is
+/// Makes the model (runtime/docs/MODEL.md, "Well-posed or not") one for chains that have no one motion: damping and friction are raised and
+/// `parent_share` lowered. Of the first few of the candidates that help, ordered by how much they do, it is the one whose motion is
 /// nearest to what was asked for; which is that of Algorithm 1 where that has none. A note names the chain and the difference. A
 /// chain that nothing helps keeps the last candidate and is warned of. Returns the dynamics, one per bone.
 ///
-/// Of chains with equally many bones the softest and the longest are computed, and the others treated as they are.
-[[nodiscard]] std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, unsigned threads,
+/// Of chains alike the softest and the longest are computed, and the others treated as they are.
+[[nodiscard]] std::vector<DynamicsRecord> condition_chains(const AssetContents& contents,
+                                                           std::span<const IllPosedChains> ill_posed, unsigned threads,
                                                            Findings& findings);
 
 /// A frame that is the shortest arc from the parent's needs no memory, but it flips where a bone folds back over its parent

@@ -4,29 +4,38 @@
 #include "cook/dynamics/rest_shape.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace coif {
+namespace {
 
-void settle_model(const Recipe& recipe, const std::vector<MotionSource>& sources,
-                  std::span<const double> damping_ratios, AssetContents& contents, Findings& findings) {
+void set_models(const Recipe& recipe, std::span<const ChainModel> models, AssetContents& contents, Findings& findings) {
+  for (std::size_t c = 0; c < models.size(); ++c) {
+    ChainRecord& chain = contents.chains[c];
+    chain.model = models[c];
+    if (models[c] == ChainModel::kCascade || recipe.torsion) continue;
+    for (std::uint32_t i = 0; i < chain.bone_count; ++i) contents.dynamics[chain.first_bone + i].torsion = kShortestArc;
+  }
+  const bool any_passive = std::ranges::find(models, ChainModel::kPassive) != models.end();
+  if (any_passive && recipe.torsion && *recipe.torsion < double(kShortestArc)) {
+    findings.warn(
+        "\"dynamics.torsion\": the passive model has no twist; for one say \"dynamics.model\": \"cascade\"");
+  }
+}
+
+}  // namespace
+
+void settle_model(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+                  AssetContents& contents, Findings& findings) {
   std::vector<bool> by_preset, keeps_shape;
-  for (const MotionSource source : sources) {
+  for (const MotionSource source : said.sources) {
     by_preset.push_back(source == MotionSource::kPreset);
     keeps_shape.push_back(source == MotionSource::kPreset || source == MotionSource::kCurve);
   }
-  const bool any_preset = std::ranges::find(by_preset, true) != by_preset.end();
-  const bool passive = recipe.dynamics_model == "passive" || (recipe.dynamics_model == "auto" && any_preset);
-  if (passive) {
-    contents.skeleton.flags |= kSkeletonPassive;
-    if (recipe.torsion && *recipe.torsion < double(kShortestArc)) {
-      findings.warn(
-          "\"dynamics.torsion\": the passive model has no twist; for one say \"dynamics.model\": \"cascade\"");
-    }
-    if (!recipe.torsion) {
-      for (DynamicsRecord& record : contents.dynamics) record.torsion = kShortestArc;
-    }
+  set_models(recipe, models, contents, findings);
+  if (std::ranges::find(by_preset, true) != by_preset.end()) {
+    bake_natural_dynamics(preset_of(recipe), said.damping_ratios, by_preset, contents, findings);
   }
-  if (any_preset) bake_natural_dynamics(preset_of(recipe), damping_ratios, by_preset, contents, findings);
   if (!recipe.sags) keep_rest_shape(keeps_shape, contents, findings);
 }
 

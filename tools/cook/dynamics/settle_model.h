@@ -6,14 +6,13 @@
 #include "write/asset_writer.h"
 
 #include <span>
-#include <vector>
 
 namespace coif {
 
-/// Chooses the model that moves the hair, as "dynamics.model" says or for what has a preset the passive one, and gives bones that
-/// nobody gave numbers to those of the preset; all but those that a spring moves keep the shape that was modelled, unless
-/// "dynamics.sags". `sources` and `damping_ratios`: one for each bone of `contents`, which holds skeleton and dynamics.
-void settle_model(const Recipe& recipe, const std::vector<MotionSource>& sources,
-                  std::span<const double> damping_ratios, AssetContents& contents, Findings& findings);
+/// Completes the dynamics of `contents`, which holds a skeleton and `said.records` with hit radii, in these models, one for each
+/// chain: bones that nobody gave numbers to get those of the preset, and all but those that a spring moves keep the shape that
+/// was modelled, unless "dynamics.sags".
+void settle_model(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
+                  AssetContents& contents, Findings& findings);
 
 }  // namespace coif

@@ -65,8 +65,11 @@ class Bench {
  public:
   Bench(const AssetContents& contents, std::span<const std::uint32_t> rates, unsigned threads)
       : opened_(chains_alone(contents, chains_to_run(contents))), rig_(rig_of(opened_.asset())), threads_(threads) {
-    for (const ChainRecord& chain : contents.chains) bones_ += chain.bone_count;
-    for (const ChainRecord& chain : contents.chains) twisting_ += twisting_bones(contents, chain);
+    for (const ChainRecord& chain : contents.chains) {
+      bones_ += chain.bone_count;
+      if (chain.model == ChainModel::kPassive) passive_ += chain.bone_count;
+      if (chain.model == ChainModel::kCascade) twisting_ += twisting_bones(contents, chain);
+    }
     ReferenceSettings settings;
     settings.sample_times = frame_times(rates, kSeconds);
     settings.most_steps_per_second = 5760;
@@ -100,8 +103,7 @@ class Bench {
     QualityRecord& row = measured.quality;
     row.frame_rate = float(rate);
     row.substeps = parts;
-    const bool is_passive = rig_.model == ChainModel::kPassive;
-    const double model_cost = is_passive ? nominal_passive_cost(bones_, parts) : nominal_twist_cost(twisting_, parts);
+    const double model_cost = nominal_passive_cost(passive_, parts) + nominal_twist_cost(twisting_, parts);
     row.cost = float(nominal_cost(bones_, parts) + model_cost);
     // What did not stay finite is as wrong as can be written down, and not right for comparing false.
     const auto worse = [](float a, double b) { return std::max(a, float(b <= kMostError ? b : kMostError)); };
@@ -119,7 +121,7 @@ class Bench {
   OpenedAsset opened_;
   Rig rig_;
   unsigned threads_;
-  std::size_t bones_ = 0, twisting_ = 0;
+  std::size_t bones_ = 0, passive_ = 0, twisting_ = 0;
   std::vector<KnownMotion> known_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, MeasuredRate> measured_;
 };

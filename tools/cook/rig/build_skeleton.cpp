@@ -94,7 +94,7 @@ class SkeletonBuilder {
     const auto first = std::uint32_t(skeleton_.bones.size());
     add_simulated(node, root, chain);
     const auto count = std::uint32_t(skeleton_.bones.size()) - first;
-    skeleton_.chains.push_back({first, count, root, 0});
+    skeleton_.chains.push_back({first, count, root, {}});
     set_places(first, count);
   }
 

@@ -115,7 +115,7 @@ void add_bones(const FittedChain& chain, Skeleton& skeleton) {
     skeleton.bones.push_back(bone);
   }
   for (std::uint32_t b = first; b < first + count; ++b) skeleton.bones[b].place /= length;
-  skeleton.chains.push_back({first, count, 0, 0});
+  skeleton.chains.push_back({first, count, 0, {}});
 }
 
 std::string describe(const FittedChain& chain) {

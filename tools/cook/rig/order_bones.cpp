@@ -88,7 +88,7 @@ std::vector<std::uint32_t> store(const std::vector<OrderedChain>& chains, Skelet
   std::uint32_t next = std::uint32_t(bones.size() - skeleton.simulated_count());
   for (const OrderedChain& chain : chains) {
     const auto index = std::uint32_t(skeleton.chains.size());
-    skeleton.chains.push_back({next, chain.record.bone_count, chain.record.root, 0});
+    skeleton.chains.push_back({next, chain.record.bone_count, chain.record.root, {}});
     for (std::size_t i = 0; i < chain.bones.size(); ++i) {
       SkeletonBone& bone = skeleton.bones[next + i] = bones[chain.bones[i]];
       bone.chain = index;

@@ -121,7 +121,7 @@ struct AccuracyReport {
   std::vector<ReferenceRow> reference;  ///< One per motion.
   std::vector<SettleRow> settle;
   Swings swings;
-  bool is_passive = false;             ///< The model in which bones hold back their parents.
+  double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };

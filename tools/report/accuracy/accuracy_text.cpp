@@ -85,6 +85,19 @@ std::string accuracy_summary(const AccuracyReport& report) {
   return is_published ? first : first + published_sentence(means, fps);
 }
 
+/// What the solvers that do not ship solve instead.
+std::string model_text(double passive_share) {
+  constexpr const char* kCascade =
+      "bones do not pull on their parents; the methods whose bones do (all but coif and projective) solve another equation, "
+      "and a part of their distance is that difference, whatever their steps.";
+  constexpr const char* kPassive =
+      "bones hold back their parents, by a potential of their bending; the other methods solve other equations, and a part "
+      "of their distance is that difference, whatever their steps.";
+  if (passive_share == 0) return fmt::format("In that model {}", kCascade);
+  if (passive_share == 1) return fmt::format("In that model {}", kPassive);
+  return fmt::format("In {:.0f} % of the bones, {} In the others {}", 100 * passive_share, kPassive, kCascade);
+}
+
 std::string reference_summary(const AccuracyReport& report) {
   // Where no budget says what matters, a percent of the hair's length is about what an eye notices.
   const double limit = std::isfinite(report.budget_rms_pct) ? report.budget_rms_pct : 1.0;
@@ -100,11 +113,7 @@ std::string reference_summary(const AccuracyReport& report) {
         "Errors are distances to a converged solution of the same model. Computed twice, with steps of double length, "
         "it agrees with itself to {} in every motion; errors above that are the solvers'. {}",
         percent_text(worst),
-        report.is_passive
-            ? "In that model bones hold back their parents, by a potential of their bending; the other methods solve "
-              "other equations, and a part of their distance is that difference, whatever their steps."
-            : "In that model bones do not pull on their parents; the methods whose bones do (all but coif and "
-              "projective) solve another equation, and a part of their distance is that difference, whatever their steps.");
+        model_text(report.passive_share));
   }
   return fmt::format(
       "Errors are distances to a converged solution of the same model, but in {} it does not agree with itself to {}: "

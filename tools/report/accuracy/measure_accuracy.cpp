@@ -30,7 +30,8 @@ class AccuracyMeasurement {
   AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
     for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
-    report_.is_passive = sample_.rig.model == ChainModel::kPassive;
+    const auto passive = std::ranges::count(sample_.rig.bones, ChainModel::kPassive, &RigBone::model);
+    report_.passive_share = double(passive) / double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
     tell("swings");
     report_.swings = measure_swings(asset_);
     choose();
@@ -39,7 +40,7 @@ class AccuracyMeasurement {
 
  private:
   [[nodiscard]] std::vector<int> efforts_of(const MeasuredSolver& solver) const {
-    if (solver.is_runtime) return {settings_.substeps.begin(), settings_.substeps.end()};
+    if (solver.is_runtime()) return {settings_.substeps.begin(), settings_.substeps.end()};
     return {solver.efforts.begin(), solver.efforts.end()};
   }
 
@@ -131,7 +132,7 @@ class AccuracyMeasurement {
     report_.budget_rms_pct = settings_.budget_rms_pct;
     for (const AccuracyRow& mean : means_over_motions(report_, main_frame_rate(report_))) {
       const bool fits = mean.rms_error_pct <= settings_.budget_rms_pct;
-      if (!fits || !find_measured_solver(mean.solver)->is_runtime) continue;
+      if (!fits || !find_measured_solver(mean.solver)->is_runtime()) continue;
       if (report_.chosen && report_.chosen->ns_per_bone_frame <= mean.ns_per_bone_frame) continue;
       report_.chosen = {mean.solver, mean.substeps, mean.rms_error_pct, mean.ns_per_bone_frame};
     }

@@ -32,7 +32,7 @@ struct AccuracySettings {
   std::vector<double> fps{24, 30, 60, 90, 120, 144, 240};
   std::vector<std::uint32_t> substeps{1, 2, 4};  ///< Of each frame, for the solvers that have them.
   double seconds = 4;                            ///< Of each motion, at most 60.
-  std::vector<std::string> solvers;              ///< Names; empty: all. See report_solvers().
+  std::vector<std::string> solvers;              ///< Names; empty: as chosen_solvers() says.
   double budget_rms_pct = 2;                     ///< What AccuracyReport::chosen has to meet.
 };
 

@@ -107,8 +107,6 @@ std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, i
 
 namespace {
 
-constexpr std::string_view kCoif = "coif";
-constexpr std::string_view kThesis = "thesis";
 constexpr int kRuntimeEfforts[] = {1, 2, 4, 8};
 
 /// The sample's bones of a solver that moves all.
@@ -132,8 +130,11 @@ class SampledSolver final : public ChainSolver {
 };
 
 std::vector<MeasuredSolver> list_solvers() {
-  std::vector<MeasuredSolver> all{{kCoif, kRuntimeEfforts, true}, {kThesis, kRuntimeEfforts, true}};
-  for (const ListedSolver& listed : historical_solvers()) all.push_back({listed.name, listed.efforts, false});
+  std::vector<MeasuredSolver> all{{"coif", kRuntimeEfforts, &kCoifSolver},
+                                  {"cascade", kRuntimeEfforts, &kCascadeSolver, ChainModel::kCascade},
+                                  {"passive", kRuntimeEfforts, &kPassiveSolver, ChainModel::kPassive},
+                                  {"thesis", kRuntimeEfforts, &kThesisSolver}};
+  for (const ListedSolver& listed : historical_solvers()) all.push_back({listed.name, listed.efforts});
   return all;
 }
 
@@ -157,7 +158,12 @@ const MeasuredSolver* find_measured_solver(std::string_view name) {
 
 tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const std::vector<std::string>& names) {
   std::vector<const MeasuredSolver*> solvers;
-  for (const std::string& name : names.empty() ? report_solvers() : names) {
+  if (names.empty()) {
+    for (const MeasuredSolver& solver : measured_solvers()) {
+      if (!solver.model) solvers.push_back(&solver);
+    }
+  }
+  for (const std::string& name : names) {
     solvers.push_back(find_measured_solver(name));
     if (solvers.back() == nullptr) {
       return tl::unexpected(ToolError{ToolError::Kind::kUsage, fmt::format("'{}' is not a solver; there are {}", name,
@@ -169,9 +175,8 @@ tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(const
 
 SolverAtWork make_solver(const MeasuredSolver& measured, const Asset& asset, const RigSample& sample,
                          const SolverScene& scene, int effort) {
-  if (measured.is_runtime) {
-    const Solver& solver = measured.name == kCoif ? kCoifSolver : kThesisSolver;
-    auto whole = std::make_unique<RuntimeSolver>(asset, scene, solver, effort);
+  if (measured.is_runtime()) {
+    auto whole = std::make_unique<RuntimeSolver>(asset, scene, *measured.runtime, effort);
     return {std::make_unique<SampledSolver>(std::move(whole), sample.bones), asset.skeleton().simulated_count};
   }
   const auto listed = std::ranges::find(historical_solvers(), measured.name, &ListedSolver::name);

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,11 @@ struct ListedSolver {
 struct MeasuredSolver {
   std::string_view name;
   std::span<const int> efforts;  ///< Worth measuring: sub-steps or iterations of a frame, ascending.
-  bool is_runtime = false;       ///< Ships in games: single precision, bone matrices included in its time.
+  /// Ships in games: single precision, bone matrices included in its time. Null: one of historical_solvers().
+  const Solver* runtime = nullptr;
+  std::optional<ChainModel> model{};  ///< Moves all chains by this, whatever they are meant for.
+
+  [[nodiscard]] bool is_runtime() const { return runtime != nullptr; }
 };
 
 /// The runtime's first.
@@ -51,7 +56,7 @@ struct MeasuredSolver {
 /// Null for an unknown name.
 [[nodiscard]] const MeasuredSolver* find_measured_solver(std::string_view name);
 
-/// All of them where `names` is empty. Error (kUsage): an unknown name.
+/// Where `names` is empty, all of them that move chains by the model that they are meant for. Error (kUsage): an unknown name.
 [[nodiscard]] tl::expected<std::vector<const MeasuredSolver*>, ToolError> chosen_solvers(
     const std::vector<std::string>& names);
 

@@ -119,13 +119,23 @@ double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose
 StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample sample)
     : stress_(stress), asset_(asset), sample_(std::move(sample)), top_speed_(plausible_speed(sample_.rig, stress)) {}
 
+namespace {
+
+Rig in_model(Rig rig, const std::optional<ChainModel>& model) {
+  for (RigBone& bone : rig.bones) bone.model = model.value_or(bone.model);
+  return rig;
+}
+
+}  // namespace
+
 StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
+  const Rig rig = in_model(sample_.rig, solver.model);
   const SolverAtWork at_work = make_solver(solver, asset_, sample_, stress_.scene, solver.efforts.front());
-  StressRun watched(sample_.rig, top_speed_, *at_work.solver);
+  StressRun watched(rig, top_speed_, *at_work.solver);
   HeadPose head = stress_.head(0);
   at_work.solver->reset(head);
   double seconds = 0;
-  const bool takes_fewer = !solver.is_runtime && stress_.steps_of_others;
+  const bool takes_fewer = !solver.is_runtime() && stress_.steps_of_others;
   const std::size_t steps = takes_fewer ? *stress_.steps_of_others : stress_.steps;
   bool goes_on = true;
   for (std::size_t i = 0; i < steps && goes_on; ++i) {
@@ -145,7 +155,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
   }
   if (goes_on && stress_.settles) {
-    row.settle_error_pct = 100 * distance_to_rest(sample_.rig, stress_.scene, head, at_work.solver->bone_ends());
+    row.settle_error_pct = 100 * distance_to_rest(rig, stress_.scene, head, at_work.solver->bone_ends());
   }
   return row;
 }
@@ -176,7 +186,7 @@ void refuse(const Stress& stress, std::span<const MeasuredSolver* const> solvers
 
 tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, const StabilitySettings& settings,
                                                            const ReportProgress& progress) {
-  const auto solvers = chosen_solvers(settings.solvers);
+  const auto solvers = chosen_solvers(settings.solvers.empty() ? report_solvers() : settings.solvers);
   if (!solvers) return tl::unexpected(solvers.error());
   if (asset.skeleton().simulated_count == 0 || asset.dynamics().empty()) {
     return tl::unexpected(ToolError{ToolError::Kind::kBadInput, "no simulated bones: there is nothing to measure"});
@@ -188,7 +198,7 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
       measure(stress, asset, kMostBones, *solvers, progress, report);
       continue;
     }
-    const StressAsset made(*stress.rig, rig_of(asset).model);
+    const StressAsset made(*stress.rig);
     if (made.is_open()) {
       measure(stress, made.asset(), kMaxBones, *solvers, progress, report);
     } else {

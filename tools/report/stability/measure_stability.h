@@ -21,8 +21,10 @@ struct StressRig {
   std::uint32_t branching = 1;  ///< Children of each bone; 1: none branches.
   double bone_length = 0.04;    ///< Metres.
   double length_ratio = 1;      ///< Every second bone is longer by this factor.
+  double tip_ratio = 1;         ///< The last bone of a chain is longer by this factor, and as much heavier.
   double root_resistance = 0.3, tip_resistance = 0.08;
-  double friction = 1;  ///< 1/s
+  double friction = 1;       ///< 1/s
+  double damping_ratio = 1;  ///< At least this share of critical; below 1 not what the resistance brings along either.
   double gravity_scale = 1;
   double torsion = 20;        ///< 1/s; kShortestArc: never a twist.
   double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.

@@ -151,6 +151,42 @@ void add_shapes(std::vector<Stress>& all) {
   }
 }
 
+/// Hair that swings, which is where energy from nowhere shows.
+void add_lively_hair(std::vector<Stress>& all) {
+  for (const std::uint32_t count : {3u, 6u, 16u, 64u}) {
+    for (const double ratio : {0.25, 0.0}) {
+      StressRig rig;
+      rig.bones_per_chain = count;
+      rig.bone_length = 0.6 / count;
+      rig.root_resistance = 0.08;
+      rig.tip_resistance = 0.003;
+      rig.damping_ratio = ratio;
+      rig.friction = 0;
+      all.push_back(shaken_rig(fmt::format("{} bones, damping {:g}", count, ratio),
+                               "soft chains of 0.6 m without friction, damped by this share of critical", rig));
+      all.back().settles = false;
+    }
+  }
+  for (const double resistance : {0.5, 0.965, 0.9991}) {
+    StressRig rising;
+    rising.root_resistance = 0.003;
+    rising.tip_resistance = resistance;
+    rising.damping_ratio = 0.25;
+    all.push_back(shaken_rig(fmt::format("tips of {:.0e} 1/s^2", resistance / (1 - resistance) * 3600),
+                             "stiffness that rises from a soft root to the tip, lightly damped", rising));
+    all.back().settles = false;
+  }
+  for (const double ratio : {100.0, 0.01}) {
+    StressRig heavy;
+    heavy.tip_ratio = ratio;
+    heavy.bone_length = ratio > 1 ? 0.005 : 0.05;
+    heavy.damping_ratio = 0.25;
+    all.push_back(shaken_rig(fmt::format("tips {:g} times as heavy", ratio),
+                             "the last bone of a lightly damped chain is longer and heavier by this factor", heavy));
+    all.back().settles = false;
+  }
+}
+
 void add_movements(std::vector<Stress>& all) {
   Stress spin = shaken("spin 100 rad/s", "the head spins about the vertical");
   spin.head = spinning(100);
@@ -187,6 +223,7 @@ std::vector<Stress> stress_cases() {
   add_parameters(all);
   add_lengths(all);
   add_shapes(all);
+  add_lively_hair(all);
   add_movements(all);
   add_soaks(all);
   return all;

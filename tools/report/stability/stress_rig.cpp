@@ -33,8 +33,8 @@ DynamicsRecord dynamics_of(const StressRig& rig, double resistance) {
   record.gravity_scale = float(rig.gravity_scale);
   record.authoring_rate = float(kRate);
   record.stiffness = float(oscillator.stiffness);
-  const double critical = 2 * std::sqrt(oscillator.stiffness) - rig.friction;
-  record.damping = float(std::max(oscillator.damping, critical));
+  const double asked = std::max(2 * rig.damping_ratio * std::sqrt(oscillator.stiffness) - rig.friction, 0.0);
+  record.damping = float(rig.damping_ratio < 1 ? asked : std::max(oscillator.damping, asked));
   record.torsion = float(rig.torsion);
   record.angle_limit = kNoAngleLimit;
   record.parent_share = 1;
@@ -52,9 +52,8 @@ ColliderRecord head_sphere(double radius) {
 /// Adds the chains one by one.
 class StressContents {
  public:
-  StressContents(const StressRig& rig, ChainModel model) : rig_(rig) {
+  StressContents(const StressRig& rig, ChainModel model) : rig_(rig), model_(model) {
     contents_.skeleton.head_rotation[3] = 1;
-    if (model == ChainModel::kPassive) contents_.skeleton.flags |= kSkeletonPassive;
     contents_.bones.push_back(rigid_head());
     contents_.dynamics.push_back(dynamics_of(rig, 0));
     contents_.colliders.push_back(head_sphere(rig.head_radius));
@@ -75,7 +74,7 @@ class StressContents {
   void add_chain(std::uint32_t chain) {
     const double side = (double(chain) - 0.5 * (rig_.chains - 1)) * rig_.chain_spacing;
     const auto first = std::uint32_t(contents_.bones.size());
-    contents_.chains.push_back({first, rig_.bones_per_chain, 0, 0});
+    contents_.chains.push_back({first, rig_.bones_per_chain, 0, model_});
     depth_.clear();
     // Depth first, as the format wants trees: bone i of the tree has the children branching * i + 1 and on.
     std::vector<Place> waiting = {{0, 0}};
@@ -114,7 +113,8 @@ class StressContents {
     const double fan = rig_.branching > 1 ? 0.3 * (double(sibling) - 0.5 * (rig_.branching - 1)) : 0.0;
     store(joint, bone.joint);
     store(Vector3d(fan, -1, depth == 0 ? -0.6 : -0.05).normalized(), bone.rest_direction);
-    bone.length = float(rig_.bone_length * (depth % 2 == 1 ? rig_.length_ratio : 1));
+    const bool is_last = number + 1 == rig_.bones_per_chain;
+    bone.length = float(rig_.bone_length * (depth % 2 == 1 ? rig_.length_ratio : 1) * (is_last ? rig_.tip_ratio : 1));
     contents_.bones.push_back(bone);
     const double share = rig_.bones_per_chain > 1 ? double(number) / (rig_.bones_per_chain - 1) : 0.0;
     const double resistance = rig_.root_resistance + (rig_.tip_resistance - rig_.root_resistance) * share;
@@ -123,6 +123,7 @@ class StressContents {
   }
 
   const StressRig& rig_;
+  ChainModel model_;
   AssetContents contents_;
   std::vector<std::uint32_t> depth_;  ///< Of the present chain's bones.
 };
