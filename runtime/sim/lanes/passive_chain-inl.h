@@ -18,6 +18,11 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+/// Where what eliminate() leaves out is more than this share of what holds a bone, one round of it is not enough.
+constexpr float kLeastTwisting = 0.002f;
+constexpr int kMostRounds = 4;     ///< After the first.
+constexpr float kSettled2 = 1e-8f;  ///< Radians squared, of a round's largest turn.
+
 template <class D>
 class PassiveChain {
  public:
@@ -31,7 +36,8 @@ class PassiveChain {
         method_(d, method),
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
-        fastest2_(hn::Zero(d)) {
+        fastest2_(hn::Zero(d)),
+        most_twisting_(hn::Zero(d)) {
     const std::size_t left = row.lanes - lane;
     used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
   }
@@ -42,8 +48,8 @@ class PassiveChain {
       guess(i);
       find_forces(i);
     }
-    for (std::size_t i = count; i-- > 0;) eliminate(i);
-    for (std::size_t i = 0; i < count; ++i) turn_bone(i);
+    turn_bones(hn::Eq(motion_, motion_));
+    turn_twisted_again();
     for (std::size_t i = 0; i < count; ++i) settle(i);
     for (std::size_t i = count; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count; ++i) keep_links(i);
@@ -69,7 +75,9 @@ class PassiveChain {
   HWY_INLINE void find_forces(std::size_t i);
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
   HWY_INLINE void eliminate(std::size_t i);
-  HWY_INLINE void turn_bone(std::size_t i);
+  HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
+  HWY_INLINE void turn_bones(hn::Mask<D> moving);
+  HWY_INLINE void turn_twisted_again();
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -90,6 +98,8 @@ class PassiveChain {
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
+  V<D> most_twisting_;  ///< Of what the bones are held by.
+  V<D> farthest2_;  ///< Square of the last round's largest turn.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
 };
@@ -196,14 +206,20 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
     bone.wanted[k] = hn::Add(hn::Sub(dot(d_, side, bone.load), dot(d_, bone.side[k], bending)), bone.below.turn[k]);
   }
   const V3<D> first = scale(d_, bone.side[0], length), second = scale(d_, bone.side[1], length);
-  const auto slack = hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length));
+  // How the frame turns about the bone changes with its turns: by the torque times the tangent of half the bend. That is not in the
+  // equations, which only have as much more to hold the bone by (Newton's method is slower for it, and goes on).
+  const V3<D> lever = cross(d_, bone.arc, bone.direction);
+  const auto twisting = hn::Mul(hn::Sqrt(hn::Mul(dot(d_, torque, torque), dot(d_, lever, lever))), bone.per_fold);
+  const auto slack = hn::Add(hn::Add(hn::Sub(bone.firm, bone.coupled), hn::Mul(tension, length)), twisting);
   const auto both = [&](const V3<D>& side, int k, int l) {
     return hn::Add(dot(d_, side, bone.by_start[l]), dot(d_, l == 0 ? first : second, bone.below.coupling[k]));
   };
   const auto g11 = hn::Add(hn::Add(both(first, 0, 0), bone.below.stiff[0]), slack);
   const auto g12 = hn::Add(both(first, 0, 1), bone.below.stiff[1]);
   const auto g22 = hn::Add(hn::Add(both(second, 1, 1), bone.below.stiff[2]), slack);
-  bone.invert(d_, hn::Add(g11, bone.coupled), g12, hn::Add(g22, bone.coupled));
+  const auto h11 = hn::Add(g11, bone.coupled), h22 = hn::Add(g22, bone.coupled);
+  most_twisting_ = hn::Max(most_twisting_, hn::Div(twisting, hn::Min(h11, h22)));
+  bone.invert(d_, h11, g12, h22);
   if (is_first(i)) return;
   PassiveBone<D>& parent = parent_of(i);
   bone.find_coupling(d_, parent);
@@ -214,7 +230,7 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
 
 /// The turns that balance the forces, as far as these are linear.
 template <class D>
-HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i) {
+HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   PassiveBone<D>& bone = bones_[i];
   auto first = bone.wanted[0], second = bone.wanted[1];
   bone.shift = {hn::Zero(d_), hn::Zero(d_), hn::Zero(d_)};
@@ -233,7 +249,30 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i) {
   bone.turn[1] = hn::Neg(hn::Add(hn::Mul(bone.inverse[1], first), hn::Mul(bone.inverse[2], second)));
   const V3<D> change = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
   bone.shift = add_scaled(d_, bone.shift, change, load(d_, row_.constants[i].length, lane_));
-  bone.direction = direction_or(d_, add(d_, bone.direction, change), bone.direction);
+  farthest2_ = hn::Max(farthest2_, dot(d_, change, change));
+  set_where(d_, moving, direction_or(d_, add(d_, bone.direction, change), bone.direction), bone.direction);
+}
+
+/// One step of Newton's method, for lanes that are `moving`.
+template <class D>
+HWY_INLINE void PassiveChain<D>::turn_bones(hn::Mask<D> moving) {
+  const std::size_t count = row_.bones.size();
+  farthest2_ = hn::Zero(d_);
+  for (std::size_t i = count; i-- > 0;) eliminate(i);
+  for (std::size_t i = 0; i < count; ++i) turn_bone(i, moving);
+}
+
+/// Where torques act on bones that are bent far, as under a head upside down, a single round leaves hair rattling for ever, with
+/// energy from nowhere: there the rounds go on until they find nothing more to do. Each lane stops by itself.
+template <class D>
+HWY_INLINE void PassiveChain<D>::turn_twisted_again() {
+  auto moving = hn::Gt(most_twisting_, hn::Set(d_, kLeastTwisting));
+  for (int round = 0; round < kMostRounds; ++round) {
+    moving = hn::And(moving, hn::Gt(farthest2_, hn::Set(d_, kSettled2)));
+    if (HWY_LIKELY(hn::AllFalse(d_, moving))) return;
+    for (std::size_t i = 0; i < row_.bones.size(); ++i) find_forces(i);
+    turn_bones(moving);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
