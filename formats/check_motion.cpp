@@ -96,7 +96,7 @@ constexpr float kMostRate = 1.0e5f;   ///< Per second.
 constexpr float kMostError = 1.0e3f;  ///< Chain lengths: something that is no longer hair.
 constexpr float kMostCost = 1.0e12f;  ///< Nanoseconds.
 constexpr std::uint32_t kMostSubsteps = 1024;
-constexpr std::uint32_t kMotions = 8;
+constexpr std::uint32_t kMotions = 10;
 
 bool fits(const TuningRecord& t) {
   return in_range(t.substep_rate, 0.0f, kMostRate) && in_range(t.asked_error, 0.0f, kMostError) &&

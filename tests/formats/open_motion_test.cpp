@@ -117,8 +117,8 @@ TEST(OpenTuning, EveryFieldOfQualityHasItsLimits) {
   EXPECT_EQ(with_substeps(1024), LoadCode::kOk);
   EXPECT_EQ(with_substeps(1025), LoadCode::kNotFinite);
   const auto with_motion = [](std::uint32_t n) { return refusal([n](auto& a) { a.quality[1].worst_motion = n; }); };
-  EXPECT_EQ(with_motion(7), LoadCode::kOk);
-  EXPECT_EQ(with_motion(8), LoadCode::kNotFinite) << "no such motion";
+  EXPECT_EQ(with_motion(9), LoadCode::kOk);
+  EXPECT_EQ(with_motion(10), LoadCode::kNotFinite) << "no such motion";
 }
 
 TEST(OpenTuning, RefusalsNameTheRow) {

@@ -30,7 +30,7 @@ double height(const HeadPose& pose) { return pose.position[1]; }
 double turned(const HeadPose& pose) { return angle(pose.rotation, Quat{}); }
 
 TEST(Motion, NamesFindTheirMotions) {
-  ASSERT_EQ(all_motions().size(), 8u);
+  ASSERT_EQ(all_motions().size(), 10u);
   for (const MotionInfo& info : all_motions()) EXPECT_EQ(find_motion(info.name), info.motion) << info.name;
   EXPECT_FALSE(find_motion("stroll"));
   EXPECT_FALSE(find_motion(""));
@@ -112,6 +112,27 @@ TEST(Motion, TumbleGoesAllTheWayRound) {
   // Forward: half way through the roll's first half, up has become forward (+Z).
   const Quat q = head_pose(Motion::kTumble, 0.2).rotation;
   EXPECT_GT(2 * (double(q.y) * q.z + double(q.x) * q.w), 0.5);
+}
+
+/// How high one of the head's axes points, 1 straight up.
+double up(const HeadPose& pose, const Eigen::Vector3d& axis) {
+  const Quat& q = pose.rotation;
+  return (Eigen::Quaterniond(double(q.w), double(q.x), double(q.y), double(q.z)) * axis).y();
+}
+
+TEST(Motion, BowTurnsTheHeadBelowTheHorizontalAndComesUpAgain) {
+  EXPECT_NEAR(highest(Motion::kBow, turned), 120 * kDegree, 0.5 * kDegree);
+  const HeadPose bent = head_pose(Motion::kBow, 1);
+  EXPECT_NEAR(up(bent, {0, 1, 0}), -0.5, 1e-3) << "hair falls over the face";
+  EXPECT_GT(bent.position[2], 0.3) << "forwards";
+  EXPECT_NEAR(turned(head_pose(Motion::kBow, 2.2)), 0, 1e-5);
+  EXPECT_LT(angle(head_pose(Motion::kBow, 0.7).rotation, head_pose(Motion::kBow, 0.7 + 2.4).rotation), 1e-5);
+}
+
+TEST(Motion, LieEndsOnTheBack) {
+  const HeadPose lying = head_pose(Motion::kLie, 1);
+  EXPECT_NEAR(up(lying, {0, 0, 1}), 1, 1e-5) << "the face is up";
+  EXPECT_EQ(way(lying, head_pose(Motion::kLie, 60)), 0);
 }
 
 TEST(Motion, TeleportJumpsTwice) {

@@ -19,7 +19,7 @@
 namespace coif {
 
 /// A head's built-in movement, defined for every time; starts at rest at the origin (y = 0) at t = 0.
-enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport };
+enum class Motion { kStill, kNod, kTurn, kCharge, kRun, kJump, kTumble, kTeleport, kBow, kLie };
 
 struct MotionInfo {
   Motion motion;

@@ -97,6 +97,37 @@ HeadMovement tumble(const Jet& t, double inside) {
   return moved;
 }
 
+/// From 0 to 1 between the two times, without a jump of velocity.
+Jet eased(const Jet& t, double inside, double from, double to) {
+  if (inside < from) return 0.0;
+  if (inside >= to) return 1.0;
+  const Jet u = (t - from) * (1 / (to - from));
+  return u * u * (3 - 2 * u);
+}
+
+/// When a bow goes down, stays, and comes up; seconds.
+constexpr double kBowPeriod = 2.4, kDown = 0.5, kUp = 1.2, kUpright = 1.9;
+
+HeadMovement bow(const Jet& t, double inside) {
+  const double begun = std::floor(inside / kBowPeriod) * kBowPeriod;
+  const Jet u = t - begun;
+  const Jet bent = eased(u, inside - begun, 0, kDown) - eased(u, inside - begun, kUp, kUpright);
+  HeadMovement moved = turning(Vector3d::UnitX(), kTwoPi / 3 * bent);
+  moved.y = -0.5 * bent;
+  moved.z = 0.4 * bent;
+  return moved;
+}
+
+constexpr double kLying = 0.8;  // seconds
+
+HeadMovement lie(const Jet& t, double inside) {
+  const Jet down = eased(t, inside, 0, kLying);
+  HeadMovement moved = turning(Vector3d::UnitX(), -kTwoPi / 4 * down);
+  moved.y = -1.4 * down;
+  moved.z = -0.8 * down;
+  return moved;
+}
+
 constexpr double kJumpAway = 1, kTurnRound = 2;  // seconds
 
 HeadMovement teleport(double inside) {
@@ -126,6 +157,8 @@ HeadMovement movement(Motion motion, double seconds, double inside) {
     case Motion::kJump: return jump(t, inside);
     case Motion::kTumble: return tumble(t, inside);
     case Motion::kTeleport: return teleport(inside);
+    case Motion::kBow: return bow(t, inside);
+    case Motion::kLie: return lie(t, inside);
   }
   return {};
 }
@@ -133,6 +166,8 @@ HeadMovement movement(Motion motion, double seconds, double inside) {
 std::vector<PathBreak> breaks_of(Motion motion, double until) {
   std::vector<PathBreak> breaks;
   if (motion == Motion::kCharge && kSpeedUp <= until) breaks.push_back({kSpeedUp, false});
+  if (motion == Motion::kBow) repeat({kDown, kUp, kUpright, kBowPeriod}, kBowPeriod, until, breaks);
+  if (motion == Motion::kLie && kLying <= until) breaks.push_back({kLying, false});
   if (motion == Motion::kTumble) repeat({kRoll, kTumblePeriod}, kTumblePeriod, until, breaks);
   if (motion == Motion::kJump) {
     const JumpKnots jumps;

@@ -217,7 +217,7 @@ struct QualityRecord {
   float stretch;            ///< Worst |length / rest - 1|.
   float penetration;        ///< Worst depth over the collider's radius.
   float cost;               ///< Nominal nanoseconds per head and frame: a fixed figure per bone, so that bytes repeat.
-  std::uint32_t worst_motion;  ///< Index in the suite: still nod turn charge run jump tumble teleport.
+  std::uint32_t worst_motion;  ///< Index in the suite: still nod turn charge run jump tumble teleport bow lie.
 };
 static_assert(sizeof(QualityRecord) == 32);
 

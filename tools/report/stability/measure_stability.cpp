@@ -19,6 +19,7 @@ constexpr double kFarthest = 10;  ///< Lengths of a bone.
 constexpr double kFastest = 100;  ///< Times the plausible speed.
 constexpr int kFastSteps = 10;    ///< One step may be a correction.
 constexpr double kSettleSeconds = 8;
+constexpr double kWatchedAtRest = 0.5;  ///< Seconds, the last of them.
 constexpr double kSettleDt = 1.0 / 60;
 
 bool is_length(double dt) { return dt > 0 && std::isfinite(dt); }
@@ -61,12 +62,13 @@ class StressRun {
     return outcome_ == Outcome::kOk && was_refused_ ? Outcome::kRejected : outcome_;
   }
   [[nodiscard]] double fastest() const { return fastest_; }
+  [[nodiscard]] double speed() const { return speed_; }  ///< In the last step.
   [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
 
  private:
   void look(double dt) {
     const auto ends = solver_.bone_ends();
-    double speed = 0;
+    speed_ = 0;
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (!ends[i].allFinite()) {
         outcome_ = Outcome::kNan;
@@ -75,11 +77,11 @@ class StressRun {
       const RigBone& bone = rig_.bones[i];
       const Vector3d& start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
       if ((ends[i] - start).norm() > kFarthest * bone.length) outcome_ = Outcome::kDiverged;
-      if (is_length(dt)) speed = std::max(speed, (ends[i] - before_[i]).norm() / dt);
+      if (is_length(dt)) speed_ = std::max(speed_, (ends[i] - before_[i]).norm() / dt);
     }
     meter_.look(ends);
-    fastest_ = std::max(fastest_, speed);
-    fast_steps_ = speed > kFastest * top_speed_ ? fast_steps_ + 1 : 0;
+    fastest_ = std::max(fastest_, speed_);
+    fast_steps_ = speed_ > kFastest * top_speed_ ? fast_steps_ + 1 : 0;
     if (fast_steps_ >= kFastSteps) outcome_ = Outcome::kDiverged;
   }
 
@@ -90,7 +92,7 @@ class StressRun {
   std::vector<Vector3d> before_;
   Outcome outcome_ = Outcome::kOk;
   bool was_refused_ = false;
-  double fastest_ = 0;
+  double speed_ = 0, fastest_ = 0;
   int fast_steps_ = 0;
 };
 
@@ -137,6 +139,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   double seconds = 0;
   const bool takes_fewer = !solver.is_runtime() && stress_.steps_of_others;
   const std::size_t steps = takes_fewer ? *stress_.steps_of_others : stress_.steps;
+  double rest_speed = 0;
   bool goes_on = true;
   for (std::size_t i = 0; i < steps && goes_on; ++i) {
     const double dt = stress_.dt[i % stress_.dt.size()];
@@ -145,7 +148,10 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
     goes_on = watched.step(next, dt);
     if (is_usable(next)) head = next;
   }
-  for (double t = 0; t < kSettleSeconds && goes_on; t += kSettleDt) goes_on = watched.step(head, kSettleDt);
+  for (double t = 0; t < kSettleSeconds && goes_on; t += kSettleDt) {
+    goes_on = watched.step(head, kSettleDt);
+    if (t + kWatchedAtRest > kSettleSeconds) rest_speed = std::max(rest_speed, watched.speed());
+  }
 
   StabilityRow row{.stress_case = stress_.about.name, .solver = std::string(solver.name)};
   row.outcome = watched.outcome();
@@ -155,6 +161,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
   }
   if (goes_on && stress_.settles) {
+    row.rest_speed = rest_speed;
     row.settle_error_pct = 100 * distance_to_rest(rig, stress_.scene, head, at_work.solver->bone_ends());
   }
   return row;

@@ -52,6 +52,7 @@ struct StabilityRow {
   double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
   double penetration_max_pct = kNoNumber;  ///< Worst depth in % of the head's radius.
   double max_speed = kNoNumber;            ///< Of a bone's tail in head space, m/s.
+  double rest_speed = kNoNumber;           ///< The same in the last half second of eight with the head at rest.
   /// RMS distance of the tips to the settled pose after the stress has ended, in % of the chain's length.
   double settle_error_pct = kNoNumber;
 };
@@ -64,6 +65,7 @@ struct StabilityRow {
           {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}},
           {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}},
           {"max_speed", &Row::max_speed, {"fastest m/s"}},
+          {"rest_speed", &Row::rest_speed, {"at rest m/s"}},
           {"settle_error_pct", &Row::settle_error_pct, {"settle error %"}}};
 }
 
@@ -74,6 +76,7 @@ struct StabilityTotal {
   /// Worst of the cases that ended well; NaN where none has such a number.
   double stretch_max_pct = kNoNumber;
   double penetration_max_pct = kNoNumber;
+  double rest_speed = kNoNumber;
   double settle_error_pct = kNoNumber;
 };
 

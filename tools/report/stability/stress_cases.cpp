@@ -5,13 +5,16 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace coif {
 namespace {
 
+using Eigen::Vector3d;
 using HeadMotion = std::function<HeadPose(double seconds)>;
 
+constexpr double kPi = std::numbers::pi;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 HeadMotion moving(Motion motion) {
@@ -203,6 +206,18 @@ void add_movements(std::vector<Stress>& all) {
   Stress denormal = shaken("denormal movement", "gravity of 1e-40 m/s^2 and a head that is 1e-310 m away");
   denormal.head = at_distance([](double) { return HeadPose{}; }, 1.0e-310);
   denormal.scene.gravity.y() = -1.0e-40;
+  const std::pair<const char*, Vector3d> attitudes[] = {{"upside down", Vector3d::UnitX() * kPi},
+                                                        {"on the back", Vector3d::UnitX() * (-kPi / 2)},
+                                                        {"on the face", Vector3d::UnitX() * (kPi / 2)},
+                                                        {"on one side", Vector3d::UnitZ() * (kPi / 2)},
+                                                        {"three quarters over", Vector3d::UnitX() * (0.75 * kPi)}};
+  for (const auto& [name, turn] : attitudes) {
+    Stress held = shaken(name, "the head turned so within half a second, and held");
+    held.head = [path = std::shared_ptr<HeadPath>(held_turn(turn.normalized(), turn.norm(), 0.5))](double seconds) {
+      return path->pose(seconds);
+    };
+    all.push_back(std::move(held));
+  }
   for (Stress* stress : {&spin, &hop, &distant, &tumble, &failing_pose, &denormal}) all.push_back(std::move(*stress));
 }
 
