@@ -124,8 +124,8 @@ LoadStatus check_skeleton(const Asset& asset) {
   const auto fail = [](LoadCode code, std::uint64_t expected = 0, std::uint64_t found = 0) {
     return LoadStatus{code, chunk::kSkeleton, 0, expected, found};
   };
-  const bool is_reserved = (skeleton.flags & ~kSkeletonFacesBackwards) != 0 || !(skeleton.reserved_tail == 0.0f);
-  if (is_reserved) return fail(LoadCode::kReserved);
+  if ((skeleton.flags & ~kSkeletonFacesBackwards) != 0) return fail(LoadCode::kReserved);
+  if (!(skeleton.air_lag >= 0.0f && skeleton.air_lag <= 1.0f)) return fail(LoadCode::kNotFinite);
   if (!all_finite(skeleton.head_joint) || !is_unit(skeleton.head_rotation)) return fail(LoadCode::kNotFinite);
   if (bones.size() > kMaxBones) return fail(LoadCode::kChunkSize, kMaxBones, bones.size());
   if (skeleton.bone_count != bones.size()) return fail(LoadCode::kChunkSize, bones.size(), skeleton.bone_count);

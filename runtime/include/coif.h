@@ -64,7 +64,7 @@ typedef struct coif_step_settings {
   uint32_t iterations;
   coif_vec3 gravity; /* world, m/s^2 */
   coif_vec3 wind;    /* world, m/s */
-  float air_follow;
+  float air_follow;  /* 0..1, of what the asset says */
   float stiffness, damping, friction; /* factors */
   float inertia;
   float teleport_distance, teleport_angle;

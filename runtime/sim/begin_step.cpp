@@ -92,7 +92,7 @@ StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, const 
   parts.count = substeps_for(crowd, settings, span);
   parts.gravity = environment.gravity;
   parts.wind = environment.wind;
-  parts.air_follow = environment.air_follow;
+  parts.air_follow = environment.air_follow * (1.0f - crowd.asset.skeleton().air_lag);
   parts.inertia = settings.inertia;
   parts.teleport_distance2 = settings.teleport_distance * settings.teleport_distance;
   parts.teleport_angle2 = settings.teleport_angle * settings.teleport_angle;

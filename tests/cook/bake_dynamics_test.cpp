@@ -155,6 +155,20 @@ TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
   EXPECT_EQ(of()[skeleton.chains[0].first_bone], MotionSource::kCurve);
 }
 
+TEST(AirLag, IsAsTheRecipeSaysElseAsIsUsualWhereMostNumbersAreFrom) {
+  Recipe recipe = default_recipe();
+  const auto lag = [&](std::vector<MotionSource> sources) {
+    return air_lag(recipe, {.records = {}, .sources = std::move(sources), .damping_ratios = {}});
+  };
+  using enum MotionSource;
+  EXPECT_EQ(lag({kRigid, kPreset, kPreset}), 0.5f);
+  EXPECT_EQ(lag({kRigid, kSpring, kSpring, kPreset}), 1.0f);
+  EXPECT_EQ(lag({kRigid, kCurve}), 0.0f);
+  EXPECT_EQ(lag({kRigid}), 0.0f);
+  recipe.air_follow = 0.25;
+  EXPECT_EQ(lag({kRigid, kSpring}), 0.75f);
+}
+
 TEST(MotionSource, OfAChainWhoseOwnResistanceIsEmptyIsThePreset) {
   const SourceModel model = sprung_wig();
   const auto hair = select_hair(model, default_recipe(), unheard());

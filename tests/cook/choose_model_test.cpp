@@ -39,7 +39,7 @@ Told<ModelChoice> chosen(const AssetContents& contents, MotionSource source = Mo
 }
 
 AssetContents soft() {
-  return rig_of_chain({.bones = 5, .length = 0.4f, .stiffness = 60, .damping_ratio = 0.2f}).contents();
+  return rig_of_chain({.bones = 5, .length = 0.4f, .stiffness = 60, .damping_ratio = 0.23f}).contents();
 }
 
 /// `bones` of equal length down from the head, without numbers.

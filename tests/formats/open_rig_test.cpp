@@ -179,6 +179,9 @@ TEST(OpenColliders, NeitherEndOfATaperedCapsuleIsInsideTheOther) {
 TEST(OpenColliders, RefusesReservedFieldsInUse) {
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.skeleton.flags = kSkeletonFacesBackwards << 1; }), LoadCode::kReserved);
+  for (const float lag : {-0.1f, 1.1f, kNan}) {
+    EXPECT_EQ(refusal([lag](auto& a) { a.skeleton.air_lag = lag; }), LoadCode::kNotFinite) << lag;
+  }
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_center = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_radii = 1; }), LoadCode::kReserved);
   EXPECT_EQ(refusal([](auto& a) { a.colliders[1].reserved_axis = kNan; }), LoadCode::kReserved);

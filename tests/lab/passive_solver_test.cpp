@@ -51,8 +51,11 @@ struct Trial {
 };
 
 /// Runs `motion` for four seconds.
-Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double reference_rate = 9600) {
-  const OpenedAsset opened(strand.contents());
+Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double reference_rate = 9600,
+          float air_lag = 0) {
+  AssetContents contents = strand.contents();
+  contents.skeleton.air_lag = air_lag;
+  const OpenedAsset opened(contents);
   Rig rig = rig_of(opened.asset());
   set_model(rig, ChainModel::kPassive);
   const auto path = path_of(motion);
@@ -98,6 +101,11 @@ TEST(PassiveSolver, ShortHairAsArtistsSetIt) {
   for (const Motion motion : {Motion::kTurn, Motion::kRun}) {
     EXPECT_LT(run(soft_strand(soft), motion, 60, 1).rms, 0.005) << int(motion);
   }
+}
+
+TEST(PassiveSolver, AirThatLagsBehindTheHead) {
+  const TestRig strand = soft_strand({3, 0.3f, 1500, 250, 1});
+  EXPECT_LT(run(strand, Motion::kRun, 60, 4, 9600, 0.5f).rms, 0.005);
 }
 
 TEST(PassiveSolver, TreesSharesAndWeights) {

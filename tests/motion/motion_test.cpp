@@ -125,8 +125,8 @@ TEST(Motion, BowTurnsTheHeadBelowTheHorizontalAndComesUpAgain) {
   const HeadPose bent = head_pose(Motion::kBow, 1);
   EXPECT_NEAR(up(bent, {0, 1, 0}), -0.5, 1e-3) << "hair falls over the face";
   EXPECT_GT(bent.position[2], 0.3) << "forwards";
-  EXPECT_NEAR(turned(head_pose(Motion::kBow, 2.2)), 0, 1e-5);
-  EXPECT_LT(angle(head_pose(Motion::kBow, 0.7).rotation, head_pose(Motion::kBow, 0.7 + 2.4).rotation), 1e-5);
+  EXPECT_NEAR(turned(head_pose(Motion::kBow, 2.5)), 0, 1e-5);
+  EXPECT_LT(angle(head_pose(Motion::kBow, 0.7).rotation, head_pose(Motion::kBow, 0.7 + 2.8).rotation), 1e-5);
 }
 
 TEST(Motion, LieEndsOnTheBack) {

@@ -75,12 +75,14 @@ TEST_F(GalleryTest, ShadingIsTheThesissWhateverTheAssetsIs) {
   AssetContents contents = card_contents(std::array{DrawnCard{}});
   contents.material.front().shading = ShadingModel::kMarschner;
   contents.material.front().roughness = 0.3f;
+  contents.material.front().light_cut = 0.4f;
   const DrawnAsset fibres(contents);
   for (std::uint32_t number = 1; number <= 4; ++number) {
     for (const Gallery& gallery : thesis_galleries(*fibres, {.only = number})) {
       for (const GalleryPicture& picture : gallery.pictures) {
         ASSERT_TRUE(picture.settings.material) << gallery.title;
         EXPECT_EQ(picture.settings.material->shading, ShadingModel::kThesis) << gallery.title;
+        EXPECT_EQ(picture.settings.material->light_cut, 0.0f) << gallery.title;
       }
     }
   }

@@ -154,7 +154,7 @@ TEST(AccuracyPage, HasAllPartsAndUniqueIds) {
   const std::string page = accuracy_page(made_up_heading(), made_up_accuracy());
   EXPECT_NE(page.find("bob &lt;b&gt;.coif"), std::string::npos);
   EXPECT_EQ(page.find("<b>"), std::string::npos);
-  EXPECT_EQ(count_of(page, "<figure>"), 4u) << "work and precision, one for each motion, one of the stretch";
+  EXPECT_EQ(count_of(page, "<figure>"), 5u) << "work and precision, the same by its own model, one for each motion, one of the stretch";
   EXPECT_GT(expect_unique_ids(page), 8u);
 }
 

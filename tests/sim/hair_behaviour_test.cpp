@@ -89,6 +89,38 @@ TEST(HairUnderWay, StillAirPullsTheHairBack) {
   EXPECT_LT(test.ends()[2].z, rig.rest_ends()[2].z - 0.005f);
 }
 
+TEST(HairUnderWay, AnAssetSaysHowMuchTheAirFollows) {
+  AssetContents contents = nine_bone_rig().contents();
+  const auto ends_at = [&](float lag, float follow) {
+    contents.skeleton.air_lag = lag;
+    AlignedBytes file(write_asset(contents));
+    Asset asset;
+    EXPECT_TRUE(asset.open(file.bytes()));
+    AlignedBytes memory{std::vector<std::byte>(Hair::memory_need(asset, {}).bytes)};
+    Hair hair;
+    EXPECT_EQ(hair.create(asset, {}, memory.bytes()), Status::kOk);
+    StepSettings settings = without_gravity();
+    settings.environment.air_follow = follow;
+    play(hair, 300, settings, [](int frame) { return HeadPose{{0, 0, 8.0 * frame / 60}, {}}; });
+    std::vector<Vec3> ends(hair.bone_count());
+    EXPECT_EQ(hair.bone_ends(0, ends), Status::kOk);
+    return ends;
+  };
+  EXPECT_EQ(largest_distance(ends_at(0.5f, 1), ends_at(0, 0.5f)), 0.0f) << "which the host may lessen";
+  EXPECT_EQ(largest_distance(ends_at(1, 1), ends_at(0.25f, 0)), 0.0f);
+  EXPECT_GT(largest_distance(ends_at(1, 1), ends_at(0, 1)), 0.005f);
+}
+
+TEST(PublishedStep, BelievesInEveryMovementAndNeverSleeps) {
+  TestRig rig = nine_bone_rig();
+  TestHair test(rig, HairDesc{.solver = &kThesisSolver});
+  play(test.hair, 600, published_step(1.0f / 60), [](int) { return HeadPose{}; });
+  EXPECT_FALSE(test.hair.is_asleep(0));
+  ASSERT_EQ(test.hair.set_head(0, {{7, 0, 0}, {}}), Status::kOk);
+  ASSERT_EQ(test.hair.step(published_step(1.0f / 60)), Status::kOk);
+  EXPECT_GT(largest_distance(test.ends(), rig.rest_ends()), 0.05f) << "the hair is left behind";
+}
+
 TEST(HairUnderWay, StillAirWithoutFrictionLeavesTheShape) {
   TestRig rig = nine_bone_rig();
   for (DynamicsRecord& dynamics : rig.dynamics) dynamics.friction = 0;

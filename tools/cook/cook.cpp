@@ -129,6 +129,7 @@ const Pass kPasses[] = {
        c.contents.dynamics = c.said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
+       c.contents.skeleton.air_lag = air_lag(c.recipe, c.said);
        return {};
      }},
     {"model",

@@ -102,7 +102,7 @@ Vector3d PassiveModel::release(std::size_t i, const Vector3d& of_start) const {
 
 void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
                          std::span<BoneMotion> motions, std::span<BoneRates> rates) {
-  const Vector3d air = scene.wind + head.velocity * scene.air_follow;
+  const Vector3d air = scene.wind + head.velocity * bones_.front().air_follow;
   BoneMotion joint;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     const RigBone& bone = bones_[i];

@@ -41,7 +41,7 @@ double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quater
 /// m/s^2 on the mass at the bone's tail, but for what keeps its length.
 Vector3d load_on(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneTarget& target,
                  const Vector3d& direction, const Vector3d& turning, const Vector3d& parent_velocity) {
-  const Vector3d air = scene.wind + head.velocity * scene.air_follow;
+  const Vector3d air = scene.wind + head.velocity * bone.air_follow;
   return scene.gravity * bone.gravity_scale - bone.friction * (parent_velocity + bone.length * turning - air) -
          bone.length * (bone.stiffness * (direction - target.direction) + bone.damping * (turning - target.turning));
 }

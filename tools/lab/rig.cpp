@@ -57,10 +57,16 @@ Rig rig_of(const Asset& asset) {
   rig.rigid_count = asset.skeleton().bone_count - asset.skeleton().simulated_count;
   for (std::size_t i = rig.rigid_count; i < asset.bones().size(); ++i) {
     rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
+    rig.bones.back().air_follow = 1 - double(asset.skeleton().air_lag);
     rig.bones.back().model = asset.chains()[asset.bones()[i].chain].model;
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
   find_tips(asset, rig);
+  return rig;
+}
+
+Rig in_model(Rig rig, ChainModel model) {
+  for (RigBone& bone : rig.bones) bone.model = model;
   return rig;
 }
 

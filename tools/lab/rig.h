@@ -25,6 +25,7 @@ struct RigBone {
   double stiffness = 0;   ///< 1/s^2
   double damping = 0;     ///< 1/s, against the default pose's velocity.
   double friction = 0;    ///< 1/s, against the air's.
+  double air_follow = 1;  ///< Share of the head's velocity that the air takes on.
   double gravity_scale = 1;
   double authoring_rate = 60;
   double hit_radius = 0;
@@ -51,6 +52,9 @@ struct Rig {
 };
 
 [[nodiscard]] Rig rig_of(const Asset& asset);
+
+/// The same bones, all moved by `model`.
+[[nodiscard]] Rig in_model(Rig rig, ChainModel model);
 
 /// A part of a rig, for measurements that would take too long on all of it.
 struct RigSample {

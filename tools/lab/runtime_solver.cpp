@@ -19,7 +19,6 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   if (&solver != &kThesisSolver) settings_.substeps = std::uint32_t(effort);
   settings_.environment.gravity = to_vec3(scene.gravity);
   settings_.environment.wind = to_vec3(scene.wind);
-  settings_.environment.air_follow = float(scene.air_follow);
   ends_.resize(asset.skeleton().simulated_count);
   all_ends_.resize(asset.skeleton().bone_count);
 }

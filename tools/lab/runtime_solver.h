@@ -18,7 +18,6 @@ namespace coif {
 struct SolverScene {
   Eigen::Vector3d gravity{0, -9.81, 0};            ///< World, m/s^2.
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();  ///< World, m/s.
-  double air_follow = 1;                           ///< Share of the head's velocity that the air takes on.
 };
 
 /// A way to move the bones of one head: the runtime's solvers, the reference, and what others do, behind one interface

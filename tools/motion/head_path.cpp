@@ -98,7 +98,7 @@ constexpr MotionInfo kMotions[] = {
     {Motion::kJump, "jump", "crouches 25 cm, jumps 45 cm high, lands and rises; repeats"},
     {Motion::kTumble, "tumble", "a forward somersault about X in 0.8 s with a hop of 1 m; repeats every 1.5 s"},
     {Motion::kTeleport, "teleport", "still, but for a jump of 10 m (+X) at 1 s and a turn of 180 deg about Y at 2 s"},
-    {Motion::kBow, "bow", "bends 120 deg forward and down in 0.5 s: hair falls over the face; repeats every 2.4 s"},
+    {Motion::kBow, "bow", "bends 120 deg forward and down in 0.8 s: hair falls over the face; repeats every 2.8 s"},
     {Motion::kLie, "lie", "lies down on the back in 0.8 s, and stays there"},
 };
 

@@ -106,7 +106,7 @@ Jet eased(const Jet& t, double inside, double from, double to) {
 }
 
 /// When a bow goes down, stays, and comes up; seconds.
-constexpr double kBowPeriod = 2.4, kDown = 0.5, kUp = 1.2, kUpright = 1.9;
+constexpr double kBowPeriod = 2.8, kDown = 0.8, kUp = 1.4, kUpright = 2.2;
 
 HeadMovement bow(const Jet& t, double inside) {
   const double begun = std::floor(inside / kBowPeriod) * kBowPeriod;

@@ -219,6 +219,7 @@ MaterialRecord first_gallery() {
 MaterialRecord thesis_material(const Asset& asset) {
   MaterialRecord material = asset.material() != nullptr ? *asset.material() : first_gallery();
   material.shading = ShadingModel::kThesis;
+  material.light_cut = 0;  // which a bounded model may have; as published there is none
   return material;
 }
 

@@ -38,7 +38,9 @@ struct SkeletonRecord {
   /// (p, q * conjugate(head_rotation)).
   float head_joint[3];
   float head_rotation[4];
-  float reserved_tail;
+  /// 0..1: how much of the head's velocity the air around it does not take on. At 0 a head that moves steadily leaves its hair
+  /// alone, at 1 hair streams back in the world's air.
+  float air_lag;
 };
 static_assert(sizeof(SkeletonRecord) == 48);
 

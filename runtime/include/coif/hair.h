@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace coif {
@@ -23,8 +24,10 @@ inline constexpr float kLongestStep = 0.5f;
 
 /// How bones are moved. A program links only those that it names.
 struct Solver;
-extern COIF_API const Solver kThesisSolver;  ///< Algorithm 1 exactly as published (thesis 5.2).
-/// Which of the next two moves an asset, it says itself. The models are in runtime/docs/MODEL.md: the same at every frame rate,
+/// Algorithm 1 as published (thesis 5.2), on the resistances and friction in the asset. What surrounds it is this library's, as for all:
+/// air that goes along with the head, teleports, sleep, hitches; published_step() is the step without any of that.
+extern COIF_API const Solver kThesisSolver;
+/// Which of the next two moves a chain, the asset says. The models are in runtime/docs/MODEL.md: the same at every frame rate,
 /// no stretch, no penetration.
 extern COIF_API const Solver kCoifSolver;
 extern COIF_API const Solver kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
@@ -43,8 +46,8 @@ struct HairDesc {
 struct Environment {
   Vec3 gravity{0.0f, -9.81f, 0.0f};  ///< World, m/s^2.
   Vec3 wind{};                       ///< Velocity of the air, world, m/s.
-  /// Share of the head's own velocity that the air around it takes on, 0..1. At 1 a head that moves steadily leaves
-  /// its hair alone; at 0 the air stands still in the world and friction pulls the hair back at speed.
+  /// Of what the asset says that the air around a head takes on of its velocity (SkeletonRecord::air_lag), this share, 0..1. At 0 the
+  /// air stands still in the world, as for a head in the open, and friction pulls the hair back at speed.
   float air_follow = 1.0f;
 };
 
@@ -83,6 +86,17 @@ struct StepSettings {
   float sleep_after = 0.5f;
   float sleep_speed = 1e-4f;
 };
+
+/// What kThesisSolver needs to be the bare published step: still air, every movement believed in, nothing asleep. `dt` up to
+/// kMaxTimeStep.
+[[nodiscard]] inline StepSettings published_step(float dt) {
+  constexpr float kNever = std::numeric_limits<float>::infinity();
+  StepSettings settings;
+  settings.dt = dt;
+  settings.environment.air_follow = 0;
+  settings.teleport_distance = settings.teleport_angle = settings.sleep_after = kNever;
+  return settings;
+}
 
 /// How much of the hair on one head is simulated. May change between any two steps. A finer level begins where the coarser
 /// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at

@@ -44,12 +44,7 @@ class PassiveChain {
 
   HWY_INLINE void run() {
     const std::size_t count = row_.bones.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      guess(i);
-      find_forces(i);
-    }
-    turn_bones(hn::Eq(motion_, motion_));
-    turn_twisted_again();
+    turn_bones();
     for (std::size_t i = 0; i < count; ++i) settle(i);
     for (std::size_t i = count; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count; ++i) keep_links(i);
@@ -76,8 +71,7 @@ class PassiveChain {
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
   HWY_INLINE void eliminate(std::size_t i);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
-  HWY_INLINE void turn_bones(hn::Mask<D> moving);
-  HWY_INLINE void turn_twisted_again();
+  HWY_INLINE void turn_bones();
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -253,25 +247,24 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   set_where(d_, moving, direction_or(d_, add(d_, bone.direction, change), bone.direction), bone.direction);
 }
 
-/// One step of Newton's method, for lanes that are `moving`.
+/// Rounds of Newton's method. Nearly always one is enough. Where torques act on bones that are bent far, as under a head upside down, it
+/// would leave hair rattling for ever, with energy from nowhere: there they go on until they find nothing more to do. Each lane
+/// stops by itself. (One loop, so that the code is there once.)
 template <class D>
-HWY_INLINE void PassiveChain<D>::turn_bones(hn::Mask<D> moving) {
+HWY_INLINE void PassiveChain<D>::turn_bones() {
   const std::size_t count = row_.bones.size();
-  farthest2_ = hn::Zero(d_);
-  for (std::size_t i = count; i-- > 0;) eliminate(i);
-  for (std::size_t i = 0; i < count; ++i) turn_bone(i, moving);
-}
-
-/// Where torques act on bones that are bent far, as under a head upside down, a single round leaves hair rattling for ever, with
-/// energy from nowhere: there the rounds go on until they find nothing more to do. Each lane stops by itself.
-template <class D>
-HWY_INLINE void PassiveChain<D>::turn_twisted_again() {
-  auto moving = hn::Gt(most_twisting_, hn::Set(d_, kLeastTwisting));
-  for (int round = 0; round < kMostRounds; ++round) {
+  auto moving = hn::Eq(turn_.x.x, turn_.x.x);
+  for (int round = 0;; ++round) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (round == 0) guess(i);
+      find_forces(i);
+    }
+    farthest2_ = hn::Zero(d_);
+    for (std::size_t i = count; i-- > 0;) eliminate(i);
+    for (std::size_t i = 0; i < count; ++i) turn_bone(i, moving);
+    if (round == 0) moving = hn::Gt(most_twisting_, hn::Set(d_, kLeastTwisting));
     moving = hn::And(moving, hn::Gt(farthest2_, hn::Set(d_, kSettled2)));
-    if (HWY_LIKELY(hn::AllFalse(d_, moving))) return;
-    for (std::size_t i = 0; i < row_.bones.size(); ++i) find_forces(i);
-    turn_bones(moving);
+    if (round == kMostRounds || HWY_LIKELY(hn::AllFalse(d_, moving))) return;
   }
 }
 

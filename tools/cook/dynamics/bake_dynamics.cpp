@@ -188,4 +188,13 @@ DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length) 
   return record;
 }
 
+float air_lag(const Recipe& recipe, const SaidMotion& said) {
+  if (recipe.air_follow) return float(1 - *recipe.air_follow);
+  const auto count = [&](MotionSource source) { return std::ranges::count(said.sources, source); };
+  const auto presets = count(MotionSource::kPreset), springs = count(MotionSource::kSpring),
+             curves = count(MotionSource::kCurve);
+  if (springs > presets && springs >= curves) return 1;
+  return presets > 0 && presets >= curves ? 0.5f : 0.0f;
+}
+
 }  // namespace coif

@@ -77,6 +77,11 @@ struct SaidMotion {
   std::vector<double> damping_ratios;
 };
 
+/// The asset's SkeletonRecord::air_lag: what the recipe says, else what is usual for where most of the hair's numbers come from. VRM
+/// brakes velocities in the world; Algorithm 1's friction is taken against air that goes along; and human hair has its head's
+/// air about it, but not all of it.
+[[nodiscard]] float air_lag(const Recipe& recipe, const SaidMotion& said);
+
 /// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its curve a
 /// bone takes the value at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
 /// one for each chain, is what the recipe says of its motion alone, before the file's springs. Notes how many have springs;

@@ -36,7 +36,7 @@ struct ModelChoice {
 /// - One with numbers of its own is a cascade, the cheaper model, if that has one motion. If not, it would have to be damped, and
 ///   would not swing as it was asked to: then it is passive, unless that has no one motion either or is so stiff that
 ///   nothing could check it.
-/// - One of a preset is passive, unless a cascade moves it within half a percent of its length like that, or it is too stiff
+/// - One of a preset is passive, unless a cascade moves it within two percent of its length like that, or it is too stiff
 ///   to swing.
 /// Notes say why. `contents` as settle_model() wants it.
 [[nodiscard]] ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const AssetContents& contents,

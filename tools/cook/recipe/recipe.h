@@ -65,6 +65,7 @@ struct Recipe {
   std::optional<double> liveliness;    ///< 0..1; none: the preset's, or what a resistance or spring has.
   std::vector<CurvePoint> resistance;  ///< Empty: by the preset.
   std::optional<double> friction;      ///< 1/s; none: the preset's, or 2 beside a resistance.
+  std::optional<double> air_follow;
   bool sags = false;
   double gravity_scale = 0;
   double authoring_rate = 0;

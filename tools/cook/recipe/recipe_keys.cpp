@@ -93,6 +93,9 @@ const RecipeKey kKeys[] = {
    "pull to the modelled pose, points [place along the chain from root 0 to tip 1, value 0..1]; none: as the preset says"},
   {"dynamics", "friction", &R::friction, "null", 0, 1.0e4, nullptr, "1/s",
    "how fast hair takes on the velocity of the air; null: the preset's, or 2 beside a resistance"},
+  {"dynamics", "air_follow", &R::air_follow, "null", 0, 1, nullptr, "",
+   "share of the head's velocity that the air around it takes on: 1: a head that runs steadily leaves its hair alone, 0: hair"
+   " streams back in the world's air; null: 0.5 for presets, 0 for springs, 1 beside a resistance"},
   {"dynamics", "sags", &R::sags, "false", 0, 0, nullptr, "",
    "true: the modelled pose is that of hair without weight, and hair sags from it; false: an upright head wears it as modelled;"
    " the file's springs sag as they say"},

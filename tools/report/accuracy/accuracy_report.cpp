@@ -23,7 +23,8 @@ AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row
   mean.fps = row.fps;
   mean.substeps = row.substeps;
   for (double AccuracyRow::*figure :
-       {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::max_error_pct,
+       {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::own_error_pct,
+        &AccuracyRow::model_distance_pct, &AccuracyRow::max_error_pct,
         &AccuracyRow::worst_second_pct, &AccuracyRow::of_motion_pct, &AccuracyRow::stretch_max_pct,
         &AccuracyRow::penetration_max_pct, &AccuracyRow::segment_penetration_max_pct}) {
     mean.*figure = 0;
@@ -64,6 +65,8 @@ std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double
     counts[std::size_t(&mean - means.data())] += 1;
     mean.ns_per_bone_frame += row.ns_per_bone_frame;
     mean.rms_error_pct += row.rms_error_pct * row.rms_error_pct;
+    mean.own_error_pct += row.own_error_pct * row.own_error_pct;
+    mean.model_distance_pct += row.model_distance_pct * row.model_distance_pct;
     mean.max_error_pct = worse(mean.max_error_pct, row.max_error_pct);
     mean.worst_second_pct = worse(mean.worst_second_pct, row.worst_second_pct);
     // Until all are added, the mean square of the motion itself.
@@ -76,7 +79,10 @@ std::vector<AccuracyRow> means_over_motions(const AccuracyReport& report, double
   for (std::size_t i = 0; i < means.size(); ++i) {
     means[i].ns_per_bone_frame /= counts[i];
     means[i].of_motion_pct = std::sqrt(means[i].rms_error_pct / means[i].of_motion_pct);
-    means[i].rms_error_pct = std::sqrt(means[i].rms_error_pct / counts[i]);
+    for (double AccuracyRow::*square :
+         {&AccuracyRow::rms_error_pct, &AccuracyRow::own_error_pct, &AccuracyRow::model_distance_pct}) {
+      means[i].*square = std::sqrt(means[i].*square / counts[i]);
+    }
   }
   mark_fronts(means);
   return means;

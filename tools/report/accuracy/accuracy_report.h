@@ -28,6 +28,8 @@ struct AccuracyRow {
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
   double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
+  double own_error_pct = kNoNumber;     ///< RMS distance to where the solver itself comes with ever finer steps (own_model.h).
+  double model_distance_pct = kNoNumber;  ///< RMS distance of that to the converged solution: no step mends it.
   double of_motion_pct = kNoNumber;     ///< The RMS error in % of how far the tips move from their rest, RMS too.
   double stretch_max_pct = kNoNumber;   ///< Worst |length / rest - 1|.
   /// Worst depth of a bone's tail in a collider, in % of the collider's smallest radius.
@@ -48,6 +50,8 @@ struct AccuracyRow {
           {"substeps", &Row::substeps, {"steps"}, {"steps", 10}},
           {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"ns/bone"}, {"ns/bone", 10}},
           {"rms_error_pct", &Row::rms_error_pct, {"RMS error %", against_budget(budget_pct)}, {"rms %", 9}},
+          {"own_error_pct", &Row::own_error_pct, {"to its own model %"}, {"own %", 9}},
+          {"model_distance_pct", &Row::model_distance_pct, {"its model's distance %"}, {"model %", 9}},
           {"max_error_pct", &Row::max_error_pct, {"max error %"}, {"max %", 9}},
           {"worst_second_pct", &Row::worst_second_pct, {"worst second %"}, {"second %", 10}},
           {"of_motion_pct", &Row::of_motion_pct, {"of the motion %"}, {"of motion %", 13}},
@@ -163,6 +167,9 @@ void mark_fronts(std::span<AccuracyRow> rows);
 
 /// Error against cost, one curve a solver, with the Pareto front.
 [[nodiscard]] Figure work_precision_figure(const AccuracyReport& report);
+
+/// The same of the error against each solver's own model, where it has one.
+[[nodiscard]] Figure own_model_figure(const AccuracyReport& report);
 
 /// Error against frame rate in one motion: the runtime's solvers and the best of the others, each with its fewest
 /// sub-steps, which is how they are run where nobody asks for more.

@@ -2,6 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "lab/reference_solver.h"
+#include "report/accuracy/own_model.h"
 
 #include <coif/hair.h>
 
@@ -55,13 +56,24 @@ class AccuracyMeasurement {
     const std::size_t first_row = report_.rows.size();
     for (const MeasuredSolver* solver : solvers) {
       tell(fmt::format("{}, {}", solver->name, motion.name));
-      for (const int effort : efforts_of(*solver)) measure_setting(motion.name, *solver, effort, frames, reference);
+      const auto own = own_model_run(*solver, sample_.rig, scene_, *motion.path, reference);
+      for (const int effort : efforts_of(*solver)) {
+        measure_setting({motion.name, *solver, effort}, frames, reference, own ? &*own : nullptr);
+      }
     }
     mark_fronts(std::span(report_.rows).subspan(first_row));
   }
 
-  void measure_setting(const std::string& motion, const MeasuredSolver& solver, int effort,
-                       std::span<const FramePoses> frames, const ReferenceRun& reference) {
+  struct Setting {
+    const std::string& motion;
+    const MeasuredSolver& solver;
+    int effort;
+  };
+
+  /// `own` may be null.
+  void measure_setting(const Setting& setting, std::span<const FramePoses> frames, const ReferenceRun& reference,
+                       const ReferenceRun* own) {
+    const auto& [motion, solver, effort] = setting;
     std::vector<MotionTrial> trials;
     for (const FramePoses& at_rate : frames) {
       SolverAtWork at_work = make_solver(solver, asset_, sample_, scene_, effort);
@@ -73,6 +85,10 @@ class AccuracyMeasurement {
       row.rms_error_pct = kPercent * error.rms;
       row.max_error_pct = kPercent * error.max;
       row.worst_second_pct = kPercent * error.worst_second;
+      if (own != nullptr) {
+        row.own_error_pct = kPercent * tip_error(trial, at_rate, sample_.rig, *own).rms;
+        row.model_distance_pct = kPercent * rms_between(*own, reference, at_rate, sample_.rig);
+      }
       if (error.moved > kLeastMoved) row.of_motion_pct = kPercent * error.rms / error.moved;
       row.stretch_max_pct = trial.is_finite ? kPercent * trial.worst.stretch : kNoNumber;
       if (trial.is_finite && meter_.sees_colliders()) {

@@ -79,6 +79,9 @@ struct TipError {
 [[nodiscard]] double rms_between(const MotionTrial& a, const FramePoses& a_frames, const MotionTrial& b,
                                  const FramePoses& b_frames, const Rig& rig);
 
+/// RMS distance of two runs' tips at the frames, as a share of the chain's length.
+[[nodiscard]] double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames, const Rig& rig);
+
 /// Nanoseconds of one step per bone, by the steady clock: the best of some rounds through the motion's first frames, on
 /// the calling thread. NaN where a step is refused.
 [[nodiscard]] double time_steps(SolverAtWork& at_work, const FramePoses& frames);

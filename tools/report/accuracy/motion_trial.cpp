@@ -82,6 +82,14 @@ MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& fr
   return trial;
 }
 
+namespace {
+
+std::size_t sample_at(const ReferenceRun& run, double time) {
+  return std::size_t(std::ranges::lower_bound(run.times, time) - run.times.begin());
+}
+
+}  // namespace
+
 TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig& rig, const ReferenceRun& reference) {
   if (!trial.is_finite) return {kNan, kNan, kNan, kNan};
   SquareMean mean, moved;
@@ -89,8 +97,7 @@ TipError tip_error(const MotionTrial& trial, const FramePoses& frames, const Rig
   const std::vector<Vector3d> rest = tips_at_rest(rig);
   for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
     SquareMean of_frame;
-    const auto sample =
-        std::size_t(std::ranges::lower_bound(reference.times, frames.times[frame]) - reference.times.begin());
+    const std::size_t sample = sample_at(reference, frames.times[frame]);
     for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
       const Vector3d& place = trial.tips[(frame - 1) * rig.tips.size() + tip];
       const double apart = (place - reference.path_of_tip(tip)[sample]).norm() / rig.tip_length[tip];
@@ -120,6 +127,18 @@ double rms_between(const MotionTrial& a, const FramePoses& a_frames, const Motio
     const bool b_is_behind = b_frames.times[j] <= a_frames.times[i];
     if (a_is_behind) ++i;
     if (b_is_behind) ++j;
+  }
+  return mean.root();
+}
+
+double rms_between(const ReferenceRun& a, const ReferenceRun& b, const FramePoses& frames, const Rig& rig) {
+  SquareMean mean;
+  for (std::size_t frame = 1; frame < frames.times.size(); ++frame) {
+    const std::size_t sample = sample_at(a, frames.times[frame]);
+    for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
+      const double apart = (a.path_of_tip(tip)[sample] - b.path_of_tip(tip)[sample]).norm() / rig.tip_length[tip];
+      mean.add(apart * apart);
+    }
   }
   return mean.root();
 }

@@ -50,6 +50,14 @@ std::vector<double> behind(std::span<const Vector3d> tips) {
   return metres;
 }
 
+/// Where it comes to rest: the mean of the last second.
+Vector3d rest_of(const std::vector<Vector3d>& tips) {
+  Vector3d sum = Vector3d::Zero();
+  const std::size_t count = std::min(tips.size(), std::size_t(kRate));
+  for (std::size_t i = tips.size() - count; i < tips.size(); ++i) sum += tips[i];
+  return sum / double(std::max<std::size_t>(count, 1));
+}
+
 std::string name_of_chain(const Asset& asset, std::uint32_t chain) {
   const std::string name(asset.bone_name(asset.chains()[chain].first_bone));
   return name.empty() ? fmt::format("{}", chain) : name;
@@ -80,11 +88,9 @@ Swing swing_of(std::span<const Vector3d> tips, const Vector3d& rest, double dt) 
 Swings measure_swings(const Asset& asset) {
   const auto path = path_of(Motion::kCharge);
   const RigSample sample = sample_of(rig_of(asset), kMostSwingBones);
-  const FramePoses frames(*path, kRate, kSeconds), still(*path_of(Motion::kStill), kRate, kSeconds);
+  const FramePoses frames(*path, kRate, kSeconds);
   const std::vector<Vector3d> ours = run(asset, sample, frames, "coif", 0);
   const std::vector<Vector3d> artists = run(asset, sample, frames, "thesis", kArtistIterations);
-  const std::vector<Vector3d> at_rest = run(asset, sample, still, "coif", 0);
-  const std::vector<Vector3d> artists_rest = run(asset, sample, still, "thesis", kArtistIterations);
   // Tips begin after the first frame.
   const auto steady = std::size_t(std::lround(path->breaks(kSeconds).front().seconds * kRate)) - 1;
   const std::size_t tips = sample.rig.tips.size();
@@ -95,15 +101,16 @@ Swings measure_swings(const Asset& asset) {
   for (const std::size_t tip : order) {
     const double length = sample.rig.tip_length[tip];
     SwingRow row{.chain = name_of_chain(asset, sample.rig.tip_chain[tip]), .length_mm = 1000 * length};
-    if (!ours.empty() && !at_rest.empty()) {
-      const Swing swing = swing_of(of_tip(ours, tip, tips, steady), of_tip(at_rest, tip, tips, 0).back(), 1 / kRate);
+    if (!ours.empty()) {
+      const std::vector<Vector3d> tip_ours = of_tip(ours, tip, tips, steady);
+      const Swing swing = swing_of(tip_ours, rest_of(tip_ours), 1 / kRate);
       row.thrown_pct = kInPercent * swing.thrown / length;
       row.overshoot_pct = kInPercent * swing.overshoot;
       row.settling_s = swing.settling_s;
     }
-    if (!artists.empty() && !artists_rest.empty()) {
-      const Swing swing =
-          swing_of(of_tip(artists, tip, tips, steady), of_tip(artists_rest, tip, tips, 0).back(), 1 / kRate);
+    if (!artists.empty()) {
+      const std::vector<Vector3d> tip_artists = of_tip(artists, tip, tips, steady);
+      const Swing swing = swing_of(tip_artists, rest_of(tip_artists), 1 / kRate);
       row.artist_overshoot_pct = kInPercent * swing.overshoot;
       row.artist_settling_s = swing.settling_s;
       row.apart_pct = kInPercent * rms_apart(of_tip(ours, tip, tips, 0), of_tip(artists, tip, tips, 0)) / length;

@@ -33,77 +33,29 @@ constexpr int kExplicit[] = {4, 16, 64, 256};  // At 60 fps, below 4 even three 
 
 const ListedSolver kSolvers[] = {
     {"mass-spring", "point masses on stiff springs, integrated explicitly",
-     "thesis 3.1 and 5.2, initial attempt; Rosenblum et al. 1991", kSubSteps, kExplicit, sub_stepped<MassSpringSolver>},
+     "thesis 3.1 and 5.2, initial attempt; Rosenblum et al. 1991", kSubSteps, kExplicit, sub_stepped<MassSpringSolver>,
+     true},
     {"impulse", "errors of length and collision become impulses, the pose a constant pull",
      "thesis 5.2, replacing the springs", kIterations, kFew, iterated<ImpulseSolver>},
     {"separate", "positions are put right directly and velocities adjusted to match",
      "thesis 5.2, adjusting positions and velocities separately", kIterations, kFew, iterated<SeparateSolver>},
     {"implicit", "the mass-spring system by backward Euler, one linear solve per step",
-     "thesis 3.1; Baraff and Witkin 1998", kSubSteps, kFew, sub_stepped<ImplicitSolver>},
+     "thesis 3.1; Baraff and Witkin 1998", kSubSteps, kFew, sub_stepped<ImplicitSolver>,
+     true},
     {"projective", "rigid sticks, one equation of motion for each of two angles",
-     "thesis 3.2; Anjyo, Usami and Kurihara 1992", kSubSteps, kFew, sub_stepped<ProjectiveSolver>},
+     "thesis 3.2; Anjyo, Usami and Kurihara 1992", kSubSteps, kFew, sub_stepped<ProjectiveSolver>,
+     true},
     {"follow-leader", "dynamic follow-the-leader, one pass from root to tip", "Mueller, Kim and Chentanez 2012",
-     kSubSteps, kFew, sub_stepped<FollowLeaderSolver>},
+     kSubSteps, kFew, sub_stepped<FollowLeaderSolver>, true},
     {"tridiagonal", "all lengths of a strand by one direct solve per Newton step", "Han and Harada 2013", kIterations,
      kNewton, iterated<TridiagonalSolver>},
     {"xpbd", "extended position-based dynamics with small steps of one iteration", "Macklin et al. 2016 and 2019",
-     kSubSteps, kSmallSteps, sub_stepped<XpbdSolver>},
+     kSubSteps, kSmallSteps, sub_stepped<XpbdSolver>, true},
 };
 
 }  // namespace
 
 std::span<const ListedSolver> historical_solvers() { return kSolvers; }
-
-namespace {
-
-using Eigen::Quaterniond;
-
-Quaterniond head_rotation(const HeadPose& head) {
-  return Quaterniond(head.rotation.w, head.rotation.x, head.rotation.y, head.rotation.z);
-}
-
-HeadPose between(const HeadPose& from, const HeadPose& to, double share) {
-  HeadPose pose;
-  for (int axis = 0; axis < 3; ++axis) {
-    pose.position[axis] = from.position[axis] + (to.position[axis] - from.position[axis]) * share;
-  }
-  const Quaterniond turned = head_rotation(from).slerp(share, head_rotation(to));
-  pose.rotation = {float(turned.x()), float(turned.y()), float(turned.z()), float(turned.w())};
-  return pose;
-}
-
-class SubSteps final : public ChainSolver {
- public:
-  SubSteps(std::unique_ptr<ChainSolver> solver, int count) : solver_(std::move(solver)), count_(count) {}
-
-  void reset(const HeadPose& head) override {
-    head_ = head;
-    solver_->reset(head);
-  }
-
-  bool step(const HeadPose& head, double dt) override {
-    for (int i = 1; i <= count_; ++i) {
-      // What is refused is refused at the first of them, with nothing moved: NaN has no finite share.
-      if (!solver_->step(i < count_ ? between(head_, head, double(i) / count_) : head, dt / count_)) return false;
-    }
-    head_ = head;
-    return true;
-  }
-
-  std::span<const Eigen::Vector3d> bone_ends() const override { return solver_->bone_ends(); }
-
- private:
-  std::unique_ptr<ChainSolver> solver_;
-  int count_;
-  HeadPose head_;
-};
-
-}  // namespace
-
-std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count) {
-  if (count <= 1) return solver;
-  return std::make_unique<SubSteps>(std::move(solver), count);
-}
 
 namespace {
 
@@ -133,8 +85,10 @@ std::vector<MeasuredSolver> list_solvers() {
   std::vector<MeasuredSolver> all{{"coif", kRuntimeEfforts, &kCoifSolver},
                                   {"cascade", kRuntimeEfforts, &kCascadeSolver, ChainModel::kCascade},
                                   {"passive", kRuntimeEfforts, &kPassiveSolver, ChainModel::kPassive},
-                                  {"thesis", kRuntimeEfforts, &kThesisSolver}};
-  for (const ListedSolver& listed : historical_solvers()) all.push_back({listed.name, listed.efforts});
+                                  {"thesis", kRuntimeEfforts, &kThesisSolver, {}, false}};
+  for (const ListedSolver& listed : historical_solvers()) {
+    all.push_back({listed.name, listed.efforts, nullptr, {}, listed.has_model});
+  }
   return all;
 }
 

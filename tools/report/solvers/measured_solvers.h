@@ -25,6 +25,9 @@ struct ListedSolver {
   std::span<const int> efforts;  ///< Worth measuring, ascending.
   /// `effort` > 0. The solver has to be reset() before its first step.
   std::unique_ptr<ChainSolver> (*create)(const Rig& rig, const SolverScene& scene, int effort);
+  /// Ever finer steps come to one motion: that of its own model. Where a setting is a share per step or a constant pull
+  /// there is none.
+  bool has_model = false;
 };
 
 /// What came before and what others do, in the order of the thesis and then of the years. None of them knows torsion or
@@ -32,8 +35,8 @@ struct ListedSolver {
 /// per step and the thesis's own attempts as a constant pull; all others the model's stiffness and damping.
 [[nodiscard]] std::span<const ListedSolver> historical_solvers();
 
-/// `solver` run `count` times per step, each time for an equal share of it, the head moving evenly in between. With a
-/// count of 1 (or less) it is `solver` itself.
+/// `solver` run `count` times per step, each time for an equal share of it. The head moves as the runtime has it move between poses,
+/// on a cubic; where it jumps, `solver` is run once and sees the jump. With a count of 1 (or less) it is `solver` itself.
 [[nodiscard]] std::unique_ptr<ChainSolver> in_sub_steps(std::unique_ptr<ChainSolver> solver, int count);
 
 /// A solver that reports measure: one of the runtime's, or one of historical_solvers().
@@ -43,6 +46,7 @@ struct MeasuredSolver {
   /// Ships in games: single precision, bone matrices included in its time. Null: one of historical_solvers().
   const Solver* runtime = nullptr;
   std::optional<ChainModel> model{};  ///< Moves all chains by this, whatever they are meant for.
+  bool has_model = true;              ///< As ListedSolver has it; false for Algorithm 1.
 
   [[nodiscard]] bool is_runtime() const { return runtime != nullptr; }
 };

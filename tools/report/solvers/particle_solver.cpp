@@ -42,15 +42,14 @@ Quaterniond bent_frame(const Quaterniond& frame, const Vector3d& direction, cons
   return arc.normalized() * frame;
 }
 
-/// Beyond what the runtime takes for a movement (StepSettings::teleport_distance and teleport_angle).
+}  // namespace
+
 bool jumps(const HeadPose& from, const HeadPose& to) {
   const Vector3d way = Eigen::Map<const Vector3d>(to.position) - Eigen::Map<const Vector3d>(from.position);
   const StepSettings runtime;
   return way.norm() > double(runtime.teleport_distance) ||
          rotation_of(from).angularDistance(rotation_of(to)) > double(runtime.teleport_angle);
 }
-
-}  // namespace
 
 ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene)
     : rig_(rig), scene_(scene), has_children_(rig.bones.size()) {
@@ -82,7 +81,7 @@ bool ParticleSolver::step(const HeadPose& head, double dt) {
   const Quaterniond before = rotation_of(head_);
   const Vector3d spin = spin_between(before, rotation_of(head), dt);
   head_ = head;
-  advance({dt, rotation_of(head), before, scene_.gravity, scene_.wind + velocity * scene_.air_follow, velocity, spin});
+  advance({dt, rotation_of(head), before, scene_.gravity, scene_.wind + velocity * bone(0).air_follow, velocity, spin});
   renew_ends();
   return true;
 }

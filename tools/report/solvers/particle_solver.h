@@ -8,6 +8,9 @@
 
 namespace coif {
 
+/// Beyond what the runtime takes for a movement (StepSettings::teleport_distance and teleport_angle).
+[[nodiscard]] bool jumps(const HeadPose& from, const HeadPose& to);
+
 /// One step as a solver of particles sees it. Metres from the head's position at the end of the step, world axes.
 struct ParticleStep {
   double dt = 0;

@@ -121,17 +121,8 @@ double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose
 StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample sample)
     : stress_(stress), asset_(asset), sample_(std::move(sample)), top_speed_(plausible_speed(sample_.rig, stress)) {}
 
-namespace {
-
-Rig in_model(Rig rig, const std::optional<ChainModel>& model) {
-  for (RigBone& bone : rig.bones) bone.model = model.value_or(bone.model);
-  return rig;
-}
-
-}  // namespace
-
 StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
-  const Rig rig = in_model(sample_.rig, solver.model);
+  const Rig rig = solver.model ? in_model(sample_.rig, *solver.model) : sample_.rig;
   const SolverAtWork at_work = make_solver(solver, asset_, sample_, stress_.scene, solver.efforts.front());
   StressRun watched(rig, top_speed_, *at_work.solver);
   HeadPose head = stress_.head(0);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "lab/reference_solver.h"
+#include "motion/head_path.h"
+#include "report/solvers/measured_solvers.h"
+
+#include <optional>
+
+namespace coif {
+
+/// Where a solver would come to with ever finer steps: the motion of its own model, which need not be the asset's. Of the runtime's it is
+/// the reference of that model; of historical_solvers() the solver itself, with 15360 steps a second, on the head's own way.
+/// Samples as in `reference`, which is the asset's and what a solver without a model of its own choosing comes to. Empty where
+/// finer steps come to nothing (ListedSolver::has_model).
+[[nodiscard]] std::optional<ReferenceRun> own_model_run(const MeasuredSolver& solver, const Rig& rig,
+                                                        const SolverScene& scene, const HeadPath& path,
+                                                        const ReferenceRun& reference);
+
+}  // namespace coif
