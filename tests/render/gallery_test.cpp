@@ -88,6 +88,19 @@ TEST_F(GalleryTest, ShadingIsTheThesissWhateverTheAssetsIs) {
   }
 }
 
+TEST_F(GalleryTest, MotionIsBySolverAskedForAndSaysSo) {
+  const std::vector<Gallery> published = thesis_galleries(*wig_, {.only = 5, .solver = &kThesisSolver});
+  ASSERT_FALSE(published.empty());
+  for (const Gallery& gallery : published) {
+    EXPECT_NE(gallery.title.find("by Algorithm 1"), std::string::npos) << gallery.title;
+    for (const GalleryPicture& picture : gallery.pictures) EXPECT_EQ(picture.settings.solver, &kThesisSolver);
+  }
+  for (const Gallery& gallery : galleries(5)) {
+    EXPECT_EQ(gallery.title.find("by Algorithm 1"), std::string::npos) << gallery.title;
+    for (const GalleryPicture& picture : gallery.pictures) EXPECT_EQ(picture.settings.solver, &kCoifSolver);
+  }
+}
+
 TEST_F(GalleryTest, MotionGoesOnFromPictureToPicture) {
   for (const Gallery& gallery : galleries(5)) {
     EXPECT_TRUE(std::ranges::is_sorted(gallery.pictures, std::ranges::less_equal{}, [](const GalleryPicture& picture) {

@@ -95,6 +95,7 @@ struct RealAsset {
   const char* name;
   fs::path source;
   fs::path recipe{};  ///< Empty: the defaults.
+  Codes deserved{};
 };
 
 const fs::path kHair = fs::path(COIF_TEST_ASSETS) / "hair";
@@ -103,7 +104,8 @@ const fs::path kSamples = COIF_SAMPLE_ASSETS;
 const RealAsset kAssets[] = {
     {"bob", kSamples / "bob/bob.glb", kSamples / "bob/bob.recipe.json"},
     {"long", kSamples / "long/long.glb", kSamples / "long/long.recipe.json"},
-    {"ponytail_skinned", kHair / "mh_ponytail01/ponytail01_skinned.glb"},
+    // Half a metre of hair slides over the head in a bow, and contacts are of first order: 2.2 % where 2 are wanted.
+    {"ponytail_skinned", kHair / "mh_ponytail01/ponytail01_skinned.glb", {}, {"A281"}},
     {"ponytail", kHair / "mh_ponytail01/ponytail01.obj"},
     {"braid", kHair / "mh_braid01/braid01.obj"},
     {"long2", kHair / "mh2013_long2/long2.obj"},
@@ -142,7 +144,7 @@ TEST_P(RealAssets, AreCookedWithoutAWarning) {
   AlignedBytes file(result->asset);
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
-  EXPECT_EQ(above_notes(find_asset_issues(asset)), Codes{});
+  EXPECT_EQ(above_notes(find_asset_issues(asset)), tested.deserved);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, RealAssets, testing::ValuesIn(kAssets),

@@ -17,6 +17,7 @@ struct GalleryOptions {
   std::string output;
   PixelSize size{GallerySettings{}.width, GallerySettings{}.height};
   std::uint32_t only = 0;
+  const Solver* solver = GallerySettings{}.solver;
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -41,7 +42,7 @@ tl::expected<Exit, ToolError> run_gallery(const GalleryOptions& options) {
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
 
   ProgressLine line(options.file);
-  const auto gallery = render_gallery(file->asset(), {options.size.width, options.size.height, options.only},
+  const auto gallery = render_gallery(file->asset(), {options.size.width, options.size.height, options.only, options.solver},
                                       [&line](const std::string& caption) { line.show(caption.c_str()); });
   line.erase();
   if (!gallery) {
@@ -63,6 +64,7 @@ Command add_gallery(CLI::App& program) {
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png");
   app->add_option("--only", options->only, "One gallery, 1 to 6 (default: all)")->check(CLI::Range(1u, kGalleries));
+  add_solver(*app, options->solver)->description("Which method moves the bones of galleries 1 to 5: coif, cascade, passive, thesis");
   add_size(*app, options->size)->description("Pixels of one picture, 64 to 1024 each way");
   add_format(*app, options->format);
   return {app, [options](const Messages&) { return run_gallery(*options); }};

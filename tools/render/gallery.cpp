@@ -24,6 +24,7 @@ PictureSettings of_size(const GallerySettings& settings) {
   PictureSettings picture;
   picture.width = settings.width;
   picture.height = settings.height;
+  picture.solver = settings.solver;
   picture.warm_up = false;
   return picture;
 }
@@ -107,8 +108,9 @@ std::vector<Movement> movements() {
 }
 
 void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
+  const char* const by = picture.solver == &kThesisSolver ? ", by Algorithm 1" : "";
   for (const Movement& movement : movements()) {
-    Gallery gallery{5, movement.title, {}};
+    Gallery gallery{5, std::string(movement.title) + by, {}};
     picture.clip = movement.path;
     picture.yaw_degrees = movement.yaw_degrees;
     for (const double moment : movement.moments) {

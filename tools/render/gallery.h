@@ -49,7 +49,8 @@ inline constexpr std::uint32_t kGalleryColumns = 6;
 struct GallerySettings {
   std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
   std::uint32_t height = 320;
-  std::uint32_t only = 0;  ///< One gallery, 1..kGalleries; 0: all.
+  std::uint32_t only = 0;                ///< One gallery, 1..kGalleries; 0: all.
+  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two.
 };
 
 struct GalleryPicture {
