@@ -158,7 +158,7 @@ TEST(MotionSource, IsTheFilesSpringElseTheCurveElseThePreset) {
 TEST(AirLag, IsAsTheRecipeSaysElseAsIsUsualWhereMostNumbersAreFrom) {
   Recipe recipe = default_recipe();
   const auto lag = [&](std::vector<MotionSource> sources) {
-    return air_lag(recipe, {.records = {}, .sources = std::move(sources), .damping_ratios = {}});
+    return air_lag(recipe, {.records = {}, .sources = std::move(sources), .presets = {}, .damping_ratios = {}});
   };
   using enum MotionSource;
   EXPECT_EQ(lag({kRigid, kPreset, kPreset}), 0.5f);
@@ -180,6 +180,25 @@ TEST(MotionSource, OfAChainWhoseOwnResistanceIsEmptyIsThePreset) {
       bake_dynamics(model, skeleton, default_recipe(), std::vector(skeleton.chains.size(), own), unheard());
   EXPECT_EQ(std::ranges::count(motion.sources, MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()));
   EXPECT_FLOAT_EQ(motion.records.back().friction, float(preset_of(default_recipe()).friction));
+}
+
+TEST(MotionSource, OfAChainWithAPresetOfItsOwnIsThat) {
+  const SourceModel model = sprung_wig();
+  const auto hair = select_hair(model, default_recipe(), unheard());
+  const Skeleton skeleton =
+      *build_skeleton(model, *hair, *find_head_bone(model, *hair, ""), default_recipe(), unheard());
+  PatchOverride own;
+  own.preset = "wet";
+  own.liveliness = 0.9;
+  Recipe recipe = default_recipe();
+  recipe.resistance = {{0, 0.5}};
+  recipe.damping_ratio = 1;
+  const SaidMotion motion = bake_dynamics(model, skeleton, recipe, std::vector(skeleton.chains.size(), own), unheard());
+  EXPECT_EQ(std::ranges::count(motion.sources, MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()))
+      << "before springs and resistances of the whole";
+  EXPECT_STREQ(motion.presets.back()->name, "wet");
+  EXPECT_FLOAT_EQ(motion.records.back().friction, float(motion.presets.back()->friction));
+  EXPECT_NEAR(motion.damping_ratios.back(), 0.1, 1e-9) << "before the damping ratio of the whole";
 }
 
 TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {

@@ -23,9 +23,10 @@ Recipe recipe_with(const char* model = "auto") {
 
 /// All bones by one source.
 SaidMotion said_by(MotionSource source, const AssetContents& contents) {
-  SaidMotion said{.records = contents.dynamics, .sources = {}, .damping_ratios = {}};
+  SaidMotion said{.records = contents.dynamics, .sources = {}, .presets = {}, .damping_ratios = {}};
   for (const BoneRecord& bone : contents.bones) {
     said.sources.push_back(bone.kind == BoneKind::kSimulated ? source : MotionSource::kRigid);
+    said.presets.push_back(&preset_of(default_recipe()));
     said.damping_ratios.push_back(preset_of(default_recipe()).damping_ratio);
   }
   return said;
@@ -114,6 +115,33 @@ TEST(ChooseModels, EachChainGetsItsOwn) {
   ASSERT_EQ(contents.chains.size(), 2u);
   const auto choice = chosen(contents, MotionSource::kPreset);
   EXPECT_EQ(choice.made.models, (std::vector{ChainModel::kCascade, ChainModel::kPassive}));
+}
+
+TEST(SettleModel, GivesEachChainItsOwnPreset) {
+  TestRig rig;
+  for (const float side : {-0.05f, 0.05f}) {
+    std::uint32_t parent = 0;
+    for (int i = 0; i < 2; ++i) {
+      parent = rig.add({.parent = parent,
+                        .joint = {side, 0.05f, -0.1f},
+                        .rest_direction = {0, -1, 0},
+                        .length = 0.1f,
+                        .stiffness = 0,
+                        .damping = 0,
+                        .torsion = kShortestArc});
+    }
+  }
+  AssetContents contents = rig.contents();
+  SaidMotion said = said_by(MotionSource::kPreset, contents);
+  Recipe stiff = default_recipe();
+  stiff.dynamics_preset = "stiff";
+  for (const std::size_t bone : {3u, 4u}) said.presets[bone] = &preset_of(stiff);
+  const auto settled = told([&](Findings& findings) {
+    settle_model(recipe_with(), said, std::vector(2, ChainModel::kPassive), contents, findings);
+    return 0;
+  });
+  EXPECT_GT(contents.dynamics[3].stiffness, 5 * contents.dynamics[1].stiffness);
+  EXPECT_EQ(settled.notes.size(), 2u) << "one for each preset";
 }
 
 TEST(ModelsByRule, AreAsTheRecipeSaysElsePassiveForPresets) {

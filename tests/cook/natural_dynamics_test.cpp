@@ -49,10 +49,11 @@ std::vector<bool> all_of(const AssetContents& contents) {
 AssetContents with_preset(AssetContents contents, const char* preset = "natural") {
   Recipe recipe = default_recipe();
   recipe.dynamics_preset = preset;
-  SaidMotion said{.records = contents.dynamics, .sources = {}, .damping_ratios = {}};
+  SaidMotion said{.records = contents.dynamics, .sources = {}, .presets = {}, .damping_ratios = {}};
   for (const bool simulated : all_of(contents)) {
     said.sources.push_back(simulated ? MotionSource::kPreset : MotionSource::kRigid);
   }
+  said.presets.assign(contents.bones.size(), &preset_of(recipe));
   said.damping_ratios.assign(contents.bones.size(), preset_of(recipe).damping_ratio);
   settle_model(recipe, said, models_by_rule(recipe, said, contents), contents, unheard());
   return contents;

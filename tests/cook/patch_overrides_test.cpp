@@ -212,7 +212,7 @@ TEST(PatchOverrides, PrintAndReadBack) {
   const std::string text = R"({"patches": [
     {"select": {"mesh": "a*", "material": "b", "index": [1, 2], "island": 0, "box": [[0, 0, 0], [1, 1, 1]], "near": [0, 1, 0],
                 "within": 0.5}, "keep": true, "root": "swap", "chain": "none", "resistance": [[0, 0.5], [1, 0.1]], "friction": 3,
-     "gravity_scale": -1, "damping_ratio": 0.5, "angle_limit": 90, "parent_share": 0.25}]})";
+     "gravity_scale": -1, "preset": "wet", "liveliness": 0.25, "damping_ratio": 0.5, "angle_limit": 90, "parent_share": 0.25}]})";
   const Recipe recipe = recipe_from(text);
   const Recipe again = recipe_from(print_recipe(recipe));
   EXPECT_EQ(print_recipe(again), print_recipe(recipe));
@@ -223,6 +223,8 @@ TEST(PatchOverrides, PrintAndReadBack) {
   EXPECT_EQ(said.root, "swap");
   EXPECT_EQ(said.resistance, (std::vector<CurvePoint>{{0, 0.5}, {1, 0.1}}));
   EXPECT_EQ(said.parent_share, 0.25);
+  EXPECT_EQ(said.preset, "wet");
+  EXPECT_EQ(said.liveliness, 0.25);
 }
 
 TEST(PatchListing, PartsOfACutPatchKeepItsNumber) {

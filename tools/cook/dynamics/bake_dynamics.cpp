@@ -64,9 +64,11 @@ struct Sayer {
 /// What is said of a chain alone holds before the file's springs, too.
 MotionSource source_of(const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe) {
   if (bone.kind != BoneKind::kSimulated) return MotionSource::kRigid;
-  const bool is_alone = sayer.said != nullptr && sayer.said->resistance;
-  if (!is_alone && sayer.joint) return MotionSource::kSpring;
-  const std::vector<CurvePoint>& curve = is_alone ? *sayer.said->resistance : recipe.resistance;
+  const bool has_curve = sayer.said != nullptr && sayer.said->resistance;
+  const bool has_preset = sayer.said != nullptr && sayer.said->preset;
+  if (!has_curve && has_preset) return MotionSource::kPreset;
+  if (!has_curve && sayer.joint) return MotionSource::kSpring;
+  const std::vector<CurvePoint>& curve = has_curve ? *sayer.said->resistance : recipe.resistance;
   return curve.empty() ? MotionSource::kPreset : MotionSource::kCurve;
 }
 
@@ -95,6 +97,7 @@ void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer&
   bake_oscillator(recipe, bone.length(), record);
   motion.records.push_back(record);
   motion.sources.push_back(sayer.source);
+  motion.presets.push_back(&preset_of(recipe));
   motion.damping_ratios.push_back(said_ratio(recipe).value_or(preset_of(recipe).damping_ratio));
 }
 
@@ -169,6 +172,8 @@ SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, co
     }
     Recipe of_bone = recipe;
     sayers[b].said->apply_motion(of_bone);
+    if (sayers[b].source == MotionSource::kPreset) of_bone.resistance.clear();
+    if (sayers[b].said->liveliness && !sayers[b].said->damping_ratio) of_bone.damping_ratio.reset();
     add_motion(skeleton, skeleton.bones[b], sayers[b], of_bone, motion);
   }
   report_sources(motion.sources, skeleton.simulated_count(), recipe, findings);

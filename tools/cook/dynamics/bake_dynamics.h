@@ -34,6 +34,7 @@
 // Both are reported.
 
 #include "cook/recipe/findings.h"
+#include "cook/recipe/hair_preset.h"
 #include "cook/recipe/recipe.h"
 #include "cook/rig/skeleton.h"
 #include "import/source_model.h"
@@ -73,6 +74,7 @@ enum class MotionSource { kRigid, kSpring, kCurve, kPreset };
 struct SaidMotion {
   std::vector<DynamicsRecord> records;  ///< Hit radii 0; bones that a preset moves have no stiffness yet.
   std::vector<MotionSource> sources;
+  std::vector<const HairPreset*> presets;  ///< That it has, or would have if a preset moved it; not null.
   /// What the bones that a preset moves are damped by, of what would keep them from swinging past their rest.
   std::vector<double> damping_ratios;
 };

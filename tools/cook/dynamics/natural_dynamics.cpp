@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
 
 namespace coif {
 namespace {
@@ -20,31 +23,34 @@ double resistance_for(double stiffness, double rate) {
 
 }  // namespace
 
-void bake_natural_dynamics(const HairPreset& preset, std::span<const double> damping_ratios,
-                           const std::vector<bool>& takes, AssetContents& contents, Findings& findings) {
+void bake_natural_dynamics(const SaidMotion& said, AssetContents& contents, Findings& findings) {
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return;
   const Rig rig = rig_of(opened.asset());
   const std::vector<Carried> carried = carried_at_rest(rig.bones);
-  std::size_t count = 0;
+  std::map<std::string_view, std::pair<const HairPreset*, std::size_t>> counts;
   for (std::size_t i = 0; i < rig.bones.size(); ++i) {
     const RigBone& bone = rig.bones[i];
-    if (!takes[rig.rigid_count + i]) continue;
+    const std::size_t b = rig.rigid_count + i;
+    if (said.sources[b] != MotionSource::kPreset) continue;
+    const HairPreset& preset = *said.presets[b];
+    auto& [counted, count] = counts[preset.name];
+    counted = &preset;
     ++count;
     // A root does not turn: its hair is bent from the scalp on, over half a bone.
     const double span =
         bone.parent < 0 ? bone.length / 2 : 0.5 * (bone.length + rig.bones[std::size_t(bone.parent)].length);
     const double stiffness = kGravity * std::pow(preset.bending_length, 3) / span / carried[i].inertia;
-    DynamicsRecord& record = contents.dynamics[rig.rigid_count + i];
+    DynamicsRecord& record = contents.dynamics[b];
     record.stiffness = float(std::min(stiffness, kMostStiffness));
     const double swing = std::sqrt(double(record.stiffness) +
                                    kGravity * std::abs(bone.gravity_scale) * carried[i].arm / carried[i].inertia);
-    record.damping = float(std::min(2 * damping_ratios[rig.rigid_count + i] * swing, kMostDamping));
+    record.damping = float(std::min(2 * said.damping_ratios[b] * swing, kMostDamping));
     record.resistance = float(resistance_for(double(record.stiffness), double(record.authoring_rate)));
   }
-  if (count > 0) {
-    findings.note(fmt::format("{} bones move as {} hair: what is longer than {:.0f} mm hangs", count, preset.name,
-                              1000 * preset.bending_length));
+  for (const auto& [name, counted] : counts) {
+    findings.note(fmt::format("{} bones move as {} hair: what is longer than {:.0f} mm hangs", counted.second, name,
+                              1000 * counted.first->bending_length));
   }
 }
 

@@ -27,15 +27,12 @@ void set_models(const Recipe& recipe, std::span<const ChainModel> models, AssetC
 
 void settle_model(const Recipe& recipe, const SaidMotion& said, std::span<const ChainModel> models,
                   AssetContents& contents, Findings& findings) {
-  std::vector<bool> by_preset, keeps_shape;
+  std::vector<bool> keeps_shape;
   for (const MotionSource source : said.sources) {
-    by_preset.push_back(source == MotionSource::kPreset);
     keeps_shape.push_back(source == MotionSource::kPreset || source == MotionSource::kCurve);
   }
   set_models(recipe, models, contents, findings);
-  if (std::ranges::find(by_preset, true) != by_preset.end()) {
-    bake_natural_dynamics(preset_of(recipe), said.damping_ratios, by_preset, contents, findings);
-  }
+  bake_natural_dynamics(said, contents, findings);
   if (!recipe.sags) keep_rest_shape(keeps_shape, contents, findings);
 }
 

@@ -59,6 +59,10 @@ const OverrideKey kOverrideKeys[] = {
         "chain", []() -> const RecipeKey& { return kChain; }, false),
     override_key<&R::resistance, &O::resistance>(
         "resistance", []() -> const RecipeKey& { return key_at("dynamics.resistance"); }, true),
+    override_key<&R::dynamics_preset, &O::preset>(
+        "preset", []() -> const RecipeKey& { return key_at("dynamics.preset"); }, true),
+    override_key<&R::liveliness, &O::liveliness>(
+        "liveliness", []() -> const RecipeKey& { return key_at("dynamics.liveliness"); }, true),
     override_key<&R::friction, &O::friction>(
         "friction", []() -> const RecipeKey& { return key_at("dynamics.friction"); }, true),
     override_key<&R::gravity_scale, &O::gravity_scale>(

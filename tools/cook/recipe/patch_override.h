@@ -44,11 +44,12 @@ struct PatchOverride {
   std::optional<std::string> chain;  ///< "auto"; "none": rigid with the head.
   // Of the chains that carry mostly these patches.
   std::optional<std::vector<CurvePoint>> resistance;
-  std::optional<double> friction, gravity_scale, damping_ratio, angle_limit, parent_share;
+  std::optional<std::string> preset;  ///< Before springs and resistances of the whole.
+  std::optional<double> liveliness, friction, gravity_scale, damping_ratio, angle_limit, parent_share;
 
   /// Something is said of how the patches move.
   [[nodiscard]] bool is_of_motion() const {
-    return resistance || friction || gravity_scale || damping_ratio || angle_limit || parent_share;
+    return resistance || preset || liveliness || friction || gravity_scale || damping_ratio || angle_limit || parent_share;
   }
   /// Adds what a later one says of motion, which holds where both say something.
   void add_motion(const PatchOverride& later);
