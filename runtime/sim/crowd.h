@@ -87,6 +87,10 @@ struct CrowdState {
     const Block& block = blocks[slot / kLanes];
     return (order == LaneOrder::kHeads ? slot / kLanes : block.instance[slot % kLanes]) * row_bone_count();
   }
+  /// Of a row whose states begin at `state`; null where nothing twists, or not by this row's solver.
+  [[nodiscard]] TwistState* twists_of(const Row& row, std::size_t state) const {
+    return twists.empty() || !row.solver->carries_frames ? nullptr : &twists[state];
+  }
   [[nodiscard]] std::span<Mat34> palette(std::uint32_t instance) const {
     return palettes.subspan(std::size_t(instance) * bone_count(), bone_count());
   }
@@ -99,7 +103,7 @@ struct CrowdState {
   chain.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   chain.constants = &crowd.constants[row.first_bone];
   chain.state = &crowd.states[state * crowd.state_bytes];
-  chain.twist = crowd.twists.empty() || !row.solver->carries_frames ? nullptr : &crowd.twists[state];
+  chain.twist = crowd.twists_of(row, state);
   return chain;
 }
 

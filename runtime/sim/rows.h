@@ -5,7 +5,6 @@
 #include "lanes/row.h"
 
 #include <coif/asset.h>
-#include <coif/hair.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -64,7 +64,7 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.constants = &crowd.constants[row.first_bone];
   job.coefficients = step.coefficients + row.first_bone * crowd.coefficient_bytes;
   job.state = &crowd.states[state * crowd.state_bytes];
-  job.twist = crowd.twists.empty() || !row.solver->carries_frames ? nullptr : &crowd.twists[state];
+  job.twist = crowd.twists_of(row, state);
   job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
   job.move = &move;
   job.gravity = step.interval.parts.gravity;

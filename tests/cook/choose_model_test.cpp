@@ -43,18 +43,20 @@ AssetContents soft() {
   return rig_of_chain({.bones = 5, .length = 0.4f, .stiffness = 60, .damping_ratio = 0.23f}).contents();
 }
 
-/// `bones` of equal length down from the head, without numbers.
-AssetContents strand(int bones, float length, const Vec3& joint = {0, 0.05f, -0.1f}, TestRig rig = {}) {
-  for (int i = 0; i < bones; ++i) {
-    rig.add({.parent = i == 0 ? 0 : std::uint32_t(rig.bones.size() - 1),
-             .joint = joint,
-             .rest_direction = {0, -1, 0},
-             .length = length / float(bones),
-             .friction = 0.5f,
-             .stiffness = 0,
-             .damping = 0,
-             .torsion = kShortestArc});
-  }
+/// One of `bones` of equal length down from the head, without numbers.
+void add_limp(TestRig& rig, int bones, float length, const Vec3& joint) {
+  rig.add_strand(bones, {.joint = joint,
+                         .rest_direction = {0, -1, 0},
+                         .length = length / float(bones),
+                         .friction = 0.5f,
+                         .stiffness = 0,
+                         .damping = 0,
+                         .torsion = kShortestArc});
+}
+
+AssetContents strand(int bones, float length) {
+  TestRig rig;
+  add_limp(rig, bones, length, {0, 0.05f, -0.1f});
   return rig.contents();
 }
 
@@ -103,15 +105,9 @@ TEST(ChooseModels, OfAPresetLongHairIsPassiveAndABoneAloneNeedNotBe) {
 
 TEST(ChooseModels, EachChainGetsItsOwn) {
   TestRig rig;
-  rig.add({.parent = 0,
-           .joint = {0, 0.05f, 0.1f},
-           .rest_direction = {0, -1, 0},
-           .length = 0.05f,
-           .friction = 0.5f,
-           .stiffness = 0,
-           .damping = 0,
-           .torsion = kShortestArc});
-  AssetContents contents = strand(5, 0.4f, {0, 0.05f, -0.1f}, rig);
+  add_limp(rig, 1, 0.05f, {0, 0.05f, 0.1f});
+  add_limp(rig, 5, 0.4f, {0, 0.05f, -0.1f});
+  const AssetContents contents = rig.contents();
   ASSERT_EQ(contents.chains.size(), 2u);
   const auto choice = chosen(contents, MotionSource::kPreset);
   EXPECT_EQ(choice.made.models, (std::vector{ChainModel::kCascade, ChainModel::kPassive}));
@@ -119,18 +115,7 @@ TEST(ChooseModels, EachChainGetsItsOwn) {
 
 TEST(SettleModel, GivesEachChainItsOwnPreset) {
   TestRig rig;
-  for (const float side : {-0.05f, 0.05f}) {
-    std::uint32_t parent = 0;
-    for (int i = 0; i < 2; ++i) {
-      parent = rig.add({.parent = parent,
-                        .joint = {side, 0.05f, -0.1f},
-                        .rest_direction = {0, -1, 0},
-                        .length = 0.1f,
-                        .stiffness = 0,
-                        .damping = 0,
-                        .torsion = kShortestArc});
-    }
-  }
+  for (const float side : {-0.05f, 0.05f}) add_limp(rig, 2, 0.2f, {side, 0.05f, -0.1f});
   AssetContents contents = rig.contents();
   SaidMotion said = said_by(MotionSource::kPreset, contents);
   Recipe stiff = default_recipe();

@@ -25,17 +25,13 @@ constexpr double kDegree = 0.017453292519943295;
 /// Straight down from the back of the head, or along `direction`.
 AssetContents strand(int bones, float length, const Vec3& direction = {0, -1, 0}) {
   TestRig rig;
-  std::uint32_t parent = 0;
-  for (int i = 0; i < bones; ++i) {
-    parent = rig.add({.parent = parent,
-                      .joint = {0, 0.05f, -0.1f},
-                      .rest_direction = direction,
-                      .length = length / float(bones),
-                      .friction = 0.5f,
-                      .stiffness = 0,
-                      .damping = 0,
-                      .torsion = kShortestArc});
-  }
+  rig.add_strand(bones, {.joint = {0, 0.05f, -0.1f},
+                         .rest_direction = direction,
+                         .length = length / float(bones),
+                         .friction = 0.5f,
+                         .stiffness = 0,
+                         .damping = 0,
+                         .torsion = kShortestArc});
   return rig.contents();
 }
 

@@ -28,8 +28,7 @@ Rig chain(int count, double stiffness, double damping) {
     bone.torsion = double(kShortestArc);
     rig.bones.push_back(bone);
   }
-  set_model(rig, ChainModel::kPassive);
-  return with_tips(std::move(rig));
+  return with_tips(in_model(std::move(rig), ChainModel::kPassive));
 }
 
 TEST(PassiveModel, ABoneAloneMovesAsItDoesInACascadeButForItsDamping) {
@@ -37,9 +36,9 @@ TEST(PassiveModel, ABoneAloneMovesAsItDoesInACascadeButForItsDamping) {
   rig.bones[0].friction = 1;
   rig.bones[0].parent_share = 0.6;
   for (const Motion motion : {Motion::kTurn, Motion::kRun}) {
-    set_model(rig, ChainModel::kPassive);
+    rig = in_model(std::move(rig), ChainModel::kPassive);
     const ReferenceRun passive = solve_at(rig, kEarth, *path_of(motion), 3, 720);
-    set_model(rig, ChainModel::kCascade);
+    rig = in_model(std::move(rig), ChainModel::kCascade);
     EXPECT_LT(worst_apart(passive, solve_at(rig, kEarth, *path_of(motion), 3, 720)), 1e-6);
   }
 }
@@ -120,7 +119,7 @@ TEST(PassiveModel, DampedItLosesEnergyAlways) {
 TEST(PassiveModel, SoftLivelyHairHasOneMotionAndACascadeHasNone) {
   Rig rig = chain(6, 60, 4.2);
   const auto disagreement = [&](ChainModel model) {
-    set_model(rig, model);
+    rig = in_model(std::move(rig), model);
     return solve_at(rig, kEarth, *path_of(Motion::kTurn), 6, 2880).self_difference_pct();
   };
   EXPECT_LT(disagreement(ChainModel::kPassive), 1e-3);

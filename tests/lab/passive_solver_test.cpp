@@ -56,8 +56,7 @@ Trial run(const TestRig& strand, Motion motion, int rate, int substeps, double r
   AssetContents contents = strand.contents();
   contents.skeleton.air_lag = air_lag;
   const OpenedAsset opened(contents);
-  Rig rig = rig_of(opened.asset());
-  set_model(rig, ChainModel::kPassive);
+  const Rig rig = in_model(rig_of(opened.asset()), ChainModel::kPassive);
   const auto path = path_of(motion);
   constexpr int kSampled = 30, kSeconds = 4;
   const ReferenceRun reference = solve_reference(rig, {}, *path,

@@ -10,10 +10,6 @@ namespace coif {
 /// `rig` with its tips found, as rig_of() does for an asset. All bones count as one chain.
 [[nodiscard]] Rig with_tips(Rig rig);
 
-inline void set_model(Rig& rig, ChainModel model) {
-  for (RigBone& bone : rig.bones) bone.model = model;
-}
-
 /// Every bone may touch `collider`.
 [[nodiscard]] Rig touching(Rig rig, const ColliderRecord& collider);
 

@@ -70,6 +70,12 @@ std::uint32_t TestRig::add(const TestBone& bone) {
   return std::uint32_t(bones.size() - 1);
 }
 
+std::uint32_t TestRig::add_strand(int count, const TestBone& bone) {
+  TestBone next = bone;
+  for (int i = 0; i < count; ++i) next.parent = add(next);
+  return next.parent;
+}
+
 void TestRig::add_sphere(const Vec3& center, float radius) {
   add_ellipsoid(center, {radius, radius, radius});
   colliders.back().shape = ColliderShape::kSphere;

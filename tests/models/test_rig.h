@@ -34,6 +34,8 @@ class TestRig {
   /// Returns the bone's index. A bone on the head begins a chain. Every bone may touch all colliders; change
   /// bones[i].colliders for less.
   std::uint32_t add(const TestBone& bone);
+  /// So many bones end to end, each like `bone`, of which the first hangs from bone.parent. Returns the last.
+  std::uint32_t add_strand(int count, const TestBone& bone);
   void add_sphere(const Vec3& center, float radius);
   void add_ellipsoid(const Vec3& center, const Vec3& radii, const Quat& rotation = {});
   void add_capsule(const Vec3& from, const Vec3& to, float radius);

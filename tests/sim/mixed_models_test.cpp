@@ -21,15 +21,12 @@ AssetContents mixed(const TestRig& rig) {
 TestRig chains_of(bool twists) {
   TestRig rig = nine_bone_rig();
   for (const int bones : {1, 1, 5, 20, 20, 2}) {
-    for (int i = 0; i < bones; ++i) {
-      rig.add({.parent = i == 0 ? 0 : std::uint32_t(rig.bones.size() - 1),
-               .joint = {0.01f * float(bones), 0, -0.11f},
-               .rest_direction = {0, -0.8f, -0.6f},
-               .length = 0.4f / float(bones),
-               .friction = 0.5f,
-               .stiffness = 80,
-               .damping = 6});
-    }
+    rig.add_strand(bones, {.joint = {0.01f * float(bones), 0, -0.11f},
+                           .rest_direction = {0, -0.8f, -0.6f},
+                           .length = 0.4f / float(bones),
+                           .friction = 0.5f,
+                           .stiffness = 80,
+                           .damping = 6});
   }
   for (DynamicsRecord& bone : rig.dynamics) bone.torsion = twists ? 20 : kShortestArc;
   rig.levels.assign(rig.bones.size(), 2);

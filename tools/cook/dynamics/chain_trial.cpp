@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coif {
@@ -78,6 +79,20 @@ ChainTrial try_any_chain(const AssetContents& alone) {
     trial.runs.push_back(std::move(known.reference));
   }
   return trial;
+}
+
+double rms_apart(const Rig& rig, std::span<const ReferenceRun> a, std::span<const ReferenceRun> b) {
+  constexpr double kFarthest = 2;  // lengths
+  double sum = 0, count = 0;
+  for (std::size_t m = 0; m < a.size(); ++m) {
+    const std::size_t samples = a[m].times.size();
+    for (std::size_t i = 0; i < a[m].places.size(); ++i) {
+      const double off = (a[m].places[i] - b[m].places[i]).norm() / rig.tip_length[i / samples];
+      sum += off < kFarthest ? off * off : kFarthest * kFarthest;
+      ++count;
+    }
+  }
+  return std::sqrt(sum / std::max(count, 1.0));
 }
 
 std::string what_failed(const ChainFinding& finding) {

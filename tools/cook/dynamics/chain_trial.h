@@ -49,6 +49,10 @@ struct ChainTrial {
 /// The same, however hopeless it is.
 [[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone);
 
+/// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be. `rig` has the
+/// chain's tips, and both have the same motions.
+[[nodiscard]] double rms_apart(const Rig& rig, std::span<const ReferenceRun> a, std::span<const ReferenceRun> b);
+
 [[nodiscard]] std::string what_failed(const ChainFinding& finding);
 
 }  // namespace coif

@@ -51,16 +51,6 @@ std::optional<IllPosedChains> try_group(const AssetContents& contents, const Cha
   return std::nullopt;
 }
 
-/// RMS over the samples of two runs of one chain, share of its length.
-double difference(const Rig& rig, const ReferenceRun& a, const ReferenceRun& b) {
-  const std::size_t samples = a.times.size();
-  double sum = 0;
-  for (std::size_t i = 0; i < a.places.size(); ++i) {
-    sum += (a.places[i] - b.places[i]).squaredNorm() / std::pow(rig.tip_length[i / samples], 2);
-  }
-  return std::sqrt(sum / double(a.places.size()));
-}
-
 /// How far apart the models move a chain, over the worst motion; infinite as soon as that is too far.
 double distance_of_models(const BothModels& both, std::uint32_t chain) {
   const AssetContents cascade = alone(both.cascade, chain), passive = alone(both.passive, chain);
@@ -69,7 +59,7 @@ double distance_of_models(const BothModels& both, std::uint32_t chain) {
   const Rig rig = rig_of(opened_cascade.asset()), other = rig_of(opened_passive.asset());
   double worst = 0;
   for (const Motion motion : kTrialMotions) {
-    const double apart = difference(rig, solve_trial(rig, motion), solve_trial(other, motion));
+    const double apart = rms_apart(rig, std::array{solve_trial(rig, motion)}, std::array{solve_trial(other, motion)});
     if (!(apart <= kAlike)) return INFINITY;
     worst = std::max(worst, apart);
   }

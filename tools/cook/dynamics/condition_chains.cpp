@@ -81,8 +81,14 @@ ReferenceRun run_by_steps(const OpenedAsset& opened, const Rig& rig, Motion moti
   return run;
 }
 
-/// What the artist asked for, in the order of kTrialMotions: the motion of the chain as it is, where there is one.
-std::vector<ReferenceRun> artists_motions(const AssetContents& contents, std::uint32_t chain) {
+/// What the artist asked for: motions of a chain's tips, in the order of kTrialMotions.
+struct AskedMotions {
+  Rig rig;
+  std::vector<ReferenceRun> runs;
+};
+
+/// The chain's motions as it is, where there are any.
+AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
@@ -94,32 +100,13 @@ std::vector<ReferenceRun> artists_motions(const AssetContents& contents, std::ui
     if (may_exist) runs.pop_back();
     runs.push_back(run_by_steps(opened, rig, motion));
   }
-  return runs;
-}
-
-/// RMS over all samples of all motions, share of the chain's length; what was not finite is as far off as can be.
-double difference(const AssetContents& contents, std::uint32_t chain, const std::vector<ReferenceRun>& a,
-                  const std::vector<ReferenceRun>& b) {
-  constexpr double kFarthest = 2;  // lengths
-  const AssetContents alone = chains_alone(contents, std::array{chain});
-  const OpenedAsset opened(alone);
-  const Rig rig = rig_of(opened.asset());
-  double sum = 0, count = 0;
-  for (std::size_t m = 0; m < a.size(); ++m) {
-    const std::size_t samples = a[m].times.size();
-    for (std::size_t i = 0; i < a[m].places.size(); ++i) {
-      const double off = (a[m].places[i] - b[m].places[i]).norm() / rig.tip_length[i / samples];
-      sum += off < kFarthest ? off * off : kFarthest * kFarthest;
-      ++count;
-    }
-  }
-  return std::sqrt(sum / std::max(count, 1.0));
+  return {rig, std::move(runs)};
 }
 
 /// Of the candidates under which every telling chain is good, the one that changes its motion least.
 Outcome search(const AssetContents& contents, const ChainGroup& group) {
   Outcome outcome;
-  std::vector<std::vector<ReferenceRun>> asked;
+  std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain));
   std::size_t good = 0;
   const std::size_t enough = enough_good(contents.chains[group.telling[0]].bone_count);
@@ -129,7 +116,7 @@ Outcome search(const AssetContents& contents, const ChainGroup& group) {
     for (std::size_t k = 0; k < group.telling.size() && is_good; ++k) {
       const ChainTrial trial = examine(contents, group.telling[k], kCandidates[c]);
       is_good = trial.finding.is_good;
-      if (is_good) farthest = std::max(farthest, difference(contents, group.telling[k], trial.runs, asked[k]));
+      if (is_good) farthest = std::max(farthest, rms_apart(asked[k].rig, trial.runs, asked[k].runs));
     }
     if (!is_good) continue;
     if (good == 0 || farthest < outcome.difference) {

@@ -117,6 +117,11 @@ Figure over_rates(const AccuracyReport& report, std::string title, std::string c
   return figure;
 }
 
+Figure over_cost(std::string title, std::string caption) {
+  return {{.title = std::move(title), .x_label = "ns per bone and frame, one core", .log_x = true, .log_y = true},
+          std::move(caption)};
+}
+
 /// A curve of a solver's figure with its fewest sub-steps over frame rates, in one motion or (null) the worst of all.
 void add_solver(const AccuracyReport& report, const std::string& solver, double AccuracyRow::*value,
                 const std::string* motion, Plot& plot) {
@@ -132,14 +137,11 @@ void add_solver(const AccuracyReport& report, const std::string& solver, double 
 Figure work_precision_figure(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const auto means = means_over_motions(report, fps);
-  Figure figure{{.title = fmt::format("Error against cost at {} frames per second", fps),
-                 .x_label = "ns per bone and frame, one core",
-                 .y_label = "RMS error, % of the chain's length",
-                 .log_x = true,
-                 .log_y = true},
+  Figure figure = over_cost(fmt::format("Error against cost at {} frames per second", fps),
                 "Every point is one solver with one number of sub-steps or iterations, over all motions; further left "
                 "is cheaper, further down more exact. Ringed points are the Pareto front: whatever is not on it is "
-                "beaten in both by something that is."};
+                "beaten in both by something that is.");
+  figure.plot.y_label = "RMS error, % of the chain's length";
   for (const std::string& solver : names_of(report.rows, &AccuracyRow::solver)) {
     PlotSeries& series = figure.plot.add(solver);
     for (const AccuracyRow& mean : means) {
@@ -158,14 +160,12 @@ Figure work_precision_figure(const AccuracyReport& report) {
 Figure own_model_figure(const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const auto means = means_over_motions(report, fps);
-  Figure figure{{.title = fmt::format("Error against each solver's own model at {} frames per second", fps),
-                 .x_label = "ns per bone and frame, one core",
-                 .y_label = "RMS distance to its own converged motion, % of the chain's length",
-                 .log_x = true,
-                 .log_y = true},
-                "What more steps can mend: how far each solver is from where it comes itself with ever finer steps. How far that is from "
-                "the asset's own motion is in the table, and no number of steps changes it. Algorithm 1 and the thesis's attempts "
-                "before it are not here: their strengths are shares of a step, and finer steps come to other hair."};
+  Figure figure = over_cost(
+      fmt::format("Error against each solver's own model at {} frames per second", fps),
+      "What more steps can mend: how far each solver is from where it comes itself with ever finer steps. How far that is "
+      "from the asset's own motion is in the table, and no number of steps changes it. Algorithm 1 and the thesis's attempts "
+      "before it are not here: their strengths are shares of a step, and finer steps come to other hair.");
+  figure.plot.y_label = "RMS distance to its own converged motion, % of the chain's length";
   for (const std::string& solver : names_of(report.rows, &AccuracyRow::solver)) {
     std::vector<PlotPoint> points;
     for (const AccuracyRow& mean : means) {
@@ -175,7 +175,8 @@ Figure own_model_figure(const AccuracyReport& report) {
     }
     if (points.empty()) continue;
     sort_by_x(points);
-    figure.plot.add(solver).points = std::move(points);
+    // As in the other figures, which have more solvers.
+    figure.plot.add(solver, std::move(points)).color = color_of(report, solver);
   }
   leave_out_off_the_scale(figure);
   return figure;

@@ -12,16 +12,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Quaterniond rotation_of(const HeadPose& head) {
-  const Quat& q = head.rotation;
-  return Quaterniond(q.w, q.x, q.y, q.z).normalized();
-}
-
-bool is_finite(const HeadPose& head) {
-  return std::isfinite(head.position[0]) && std::isfinite(head.position[1]) && std::isfinite(head.position[2]) &&
-         rotation_of(head).coeffs().allFinite();
-}
-
 /// rad/s that turn `from` into `to` the short way.
 Vector3d spin_between(const Quaterniond& from, const Quaterniond& to, double dt) {
   const Eigen::AngleAxisd turn(to * from.conjugate());
@@ -43,6 +33,16 @@ Quaterniond bent_frame(const Quaterniond& frame, const Vector3d& direction, cons
 }
 
 }  // namespace
+
+Quaterniond rotation_of(const HeadPose& head) {
+  const Quat& q = head.rotation;
+  return Quaterniond(q.w, q.x, q.y, q.z).normalized();
+}
+
+bool is_finite(const HeadPose& head) {
+  return std::isfinite(head.position[0]) && std::isfinite(head.position[1]) && std::isfinite(head.position[2]) &&
+         rotation_of(head).coeffs().allFinite();
+}
 
 bool jumps(const HeadPose& from, const HeadPose& to) {
   const Vector3d way = Eigen::Map<const Vector3d>(to.position) - Eigen::Map<const Vector3d>(from.position);

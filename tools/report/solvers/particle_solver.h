@@ -8,6 +8,10 @@
 
 namespace coif {
 
+/// World from head space, unit.
+[[nodiscard]] Eigen::Quaterniond rotation_of(const HeadPose& head);
+[[nodiscard]] bool is_finite(const HeadPose& head);
+
 /// Beyond what the runtime takes for a movement (StepSettings::teleport_distance and teleport_angle).
 [[nodiscard]] bool jumps(const HeadPose& from, const HeadPose& to);
 

@@ -13,15 +13,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-Quaterniond rotation_of_head(const HeadPose& head) {
-  return Quaterniond(head.rotation.w, head.rotation.x, head.rotation.y, head.rotation.z).normalized();
-}
-
-Quaterniond turned_by(const Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? Quaterniond(Eigen::AngleAxisd(angle, vector / angle)) : Quaterniond::Identity();
-}
-
 /// Cubic from 0 to `to` within 1, with these slopes.
 Vector3d hermite(const Vector3d& to, const Vector3d& slope, const Vector3d& end_slope, double share) {
   const double s2 = share * share, s3 = s2 * share;
@@ -40,7 +31,7 @@ class SmoothWay {
   /// On to `head`, which ends a frame of `dt` seconds.
   void aim(const HeadPose& head, double dt) {
     way_ = Eigen::Map<const Vector3d>(head.position) - Eigen::Map<const Vector3d>(head_.position);
-    turn_ = vector_of(rotation_of_head(head_).conjugate() * rotation_of_head(head));
+    turn_ = vector_of(rotation_of(head_).conjugate() * rotation_of(head));
     const Vector3d mean = way_ / dt, mean_spin = turn_ / dt;
     const double share = last_dt_ > 0 ? dt / (dt + last_dt_) : 0;
     end_velocity_ = last_dt_ > 0 ? Vector3d(mean + (mean - last_mean_) * share) : mean;
@@ -54,7 +45,7 @@ class SmoothWay {
     const Vector3d moved = hermite(way_, velocity_ * dt_, end_velocity_ * dt_, share);
     for (int axis = 0; axis < 3; ++axis) pose.position[axis] = head_.position[axis] + moved[axis];
     const Vector3d end_rate = rate_of(turn_, end_spin_) * dt_;
-    const Quaterniond turned = rotation_of_head(head_) * turned_by(hermite(turn_, spin_ * dt_, end_rate, share));
+    const Quaterniond turned = rotation_of(head_) * rotation_of(hermite(turn_, spin_ * dt_, end_rate, share));
     pose.rotation = {float(turned.x()), float(turned.y()), float(turned.z()), float(turned.w())};
     return pose;
   }
@@ -79,12 +70,6 @@ class SmoothWay {
   Vector3d spin_ = Vector3d::Zero(), end_spin_ = Vector3d::Zero(), last_mean_spin_ = Vector3d::Zero();
 };
 
-/// A cubic makes finite poses of some that are not.
-bool is_usable(const HeadPose& head, double dt) {
-  const bool is_finite = Eigen::Map<const Vector3d>(head.position).allFinite() && rotation_of_head(head).coeffs().allFinite();
-  return is_finite && std::isfinite(dt) && dt > 0;
-}
-
 class SubSteps final : public ChainSolver {
  public:
   SubSteps(std::unique_ptr<ChainSolver> solver, int count) : solver_(std::move(solver)), count_(count) {}
@@ -95,7 +80,8 @@ class SubSteps final : public ChainSolver {
   }
 
   bool step(const HeadPose& head, double dt) override {
-    if (!is_usable(head, dt)) return false;
+    // A cubic makes finite poses of some that are not.
+    if (!(dt > 0) || !std::isfinite(dt) || !is_finite(head)) return false;
     if (jumps(way_.head(), head)) {
       // Nobody goes there through what lies between.
       if (!solver_->step(head, dt)) return false;
