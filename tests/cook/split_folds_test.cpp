@@ -164,4 +164,32 @@ TEST(SplitPartings, HairFromTheForeheadToATieStaysWhole) {
   EXPECT_EQ(cut(whole_band([](const Vector3f& p, float) { return Vector3f(p.z(), p.y(), p.x()); })), 0u);
 }
 
+/// Round the head from the left temple over the nape and back, `turns` of the way; `lift` metres off it, both ends `rise` above the middle.
+std::uint32_t cut_wreath(float turns, float lift, float rise) {
+  HairStrips hair = whole_band([&](const Vector3f&, float along) {
+    const float angle = 6.2832f * turns * (along - 0.5f), radius = 0.09f + lift;
+    return Vector3f(radius * std::sin(angle), 1.58f + rise * std::abs(2 * along - 1),
+                    0.015f - radius * std::cos(angle));
+  });
+  Findings findings;
+  const std::uint32_t more = split_partings(hair, head_below(), std::vector<std::string>{"auto"}, findings);
+  for (std::uint32_t t = 0; more > 0 && t < hair.mesh.triangle_count(); ++t) {
+    float along = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) along += hair.mesh.uvs[hair.mesh.triangles[3 * t + k]].y() / 3;
+    if (std::abs(along - 0.5f) > 0.1f) EXPECT_EQ(hair.patches.patch_of[t], along > 0.5f ? 1u : 0u) << along;
+  }
+  return more;
+}
+
+TEST(SplitPartings, HairRoundTheHeadFromAPartingToItsOtherSideMeetsWhereItIsLowest) {
+  EXPECT_EQ(cut_wreath(0.95f, 0.005f, 0.09f), 1u);
+  EXPECT_EQ(cut_wreath(0.8f, 0.02f, 0.07f), 1u);
+}
+
+TEST(SplitPartings, AWreathAQuarterOfTheHeadAndALoopThatHangsOffItStayWhole) {
+  EXPECT_EQ(cut_wreath(0.95f, 0.005f, 0), 0u) << "as high all round: a braid laid about the head";
+  EXPECT_EQ(cut_wreath(0.4f, 0.005f, 0.09f), 0u) << "from ear to ear";
+  EXPECT_EQ(cut_wreath(0.95f, 0.1f, 0.09f), 0u) << "off the head";
+}
+
 }  // namespace coif::split_folds_test

@@ -99,34 +99,39 @@ std::string obj_wig(double per_metre) {
   return text + "f 1 2 3\n";
 }
 
-TEST_F(Conventions, ObjInMetresIsTakenAsItIs) {
-  const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(1)));
-  EXPECT_TRUE(model.warnings.empty());
-  EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 1.2f, 1e-5);
-}
-
-TEST_F(Conventions, ObjInSmallerUnitsIsScaledToTheSizeOfHairAndSaysSo) {
-  for (const double per_metre : {10.0, 100.0, 1000.0}) {
+TEST_F(Conventions, ObjIsTakenInMetresAndSaysNothingOfItsUnit) {
+  for (const double per_metre : {1.0, 100.0}) {
     const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(per_metre)));
-    EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 1.2f, 1e-4) << per_metre;
-    ASSERT_EQ(model.warnings.size(), 1u) << per_metre;
-    EXPECT_NE(model.warnings[0].find("source.metres_per_unit"), std::string::npos) << model.warnings[0];
+    EXPECT_TRUE(model.warnings.empty());
+    EXPECT_NEAR(model.meshes.at(0).positions.at(0).y() / per_metre, 1.2, 1e-5);
+    EXPECT_EQ(model.space.unit, Statement::kUnsaid);
+    EXPECT_EQ(model.space.up, Statement::kUnsaid);
   }
 }
 
-TEST_F(Conventions, ADeclaredUnitIsNotSecondGuessed) {
-  const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(10)), with_unit(1.0));
-  EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 12.0f, 1e-4);
+TEST_F(Conventions, ADeclaredUnitIsTheCallers) {
+  const SourceModel model = import_or_fail(folder_.write("a.obj", obj_wig(10)), with_unit(2.0));
+  EXPECT_NEAR(model.meshes.at(0).positions.at(0).y(), 24.0f, 1e-4);
+  EXPECT_EQ(model.space.unit, Statement::kGiven);
+  EXPECT_EQ(model.space.metres_per_unit, 2);
+  EXPECT_EQ(model.space.up, Statement::kUnsaid);
 }
 
-TEST_F(Conventions, ObjWithoutDepthSaysNothingOfItsUnitAndAsksWhenItCannotBe) {
-  const auto strip = [](const char* top) { return std::string("v 0 0 0\nv 1 0 0\nv 0 ") + top + " 0\nf 1 2 3\n"; };
-  EXPECT_TRUE(import_or_fail(folder_.write("a.obj", strip("1.5"))).warnings.empty());
-  for (const char* top : {"17", "0.01"}) {
-    const SourceModel model = import_or_fail(folder_.write("b.obj", strip(top)));
-    ASSERT_EQ(model.warnings.size(), 1u) << top;
-    EXPECT_NE(model.warnings[0].find("source.metres_per_unit"), std::string::npos) << model.warnings[0];
-  }
+TEST_F(Conventions, WhatAFileSaysOfItsSpaceIsKept) {
+  const auto fbx = [&](const std::string& settings) { return import_or_fail(folder_.write("m.fbx", small_fbx(settings))).space; };
+  EXPECT_EQ(fbx(fbx_unit("1")).unit, Statement::kUsual);
+  EXPECT_EQ(fbx(fbx_unit("1")).metres_per_unit, 0.01);
+  EXPECT_EQ(fbx(fbx_unit("2.54")).unit, Statement::kDeclared);
+  EXPECT_EQ(fbx(fbx_unit("2.54") + fbx_axes(0, 1, 2, 1, 1, -1)).up_axis, 'z');
+  const auto dae = [&](const char* unit, const char* up) { return import_or_fail(folder_.write("m.dae", small_dae(unit, up))).space; };
+  EXPECT_EQ(dae("1", "Y_UP").unit, Statement::kUsual);
+  EXPECT_EQ(dae("0.01", "Z_UP").unit, Statement::kDeclared);
+  EXPECT_NEAR(dae("0.01", "Z_UP").metres_per_unit, 0.01, 1e-9);
+  EXPECT_EQ(dae("0.01", "Z_UP").up_axis, 'z');
+  const SourceSpace gltf = import_or_fail(SmallGltf().write(folder_, "m.gltf")).space;
+  EXPECT_EQ(gltf.unit, Statement::kDeclared);
+  EXPECT_EQ(gltf.metres_per_unit, 1);
+  EXPECT_EQ(gltf.up_axis, 'y');
 }
 
 TEST_F(Conventions, VGrowsDownwardsFromEveryFormat) {

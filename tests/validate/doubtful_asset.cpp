@@ -11,6 +11,7 @@ AssetContents sound_asset() {
   asset.bone_names.pop_back();
   asset.chains.pop_back();
   asset.dynamics.pop_back();
+  asset.asked.clear();
   asset.lod_bones.pop_back();
   for (SkinRecord& skin : asset.skin) skin.bone[0] = std::min<std::uint16_t>(skin.bone[0], 3);
   for (PatchRecord& patch : asset.patches) patch.bone = std::min(patch.bone, 3u);

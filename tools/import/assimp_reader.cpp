@@ -136,7 +136,7 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
   model.importer_version[0] = static_cast<std::uint16_t>(aiGetVersionMajor());
   model.importer_version[1] = static_cast<std::uint16_t>(aiGetVersionMinor());
   model.importer_version[2] = static_cast<std::uint16_t>(aiGetVersionPatch());
-  const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.warnings);
+  const Eigen::Affine3d to_model = model_from_scene(scene, suffix.format, settings, model.space, model.warnings);
   SceneNodes nodes = flatten_nodes(scene, to_model, model.warnings);
   convert_materials(scene, suffix.format, model);
   model.meshes = convert_meshes(scene, nodes, model.warnings);
@@ -146,8 +146,6 @@ tl::expected<SourceModel, ToolError> convert_scene(const aiScene& scene, const s
     return file_failure(ToolError::Kind::kBadInput, path,
                         "no usable triangles; convert curves and hair particles to polygon strips before the export");
   }
-  if (suffix.format == SourceFormat::kObj && !settings.metres_per_unit) guess_unit(model);
-  warn_of_implausible_height(model);
   return model;
 }
 

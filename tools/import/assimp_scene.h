@@ -61,20 +61,14 @@ struct SceneNodes {
 [[nodiscard]] SceneNodes flatten_nodes(const aiScene& scene, const Eigen::Affine3d& model_from_scene,
                                        std::vector<std::string>& warnings);
 
-/// What takes the importer's coordinates to metres, Y up, right-handed.
+/// What takes the importer's coordinates to metres, Y up, right-handed, as the file says; `space` gets what it says.
 ///
 /// What assimp 5.2 leaves to do, found by measuring real files: FBX is left in the file's unit (UnitScaleFactor
 /// centimetres) and axes (metadata); COLLADA has both applied in the root node; glTF is metres, Y up by definition; OBJ
-/// says nothing and is taken as Y up; guess_unit() finds its size. Settings override the file.
+/// says nothing and is taken as metres, Y up. Settings override the file. Whether the file is right is not judged here.
 [[nodiscard]] Eigen::Affine3d model_from_scene(const aiScene& scene, SourceFormat format,
-                                               const ImportSettings& settings, std::vector<std::string>& warnings);
-
-/// OBJ has no unit. Takes the power of ten from a metre down to a millimetre at which the model is as deep as hair or a
-/// body is, scales it, and says so; leaves models without depth alone.
-void guess_unit(SourceModel& model);
-
-/// Adds a warning when the model's height cannot be that of hair or of somebody who wears it.
-void warn_of_implausible_height(SourceModel& model);
+                                               const ImportSettings& settings, SourceSpace& space,
+                                               std::vector<std::string>& warnings);
 
 /// Where each vertex of a mesh stands in the rest pose of the nodes, and what holds it there.
 class SkinBinding {

@@ -154,6 +154,16 @@ constexpr auto transfer_image = [](auto& archive, auto& image) {
   return archive.sequence(image.name) && archive.sequence(image.bytes);
 };
 
+bool transfer_axis(Encoder& archive, const char& axis) { return archive.plain(axis); }
+
+bool transfer_axis(Decoder& archive, char& axis) { return archive.plain(axis) && axis >= 'x' && axis <= 'z'; }
+
+constexpr auto transfer_space = [](auto& archive, auto& space) {
+  return archive.plain(space.metres_per_unit) && transfer_choice(archive, space.unit, Statement::kUnsaid) &&
+         transfer_choice(archive, space.up, Statement::kUnsaid) && transfer_axis(archive, space.up_axis) &&
+         archive.sequence(space.unit_words) && archive.sequence(space.up_words) && archive.sequence(space.generator);
+};
+
 constexpr auto transfer_model = [](auto& archive, auto& model) {
   constexpr std::size_t kCount = sizeof(std::uint64_t);
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
@@ -164,7 +174,7 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.images, 2 * kCount, transfer_image) &&
          archive.list(model.springs, 3 * kCount + 4, transfer_spring) &&
          archive.list(model.colliders, 10 * sizeof(double) + 6, transfer_collider) && archive.plain(model.head_node) &&
-         transfer_choice(archive, model.facing, Facing::kBackwards) &&
+         transfer_choice(archive, model.facing, Facing::kBackwards) && transfer_space(archive, model.space) &&
          archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text);
 };
 

@@ -104,6 +104,25 @@ struct SourceImage {
 /// Which way a model looks: along +Z, or -Z as VRM 0.x does. kUnknown: the file does not say.
 enum class Facing { kUnknown, kForwards, kBackwards };
 
+/// How much somebody meant what a file says of its unit or its up axis.
+enum class Statement {
+  kGiven,     ///< By the caller, beside the file: holds whatever the model looks like.
+  kDeclared,  ///< By the format's definition or by a value that somebody set.
+  kUsual,     ///< By the value that exporters write whatever the model is.
+  kUnsaid,    ///< Not at all.
+};
+
+/// What a file says of its size and of where up is. The model has that applied, right or wrong.
+struct SourceSpace {
+  double metres_per_unit = 1;              ///< What the file's lengths were multiplied with.
+  Statement unit = Statement::kGiven;      ///< A model that no file gave is in metres,
+  Statement up = Statement::kGiven;        ///< Y up.
+  char up_axis = 'y';                      ///< The file's own that became Y, whatever its sign: 'x', 'y' or 'z'.
+  std::string unit_words = "the caller";   ///< For messages: "glTF is in metres", "UnitScaleFactor 1, centimetres".
+  std::string up_words = "the caller";     ///< "glTF has Y up".
+  std::string generator;                   ///< The program that wrote the file, as far as it says.
+};
+
 struct SourceModel {
   std::string path;
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
@@ -117,6 +136,7 @@ struct SourceModel {
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
   Facing facing = Facing::kUnknown;
+  SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not
   /// textures, which it leaves alone.

@@ -2,6 +2,7 @@
 
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
+#include "cook/size/settle_size.h"
 #include "cook/strands/patches.h"
 #include "validate/asset_checks.h"
 #include "write/chunk_words.h"
@@ -10,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace coif {
 namespace {
@@ -139,9 +141,28 @@ Issue import_issue(const ToolError& error) {
   return make_issue(error.kind == ToolError::Kind::kUnsupported ? "S102" : "S101", error.message);
 }
 
-Issues find_source_issues(const SourceModel& source, const Recipe& recipe) {
+namespace {
+
+const char* code_of(SizeDoubt::Of of) {
+  switch (of) {
+    case SizeDoubt::Of::kOtherUnit: return "S207";
+    case SizeDoubt::Of::kDoubtfulUnit: return "S208";
+    case SizeDoubt::Of::kOtherUp: return "S209";
+    case SizeDoubt::Of::kDoubtfulUp: break;
+  }
+  return "S210";
+}
+
+}  // namespace
+
+Issues find_source_issues(const SourceModel& imported, const Recipe& recipe) {
   Issues issues;
-  for (const std::string& warning : source.warnings) issues.push_back(make_issue("S201", warning));
+  for (const std::string& warning : imported.warnings) issues.push_back(make_issue("S201", warning));
+  const JudgedSize size = judge_size(imported, recipe);
+  for (const SizeDoubt& doubt : size.doubts) issues.push_back(make_issue(code_of(doubt.of), doubt.text));
+  std::optional<SourceModel> resized;
+  if (size.changes()) resized = settled(imported, size);
+  const SourceModel& source = resized ? *resized : imported;
   Findings findings;
   const auto hair = select_hair(source, recipe, findings);
   if (!hair) {

@@ -29,7 +29,7 @@ namespace coif {
 [[nodiscard]] Issue import_issue(const ToolError& error);
 
 /// What a cook of an imported source would stop at or warn of, as far as its first passes tell: which triangles are hair,
-/// and whether they fall into strips.
-[[nodiscard]] Issues find_source_issues(const SourceModel& source, const Recipe& recipe);
+/// whether they fall into strips, and whether unit and up axis of the file are the model's.
+[[nodiscard]] Issues find_source_issues(const SourceModel& imported, const Recipe& recipe);
 
 }  // namespace coif

@@ -12,9 +12,32 @@ namespace {
 
 using Children = std::vector<std::vector<std::uint32_t>>;
 
+/// Nodes that only place a rigid mesh: theirs is the modeller's origin, away from the mesh, and nothing could turn about it.
+std::vector<bool> only_place_meshes(const SourceModel& source) {
+  std::vector<bool> only(source.nodes.size(), false);
+  for (const SourceMesh& mesh : source.meshes) {
+    if (!mesh.influence_begin.empty()) continue;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3f& position : mesh.positions) box.extend(position.cast<double>());
+    only[mesh.node] = !box.contains(source.nodes[mesh.node].model_from_node.translation());
+  }
+  for (const SourceMesh& mesh : source.meshes) {
+    for (const SourceInfluence& influence : mesh.influences) only[influence.node] = false;
+  }
+  for (const SourceNode& node : source.nodes) {
+    if (node.parent != kNoIndex) only[node.parent] = false;
+  }
+  for (const SourceSpring& spring : source.springs) {
+    for (const SourceSpringJoint& joint : spring.joints) only[joint.node] = false;
+  }
+  return only;
+}
+
 /// Children of each node that carry hair, themselves or below.
 Children hair_children(const SourceModel& source, const NodeWeights& below) {
-  const std::vector<bool> carriers = find_carriers(source);
+  std::vector<bool> carriers = find_carriers(source);
+  const std::vector<bool> only_meshes = only_place_meshes(source);
+  for (std::size_t n = 0; n < carriers.size(); ++n) carriers[n] = carriers[n] && !only_meshes[n];
   Children children(source.nodes.size());
   for (std::uint32_t n = 0; n < source.nodes.size(); ++n) {
     if (carriers[n] && below[n] > 0 && source.nodes[n].parent != kNoIndex)

@@ -53,6 +53,17 @@ struct FittedHead : HeadEllipsoid {
 /// and hardly any on the other.
 [[nodiscard]] bool faces_backwards(const SourceModel& source, const HairMesh& hair, const FittedHead& head);
 
+/// What shows a head before the hair around it is looked at.
+struct HeadSign {
+  HeadEllipsoid shape;
+  bool is_mesh = false;  ///< Vertices that follow the head bone; else only the hair's top.
+};
+
+[[nodiscard]] HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone);
+
+/// The hair (not empty) lies on the skull at the top: a sphere through its upper part, made as high and deep as heads are.
+[[nodiscard]] HeadEllipsoid ellipsoid_under_top(const HairMesh& hair);
+
 /// As the recipe declares it; else what the vertices outside of the hair's meshes that follow the head bone (not if a quarter
 /// of the hair is deep inside of them, as in a hood), or without such ones the hair's upper part, say of it, moved and resized until the hair agrees (fit_head_room()) and then shrunk until
 /// hardly any hair is inside. Notes where it is and how much hair is inside; warns where that is much.

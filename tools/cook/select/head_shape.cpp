@@ -125,7 +125,8 @@ std::pair<Vector3d, double> fit_sphere(const std::vector<Vector3d>& points) {
   return {mean + center, std::sqrt(std::max(0.0, solution[3] + center.squaredNorm()))};
 }
 
-/// The hair lies on the skull at the top: a sphere through its upper part, as high and deep as heads are.
+}  // namespace
+
 HeadEllipsoid ellipsoid_under_top(const HairMesh& hair) {
   const Box box = hair.box();
   const double width = std::min(box.sizes().x(), box.sizes().z());
@@ -142,6 +143,8 @@ HeadEllipsoid ellipsoid_under_top(const HairMesh& hair) {
   }
   return {center, radius * Vector3d(0.9, 1.1, 1.0)};
 }
+
+namespace {
 
 struct FirstGuess {
   HeadGuess like;
@@ -178,6 +181,11 @@ void make_room(const HairMesh& hair, double least, FittedHead& head, Findings& f
 }
 
 }  // namespace
+
+HeadSign first_sign_of_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone) {
+  const FirstGuess guess = guess_head(source, hair, head_bone);
+  return {guess.like.shape, guess.is_mesh};
+}
 
 FittedHead fit_head(const SourceModel& source, const HairMesh& hair, const HeadBone& head_bone, const Recipe& recipe,
                     Findings& findings) {

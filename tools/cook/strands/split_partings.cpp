@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -15,6 +19,11 @@ constexpr float kMiddle = 0.1f;      ///< To each side of the middle.
 constexpr double kMostUnlike = 0.3;  ///< Of the head's radius: ends that differ by more do not mirror each other.
 constexpr double kLeastRise = 0.25;  ///< The middle is so much higher than both ends
 constexpr double kLeastReach = 0.7;  ///< and each end so far from the head's middle plane.
+
+constexpr std::size_t kStations = 16;  ///< Along a strip.
+constexpr double kLeastWay = 4.2;      ///< Radians about the vertical: two thirds of the way round the head,
+constexpr double kLeastDrop = 0.5;     ///< its lowest place so many of the head's radii below both ends,
+constexpr double kMostLift = 0.7;      ///< and all of it so many of them above the head.
 
 struct MeanPlace {
   Vector3d sum = Vector3d::Zero();
@@ -47,6 +56,55 @@ std::optional<double> parting_of(const HairStrips& hair, const PatchView& patch,
   return head.center.x() + (a.x() + b.x()) / 2;
 }
 
+/// Round the head from one side of a parting to the other, and lowest on the way: the place along the strand where it is. None
+/// for other patches, among them what hangs off the head.
+std::optional<float> meeting_of(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
+  std::array<MeanPlace, kStations> stations;
+  for (const std::uint32_t v : patch.vertices) {
+    const auto station = std::size_t(std::max(0.0f, hair.strands.place[v]) * float(kStations));
+    stations[std::min(station, kStations - 1)].add(hair.mesh.positions[v]);
+  }
+  std::vector<Vector3d> way;
+  std::vector<float> places;
+  for (std::size_t s = 0; s < kStations; ++s) {
+    if (stations[s].count == 0) continue;
+    way.push_back((stations[s].value() - head.center).cwiseQuotient(head.radii));
+    places.push_back((float(s) + 0.5f) / float(kStations));
+    if (way.back().norm() > 1 + kMostLift) return std::nullopt;
+  }
+  if (way.size() < 3) return std::nullopt;
+  double round = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector3d &from = way[i - 1], &to = way[i];
+    round += std::atan2(from.x() * to.z() - from.z() * to.x(), from.x() * to.x() + from.z() * to.z());
+  }
+  const auto lowest = std::ranges::min_element(way, {}, [](const Vector3d& p) { return p.y(); });
+  const double drop = std::min(way.front().y(), way.back().y()) - lowest->y();
+  if (std::abs(round) < kLeastWay || drop < kLeastDrop) return std::nullopt;
+  return places[std::size_t(lowest - way.begin())];
+}
+
+/// Whether a triangle belongs to the second half of its patch.
+using IsBeyond = std::function<bool(std::size_t triangle)>;
+
+/// Empty for patches that stay whole.
+IsBeyond cut_of(const HairStrips& hair, const PatchView& patch, const FittedHead& head) {
+  const auto mean = [&hair](std::size_t triangle, const auto& of_corner) {
+    return (of_corner(triangle, 0) + of_corner(triangle, 1) + of_corner(triangle, 2)) / 3;
+  };
+  if (const auto parting = parting_of(hair, patch, head)) {
+    const auto x = [&hair](std::size_t t, std::size_t k) { return double(hair.mesh.corner(t, k).x()); };
+    return [=](std::size_t triangle) { return mean(triangle, x) > *parting; };
+  }
+  if (const auto meeting = meeting_of(hair, patch, head)) {
+    const auto place = [&hair](std::size_t t, std::size_t k) {
+      return hair.strands.place[hair.mesh.triangles[3 * t + k]];
+    };
+    return [=](std::size_t triangle) { return mean(triangle, place) > *meeting; };
+  }
+  return {};
+}
+
 }  // namespace
 
 std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span<const std::string> roots,
@@ -55,20 +113,18 @@ std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span
   const std::uint32_t before = hair.patches.count;
   for (std::uint32_t patch = 0; patch < views.size(); ++patch) {
     const PatchView& view = views[patch];
-    const auto parting = roots[patch] == "auto" ? parting_of(hair, view, head) : std::nullopt;
-    if (!parting) continue;
+    const IsBeyond is_beyond = roots[patch] == "auto" ? cut_of(hair, view, head) : IsBeyond{};
+    if (!is_beyond) continue;
     const std::uint32_t other = hair.patches.add_part_of(patch);
     for (const std::size_t t : view.triangles) {
-      double x = 0;
-      for (std::size_t k = 0; k < 3; ++k) x += double(hair.mesh.corner(t / 3, k).x()) / 3;
-      if (x > *parting) hair.patches.patch_of[t / 3] = other;
+      if (is_beyond(t / 3)) hair.patches.patch_of[t / 3] = other;
     }
   }
   const std::uint32_t more = hair.patches.count - before;
   if (more == 0) return 0;
   hair.separate_patches();
-  findings.note(
-      fmt::format("patches: {} from one side of the head over its top to the other, cut at the parting", more));
+  findings.note(fmt::format(
+      "patches: {} from one side of a parting over or round the head to its other side, cut in the middle", more));
   return more;
 }
 

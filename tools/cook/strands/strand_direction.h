@@ -29,7 +29,8 @@ struct StrandSettings {
                                                 const StrandSettings& settings, Findings& findings);
 
 /// Cuts patches whose strands seem to run from one side of the head over its top to the other, and end there as they began: hair grows
-/// at the top, so that each half has a root of its own, which the places of `hair` cannot say. Those for which `roots` (as
+/// at the top, so that each half has a root of its own, which the places of `hair` cannot say. And those that run from one side of a
+/// parting down and round the head to the other: each half grows at the parting and ends where they meet, lowest. Those for which `roots` (as
 /// StrandSettings has it, of each patch) says where it is stay. Returns how many patches there are more; their strands are to
 /// be found anew.
 std::uint32_t split_partings(HairStrips& hair, const FittedHead& head, std::span<const std::string> roots,

@@ -1,0 +1,122 @@
+#include "cook/size/measured_model.h"
+
+#include "base/text.h"
+#include "cook/select/hair_evidence.h"
+#include "cook/select/select_hair.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace coif {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// Hair is sought at such sizes: a length of its search is one of metres.
+constexpr double kLeastSize = 0.05, kMostSize = 5;
+
+double size_of_model(const SourceModel& model) {
+  Eigen::AlignedBox3f box;
+  for (const SourceMesh& mesh : model.meshes) {
+    for (const Eigen::Vector3f& position : mesh.positions) box.extend(position);
+  }
+  return box.isEmpty() ? 0.0 : double(box.sizes().maxCoeff());
+}
+
+SourceModel without_images(const SourceModel& source) {
+  SourceModel model;
+  model.path = source.path;
+  model.nodes = source.nodes;
+  model.meshes = source.meshes;
+  model.materials = source.materials;
+  model.springs = source.springs;
+  model.head_node = source.head_node;
+  model.facing = source.facing;
+  model.space = source.space;
+  for (const SourceImage& image : source.images) model.images.push_back({image.name, {}});
+  return model;
+}
+
+bool is_called_face_hair(const std::string& name) {
+  static const Names face{"*brow*", "*lash*", "*beard*", "*moustache*", "*mustache*", "*goatee*", "*whisker*"};
+  return matches_any(name, face);
+}
+
+/// By all its meshes' names or materials, or, where they say nothing, by the file's.
+bool is_on_face(const SourceModel& model, const HairMesh& hair) {
+  const auto says_so = [&](std::uint32_t m) {
+    const SourceMesh& mesh = model.meshes[m];
+    return is_called_face_hair(mesh.name) || is_called_face_hair(material_name(model, mesh));
+  };
+  if (!hair.source_meshes.empty() && std::ranges::all_of(hair.source_meshes, says_so)) return true;
+  const std::string file = std::filesystem::path(model.path).stem().string();
+  return model.meshes.size() == hair.source_meshes.size() && is_called_face_hair(file) && !is_called_hair(file);
+}
+
+}  // namespace
+
+KnownModel know_model(const SourceModel& source, const Recipe& recipe) {
+  KnownModel known{without_images(source), 1, {}, {}, false};
+  const double size = size_of_model(source);
+  if (size > 0 && !(size >= kLeastSize && size <= kMostSize)) {
+    known.scale = 1 / size;
+    transform_model(known.model, known.scale, Eigen::Matrix3d::Identity());
+  }
+  if (auto hair = select_hair(known.model, recipe, known.found)) {
+    known.hair = std::move(*hair);
+    known.on_face = is_on_face(known.model, known.hair);
+  }
+  return known;
+}
+
+void turn_hair(HairMesh& hair, const Eigen::Matrix3d& rotation) {
+  const Eigen::Matrix3f turn = rotation.cast<float>();
+  for (Eigen::Vector3f& position : hair.positions) position = turn * position;
+  for (Eigen::Vector3f& normal : hair.normals) normal = turn * normal;
+}
+
+void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& rotation) {
+  Eigen::Affine3d change = Eigen::Affine3d::Identity();
+  change.linear() = factor * rotation;
+  const Eigen::Matrix3f turn = rotation.cast<float>(), move = change.linear().cast<float>();
+  for (SourceNode& node : model.nodes) node.model_from_node = change * node.model_from_node;
+  for (SourceMesh& mesh : model.meshes) {
+    for (Eigen::Vector3f& position : mesh.positions) position = move * position;
+    for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal).normalized();
+  }
+  for (SourceCollider& collider : model.colliders) {
+    collider.center = change * collider.center;
+    collider.tail = change * collider.tail;
+    collider.normal = (rotation * collider.normal).normalized();
+    collider.radius *= factor;
+  }
+  for (SourceSpring& spring : model.springs) {
+    for (SourceSpringJoint& joint : spring.joints) {
+      for (double* length : {&joint.length, &joint.stiffness, &joint.gravity_power, &joint.hit_radius})
+        *length *= factor;
+      joint.gravity_direction = (rotation * joint.gravity_direction).normalized();
+    }
+  }
+}
+
+std::vector<Eigen::Vector3d> joints_of(const SourceModel& model, BodyPart part) {
+  static const Names neck{"*neck*"};
+  static const Names trunk{"*hips*", "*pelvis*", "*spine*", "*chest*", "*torso*", "*abdomen*"};
+  static const Names feet{"*foot*", "*ankle*", "*toe*"};
+  static const Names others{"*hair*",    "*ik*",       "*pole*", "*target*", "*ctrl*",
+                            "*control*", "*necklace*", "*mesh*", "*spring*"};
+  const Names& names = part == BodyPart::kNeck ? neck : part == BodyPart::kTrunk ? trunk : feet;
+  std::vector<bool> carries_mesh(model.nodes.size(), false);
+  for (const SourceMesh& mesh : model.meshes) carries_mesh[mesh.node] = true;
+  std::vector<Eigen::Vector3d> joints;
+  for (std::uint32_t n = 0; n < model.nodes.size(); ++n) {
+    const std::string& name = model.nodes[n].name;
+    if (carries_mesh[n] || !matches_any(name, names) || matches_any(name, others)) continue;
+    joints.push_back(model.nodes[n].model_from_node.translation());
+  }
+  return joints;
+}
+
+}  // namespace coif

@@ -1,0 +1,205 @@
+#include "cook/size/settle_size.h"
+
+#include "base/text.h"
+#include "cook/size/size_evidence.h"
+#include "cook/size/trust.h"
+#include "cook/size/up_evidence.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+// Of sums of logarithms of likelihoods.
+constexpr double kFits = -2;        ///< Another unit or axis has to suit the model so well,
+constexpr double kSaysLittle = -1;  ///< and the file's so badly, that anything is said.
+constexpr double kNarrow = 1.7;     ///< A lead below this is worth a warning.
+constexpr double kAbsurd = 4;       ///< By so much a caller's word has to be the worse one.
+
+struct Vote {
+  double factor = 1;
+  double prior = 0;
+  double evidence = 0;
+  [[nodiscard]] double sum() const { return prior + evidence; }
+};
+
+std::string length_text(double metres) {
+  if (metres < 0.01) return fmt::format("{:.2g} mm", 1000 * metres);
+  return metres < 1 ? fmt::format("{:.3g} cm", 100 * metres) : fmt::format("{:.3g} m", metres);
+}
+
+/// "the head's radius 0.94 m instead of 7.5 cm to 17 cm", those that speak most.
+std::string lengths_text(std::vector<SizeEvidence> evidence, double factor) {
+  const auto likelihood = [&](const SizeEvidence& item) { return size_likelihood(std::span(&item, 1), factor); };
+  std::ranges::stable_sort(evidence, {}, likelihood);
+  std::vector<std::string> parts;
+  for (const SizeEvidence& item : evidence) {
+    if (parts.size() == 3 || (!parts.empty() && likelihood(item) > -0.05)) break;
+    parts.push_back(fmt::format("{} {}, usually {} to {}", item.what, length_text(item.metres * factor),
+                                length_text(item.low), length_text(item.high)));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// A unit as a recipe has it.
+std::string unit_text(const SourceSpace& space, double factor) {
+  return fmt::format("{:.4g}", space.metres_per_unit * factor);
+}
+
+void say_other_unit(const SourceSpace& space, const std::vector<SizeEvidence>& evidence, double factor,
+                    JudgedSize& judged) {
+  const std::string before = lengths_text(evidence, 1), after = lengths_text(evidence, factor);
+  judged.factor = factor;
+  judged.doubts.push_back(
+      {SizeDoubt::Of::kOtherUnit,
+       space.unit == Statement::kUnsaid
+           ? fmt::format("{}; in metres there were {}; taken as {} m per unit, with {}: set \"source.metres_per_unit\" "
+                         "in the recipe "
+                         "if that is wrong",
+                         space.unit_words, before, unit_text(space, factor), after)
+           : fmt::format("the file's unit ({}) would make {}; taken as {} m per unit instead, with {}: set "
+                         "\"source.metres_per_unit\": {} in the recipe if the file is right",
+                         space.unit_words, before, unit_text(space, factor), after, unit_text(space, 1))});
+}
+
+void say_doubtful_unit(const SourceSpace& space, const std::vector<SizeEvidence>& evidence, double other,
+                       JudgedSize& judged) {
+  const std::string now = lengths_text(evidence, 1), then = lengths_text(evidence, other);
+  judged.doubts.push_back(
+      {SizeDoubt::Of::kDoubtfulUnit,
+       space.unit == Statement::kGiven
+           ? fmt::format("the recipe's \"source.metres_per_unit\": {} makes {}; {} would make {}: check it",
+                         unit_text(space, 1), now, unit_text(space, other), then)
+           : fmt::format("the unit is doubtful: {} m per unit ({}) makes {}; {} would make {}: set "
+                         "\"source.metres_per_unit\" in "
+                         "the recipe to the right one",
+                         unit_text(space, 1), space.unit_words, now, unit_text(space, other), then)});
+}
+
+void judge_unit(const KnownModel& known, const Recipe& recipe, JudgedSize& judged) {
+  const SourceSpace& space = known.model.space;
+  const std::vector<SizeEvidence> evidence = measure_model(known, recipe);
+  if (evidence.empty()) return;
+  std::vector<Vote> votes;
+  for (const UnitPrior& prior : unit_priors(known.model, recipe)) {
+    votes.push_back({prior.factor, prior.likelihood, size_likelihood(evidence, prior.factor)});
+  }
+  const Vote& own = votes.front();  // the file's, or metres
+  const auto best = std::ranges::max_element(votes, {}, &Vote::sum);
+  const Vote& rival = *std::ranges::max_element(votes.begin() + 1, votes.end(), {}, &Vote::sum);
+  judged.notes.push_back(fmt::format("size by {}: {}; log-likelihood {:.1f} + {:.1f}, of {} m per unit {:.1f} + {:.1f}",
+                                     space.unit_words, lengths_text(evidence, 1), own.prior, own.evidence,
+                                     unit_text(space, rival.factor), rival.prior, rival.evidence));
+  if (space.unit == Statement::kGiven) {
+    if (rival.evidence - own.evidence > kAbsurd && rival.evidence > kFits)
+      say_doubtful_unit(space, evidence, rival.factor, judged);
+    return;
+  }
+  if (best->factor != 1 && best->evidence > kFits) return say_other_unit(space, evidence, best->factor, judged);
+  const bool nearly_loses = own.sum() - rival.sum() < kNarrow && rival.evidence > kFits;
+  if (own.evidence < kSaysLittle && (nearly_loses || own.evidence < -kAbsurd))
+    say_doubtful_unit(space, evidence, rival.factor, judged);
+}
+
+struct UpVote {
+  std::size_t up = 0;
+  double prior = 0;
+  double evidence = 0;
+  [[nodiscard]] double sum() const { return prior + evidence; }
+};
+
+std::string against_text(const std::vector<UpEvidence>& evidence, std::size_t own, std::size_t rival) {
+  std::vector<std::string> parts;
+  for (const UpEvidence& item : evidence) {
+    if (item.likelihood[rival] > item.likelihood[own] + 0.3) parts.push_back(item.what);
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// A direction of the model as the file has it, before it was turned.
+std::string axis_text(const SourceSpace& space, std::size_t up) {
+  Eigen::Vector3d direction = up_direction(up);
+  if (space.up_axis == 'z') direction = Eigen::Vector3d(direction.x(), -direction.z(), direction.y());
+  if (space.up_axis == 'x') direction = Eigen::Vector3d(direction.y(), -direction.x(), direction.z());
+  Eigen::Index axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return fmt::format("{}{}", direction[axis] < 0 ? '-' : '+', char('X' + axis));
+}
+
+void judge_up(const KnownModel& known, JudgedSize& judged) {
+  const SourceSpace& space = known.model.space;
+  const std::vector<UpEvidence> evidence = weigh_ups(known);
+  if (evidence.empty()) return;
+  std::vector<UpVote> votes;
+  const auto priors = up_priors(known.model);
+  for (std::size_t up = 0; up < kUps; ++up) {
+    UpVote vote{up, priors[up], 0};
+    for (const UpEvidence& item : evidence) vote.evidence += item.likelihood[up];
+    votes.push_back(vote);
+  }
+  const UpVote& own = votes.front();
+  const UpVote& rival = *std::ranges::max_element(votes.begin() + 1, votes.end(), {}, &UpVote::sum);
+  judged.notes.push_back(fmt::format("up by {}: log-likelihood {:.1f} + {:.1f}, of the file's {} {:.1f} + {:.1f}",
+                                     space.up_words, own.prior, own.evidence, axis_text(space, rival.up), rival.prior,
+                                     rival.evidence));
+  const std::string why = against_text(evidence, own.up, rival.up), axis = axis_text(space, rival.up);
+  const double lead = own.sum() - rival.sum();
+  if (space.up == Statement::kGiven) {
+    if (rival.evidence - own.evidence > kAbsurd) {
+      judged.doubts.push_back(
+          {SizeDoubt::Of::kDoubtfulUp,
+           fmt::format("the recipe's \"source.up_axis\": \"{}\" is doubtful: with the file's {} up {}: check it",
+                       space.up_axis, axis, why)});
+    }
+  } else if (lead < 0) {
+    judged.rotation = y_up_from_direction(rival.up);
+    judged.doubts.push_back(
+        {SizeDoubt::Of::kOtherUp,
+         fmt::format("up is the file's {} and not what it says ({}): with that, {}; the model was turned: set "
+                     "\"source.up_axis\": \"{}\" in the recipe if the file is right",
+                     axis, space.up_words, why, space.up_axis)});
+  } else if (lead < kNarrow && own.evidence < kSaysLittle) {
+    judged.doubts.push_back(
+        {SizeDoubt::Of::kDoubtfulUp,
+         fmt::format("up is doubtful: it is as the file says ({}), though with the file's {} up {}: set "
+                     "\"source.up_axis\" in the recipe, to \"{}\" if the file is right",
+                     space.up_words, axis, why, space.up_axis)});
+  }
+}
+
+}  // namespace
+
+JudgedSize judge_size(const SourceModel& source, const Recipe& recipe) {
+  JudgedSize judged;
+  KnownModel known = know_model(source, recipe);
+  judge_up(known, judged);
+  if (!judged.rotation.isIdentity()) {
+    transform_model(known.model, 1, judged.rotation);
+    turn_hair(known.hair, judged.rotation);
+  }
+  judge_unit(known, recipe, judged);
+  if (!judged.changes() && known.scale == 1 && !known.hair.triangles.empty()) {
+    judged.hair = SelectedHair{std::move(known.hair), std::move(known.found)};
+  }
+  return judged;
+}
+
+SourceModel settled(SourceModel source, const JudgedSize& size) {
+  transform_model(source, size.factor, size.rotation);
+  return source;
+}
+
+SettledSource settle_size(const SourceModel& source, const Recipe& recipe, Findings& findings) {
+  JudgedSize size = judge_size(source, recipe);
+  for (const std::string& note : size.notes) findings.note(note);
+  for (const SizeDoubt& doubt : size.doubts) findings.warn(doubt.text);
+  if (!size.changes()) return {std::nullopt, std::move(size.hair)};
+  return {settled(source, size), std::nullopt};
+}
+
+}  // namespace coif

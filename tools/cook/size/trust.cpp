@@ -1,0 +1,76 @@
+#include "cook/size/trust.h"
+
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace coif {
+namespace {
+
+// How much less likely another unit or axis than the file's is.
+constexpr double kHumanoid = 5.5;  ///< VRM: its exporters ask for a person of some height.
+constexpr double kByDefinition = 4;
+constexpr double kByChoice = 3.5;
+constexpr double kByHabit = 2.5;
+constexpr double kByConverter = 2.5;
+constexpr double kByRecipe = 4;  ///< More, where the recipe has lengths that somebody read off the model as it is.
+
+constexpr double kMetresPerInch = 0.0254, kMetresPerFoot = 0.3048;
+constexpr double kImperial = 1.5;  ///< Inches and feet are rarer than powers of ten.
+constexpr double kRarePower = 1;   ///< Beyond a factor of 100.
+
+bool is_converter(const std::string& generator) {
+  static const std::vector<std::string> names{"*assimp*", "*open asset import*", "*trimesh*", "*obj2gltf*", "*meshlab*",
+                                              "*open3d*", "*cloudcompare*"};
+  return matches_any(generator, names);
+}
+
+double trust_in(Statement statement) {
+  switch (statement) {
+    case Statement::kGiven: return kHumanoid;
+    case Statement::kDeclared: return kByDefinition;
+    case Statement::kUsual: return kByHabit;
+    case Statement::kUnsaid: break;
+  }
+  return 0;
+}
+
+/// Of files without a unit: what modellers count in.
+std::vector<UnitPrior> customs() {
+  return {{1, 0},   {0.01, 0}, {0.1, -0.3}, {0.001, -0.5}, {kMetresPerInch, -2}, {kMetresPerFoot, -3},
+          {10, -3}, {100, -4}, {0.0001, -4}};
+}
+
+}  // namespace
+
+std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe) {
+  const SourceSpace& space = model.space;
+  if (space.unit == Statement::kUnsaid) return customs();
+  double trust = trust_in(space.unit);
+  if (model.head_node != kNoIndex) trust = kHumanoid;
+  if (is_converter(space.generator)) trust = std::min(trust, kByConverter);
+  if (recipe.head_center && recipe.head_radii) trust += kByRecipe;
+  std::vector<UnitPrior> priors{{1, 0}};
+  for (const double factor : {0.1, 10.0, 0.01, 100.0}) priors.push_back({factor, -trust});
+  for (const double factor : {0.001, 1000.0}) priors.push_back({factor, -trust - kRarePower});
+  for (const double unit : {kMetresPerInch, kMetresPerFoot}) {
+    priors.push_back({unit / space.metres_per_unit, -trust - kImperial});
+  }
+  return priors;
+}
+
+std::array<double, kUps> up_priors(const SourceModel& model) {
+  const SourceSpace& space = model.space;
+  double trust = space.up == Statement::kUnsaid ? 1.5 : kByChoice;
+  if (model.head_node != kNoIndex) trust = kHumanoid;
+  if (is_converter(space.generator) && space.up != Statement::kUnsaid) trust = kByConverter;
+  // Y and Z are taken for each other. What was turned once already is turned back; else the file's own Z comes up.
+  constexpr double kUnlikely = 2, kStrange = 3;
+  const bool turned = space.up_axis != 'y';
+  const double z = turned ? kUnlikely : 0, minus_z = turned ? 0 : kUnlikely;
+  return {0, -trust - z, -trust - minus_z, -trust - kUnlikely, -trust - kStrange, -trust - kStrange};
+}
+
+}  // namespace coif
