@@ -70,6 +70,26 @@ LoadStatus check_colliders(const Asset& asset) {
   return check_collider_sets(asset);
 }
 
+namespace {
+
+constexpr float kMostFriction = 1.0e6f;  ///< Per second; of damping too.
+
+LoadStatus check_asked(const Asset& asset) {
+  const auto asked = asset.asked();
+  if (!asked.empty() && asked.size() != asset.bones().size()) {
+    return {LoadCode::kChunkSize, chunk::kAsked, 0, asset.bones().size(), asked.size()};
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const AskedRecord& a = asked[i];
+    const bool good = in_range(a.friction, 0.0f, kMostFriction) && in_range(a.damping, 0.0f, kMostFriction) &&
+                      in_range(a.parent_share, 0.0f, 1.0f);
+    if (!good) return {LoadCode::kNotFinite, chunk::kAsked, i};
+  }
+  return {};
+}
+
+}  // namespace
+
 LoadStatus check_dynamics(const Asset& asset) {
   const auto dynamics = asset.dynamics();
   if (dynamics.empty() && asset.skeleton().simulated_count == 0) return {};
@@ -79,15 +99,15 @@ LoadStatus check_dynamics(const Asset& asset) {
   }
   for (std::size_t i = 0; i < dynamics.size(); ++i) {
     const DynamicsRecord& d = dynamics[i];
-    const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, 1.0e6f) &&
+    const bool good = in_range(d.resistance, 0.0f, 1.0f) && in_range(d.friction, 0.0f, kMostFriction) &&
                       in_range(d.gravity_scale, -1.0e3f, 1.0e3f) && in_range(d.authoring_rate, 1.0f, 1.0e5f) &&
                       in_range(d.hit_radius, 0.0f, kMaxCoordinate) && in_range(d.stiffness, 0.0f, 1.0e12f) &&
-                      in_range(d.damping, 0.0f, 1.0e6f) && in_range(d.torsion, 0.0f, 1.0e6f) &&
+                      in_range(d.damping, 0.0f, kMostFriction) && in_range(d.torsion, 0.0f, 1.0e6f) &&
                       in_range(d.angle_limit, 0.0f, kNoAngleLimit) && in_range(d.parent_share, 0.0f, 1.0f) &&
                       all_finite(d.lean) && d.lean[0] * d.lean[0] + d.lean[1] * d.lean[1] <= 1.0f;
     if (!good) return {LoadCode::kNotFinite, chunk::kDynamics, i};
   }
-  return {};
+  return check_asked(asset);
 }
 
 namespace {

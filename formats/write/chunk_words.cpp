@@ -18,6 +18,7 @@ constexpr ChunkGroup kGroups[] = {
     {"names", "bones cannot be found by name"},
     {"provenance", "nothing says what it was made from"},
     {"quality", "nothing says what other settings would cost"},
+    {"asked", "Algorithm 1 reads the friction that chains were given so that they have one motion"},
     {"tuning", "it is simulated with the host's sub-steps"},
     {"colliders", "hair passes through the head"},
     {"motion", "hair is rigid with the head"},

@@ -99,10 +99,16 @@ StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, const 
   return parts;
 }
 
+/// As the solver reads it.
+DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone) {
+  DynamicsRecord dynamics = asset.dynamics()[bone];
+  if (solver.reads_asked && !asset.asked().empty()) dynamics.friction = asset.asked()[bone].friction;
+  return dynamics;
+}
+
 /// True where the two bones of the asset move alike.
-bool alike(const Asset& asset, std::uint32_t a, std::uint32_t b) {
-  const DynamicsRecord& one = asset.dynamics()[a];
-  const DynamicsRecord& other = asset.dynamics()[b];
+bool alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b) {
+  const DynamicsRecord one = dynamics_for(solver, asset, a), other = dynamics_for(solver, asset, b);
   return one.stiffness == other.stiffness && one.damping == other.damping && one.friction == other.friction &&
          one.gravity_scale == other.gravity_scale && asset.bones()[a].length == asset.bones()[b].length;
 }
@@ -115,15 +121,19 @@ void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, c
     const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, lane);
     to.begin = lane;
     to.end = lane + 1;
-    while (to.end < kLanes && alike(crowd.asset, bone, bone_in_lane(crowd.asset, row, i, to.end))) ++to.end;
-    row.solver->set_coefficients(terms, crowd.asset.dynamics()[bone], crowd.asset.bones()[bone].length, to);
+    const auto is_alike = [&](std::uint32_t other) {
+      return alike(*row.solver, crowd.asset, bone, bone_in_lane(crowd.asset, row, i, other));
+    };
+    while (to.end < kLanes && is_alike(to.end)) ++to.end;
+    const DynamicsRecord dynamics = dynamics_for(*row.solver, crowd.asset, bone);
+    row.solver->set_coefficients(terms, dynamics, crowd.asset.bones()[bone].length, to);
   }
 }
 
-/// True where bone `i` of both rows moves alike in every lane.
+/// True where bone `i` of both rows, which one solver moves, moves alike in every lane.
 bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    if (!alike(asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
+    if (!alike(*a.solver, asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
   }
   return true;
 }

@@ -47,6 +47,7 @@ struct Solver {
   std::uint32_t scratch_from = 0;     ///< if that has more bones than this.
   bool carries_frames = false;        ///< Bones may twist.
   bool has_substeps = false;
+  bool reads_asked = false;  ///< Friction as the artist asked for, whatever the chain was given to have one motion.
 
   RowFunction* (*row_code)(InstructionSet set) = nullptr;
   void (*set_coefficients)(const StepTerms& terms, const DynamicsRecord& dynamics, float length,

@@ -84,6 +84,28 @@ void expect_helped(int bones) {
   expect_well_posed(contents);
 }
 
+/// Where `solver` has the bones after a turn of the head.
+std::vector<Eigen::Vector3d> turned(const AssetContents& contents, const Solver& solver) {
+  const OpenedAsset opened(contents);
+  RuntimeSolver runtime(opened.asset(), {}, solver, 1);
+  const auto path = path_of(Motion::kTurn);
+  runtime.reset(path->pose(0));
+  for (int frame = 1; frame <= 30; ++frame) EXPECT_TRUE(runtime.step(path->pose(frame / 60.0), 1 / 60.0));
+  return {runtime.bone_ends().begin(), runtime.bone_ends().end()};
+}
+
+TEST(ConditionChains, AlgorithmOneStillReadsTheArtistsNumbers) {
+  TestRig rig = rig_of_chain({.bones = 16, .length = 0.4f, .damping_ratio = 0.3});
+  for (DynamicsRecord& bone : rig.dynamics) bone.resistance = 0.2f;
+  const AssetContents asked = named(rig);
+  AssetContents given = asked;
+  given.asked = asked_of(asked.dynamics);
+  given.dynamics = conditioned(asked).made;
+  ASSERT_FALSE(same(given.dynamics, asked.dynamics));
+  EXPECT_EQ(turned(given, kThesisSolver), turned(asked, kThesisSolver));
+  EXPECT_NE(turned(given, kCoifSolver), turned(asked, kCoifSolver));
+}
+
 TEST(ConditionChains, SixteenBonesBecomeWellPosed) { expect_helped(16); }
 
 TEST(ConditionChains, SixtyFourBonesBecomeWellPosed) { expect_helped(64); }

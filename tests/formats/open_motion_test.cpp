@@ -61,6 +61,17 @@ TEST(OpenDynamics, EveryBoneHasARecordThatLeansNoFurtherThanItsLength) {
   EXPECT_EQ(refusal([](auto& a) { a.dynamics[2].lean[1] = std::nanf(""); }), LoadCode::kNotFinite);
 }
 
+TEST(OpenAsked, EveryFieldHasItsLimitsAndEveryBoneARecord) {
+  using A = AskedRecord;
+  constexpr Limits<A> kLimits[] = {
+      {"friction", &A::friction, 0, 1.0e6f}, {"damping", &A::damping, 0, 1.0e6f}, {"parent_share", &A::parent_share, 0, 1}};
+  for (const std::size_t bone : {0u, 4u}) {
+    expect_limits(kLimits, [bone](AssetContents& a) -> AskedRecord& { return a.asked[bone]; });
+  }
+  EXPECT_EQ(refusal([](auto& a) { a.asked.clear(); }), LoadCode::kOk);
+  EXPECT_EQ(refusal([](auto& a) { a.asked.pop_back(); }), LoadCode::kChunkSize);
+}
+
 TEST(OpenTuning, GivesBackWhatWasWritten) {
   const AssetContents contents = small_asset();
   AlignedBytes file(write_asset(contents));

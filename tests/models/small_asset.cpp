@@ -109,6 +109,7 @@ AssetContents small_asset() {
   for (std::size_t i = 0; i < asset.bones.size(); ++i) {
     asset.dynamics.push_back({0.3f, 2.0f, 1.0f, 60.0f, 0.005f, 1543.0f, 21.4f, 20.0f, kNoAngleLimit, 1.0f, {}});
   }
+  for (std::size_t i = 0; i < asset.bones.size(); ++i) asset.asked.push_back({1.5f, 10.7f, 0.9f});
   add_colliders(asset);
   add_tuning(asset);
   add_mesh(asset);
@@ -141,6 +142,7 @@ double touch_asset(const Asset& asset) {
     sum += d.resistance + d.friction + d.gravity_scale + d.hit_radius;
     sum += d.stiffness + d.damping + d.torsion + d.angle_limit + d.parent_share;
   }
+  for (const AskedRecord& a : asset.asked()) sum += a.friction + a.damping + a.parent_share;
   for (const ColliderRecord& c : asset.colliders())
     sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3] + c.axis[1];
   if (const TuningRecord* t = asset.tuning(); t != nullptr) sum += t->substep_rate + t->reached_error + t->cost;

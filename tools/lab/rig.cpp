@@ -34,6 +34,12 @@ RigBone bone_of(const BoneRecord& bone, const DynamicsRecord& dynamics, std::uin
   return out;
 }
 
+std::optional<AskedRecord> changed_from(const AskedRecord& asked, const DynamicsRecord& given) {
+  const bool is_same = asked.friction == given.friction && asked.damping == given.damping &&
+                       asked.parent_share == given.parent_share;
+  return is_same ? std::nullopt : std::optional(asked);
+}
+
 void find_tips(const Asset& asset, Rig& rig) {
   std::vector<bool> has_child(rig.bones.size());
   std::vector<double> length(rig.bones.size());
@@ -59,6 +65,7 @@ Rig rig_of(const Asset& asset) {
     rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
     rig.bones.back().air_follow = 1 - double(asset.skeleton().air_lag);
     rig.bones.back().model = asset.chains()[asset.bones()[i].chain].model;
+    if (!asset.asked().empty()) rig.bones.back().asked = changed_from(asset.asked()[i], asset.dynamics()[i]);
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
   find_tips(asset, rig);
@@ -67,6 +74,16 @@ Rig rig_of(const Asset& asset) {
 
 Rig in_model(Rig rig, ChainModel model) {
   for (RigBone& bone : rig.bones) bone.model = model;
+  return rig;
+}
+
+Rig as_asked(Rig rig) {
+  for (RigBone& bone : rig.bones) {
+    if (!bone.asked) continue;
+    bone.friction = bone.asked->friction;
+    bone.damping = bone.asked->damping;
+    bone.parent_share = bone.asked->parent_share;
+  }
   return rig;
 }
 

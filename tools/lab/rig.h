@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct RigBone {
   Eigen::Vector3d leaning = Eigen::Vector3d::Zero();
   std::uint32_t colliders = 0;
   ChainModel model = ChainModel::kCascade;  ///< The same for all bones of a tree.
+  /// Where the cook gave the chain other numbers than the artist.
+  std::optional<AskedRecord> asked;
 
   [[nodiscard]] const Eigen::Vector3d& pull_direction() const { return leaning.isZero() ? rest_direction : leaning; }
 };
@@ -55,6 +58,9 @@ struct Rig {
 
 /// The same bones, all moved by `model`.
 [[nodiscard]] Rig in_model(Rig rig, ChainModel model);
+
+/// The same bones with the numbers that the artist asked for.
+[[nodiscard]] Rig as_asked(Rig rig);
 
 /// A part of a rig, for measurements that would take too long on all of it.
 struct RigSample {

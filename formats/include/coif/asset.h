@@ -57,6 +57,8 @@ class COIF_API Asset {
   [[nodiscard]] const char* bone_name(std::uint32_t bone) const;
   [[nodiscard]] std::span<const ChainRecord> chains() const { return records<chunk::kChains>(); }
   [[nodiscard]] std::span<const DynamicsRecord> dynamics() const { return records<chunk::kDynamics>(); }
+  /// One per bone, or empty where dynamics() are the artist's own numbers.
+  [[nodiscard]] std::span<const AskedRecord> asked() const { return records<chunk::kAsked>(); }
   [[nodiscard]] std::span<const ColliderRecord> colliders() const { return records<chunk::kColliders>(); }
 
   [[nodiscard]] std::span<const VertexRecord> vertices() const { return records<chunk::kVertices>(); }

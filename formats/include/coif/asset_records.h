@@ -103,6 +103,15 @@ struct DynamicsRecord {
 };
 static_assert(sizeof(DynamicsRecord) == 48);
 
+/// What the artist asked for where DynamicsRecord has something else: the numbers of a bone before its chain was made to have
+/// one motion. `thesis` reads the friction of here, and so do the comparisons of `coif report`, with all the rest.
+struct AskedRecord {
+  float friction;      ///< As DynamicsRecord::friction.
+  float damping;       ///< As DynamicsRecord::damping.
+  float parent_share;  ///< As DynamicsRecord::parent_share.
+};
+static_assert(sizeof(AskedRecord) == 12);
+
 /// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most 1) goes
 /// along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"), what is left of a
 /// unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.

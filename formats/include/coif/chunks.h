@@ -58,6 +58,8 @@ static_assert(sizeof(ChunkEntry) == 32);
       "motion", "chains")                                                                                                \
   ROW(kDynamics, "DYNA", DynamicsRecord, kMany, dynamics, 16, kSimulation, idle_without(chunk::kChains),                 \
       "motion", "how each bone moves")                                                                                   \
+  ROW(kAsked, "ASKD", AskedRecord, kMany, asked, 16, kSimulation, idle_without(chunk::kDynamics),                        \
+      "asked motion", "how each bone moves by the artist's own numbers")                                                 \
   ROW(kColliders, "COLL", ColliderRecord, kMany, colliders, 16, kSimulation, needs_nothing(),                            \
       "colliders motion", "colliders")                                                                                   \
   ROW(kVertices, "VERT", VertexRecord, kMany, vertices, 16, kDrawData, refused_without(chunk::kIndices, chunk::kPatches), \

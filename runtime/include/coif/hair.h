@@ -24,7 +24,7 @@ inline constexpr float kLongestStep = 0.5f;
 
 /// How bones are moved. A program links only those that it names.
 struct Solver;
-/// Algorithm 1 as published (thesis 5.2), on the resistances and friction in the asset. What surrounds it is this library's, as for all:
+/// Algorithm 1 as published (thesis 5.2), on the artist's resistances and friction (Asset::asked()). What surrounds it is this library's, as for all:
 /// air that goes along with the head, teleports, sleep, hitches; published_step() is the step without any of that.
 extern COIF_API const Solver kThesisSolver;
 /// Which of the next two moves a chain, the asset says. The models are in runtime/docs/MODEL.md: the same at every frame rate,

@@ -165,4 +165,10 @@ std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, std:
   return std::move(conditioned.dynamics);
 }
 
+std::vector<AskedRecord> asked_of(std::span<const DynamicsRecord> dynamics) {
+  std::vector<AskedRecord> asked;
+  for (const DynamicsRecord& bone : dynamics) asked.push_back({bone.friction, bone.damping, bone.parent_share});
+  return asked;
+}
+
 }  // namespace coif

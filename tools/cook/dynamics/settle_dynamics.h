@@ -29,6 +29,9 @@ namespace coif {
                                                            std::span<const IllPosedChains> ill_posed, unsigned threads,
                                                            Findings& findings);
 
+/// What conditioning may change, of bones as they were before it: for AssetContents::asked.
+[[nodiscard]] std::vector<AskedRecord> asked_of(std::span<const DynamicsRecord> dynamics);
+
 /// A frame that is the shortest arc from the parent's needs no memory, but it flips where a bone folds back over its parent
 /// (runtime/docs/MODEL.md, "Frames and twist"). Looks how far the bones of each chain bend from their default direction by
 /// the parent: chains that stay below 120 degrees do without a twist, which is left out. What cannot bend so far, for its
