@@ -1,4 +1,4 @@
-// Shadows on hair, and on whatever a host draws.
+// Shadows on hair, and on whatever a host draws. What fills the deep shadow map is in hair_peel.glsl.
 
 //// hair_shadow_solid.glsl
 // What shadow maps of both kinds have in common: a map of depths, which alone is a plain shadow map. For a host's own fragment
@@ -57,11 +57,41 @@ float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
   return hair_solid_pass(p, slope, depth, map);
 }
 
-//// hair_shadow_deep.glsl after hair_shadow_solid.glsl
-// The share of a light that reaches a point, by deep opacity maps (Yuksel and Keyser 2008; HairShadow with
-// kDeepOpacityShadow), after a line that defines COIF_SHADOW_LAYERS as 4 or 8. Solid things are in a map of their own.
+//// hair_shadow_layered.glsl after hair_shadow_solid.glsl
+// What maps have in common that tell how light fades on its way into the hair. Solid things are in a map of their own.
 
-uniform highp sampler2D hair_shadow_front;        // where the light first meets hair
+// Of the light that comes down on one texel of the map; `z`: of the surface there, as the map has it.
+float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map);
+
+// The share that passes the hair, filtered by hand: each texel has depths of its own.
+float hair_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
+  vec2 place = p.xy * map.x - 0.5;
+  vec2 share = fract(place);
+  vec2 step_z = slope / map.x;  // from texel to texel
+  float z = p.z - dot(share, step_z);
+  ivec2 last = ivec2(map.x) - 1;
+  ivec2 low = clamp(ivec2(floor(place)), ivec2(0), last), high = min(low + 1, last);
+  float below = mix(hair_texel_pass(low, z, depth, map),
+                    hair_texel_pass(ivec2(high.x, low.y), z + step_z.x, depth, map), share.x);
+  float above = mix(hair_texel_pass(ivec2(low.x, high.y), z + step_z.y, depth, map),
+                    hair_texel_pass(high, z + step_z.x + step_z.y, depth, map), share.x);
+  return mix(below, above, share.y);
+}
+
+float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
+  if (place.w <= 0.0) return 1.0;  // behind the light
+  vec3 p = place.xyz / place.w;
+  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return 1.0;
+  p.z = min(p.z, 1.0);  // behind the map's far end the last thing that it has still casts its shadow
+  return hair_solid_pass(p, slope, depth, map) * hair_pass(p, slope, depth, map);
+}
+
+//// hair_shadow_deep.glsl after hair_shadow_layered.glsl
+// The share of a light that reaches a point, by deep opacity maps (Yuksel and Keyser 2008; HairShadow with
+// kDeepOpacityShadow), after a line that defines COIF_SHADOW_LAYERS as 4 or 8. Solid hair is in the map of
+// solid things, where its edge in depth is sharp; layers hold what light passes.
+
+uniform highp sampler2D hair_shadow_front;        // where the light first meets hair that it passes
 uniform highp sampler2D hair_shadow_layers;       // opacity, -log(1 - alpha), of the hair in each layer
 #if COIF_SHADOW_LAYERS == 8
 uniform highp sampler2D hair_shadow_far_layers;
@@ -78,8 +108,7 @@ const vec4 kLayerBegin = vec4(0.0, 1.0, 3.0, 7.0);
 const vec4 kLayerThickness = vec4(1.0, 2.0, 4.0, 8.0);
 #endif
 
-// Of the light that comes down on one texel; `z`: of the surface there, as the map has it.
-float hair_layers_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
+float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
   float front = texelFetch(hair_shadow_front, texel, 0).r;
   float metres = hair_shadow_metres(z, depth) - depth.w - hair_shadow_metres(front, depth);
   float into = metres / map.y;
@@ -93,27 +122,83 @@ float hair_layers_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
   return exp(-map.z * opacity);
 }
 
-// The share that passes the hair, filtered by hand: each texel's layers begin at a depth of their own.
-float hair_pass(vec3 p, vec2 slope, vec4 depth, vec4 map) {
-  vec2 place = p.xy * map.x - 0.5;
-  vec2 share = fract(place);
-  vec2 step_z = slope / map.x;  // from texel to texel
-  float z = p.z - dot(share, step_z);
-  ivec2 last = ivec2(map.x) - 1;
-  ivec2 low = clamp(ivec2(floor(place)), ivec2(0), last), high = min(low + 1, last);
-  float below = mix(hair_layers_pass(low, z, depth, map),
-                    hair_layers_pass(ivec2(high.x, low.y), z + step_z.x, depth, map), share.x);
-  float above = mix(hair_layers_pass(ivec2(low.x, high.y), z + step_z.y, depth, map),
-                    hair_layers_pass(high, z + step_z.x + step_z.y, depth, map), share.x);
-  return mix(below, above, share.y);
+//// hair_shadow_steps.glsl after hair_shadow_layered.glsl
+// The share of a light that reaches a point, by deep shadow maps (Lokovic and Veach 2000; HairShadow with kDeepShadow). How
+// much light passes a texel's hair is a function of depth; the map has the two steps that come nearest to it. A step lies
+// half way between the hair that takes the light and the hair behind it, so neither needs a bias (Woo 1992, "The shadow
+// depth map revisited").
+
+// 13 bits: depth of the first step; 9: how far behind it the second one is; 5 and 5: what passes the first, and both.
+uniform highp usampler2D hair_shadow_steps;
+
+const float kStepPlaces = 8191.0, kStepGaps = 511.0, kStepShares = 31.0, kStepDepthBits = 13.0;
+
+float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
+  uint bits = texelFetch(hair_shadow_steps, texel, 0).r;
+  float behind = z * kStepPlaces - float(bits >> 19);
+  if (behind <= 0.0) return 1.0;
+  float gap = exp2(float((bits >> 10) & 511u) * (kStepDepthBits / kStepGaps)) - 1.0;
+  return float(behind <= gap ? (bits >> 5) & 31u : bits & 31u) / kStepShares;
 }
 
-float hair_light(vec4 place, vec2 slope, vec4 depth, vec4 map) {
-  if (place.w <= 0.0) return 1.0;  // behind the light
-  vec3 p = place.xyz / place.w;
-  if (min(p.x, p.y) < 0.0 || max(p.x, p.y) > 1.0) return 1.0;
-  p.z = min(p.z, 1.0);  // behind the map's far end the last thing that it has still casts its shadow
-  return hair_solid_pass(p, slope, depth, map) * hair_pass(p, slope, depth, map);
+//// hair_shadow_slices.glsl after hair_shadow_layered.glsl
+// The share of a light that reaches a point, by opacity shadow maps (Kim and Neumann 2001; HairShadow with kOpacityShadow),
+// after a line that defines COIF_SHADOW_SLICES as 4, 8 or 12: planes across the light, equally far apart over all of the
+// map's depth, each with the opacity, -log(1 - alpha), of all soft hair before it. Solid hair is in the map of solid things.
+
+uniform highp sampler2D hair_shadow_slices;
+#if COIF_SHADOW_SLICES > 4
+uniform highp sampler2D hair_shadow_middle_slices;
+#endif
+#if COIF_SHADOW_SLICES > 8
+uniform highp sampler2D hair_shadow_far_slices;
+#endif
+
+// How far a point has come from plane `first` towards each of the next four, `place` in units of the planes' distance: with
+// weights that are linear between two planes and 0 at all others.
+vec4 slice_weights(float place, float first) { return max(1.0 - abs(place - first - vec4(0.0, 1.0, 2.0, 3.0)), 0.0); }
+
+float hair_texel_pass(ivec2 texel, float z, vec4 depth, vec4 map) {
+  // The first plane lies one distance behind the map's near end, where no hair is before any.
+  float metres = hair_shadow_metres(z, depth) - depth.w - hair_shadow_metres(0.0, depth);
+  float place = min(metres / map.y, float(COIF_SHADOW_SLICES));
+  float opacity = dot(slice_weights(place, 1.0), texelFetch(hair_shadow_slices, texel, 0));
+#if COIF_SHADOW_SLICES > 4
+  opacity += dot(slice_weights(place, 5.0), texelFetch(hair_shadow_middle_slices, texel, 0));
+#endif
+#if COIF_SHADOW_SLICES > 8
+  opacity += dot(slice_weights(place, 9.0), texelFetch(hair_shadow_far_slices, texel, 0));
+#endif
+  return exp(-map.z * opacity);
+}
+
+//// hair_slices.frag
+// Adds a texel's opacity to all planes of the opacity shadow map that it lies before. After hair_shadow_slices.glsl.
+in vec2 uv;
+
+layout(location = 0) out vec4 slices;
+#if COIF_SHADOW_SLICES > 4
+layout(location = 1) out vec4 middle_slices;
+#endif
+#if COIF_SHADOW_SLICES > 8
+layout(location = 2) out vec4 far_slices;
+#endif
+
+const float kMostAlpha = 0.99;  // solid hair is not infinitely so: a hundredth of the light passes
+
+void main() {
+  float alpha = base_at(uv).a;
+  keep(alpha);
+  float opacity = -log(1.0 - min(alpha, kMostAlpha)) / shadow_map.z;
+  float metres = hair_shadow_metres(gl_FragCoord.z, shadow_depth) - hair_shadow_metres(0.0, shadow_depth);
+  vec4 before = vec4(min(metres / shadow_map.y, float(COIF_SHADOW_SLICES)));
+  slices = opacity * vec4(lessThanEqual(before, vec4(1.0, 2.0, 3.0, 4.0)));
+#if COIF_SHADOW_SLICES > 4
+  middle_slices = opacity * vec4(lessThanEqual(before, vec4(5.0, 6.0, 7.0, 8.0)));
+#endif
+#if COIF_SHADOW_SLICES > 8
+  far_slices = opacity * vec4(lessThanEqual(before, vec4(9.0, 10.0, 11.0, 12.0)));
+#endif
 }
 
 //// hair_layers.frag

@@ -36,16 +36,114 @@ out vec4 fragment;
 
 void write_fragment(vec3 linear, float coverage) { fragment = vec4(encoded(linear), coverage); }
 
-//// keep_screen_door.glsl
-// Draws soft texels in as many pixels of each square of 4 x 4 as their alpha asks for, solid.
-uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
+//// keep_proportional.glsl
+// Alpha to coverage (the thesis's 4.1.2) without its random pattern: of a pixel's samples as many as come nearest to the
+// texel's alpha. The number is told as an exact share, since drivers may round any other up or down.
+uniform vec3 alpha_range;  // from x on drawn; y: samples of a pixel; from z on all of them
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  if (alpha >= alpha_range.z) return 1.0;
+  float samples = floor(alpha * alpha_range.y + 0.5);
+  if (samples < 0.5) discard;
+  return samples / alpha_range.y;
+#else
+  return 1.0;
+#endif
+}
+
+//// keep_jittered.glsl
+// Alpha to coverage by a random pattern (the thesis's 4.1.2, and the jitter of its Figure 16): the number of samples is
+// rounded up or down at random, each pixel and triangle for itself, so that on average it is what alpha says.
+uniform vec3 alpha_range;  // from x on drawn; y: samples of a pixel; from z on all of them
 flat in int corner;        // the triangle's last vertex
 
-// Bayer's ordered matrix: entry (x, y) interleaves the bits of y and x ^ y, the lowest ones first in rank.
+uint scattered(uint value) {
+  value = (value ^ value >> 16) * 0x7FEB352Du;
+  value = (value ^ value >> 15) * 0x846CA68Bu;
+  return value ^ value >> 16;
+}
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  if (alpha >= alpha_range.z) return 1.0;
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  float random = float(scattered(pixel.x ^ scattered(pixel.y ^ scattered(uint(corner)))) >> 8) / 16777216.0;
+  float samples = floor(alpha * alpha_range.y + random);
+  if (samples < 0.5) discard;
+  return samples / alpha_range.y;
+#else
+  return 1.0;
+#endif
+}
+
+//// keep_masked.glsl
+// The same where a shader may say which samples are drawn (OpenGL ES 3.2): so many of them from a random one on, so that what
+// two surfaces leave out has nothing to do with each other.
+uniform vec3 alpha_range;  // from x on drawn, from z on all samples
+flat in int corner;        // the triangle's last vertex
+
+uint scattered(uint value) {
+  value = (value ^ value >> 16) * 0x7FEB352Du;
+  value = (value ^ value >> 15) * 0x846CA68Bu;
+  return value ^ value >> 16;
+}
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  uint random = scattered(pixel.x ^ scattered(pixel.y ^ scattered(uint(corner))));
+  float most = float(gl_NumSamples);
+  float samples = alpha >= alpha_range.z ? most : min(floor(alpha * most + float(random >> 8) / 16777216.0), most);
+  if (samples < 0.5) discard;
+  int drawn = (1 << int(samples)) - 1, first = int((random & 255u) % uint(gl_NumSamples));
+  gl_SampleMask[0] = drawn << first | drawn >> (gl_NumSamples - first);
+#endif
+  return 1.0;
+}
+
+//// keep_checkerboard.glsl
+// Screen-door as published (the thesis's 4.1.1): soft texels are drawn, solid, in half of the pixels, whatever their alpha.
+// The half is the same for all surfaces, so the nearest soft one hides all others there, and the other half shows what is
+// solid behind them: two surfaces at most (its Figure 7).
+uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  if (alpha < alpha_range.z && ((pixel.x ^ pixel.y) & 1u) != 0u) discard;
+#endif
+  return 1.0;
+}
+
+//// bayer_square.glsl
+// Bayer's ordered matrix of 4 x 4: entry (x, y) interleaves the bits of y and x ^ y, the lowest ones first in rank.
 uint rank_in_square(uvec2 pixel) {
   uint y = pixel.y & 3u, mixed = (pixel.x ^ pixel.y) & 3u;
   return (mixed & 1u) << 3 | (y & 1u) << 2 | (mixed & 2u) | y >> 1;
 }
+
+//// keep_bayer.glsl
+// Screen-door with Bayer's ordered pattern: 17 levels of alpha instead of one. The pattern is the same for all surfaces, so one
+// behind another is seen only as far as its alpha is greater.
+uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
+
+float keep(float alpha) {
+#ifdef COIF_ALPHA_TEST
+  if (alpha < alpha_range.x) discard;
+  if (alpha < alpha_range.z && alpha * 16.0 < float(rank_in_square(uvec2(gl_FragCoord.xy))) + 0.5) discard;
+#endif
+  return 1.0;
+}
+
+//// keep_screen_door.glsl
+// Draws soft texels in as many pixels of each square of 4 x 4 as their alpha asks for, solid: of Bayer's matrix, mixed.
+uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
+flat in int corner;        // the triangle's last vertex
 
 // Integers that have nothing to do with each other.
 uint scattered(uint value) {

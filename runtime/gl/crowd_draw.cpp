@@ -6,9 +6,17 @@
 #include <cstring>
 
 namespace coif {
+namespace {
+
+std::uint32_t bytes_of_head(const RendererState& renderer, const ModelState& model) {
+  return renderer.stream.aligned(model.layout.rows_of_head * MatrixLayout::kRowBytes);
+}
+
+}  // namespace
 
 CrowdDraw::CrowdDraw(RendererState& renderer, const ModelState& model, std::span<const HairInstance> instances,
-                     const MaterialRecord& material, Component component, const Vec3& eye, const DrawBlock& block)
+                     const MaterialRecord& material, Component component, const Vec3& eye, const DrawBlock& block,
+                     TriangleOrder* order)
     : renderer_(renderer),
       model_(model),
       instances_(instances),
@@ -16,10 +24,11 @@ CrowdDraw::CrowdDraw(RendererState& renderer, const ModelState& model, std::span
       component_(component),
       eye_(eye),
       block_(block),
+      order_(order),
       visible_(model.hair, instances, eye, block.clip_from_view),
       stream_(renderer.stream),
       block_bytes_(stream_.aligned(sizeof(DrawBlock))),
-      batch_bytes_(stream_.aligned(model.layout.batch_bytes())) {}
+      batch_bytes_(order == nullptr ? stream_.aligned(model.layout.batch_bytes()) : bytes_of_head(renderer, model)) {}
 
 bool CrowdDraw::draw(const PassList& passes) {
   if (passes.passes().empty()) return true;
@@ -38,6 +47,19 @@ bool CrowdDraw::draw_group(const Group& group, const PassList& passes) {
   return true;
 }
 
+std::uint64_t bytes_of_ordered_head(const RendererState& renderer, const ModelState& model) {
+  const StreamBuffer& stream = renderer.stream;
+  const std::uint64_t textures = model.layout.bones_in_texture ? model.hair.bone_count * sizeof(Mat34) : 0;
+  return stream.aligned(sizeof(DrawBlock)) + bytes_of_head(renderer, model) + textures +
+         std::uint64_t{model.hair.indices_of_order} * model.hair.index_bytes;
+}
+
+// A head whose order is its own is drawn alone.
+std::uint32_t CrowdDraw::most_heads() const {
+  if (order_ != nullptr || model_.layout.bones_in_texture) return 1;
+  return (stream_.most() - block_bytes_) / batch_bytes_ * model_.layout.heads_of_batch;
+}
+
 std::uint32_t CrowdDraw::bytes_of(std::uint32_t heads) const {
   const MatrixLayout& layout = model_.layout;
   const std::uint32_t batches = (heads + layout.heads_of_batch - 1) / layout.heads_of_batch;
@@ -47,14 +69,15 @@ std::uint32_t CrowdDraw::bytes_of(std::uint32_t heads) const {
 }
 
 // Values of the draw first, then the matrices batch by batch, each where a block may begin; or, of one head whose bones
-// are too many for a block, its own matrix and then those of the texture.
+// are too many for a block, its own matrix and then those of the texture. Last the indices of an order of its own.
 bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) {
   const MatrixLayout& layout = model_.layout;
   const std::uint32_t batch = layout.heads_of_batch;
-  const std::uint32_t most = layout.bones_in_texture ? 1 : (stream_.most() - block_bytes_) / batch_bytes_ * batch;
-  chunk.heads = visible_.count(group, first, most);
+  chunk.heads = visible_.count(group, first, most_heads());
   if (chunk.heads == 0) return true;
-  std::byte* const memory = stream_.take(renderer_.gl, bytes_of(chunk.heads), renderer_.block_bytes);
+  const std::uint32_t bytes = bytes_of(chunk.heads);
+  const std::uint32_t ordered = order_ == nullptr ? 0 : model_.hair.lods[group.lod].count * model_.hair.index_bytes;
+  std::byte* const memory = stream_.take(renderer_.gl, bytes + ordered, renderer_.block_bytes);
   if (memory == nullptr) return false;
   std::memcpy(memory, &block_, sizeof block_);
   std::byte* const matrices = memory + block_bytes_;
@@ -67,9 +90,12 @@ bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) 
     if (layout.bones_in_texture) {
       std::memcpy(matrices + batch_bytes_, instance.palette.data(), instance.palette.size_bytes());
     }
+    if (order_ != nullptr) order_->write(instance, eye_, memory + bytes);
   }
   stream_.give(renderer_.gl);
   chunk.first_block = stream_.offset() + block_bytes_;
+  chunk.first_index = order_ != nullptr ? stream_.offset() + bytes
+                                        : model_.hair.first_index(group.lod, group.order) * model_.hair.index_bytes;
   if (layout.bones_in_texture) {
     send_palette_texture(renderer_.gl, stream_.name(), chunk.first_block + batch_bytes_, model_.palette_texture,
                          model_.hair.bone_count);
@@ -80,10 +106,11 @@ bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) 
 void CrowdDraw::draw_chunk(const Group& group, const Chunk& chunk, const PassList& passes) {
   const GlFunctions& gl = renderer_.gl;
   const std::uint32_t batch = model_.layout.heads_of_batch, index_bytes = model_.hair.index_bytes;
-  const auto indices = reinterpret_cast<const void*>(model_.hair.first_index(group.lod, group.order) * index_bytes);
+  const auto indices = reinterpret_cast<const void*>(chunk.first_index);
   const GLenum index_type = index_bytes == sizeof(GLushort) ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
   gl.BindBufferRange(GL_UNIFORM_BUFFER, kDrawIndex, stream_.name(), static_cast<GLintptr>(stream_.offset()),
                      sizeof(DrawBlock));
+  if (order_ != nullptr) gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, stream_.name());
   for (const Pass& pass : passes.passes()) {
     const RendererState::Program& program =
         *renderer_.find_program(variant_of(pass, model_.needs, material_, component_));
@@ -99,6 +126,7 @@ void CrowdDraw::draw_chunk(const Group& group, const Chunk& chunk, const PassLis
                                indices, static_cast<GLsizei>(left < batch ? left : batch));
     }
   }
+  if (order_ != nullptr) gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, model_.index_buffer);
 }
 
 }  // namespace coif

@@ -21,6 +21,11 @@ DrawView view_of(const DrawDesc& desc) {
   return view;
 }
 
+bool can_order(const DrawDesc& desc, const RendererState& renderer, const ModelState& model) {
+  if (desc.order == nullptr) return true;
+  return desc.order->fits(model.hair) && bytes_of_ordered_head(renderer, model) <= renderer.stream.most();
+}
+
 void bind_shadow(const GlFunctions& gl, const ShadowState& shadow) {
   for (std::uint32_t i = 0; i < HairShadow::kTextures; ++i)
     bind_texture(gl, kShadowUnit + GLint(i), shadow.textures[i]);
@@ -41,10 +46,16 @@ const RendererState::Program* RendererState::find_program(std::uint32_t variant)
   return nullptr;
 }
 
+bool RendererState::takes(const FragmentCode& code) const {
+  using SampleMask = FragmentCode::SampleMask;
+  const SampleMask unwanted = has_sample_masks ? SampleMask::kMissing : SampleMask::kWritten;
+  return code.storage_blocks <= storage_blocks && code.sample_mask != unwanted;
+}
+
 Status RendererState::build_missing(const PassList& passes, std::uint32_t needs, const MaterialRecord& material,
                                     Component component) {
   for (const Pass& pass : passes.passes()) {
-    if (pass.code->storage_blocks > storage_blocks) continue;  // Its mode has another way.
+    if (!takes(*pass.code)) continue;
     const std::uint32_t variant = variant_of(pass, needs, material, component);
     if (find_program(variant) != nullptr) continue;
     if (program_count == kMaxPrograms) return Status::kDriver;
@@ -74,6 +85,7 @@ Status HairRenderer::draw(const HairModel& hair_model, std::span<const HairInsta
     const bool is_ready = shadow != nullptr && shadow->renderer == state_ && shadow->view.radius > 0;
     if (!is_ready || desc.shadowed_light >= desc.lights.size()) return Status::kBadArgument;
   }
+  if (!can_order(desc, *state_, *model)) return Status::kBadArgument;
   for (const HairInstance& instance : instances) {
     if (const Status status = check_instance(model->hair, instance); status != Status::kOk) return status;
   }
@@ -91,7 +103,7 @@ Status HairRenderer::draw(const HairModel& hair_model, std::span<const HairInsta
   const Status built = state_->build_missing(passes, model->needs, material, desc.component);
   if (built != Status::kOk) return built;
   const GlFunctions& gl = state_->gl;
-  CrowdDraw crowd(*state_, *model, instances, material, desc.component, desc.eye, block);
+  CrowdDraw crowd(*state_, *model, instances, material, desc.component, desc.eye, block, desc.order);
   if (shadow != nullptr) bind_shadow(gl, *shadow);
   bind_model(gl, *model);
   const auto draw_mode = desc.transparency->draw;

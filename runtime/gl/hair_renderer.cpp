@@ -19,10 +19,9 @@ bool is_valid(const RendererDesc& desc) {
 }
 
 /// Of fragment shaders. OpenGL ES 3.1 has the kind, but may offer none to them.
-std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major) {
+std::uint32_t storage_blocks_of(const GlFunctions& gl, GLint major, GLint minor) {
   constexpr GLenum kMaxFragmentStorageBlocks = 0x90DA;  // OpenGL ES 3.1
-  GLint minor = 0, blocks = 0;
-  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  GLint blocks = 0;
   if (major > 3 || minor > 0) gl.GetIntegerv(kMaxFragmentStorageBlocks, &blocks);
   return static_cast<std::uint32_t>(blocks);
 }
@@ -54,7 +53,10 @@ Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
                   "the current context has version %d; OpenGL ES 3.0 is needed", major);
     return Status::kDriver;
   }
-  state.storage_blocks = storage_blocks_of(gl, major);
+  GLint minor = 0;
+  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  state.storage_blocks = storage_blocks_of(gl, major, minor);
+  state.has_sample_masks = major > 3 || minor >= 2;
   state.loader = loader;
   state.list_bytes = desc.list_bytes;
   GLint most = 0;

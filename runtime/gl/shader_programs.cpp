@@ -143,6 +143,11 @@ void bind_textures_and_blocks(const GlFunctions& gl, GLuint program, const Pass&
   bind_block(gl, program, "PaletteBlock", kPaletteIndex);
 }
 
+const char* version_of(const FragmentCode& code) {
+  if (code.sample_mask == FragmentCode::SampleMask::kWritten) return kGlsl320;
+  return code.storage_blocks > 0 ? kGlsl310 : kGlsl300;
+}
+
 bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 0.0f && color[2] == 0.0f; }
 
 std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
@@ -193,8 +198,7 @@ GLuint build_variant(const GlFunctions& gl, std::uint32_t bits, const Pass& pass
                      std::span<char> log) {
   char rows[48];
   std::snprintf(rows, sizeof rows, "#define COIF_PALETTE_ROWS %u\n", unsigned{block_rows});
-  const char* const version = pass.code->storage_blocks > 0 ? kGlsl310 : kGlsl300;
-  const GLuint program = build_program(gl, version, vertex_source(bits, *pass.code, rows).pieces(),
+  const GLuint program = build_program(gl, version_of(*pass.code), vertex_source(bits, *pass.code, rows).pieces(),
                                        fragment_source(bits, pass).pieces(), log);
   if (program != 0) bind_textures_and_blocks(gl, program, pass);
   return program;

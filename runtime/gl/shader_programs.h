@@ -15,6 +15,7 @@ inline constexpr std::size_t kMaxPieces = 32;
 
 inline constexpr char kGlsl300[] = "#version 300 es\n";
 inline constexpr char kGlsl310[] = "#version 310 es\n";  ///< For OpenGL ES 3.1: storage buffers.
+inline constexpr char kGlsl320[] = "#version 320 es\n";  ///< For OpenGL ES 3.2: sample masks.
 
 /// Compiles and links a program from pieces of GLSL ES, at most kMaxPieces for each shader, without their #version
 /// line. Returns 0 on failure, with the driver's log in `log`, always ended by a zero byte.
@@ -38,9 +39,9 @@ inline constexpr std::uint32_t kModelShift = 10;      ///< From here on, three b
 inline constexpr std::uint32_t kModel = 7u << kModelShift;
 inline constexpr std::uint32_t kNormalMap = 1u << 13;
 inline constexpr std::uint32_t kStrandMap = 1u << 14;  ///< How strands run on the surface.
-inline constexpr std::uint32_t kCodeShift = 24;        ///< From here on, four bits: FragmentCode::id.
-inline constexpr std::uint32_t kShadowShift = 28;      ///< Two bits: ShadowLookup::id, 0 without a shadow.
-inline constexpr std::uint32_t kShadow = 3u << kShadowShift;
+inline constexpr std::uint32_t kCodeShift = 23;        ///< From here on, five bits: FragmentCode::id.
+inline constexpr std::uint32_t kShadowShift = 28;      ///< Four bits: ShadowLookup::id, 0 without a shadow.
+inline constexpr std::uint32_t kShadow = 15u << kShadowShift;
 }  // namespace variant
 
 /// The bits of the program that draws a pass of an asset that needs `needs`. Without bits that would change nothing

@@ -201,7 +201,7 @@ function(whole_package)
   if(ASSET)
     set(c_games step_in_c_c step_in_c_shared)
   endif()
-  build_game(game "${sim_games};${c_games};only_skin;only_cull;make_renderer;only_draw;draw_exactly;draw_hashed;cast_plainly"
+  build_game(game "${sim_games};${c_games};only_skin;only_cull;make_renderer;only_draw;draw_exactly;draw_hashed;draw_jittered;draw_by_bones;cast_plainly"
     -D PARTS=formats,sim,skinning,drawing,gl,c,shared -D README=${project}/README.md,${project}/runtime/README.md)
   compile_by_hand()
   # Only who simulates needs Highway, and is told when it is not there.

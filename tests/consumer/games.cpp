@@ -94,12 +94,14 @@ int main() {
   return refused ? 0 : 1;
 }
 
-#elif defined GAME_draw_hashed || defined GAME_draw_exactly
+#elif defined GAME_draw_hashed || defined GAME_draw_jittered || defined GAME_draw_exactly
 // A program that draws soft hair in one other way, and holds no way beside it.
 #include <coif/renderer.h>
 
 #ifdef GAME_draw_hashed
 constexpr const coif::TransparencyMode& kMode = coif::kHashedMode;
+#elif defined GAME_draw_jittered
+constexpr const coif::TransparencyMode& kMode = coif::kJitteredMode;
 #else
 constexpr const coif::TransparencyMode& kMode = coif::kExactMode;
 #endif
@@ -112,6 +114,24 @@ int main() {
   const coif::DrawDesc desc{.clip_from_world = {}, .eye = {}, .lights = {}, .transparency = &kMode};
   const bool refused = renderer.create({}) == coif::Status::kBadArgument &&
                        model.upload(renderer, asset, kMode) == coif::Status::kNotCreated &&
+                       renderer.draw(model, {}, desc) == coif::Status::kNotCreated;
+  return refused ? 0 : 1;
+}
+
+#elif defined GAME_draw_by_bones
+// A game that sorts bones in every frame.
+#include <coif/renderer.h>
+
+int main() {
+  coif::HairRenderer renderer;
+  coif::HairModel model;
+  coif::BoneOrder order;
+  const coif::Asset asset;
+  coif::DrawDesc desc;
+  desc.order = &order;
+  const bool refused = renderer.create({}) == coif::Status::kBadArgument &&
+                       order.create(asset, {}) == coif::Status::kAssetLacksData &&
+                       model.upload(renderer, asset) == coif::Status::kNotCreated &&
                        renderer.draw(model, {}, desc) == coif::Status::kNotCreated;
   return refused ? 0 : 1;
 }

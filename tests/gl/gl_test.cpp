@@ -4,8 +4,10 @@
 
 #include <GLES3/gl3.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 namespace coif {
 namespace {
@@ -107,6 +109,7 @@ struct CountedCalls::Hooks {
     ++current->draws;
     current->instances += instances;
     current->drawn_with.push_back(current->program_);
+    std::this_thread::sleep_for(std::chrono::duration<double>(current->draw_seconds));
     glDrawElementsInstanced(mode, count, type, indices, instances);
   }
   static void buffer_data(GLenum target, GLsizeiptr bytes, const void* data, GLenum usage) {

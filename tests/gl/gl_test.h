@@ -97,6 +97,7 @@ class CountedCalls {
   void spoil_shaders() { spoils_shaders_ = true; }
   void forget() { links = 0, draws = 0, instances = 0, textures = 0, objects = 0, storage = 0, drawn_with.clear(); }
 
+  double draw_seconds = 0;         ///< What every draw call takes longer than it would.
   int links = 0;                   ///< Programs linked.
   int draws = 0;                   ///< Draw calls.
   int instances = 0;               ///< Of all draw calls.

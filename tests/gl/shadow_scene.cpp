@@ -26,7 +26,8 @@ DrawnCard ShadowScene::card_above(float height, double alpha, float half_size) {
   return card;
 }
 
-void ShadowScene::cast(HairShadow& shadow, std::span<const DrawnCard> cards, const Light& light, const ShadowBall& ball) {
+void ShadowScene::cast(HairShadow& shadow, std::span<const DrawnCard> cards, const Light& light,
+                       const ShadowBall& ball) {
   HairModel model;
   ASSERT_EQ(model.upload(renderer_, *DrawnAsset(card_contents(cards))), Status::kOk);
   const HeadDraw rest = at_rest();
@@ -62,7 +63,9 @@ double ShadowScene::light_at(int x, int y, const HairShadow& shadow, const Light
 std::vector<ShadowDesc> all_shadows() {
   return {{.technique = &kPlainShadow, .size = 256},
           {.technique = &kDeepOpacityShadow, .size = 256, .layers = 4, .depth = 3},
-          {.technique = &kDeepOpacityShadow, .size = 256, .layers = 8, .depth = 3}};
+          {.technique = &kDeepOpacityShadow, .size = 256, .layers = 8, .depth = 3},
+          {.technique = &kOpacityShadow, .size = 256, .layers = 12},
+          {.technique = &kDeepShadow, .size = 256, .layers = 4}};
 }
 
 }  // namespace coif

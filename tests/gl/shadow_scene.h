@@ -43,7 +43,7 @@ class ShadowScene : public CountedGlTest {
   unsigned target_ = 0;
 };
 
-/// Both techniques and all numbers of layers, small maps.
+/// Every technique, small maps.
 [[nodiscard]] std::vector<ShadowDesc> all_shadows();
 
 }  // namespace coif

@@ -102,7 +102,7 @@ TEST_F(ShadowState, IsLeftAsPromised) {
     ASSERT_EQ(shadow.draw({&one, 1}), Status::kOk);
     for (const auto& [name, value] : kLeft) EXPECT_EQ(query(name), value) << std::hex << name;
     EXPECT_EQ(query(GL_VIEWPORT), 0);
-    for (GLuint unit = 0; unit < 8; ++unit) {
+    for (GLuint unit = 0; unit < 14; ++unit) {
       glActiveTexture(GL_TEXTURE0 + unit);
       EXPECT_EQ(query(GL_TEXTURE_BINDING_2D), 0) << unit;
       EXPECT_EQ(query(GL_SAMPLER_BINDING), 0) << unit;
@@ -113,7 +113,7 @@ TEST_F(ShadowState, IsLeftAsPromised) {
     draw.lights = {&light, 1};
     draw.shadow = &shadow;
     ASSERT_EQ(draw_head(renderer_, receiver_, draw), Status::kOk);
-    for (GLuint unit = 0; unit < 8; ++unit) {
+    for (GLuint unit = 0; unit < 14; ++unit) {
       glActiveTexture(GL_TEXTURE0 + unit);
       EXPECT_EQ(query(GL_TEXTURE_BINDING_2D), 0) << unit << " after the hair that is shaded";
     }
@@ -131,7 +131,7 @@ TEST_F(ShadowState, DoesNotDependOnWhatTheHostLeft) {
     GLuint sampler = 0;
     glGenSamplers(1, &sampler);
     glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    for (GLuint unit = 0; unit < 8; ++unit) glBindSampler(unit, sampler);
+    for (GLuint unit = 0; unit < 14; ++unit) glBindSampler(unit, sampler);
     cast(shadow, std::array{card_above(0.5f, 0.7)});
     glClearDepthf(1);
     EXPECT_EQ(light_at_middle(shadow), expected);
@@ -194,7 +194,7 @@ TEST_F(ShadowState, RefusesWhatItCannotDraw) {
   for (const ShadowDesc& bad : {ShadowDesc{.technique = nullptr},
                                 {.size = 15},
                                 {.size = 4097},
-                                {.layers = 5},
+                                {.layers = 7},
                                 {.depth = 0},
                                 {.bias = -1},
                                 {.bias = kNan}}) {

@@ -4,9 +4,7 @@
 
 #include <GLES3/gl3.h>
 
-#include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -26,7 +24,7 @@ class Shadow : public ShadowScene {
 TEST_F(Shadow, ACardTakesItsAlphaOfTheLightInLayers) {
   for (const std::uint32_t layers : {4u, 8u}) {
     HairShadow shadow;
-    create(shadow, {.size = 256, .layers = layers});
+    create(shadow, {.technique = &kDeepOpacityShadow, .size = 256, .layers = layers});
     for (const double alpha : {0.2, 0.5, 0.8}) {
       cast(shadow, std::array{card_above(0.5f, alpha)});
       EXPECT_NEAR(light_at_middle(shadow), 1 - alpha, 0.02) << layers << " layers";
@@ -40,11 +38,48 @@ TEST_F(Shadow, ACardTakesItsAlphaOfTheLightInLayers) {
 TEST_F(Shadow, CardsAboveEachOtherTakeOfWhatIsLeft) {
   for (const std::uint32_t layers : {4u, 8u}) {
     HairShadow shadow;
-    create(shadow, {.size = 256, .layers = layers, .depth = 3});
+    create(shadow, {.technique = &kDeepOpacityShadow, .size = 256, .layers = layers, .depth = 3});
     cast(shadow, std::array{card_above(0.3f, 0.5), card_above(0.5f, 0.4), card_above(0.7f, 0.3)});
     EXPECT_NEAR(light_at_middle(shadow), 0.5 * 0.6 * 0.7, 0.03) << layers << " layers";
     shadow.destroy();
   }
+}
+
+// Their steps keep 5 bits of light.
+TEST_F(Shadow, ADeepMapKnowsEachOfItsLayersAndTheRest) {
+  for (const std::uint32_t layers : {0u, 2u, 4u, 6u}) {
+    HairShadow shadow;
+    create(shadow, {.technique = &kDeepShadow, .size = 256, .layers = layers});
+    for (const double alpha : {0.2, 0.5, 0.8, 1.0}) {
+      cast(shadow, std::array{card_above(0.5f, alpha)});
+      EXPECT_NEAR(light_at_middle(shadow), 1 - alpha, 0.03) << layers << " layers";
+    }
+    cast(shadow, std::array{card_above(0.3f, 0.5), card_above(0.5f, 0.4), card_above(0.7f, 0.3)});
+    EXPECT_NEAR(light_at_middle(shadow), 0.5 * 0.6 * 0.7, 0.04) << layers << " layers";
+    shadow.destroy();
+  }
+}
+
+TEST_F(Shadow, PlanesAddUpWhatLiesBeforeThem) {
+  for (const std::uint32_t layers : {0u, 4u, 8u, 12u}) {
+    HairShadow shadow;
+    create(shadow, {.technique = &kOpacityShadow, .size = 256, .layers = layers});
+    cast(shadow, std::array{card_above(0.8f, 0.3), card_above(0.9f, 0.5)});
+    EXPECT_NEAR(light_at_middle(shadow), 0.7 * 0.5, 0.03) << layers << " planes";
+    shadow.destroy();
+  }
+}
+
+// Less than the two texels of a plain map's bias beneath each other, as hair's cards lie.
+TEST_F(Shadow, ADeepMapTellsCardsThatLieCloseApart) {
+  HairShadow shadow;
+  create(shadow, {.technique = &kDeepShadow, .size = 256});  // texels of 12 mm
+  cast(shadow, std::array{DrawnCard{}, card_above(0.002f, 1)});
+  EXPECT_LT(light_at_middle(shadow), 0.1) << "beneath";
+  EXPECT_GT(light_at(9, 16, shadow), 0.9) << "beside";
+  cast(shadow, std::array{DrawnCard{}, card_above(-0.002f, 1)});
+  EXPECT_GT(light_at_middle(shadow), 0.9) << "above";
+  shadow.destroy();
 }
 
 TEST_F(Shadow, WhatLiesBehindACardTakesNothingOfItsLight) {
@@ -123,7 +158,7 @@ TEST_F(Shadow, LightsWithAPlaceCastThemFromThere) {
       HairShadow shadow;
       create(shadow, desc);
       cast(shadow, std::array{card_above(0.5f, 0.7)}, light);
-      const double expected = desc.technique == &kPlainShadow ? 0 : 0.3;
+      const double expected = desc.technique == &kPlainShadow ? 0 : 0.3;  // of a card of alpha 0.7
       EXPECT_NEAR(light_at_middle(shadow, light), expected, 0.03) << named(desc);
       EXPECT_GT(light_at(10, 16, shadow, light), 0.97) << named(desc);
       // From 3 m the shadow of 0.4 m at 0.5 m height is 0.48 m wide.
@@ -216,151 +251,6 @@ TEST_F(Shadow, StepsInWholeTexelsWhileTheBallMoves) {
   for (const double moved : {0.001, 0.01, 0.03, 0.2, 0.777}) EXPECT_NEAR(place(moved), still, 1e-3) << moved;
   ASSERT_EQ(shadow.draw({}), Status::kOk);
   shadow.destroy();
-}
-
-// What shadows bring into programs and onto the GPU, and what stays away without them.
-
-constexpr const char* kSamplers[] = {"hair_shadow_solid", "hair_shadow_front", "hair_shadow_layers",
-                                     "hair_shadow_far_layers"};
-
-class ShadowPrograms : public ShadowScene {
- protected:
-  void draw_lit(const HairShadow* shadow) {
-    const Light light = lamp();
-    HeadDraw desc = at_rest();
-    desc.lights = {&light, 1};
-    desc.shadow = shadow;
-    bind_target();
-    calls_->forget();
-    ASSERT_EQ(draw_head(renderer_, receiver_, desc), Status::kOk);
-    ASSERT_FALSE(calls_->drawn_with.empty());
-  }
-  /// The samplers that the programs of the last draw have.
-  [[nodiscard]] std::vector<std::string> samplers() const {
-    std::vector<std::string> found;
-    for (const char* name : kSamplers) {
-      const bool used = std::ranges::any_of(calls_->drawn_with,
-                                            [&](GLuint program) { return glGetUniformLocation(program, name) >= 0; });
-      if (used) found.emplace_back(name);
-    }
-    return found;
-  }
-};
-
-TEST_F(ShadowPrograms, ADrawWithoutShadowHasNoTraceOfIt) {
-  HairShadow shadow;
-  ASSERT_EQ(shadow.create(renderer_, calls_->loader(), {.size = 64, .layers = 8}), Status::kOk);
-  cast(shadow, std::array{card_above(0.5f, 0.5)});
-  draw_lit(nullptr);
-  const GLuint plain = calls_->drawn_with[0];
-  EXPECT_TRUE(samplers().empty());
-  draw_lit(&shadow);
-  EXPECT_EQ(samplers().size(), 4u);
-  draw_lit(nullptr);
-  EXPECT_EQ(calls_->drawn_with[0], plain) << "the same program as before";
-  EXPECT_TRUE(samplers().empty());
-  shadow.destroy();
-}
-
-TEST_F(ShadowPrograms, EachTechniqueReadsItsOwnTexturesOnly) {
-  const std::vector<ShadowDesc> descs = all_shadows();
-  for (std::size_t i = 0; i < descs.size(); ++i) {
-    HairShadow shadow;
-    calls_->forget();
-    ASSERT_EQ(shadow.create(renderer_, calls_->loader(), descs[i]), Status::kOk);
-    const int textures[] = {1, 3, 4};
-    EXPECT_EQ(calls_->textures, textures[i]);
-    cast(shadow, std::array{card_above(0.5f, 0.5)});
-    draw_lit(&shadow);
-    std::vector<std::string> named;
-    for (std::uint32_t k = 0; k < HairShadow::kTextures; ++k) {
-      EXPECT_EQ(shadow.sampler(k) != nullptr, shadow.texture(k) != 0) << k;
-      if (shadow.sampler(k) != nullptr) named.emplace_back(shadow.sampler(k));
-    }
-    EXPECT_EQ(samplers(), named);
-    EXPECT_EQ(named.size(), std::size_t(textures[i]));
-    const std::uint64_t bytes[] = {4, 16, 24};
-    EXPECT_EQ(shadow.bytes(), bytes[i] * descs[i].size * descs[i].size);
-    shadow.destroy();
-  }
-}
-
-TEST_F(ShadowPrograms, TheFirstFrameBuildsWhatLaterOnesUse) {
-  HairModel caster;
-  ASSERT_EQ(caster.upload(renderer_, *DrawnAsset(card_contents(std::array{card_above(0.5f, 0.5)}))), Status::kOk);
-  const HeadDraw rest = at_rest();
-  const HairInstance head{rest.head, rest.palette, 0};
-  const ShadowCrowd crowd{&caster, {&head, 1}, nullptr};
-  for (const ShadowDesc& desc : all_shadows()) {
-    HairShadow shadow;
-    ASSERT_EQ(shadow.create(renderer_, calls_->loader(), desc), Status::kOk);
-    ASSERT_EQ(shadow.prepare(caster), Status::kOk);
-    calls_->forget();
-    for (int frame = 0; frame < 3; ++frame) {
-      ASSERT_EQ(shadow.begin(lamp(), kBall), Status::kOk);
-      ASSERT_EQ(shadow.draw({&crowd, 1}), Status::kOk);
-    }
-    EXPECT_EQ(calls_->links, 0) << "prepared before";
-    EXPECT_EQ(calls_->objects, 0);
-    EXPECT_EQ(calls_->storage, 0);
-    EXPECT_EQ(calls_->draws, desc.technique == &kPlainShadow ? 3 : 6) << "one pass, or two";
-    shadow.destroy();
-  }
-  caster.destroy();
-}
-
-/// A driver that draws into no half floats.
-struct BytesOnly {
-  static inline GLenum format = 0;
-  static inline GlLoader real;
-
-  static void tex_storage(GLenum target, GLsizei levels, GLenum internal, GLsizei width, GLsizei height) {
-    format = internal;
-    glTexStorage2D(target, levels, internal, width, height);
-  }
-  static GLenum status(GLenum target) {
-    return format == GL_RGBA16F ? GLenum{GL_FRAMEBUFFER_UNSUPPORTED} : glCheckFramebufferStatus(target);
-  }
-  static void* find(const char* name, void*) {
-    if (std::strcmp(name, "glTexStorage2D") == 0) return reinterpret_cast<void*>(tex_storage);
-    if (std::strcmp(name, "glCheckFramebufferStatus") == 0) return reinterpret_cast<void*>(status);
-    return real.get_proc(name, real.user);
-  }
-};
-
-TEST_F(ShadowPrograms, LayersOfBytesServeWhereHalfFloatsCannotBeDrawn) {
-  receiver_.destroy();
-  BytesOnly::real = context_->loader();
-  ASSERT_EQ(renderer_.create({BytesOnly::find, nullptr}, kSmallBlocks), Status::kOk);
-  ASSERT_EQ(receiver_.upload(renderer_, *DrawnAsset(card_contents(std::array{DrawnCard{}}))), Status::kOk);
-  for (const std::uint32_t layers : {4u, 8u}) {
-    HairShadow shadow;
-    ASSERT_EQ(shadow.create(renderer_, {BytesOnly::find, nullptr}, {.size = 256, .layers = layers, .depth = 3}),
-              Status::kOk);
-    EXPECT_EQ(shadow.bytes(), 256u * 256u * (layers == 4 ? 12 : 16));
-    for (const double alpha : {0.2, 0.5, 0.9}) {
-      cast(shadow, std::array{card_above(0.5f, alpha)});
-      EXPECT_NEAR(light_at_middle(shadow), 1 - alpha, 0.03) << layers << " layers";
-    }
-    cast(shadow, std::array{card_above(0.3f, 0.5), card_above(0.5f, 0.4), card_above(0.7f, 0.3)});
-    EXPECT_NEAR(light_at_middle(shadow), 0.5 * 0.6 * 0.7, 0.03) << layers << " layers";
-    shadow.destroy();
-  }
-}
-
-TEST_F(ShadowPrograms, AMissingFunctionIsNamed) {
-  struct Without {
-    static void* find(const char* name, void* user) {
-      if (std::strcmp(name, "glPolygonOffset") == 0) return nullptr;
-      const auto& real = *static_cast<const GlLoader*>(user);
-      return real.get_proc(name, real.user);
-    }
-  };
-  GlLoader real = context_->loader();
-  HairShadow shadow;
-  EXPECT_EQ(shadow.create(renderer_, {Without::find, &real}), Status::kDriver);
-  EXPECT_NE(std::string(renderer_.failure()).find("glPolygonOffset"), std::string::npos);
-  EXPECT_FALSE(shadow.is_created());
 }
 
 }  // namespace coif::shadow_test

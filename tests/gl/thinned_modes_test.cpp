@@ -1,6 +1,6 @@
 // Ways to draw soft texels as a share of pixels that are drawn wholly.
 
-#include "gl/gl_test.h"
+#include "gl/multisampled_test.h"
 
 #include <coif/transparency.h>
 
@@ -12,15 +12,6 @@
 #include <vector>
 
 namespace coif::thinned_modes_test {
-
-/// A card of this alpha that fills the view.
-DrawnCard whole_card(int alpha, float z = 0) {
-  DrawnCard card;
-  card.center[2] = z;
-  card.half_size = 1;
-  card.rgba = {255, 255, 255, std::uint8_t(alpha)};
-  return card;
-}
 
 class ThinnedModes : public CountedGlTest, public testing::WithParamInterface<const TransparencyMode*> {
  protected:
@@ -178,40 +169,8 @@ TEST_F(PatternTest, ScreenDoorFillsEverySquareAlike) {
   }
 }
 
-/// Draws into four samples per pixel.
-class Coverage : public GlTest {
+class Coverage : public MultisampledTest {
  protected:
-  static constexpr int kSamples = 4;
-
-  void SetUp() override {
-    GlTest::SetUp();
-    if (!context_) return;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &resolved_);
-    GLuint framebuffer = 0, buffers[2] = {};
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glGenRenderbuffers(2, buffers);
-    const GLenum formats[2] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
-    const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-    for (int i = 0; i < 2; ++i) {
-      glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-      glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, formats[i], kSize, kSize);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffers[i]);
-    }
-    drawn_ = GLint(framebuffer);
-    ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
-  }
-
-  std::vector<std::uint8_t> resolve() {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(drawn_));
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(resolved_));
-    glBlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(resolved_));
-    const auto rgba = read_pixels(kSize);
-    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(drawn_));
-    return rgba;
-  }
-
   static HeadDraw covered() {
     HeadDraw desc = at_rest();
     desc.transparency = &kCoverageMode;
@@ -240,9 +199,6 @@ class Coverage : public GlTest {
     for (std::size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] / 255.0;
     return sum / kSize;
   }
-
-  GLint resolved_ = 0;
-  GLint drawn_ = 0;
 };
 
 TEST_F(Coverage, TheCutFallsBetweenPixels) {

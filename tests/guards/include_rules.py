@@ -9,7 +9,7 @@ from pathlib import Path
 
 FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
-DRAWING = {"runtime/include/coif/drawing.h"}
+DRAWING = {"runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
 RENDERER = DRAWING | {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
@@ -22,6 +22,7 @@ LAYERS = {
     "runtime/include": FORMATS,
     "runtime/include/coif.h": set(),
     "runtime/include/coif/drawing.h": SIM,
+    "runtime/include/coif/triangle_order.h": SIM | DRAWING,
     "runtime/include/coif/renderer.h": SIM | DRAWING,
     "runtime/include/coif/shadow.h": SIM | RENDERER,
     "runtime/sim": SIM,
@@ -70,7 +71,7 @@ STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstdd
 C_HEADER = "runtime/include/coif.h"
 C_STANDARD = {"stddef.h", "stdint.h"}
 SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h",
-           "runtime/include/coif/shadow.h", "runtime/include/coif/drawing.h", "runtime/sim", "runtime/skinning",
+           "runtime/include/coif/shadow.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
            "runtime/drawing", "runtime/gl", "runtime/c", C_HEADER)
 
 # Headers that the build writes, by the one layer that includes them.

@@ -2,12 +2,15 @@
 #include "models/absent.h"
 #include "models/card_asset.h"
 #include "render/egl_context.h"
+#include "report/shadow/deep_shadow_map.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -63,6 +66,9 @@ TEST_F(MeasureShadows, LayersKnowHalfTransparentHairAndAPlainMapDoesNot) {
   EXPECT_LE(eight, four);
   EXPECT_LT(eight, 0.12);
   EXPECT_LT(total(report, "deep", 4).head.rmse, 0.1);
+  for (const std::uint32_t peels : {4u, 6u}) EXPECT_LT(total(report, "deep-shadow", peels).hair.rmse, 0.5 * plain);
+  EXPECT_LT(total(report, "deep-shadow-cpu").hair.rmse, 0.5 * plain);
+  EXPECT_LT(total(report, "opacity", 12).hair.rmse, total(report, "opacity", 4).hair.rmse) << "more planes tell more";
   EXPECT_GT(total(report, "none").hair.bias, 0.3) << "without shadows all is too light";
 }
 
@@ -77,12 +83,19 @@ TEST_F(MeasureShadows, EveryTechniqueKnowsSolidHair) {
 
 TEST_F(MeasureShadows, HasARowForEachTechniqueLightAndPose) {
   const ShadowReport report = measured(layered(128));
-  EXPECT_EQ(report.rows.size(), 4 * report.lights.size()) << "rigid hair has one pose";
-  EXPECT_EQ(report.totals.size(), 4u);
+  EXPECT_EQ(report.rows.size(), 9 * report.lights.size()) << "rigid hair has one pose";
+  EXPECT_EQ(report.totals.size(), 9u);
   EXPECT_GT(report.hair_points, 1000u);
   EXPECT_GT(report.head_points, 1000u);
   EXPECT_EQ(total(report, "plain").bytes, 128u * 128 * 4);
-  for (const ShadowRow& row : report.rows) EXPECT_EQ(row.ms > 0, row.size > 0);
+  EXPECT_LT(total(report, "deep-shadow", 4).bytes, 128u * 128 * 10);
+  EXPECT_LT(report.truth_rmse, 0.1) << "cards are wide";
+  EXPECT_GT(report.truth_compared, 0.9);
+  for (const ShadowRow& row : report.rows) {
+    EXPECT_EQ(row.ms > 0, row.size > 0);
+    EXPECT_EQ(row.read_ns > 0, row.size > 0);
+    EXPECT_GE(row.hair.most, row.hair.rmse);
+  }
 }
 
 TEST_F(MeasureShadows, RefusesWhatItCannotMeasure) {
@@ -137,6 +150,58 @@ TEST(ShadowPoints, EndAtTheHeadWhichIsOneItself) {
   }
   EXPECT_GT(hair, 100);
   EXPECT_GT(head, 100);
+}
+
+std::vector<Fragment> random_line(std::mt19937& random) {
+  std::uniform_real_distribution<float> depth(0, 0.1f), alpha(0.05f, 0.9f);
+  std::vector<Fragment> line(1 + random() % 30);
+  for (Fragment& fragment : line) fragment = {depth(random), alpha(random), 0, 0, true};
+  std::ranges::sort(line, {}, &Fragment::depth);
+  return line;
+}
+
+constexpr float kNoSolid = std::numeric_limits<float>::infinity();
+
+TEST(Visibility, TakesEachFragmentsAlphaBehindItAndBeforeTheNext) {
+  const std::array line{Fragment{0.01f, 0.5f}, Fragment{0.02f, 0.2f}, Fragment{0.5f, 0.5f}};
+  const auto exact = visibility_of(line, 0.3f, 0.004f);
+  EXPECT_EQ(light_at(exact, 0.01f), 1);
+  EXPECT_EQ(light_at(exact, 0.0139f), 1) << "no further than it reaches";
+  EXPECT_NEAR(light_at(exact, 0.02f), 0.5, 1e-6);
+  EXPECT_NEAR(light_at(exact, 0.2f), 0.4, 1e-6);
+  EXPECT_NEAR(light_at(exact, 1), 0.4, 1e-6) << "what lies behind the head is not there";
+}
+
+TEST(Visibility, StaysWithinItsBoundAndFallsWhenCompressed) {
+  std::mt19937 random(3);
+  for (const float bound : {0.001f, 0.02f, 0.1f}) {
+    for (int i = 0; i < 200; ++i) {
+      const auto exact = visibility_of(random_line(random), kNoSolid, 0.002f);
+      const auto kept = compress_visibility(exact, bound);
+      EXPECT_LE(kept.size(), exact.size());
+      float last = 1;
+      for (int k = 0; k <= 1200; ++k) {
+        const float depth = 0.0001f * float(k), light = light_at(kept, depth);
+        EXPECT_NEAR(light, light_at(exact, depth), bound + 1e-3f) << bound << ", " << i << ", " << depth;
+        EXPECT_LE(light, last + 1e-6f);
+        last = light;
+      }
+    }
+  }
+}
+
+TEST(Visibility, TakesFewerVerticesWithAWiderBound) {
+  std::mt19937 random(4);
+  std::size_t narrow = 0, wide = 0, exact_size = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto exact = visibility_of(random_line(random), kNoSolid, 0.002f);
+    exact_size += exact.size();
+    narrow += compress_visibility(exact, 0.001f).size();
+    wide += compress_visibility(exact, 0.05f).size();
+  }
+  EXPECT_LT(wide, narrow);
+  EXPECT_LT(narrow, exact_size);
+  EXPECT_TRUE(compress_visibility({}, 0.1f).empty());
 }
 
 TEST(ShadowError, CountsPointsByTheirWeight) {

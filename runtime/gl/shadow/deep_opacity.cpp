@@ -9,8 +9,6 @@ namespace {
 constexpr std::uint32_t kLayersOfTexture = 4;
 // Sums of the layers' thickness in shaders/hair_shadow.glsl, in units of the first.
 constexpr float kFourLayers = 15.0f, kEightLayers = 49.2578125f;
-// Bytes hold opacities up to this, where a fiftieth of the light is left, in steps of a sixtieth.
-constexpr float kByteUnit = 4.0f;
 
 bool has_far_layers(const ShadowDesc& desc) { return desc.layers > kLayersOfTexture; }
 
@@ -28,18 +26,18 @@ constexpr ShadowLookup kEightLookup = {
     uniforms_of};
 
 const ShadowLookup* choose_lookup(const ShadowDesc& desc) {
-  if (desc.layers != kLayersOfTexture && desc.layers != 2 * kLayersOfTexture) return nullptr;
+  if (desc.layers != 0 && desc.layers != kLayersOfTexture && desc.layers != 2 * kLayersOfTexture) return nullptr;
   return has_far_layers(desc) ? &kEightLookup : &kFourLookup;
 }
 
 PassList plan_front(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&) {
   PassList drawn;
-  drawn.add_for(drawn_alpha(material, texture), caster_pass(material, material.discard_threshold));
+  drawn.add_for(drawn_alpha(material, texture), soft_caster_pass(material));
   return drawn;
 }
 
 PassList plan_layers(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup& lookup) {
-  Pass pass = caster_pass(material, material.discard_threshold);
+  Pass pass = soft_caster_pass(material);
   pass.blended = true;
   pass.writes_depth = false;
   pass.code = lookup.id == kEightLookup.id ? &kEightCode : &kFourCode;
@@ -49,57 +47,38 @@ PassList plan_layers(const MaterialRecord& material, const AlphaRange& texture, 
   return drawn;
 }
 
-bool make_layers(GLenum format, ShadowState& shadow) {
-  constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  const ShadowFunctions& functions = shadow.functions;
-  const auto size = static_cast<GLsizei>(shadow.desc.size);
-  const GLsizei count = has_far_layers(shadow.desc) ? 2 : 1;
-  shadow.framebuffers[kLayersFramebuffer] = make_framebuffer(functions, shadow.textures[kSolidTexture]);
-  for (GLsizei i = 0; i < count; ++i) {
-    GLuint& texture = shadow.textures[kLayersTexture + std::uint32_t(i)];
-    texture = make_texture(shadow.gl(), format, size, size);
-    functions.FramebufferTexture2D(GL_FRAMEBUFFER, kTargets[i], GL_TEXTURE_2D, texture, 0);
-  }
-  functions.DrawBuffers(count, kTargets);
-  return functions.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
-/// OpenGL ES 3.0 draws into half floats only with GL_EXT_color_buffer_half_float or _float; nearly all devices have one.
 bool make(ShadowState& shadow) {
-  const GlFunctions& gl = shadow.gl();
-  const ShadowFunctions& functions = shadow.functions;
   shadow.textures[kFrontTexture] = make_depth_texture(shadow);
-  shadow.framebuffers[kFrontFramebuffer] = make_framebuffer(functions, shadow.textures[kFrontTexture]);
-  if (functions.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
-  shadow.opacity_unit = 1;
-  if (make_layers(GL_RGBA16F, shadow)) return true;
-  functions.DeleteFramebuffers(1, &shadow.framebuffers[kLayersFramebuffer]);
-  gl.DeleteTextures(2, &shadow.textures[kLayersTexture]);
-  shadow.textures[kFarLayersTexture] = 0;
-  clear_errors(gl);
-  shadow.opacity_unit = kByteUnit;
-  return make_layers(GL_RGBA8, shadow);
+  shadow.framebuffers[kFrontFramebuffer] = make_framebuffer(shadow.functions, shadow.textures[kFrontTexture]);
+  if (shadow.functions.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+  return make_opacity_layers(shadow, kLayersTexture, has_far_layers(shadow.desc) ? 2 : 1);
 }
 
-float first_layer(const ShadowDesc& desc) { return desc.depth / (has_far_layers(desc) ? kEightLayers : kFourLayers); }
+void bind_front(const ShadowState& shadow) {
+  bind_texture(shadow.gl(), kShadowUnit + kFrontTexture, shadow.textures[kFrontTexture]);
+}
 
-std::uint32_t texel_bytes(const ShadowState& shadow) {
-  const std::uint32_t layers = shadow.opacity_unit == kByteUnit ? 4 : 8;
-  return 8 + (has_far_layers(shadow.desc) ? 2 : 1) * layers;
+float first_layer(const ShadowState& shadow) {
+  return shadow.desc.depth / (has_far_layers(shadow.desc) ? kEightLayers : kFourLayers);
+}
+
+std::uint64_t bytes(const ShadowState& shadow) {
+  return texels_times(shadow.desc, 8 + (has_far_layers(shadow.desc) ? 2 : 1) * opacity_texel_bytes(shadow));
 }
 
 }  // namespace
 
-// Within a layer a card shades itself by the share of the layer that lies before it, so little bias is needed.
-const ShadowTechnique kDeepOpacityShadow = {
-    .name = "deep",
-    .caster_slope_bias = 2,
-    .texel_bias = 0.25f,
-    .stage_count = 2,
-    .stages = {{kFrontFramebuffer, 0.5f, plan_front}, {kLayersFramebuffer, 0, plan_layers}},
-    .choose_lookup = choose_lookup,
-    .make = make,
-    .first_layer = first_layer,
-    .texel_bytes = texel_bytes};
+// Within a layer a card shades itself by the share of the layer that lies before it, so layers need little bias.
+const ShadowTechnique kDeepOpacityShadow = {.name = "deep",
+                                            .caster_slope_bias = 2,
+                                            .texel_bias = 0.25f,
+                                            .stage_count = 3,
+                                            .stages = {{kSolidFramebuffer, 1, false, plan_solid_hair},
+                                                       {kFrontFramebuffer, 0.5f, false, plan_front},
+                                                       {kLayersFramebuffer, 0, true, plan_layers, bind_front}},
+                                            .choose_lookup = choose_lookup,
+                                            .make = make,
+                                            .first_layer = first_layer,
+                                            .bytes = bytes};
 
 }  // namespace coif

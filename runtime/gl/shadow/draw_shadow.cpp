@@ -14,8 +14,19 @@ void clear_stage(const ShadowState& shadow, ShadowFramebuffer framebuffer) {
   constexpr GLfloat kNothing[4] = {};
   if (framebuffer == kFrontFramebuffer) shadow.functions.ClearBufferfv(GL_DEPTH, 0, &kFar);
   if (framebuffer != kLayersFramebuffer) return;
-  shadow.functions.ClearBufferfv(GL_COLOR, 0, kNothing);
-  if (shadow.textures[kFarLayersTexture] != 0) shadow.functions.ClearBufferfv(GL_COLOR, 1, kNothing);
+  for (GLint i = 0; i < shadow.layer_targets; ++i) shadow.functions.ClearBufferfv(GL_COLOR, i, kNothing);
+}
+
+/// Column-major; what lies in the part fills what lay in the whole map.
+void clip_to_part(const MapPart& part, std::uint32_t size, float (&clip)[16]) {
+  const float scale = float(size) / float(part.size);
+  const float offset[2] = {scale - 1 - 2 * float(part.left) / float(part.size),
+                           scale - 1 - 2 * float(part.bottom) / float(part.size)};
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 2; ++row) {
+      clip[4 * column + row] = scale * clip[4 * column + row] + offset[row] * clip[4 * column + 3];
+    }
+  }
 }
 
 Status check(const ShadowState& shadow, std::span<const ShadowCrowd> crowds) {
@@ -42,7 +53,7 @@ Status build_missing(const ShadowState& shadow, const ShadowCrowd& crowd) {
   return Status::kOk;
 }
 
-Status draw_crowd(const ShadowState& shadow, const ShadowStage& stage, const ShadowCrowd& crowd) {
+Status draw_crowd(const ShadowState& shadow, const ShadowStage& stage, const ShadowCrowd& crowd, const MapPart& part) {
   const GlFunctions& gl = shadow.gl();
   const ModelState& model = *ModelState::of(*crowd.model);
   const MaterialRecord& material = material_of(crowd);
@@ -52,13 +63,12 @@ Status draw_crowd(const ShadowState& shadow, const ShadowStage& stage, const Sha
   const Status filled = fill_draw_block(view, material, model.layout.rows_of_head, block);
   if (filled != Status::kOk) return filled;
   shadow.clip_from_origin(view.eye, block.clip_from_view);
+  if (part.size > 0) clip_to_part(part, shadow.desc.size, block.clip_from_view);
   block.shadow = shadow.uniforms(view.eye);
   CrowdDraw heads(*shadow.renderer, model, crowd.instances, material, Component::kAll, view.eye, block);
   bind_model(gl, model);
-  if (stage.framebuffer == kLayersFramebuffer) {
-    bind_texture(gl, kShadowUnit + kFrontTexture, shadow.textures[kFrontTexture]);
-    gl.BlendFunc(GL_ONE, GL_ONE);
-  }
+  if (stage.before != nullptr) stage.before(shadow);
+  if (stage.adds) gl.BlendFunc(GL_ONE, GL_ONE);
   const bool is_drawn = heads.draw(stage.plan_passes(material, model.hair.alpha, *shadow.lookup));
   unbind_model(gl, model);
   return is_drawn ? Status::kOk : Status::kDriver;
@@ -68,13 +78,25 @@ Status draw_stage(const ShadowState& shadow, const ShadowStage& stage, std::span
   shadow.functions.BindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffers[stage.framebuffer]);
   set_slope_bias(shadow, stage.slope_bias);
   clear_stage(shadow, stage.framebuffer);
-  for (const ShadowCrowd& crowd : crowds) {
-    if (const Status drawn = draw_crowd(shadow, stage, crowd); drawn != Status::kOk) return drawn;
+  return draw_hair(shadow, stage, crowds);
+}
+
+Status draw_stages(const ShadowState& shadow, std::span<const ShadowCrowd> crowds) {
+  for (const ShadowStage& stage : shadow.stages()) {
+    if (const Status drawn = draw_stage(shadow, stage, crowds); drawn != Status::kOk) return drawn;
   }
   return Status::kOk;
 }
 
 }  // namespace
+
+Status draw_hair(const ShadowState& shadow, const ShadowStage& stage, std::span<const ShadowCrowd> crowds,
+                 const MapPart& part) {
+  for (const ShadowCrowd& crowd : crowds) {
+    if (const Status drawn = draw_crowd(shadow, stage, crowd, part); drawn != Status::kOk) return drawn;
+  }
+  return Status::kOk;
+}
 
 Status HairShadow::prepare(const HairModel& model, const MaterialRecord* material) {
   const ModelState* const own = ModelState::of(model);
@@ -97,13 +119,14 @@ Status HairShadow::draw(std::span<const ShadowCrowd> crowds) {
   gl.Disable(GL_SCISSOR_TEST);
   gl.DepthMask(GL_TRUE);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  Status status = Status::kOk;
-  for (const ShadowStage& stage : shadow.stages()) {
-    if (status == Status::kOk) status = draw_stage(shadow, stage, crowds);
-  }
+  const auto draw_technique = shadow.desc.technique->draw;
+  const Status status = draw_technique == nullptr ? draw_stages(shadow, crowds) : draw_technique(shadow, crowds);
   set_slope_bias(shadow, 0);
+  shadow.functions.Viewport(0, 0, side, side);
   shadow.functions.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (shadow.textures[kFrontTexture] != 0) unbind_texture(gl, kShadowUnit + kFrontTexture);
+  for (std::uint32_t i = 0; i < HairShadow::kTextures; ++i) {
+    if (shadow.textures[i] != 0) unbind_texture(gl, kShadowUnit + GLint(i));
+  }
   gl.ActiveTexture(GL_TEXTURE0);
   return status;
 }

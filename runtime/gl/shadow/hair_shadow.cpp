@@ -31,7 +31,7 @@ Pass caster_pass(const MaterialRecord& material, float alpha_min) {
 
 GLuint make_depth_texture(const ShadowState& shadow) {
   const auto size = static_cast<GLsizei>(shadow.desc.size);
-  return make_texture(shadow.gl(), GL_DEPTH_COMPONENT24, size, size);
+  return make_texture(shadow.gl(), shadow.desc.technique->depth_format, size, size);
 }
 
 GLuint make_framebuffer(const ShadowFunctions& functions, GLuint depth) {
@@ -82,7 +82,9 @@ Status HairShadow::create(HairRenderer& hair_renderer, const GlLoader& loader, c
 void HairShadow::destroy() {
   if (!is_created()) return;
   state_->gl().DeleteTextures(kTextures, state_->textures);
+  state_->gl().DeleteTextures(ShadowState::kMostScratch, state_->scratch);
   state_->functions.DeleteFramebuffers(kShadowFramebuffers, state_->framebuffers);
+  if (state_->program != 0) state_->gl().DeleteProgram(state_->program);
   const ShadowDesc desc = state_->desc;
   state_ = new (static_cast<void*>(room_)) ShadowState;
   state_->desc = desc;
@@ -129,8 +131,7 @@ std::uint32_t HairShadow::texture(std::uint32_t texture) const {
 
 std::uint64_t HairShadow::bytes() const {
   if (!is_created()) return 0;
-  const ShadowDesc& desc = state_->desc;
-  return std::uint64_t{desc.size} * desc.size * desc.technique->texel_bytes(*state_);
+  return state_->desc.technique->bytes(*state_);
 }
 
 const ShadowDesc& HairShadow::desc() const {

@@ -19,8 +19,8 @@ constexpr ShadowLookup kLookup = {1, {"", kShaderHairShadowPlainGlsl}, {"hair_sh
 
 const ShadowLookup* choose_lookup(const ShadowDesc&) { return &kLookup; }
 bool make(ShadowState&) { return true; }
-float first_layer(const ShadowDesc&) { return 0; }
-std::uint32_t texel_bytes(const ShadowState&) { return 4; }
+float first_layer(const ShadowState&) { return 0; }
+std::uint64_t bytes(const ShadowState& shadow) { return texels_times(shadow.desc, 4); }
 
 }  // namespace
 
@@ -30,10 +30,10 @@ const ShadowTechnique kPlainShadow = {.name = "plain",
                                       .caster_slope_bias = 1,
                                       .texel_bias = 0.5f,
                                       .stage_count = 1,
-                                      .stages = {{kSolidFramebuffer, 1, plan}, {}},
+                                      .stages = {{kSolidFramebuffer, 1, false, plan}},
                                       .choose_lookup = choose_lookup,
                                       .make = make,
                                       .first_layer = first_layer,
-                                      .texel_bytes = texel_bytes};
+                                      .bytes = bytes};
 
 }  // namespace coif

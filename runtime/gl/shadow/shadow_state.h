@@ -17,10 +17,12 @@
   X(CheckFramebufferStatus)      \
   X(ClearBufferfv)               \
   X(DeleteFramebuffers)          \
+  X(DrawArrays)                  \
   X(DrawBuffers)                 \
   X(FramebufferTexture2D)        \
   X(GenFramebuffers)             \
   X(PolygonOffset)               \
+  X(Uniform4f)                   \
   X(Viewport)
 
 namespace coif {
@@ -31,7 +33,12 @@ COIF_GL_TABLE(ShadowFunctions, COIF_SHADOW_FUNCTIONS);
 enum ShadowTexture : std::uint32_t { kSolidTexture, kFrontTexture, kLayersTexture, kFarLayersTexture };
 
 /// And its framebuffers.
-enum ShadowFramebuffer : std::uint32_t { kSolidFramebuffer, kFrontFramebuffer, kLayersFramebuffer, kShadowFramebuffers };
+enum ShadowFramebuffer : std::uint32_t {
+  kSolidFramebuffer,
+  kFrontFramebuffer,
+  kLayersFramebuffer,
+  kShadowFramebuffers
+};
 
 /// From where the light looks.
 struct ShadowView {
@@ -44,7 +51,7 @@ struct ShadowView {
 /// What a program needs that looks shadows up. The renderer reaches all of a shadow through this, so that it holds none of
 /// it where no shadow is named.
 struct ShadowLookup {
-  std::uint32_t id;       ///< Of the programs that it is part of, 1..3.
+  std::uint32_t id;       ///< Of the programs that it is part of, 1..15; no two lookups share one.
   const char* pieces[2];  ///< GLSL: a line that defines what the other depends on; hair_light().
   const char* samplers[HairShadow::kTextures];
   ShadowUniforms (*uniforms)(const ShadowState& shadow, const Vec3& origin);
@@ -54,29 +61,48 @@ struct ShadowLookup {
 struct ShadowStage {
   ShadowFramebuffer framebuffer;
   float slope_bias;  ///< Texels, see set_slope_bias().
+  bool adds;         ///< What is drawn adds up, whatever its order.
   /// Passes over an asset whose texture's alpha lies in this range; one or none.
   PassList (*plan_passes)(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup& lookup);
+  void (*before)(const ShadowState& shadow) = nullptr;  ///< Binds what the passes read beside the hair's own textures.
 };
 
 struct ShadowTechnique {
-  static constexpr std::uint32_t kMostStages = 2;
+  static constexpr std::uint32_t kMostStages = 3;
 
   const char* name;
-  float caster_slope_bias;  ///< Texels; of what the host draws.
-  float texel_bias;         ///< Of a lookup, texels beside ShadowDesc::bias.
+  float caster_slope_bias;                     ///< Texels; of what the host draws.
+  float texel_bias;                            ///< Of a lookup, texels beside ShadowDesc::bias.
+  GLenum depth_format = GL_DEPTH_COMPONENT24;  ///< Of make_depth_texture().
   std::uint32_t stage_count;
   ShadowStage stages[kMostStages];
   /// Null for numbers that the technique cannot have.
   const ShadowLookup* (*choose_lookup)(const ShadowDesc& desc);
   /// Makes textures and framebuffers beside those of the solid depth, which are there. False where the driver cannot.
   bool (*make)(ShadowState& shadow);
-  /// Metres; 0 without layers.
-  float (*first_layer)(const ShadowDesc& desc);
-  std::uint32_t (*texel_bytes)(const ShadowState& shadow);
+  /// Metres, of the map's last view; 0 without layers.
+  float (*first_layer)(const ShadowState& shadow);
+  /// Of all textures.
+  std::uint64_t (*bytes)(const ShadowState& shadow);
+  /// Draws the stages, in other ways than one after the other. Null: so. kDriver where the driver refuses.
+  Status (*draw)(const ShadowState& shadow, std::span<const ShadowCrowd> crowds) = nullptr;
+};
+
+/// Each of the map's texels takes so many.
+[[nodiscard]] inline std::uint64_t texels_times(const ShadowDesc& desc, std::uint32_t bytes) {
+  return std::uint64_t{desc.size} * desc.size * bytes;
+}
+
+/// A square part of the map that is drawn as if it were all of it.
+struct MapPart {
+  std::uint32_t left = 0, bottom = 0;  ///< Texels.
+  std::uint32_t size = 0;              ///< 0: all of the map.
 };
 
 /// What HairShadow keeps in the room that its public header gives it.
 struct ShadowState {
+  static constexpr std::uint32_t kMostScratch = 13;
+
   /// Null before the first create().
   [[nodiscard]] static const ShadowState* of(const HairShadow& shadow) { return shadow.state_; }
 
@@ -96,7 +122,10 @@ struct ShadowState {
   ShadowDesc desc{.technique = nullptr};  // a default would hold a technique that nobody named
   GLuint textures[HairShadow::kTextures] = {};
   GLuint framebuffers[kShadowFramebuffers] = {};
-  float opacity_unit = 1;  ///< What 1 in a texel of the layers stands for.
+  GLuint scratch[kMostScratch] = {};  ///< Textures that nothing looks up.
+  GLuint program = 0;                 ///< The technique's own, beside those that draw hair.
+  float opacity_unit = 1;             ///< What 1 in a texel of the layers stands for.
+  GLint layer_targets = 0;            ///< Textures that kLayersFramebuffer adds to.
   ShadowView view;
   bool is_begun = false;
 };
@@ -109,6 +138,19 @@ struct ShadowState {
 
 /// Read texel by texel. Leaves it bound to the active unit.
 [[nodiscard]] GLuint make_depth_texture(const ShadowState& shadow);
+
+/// Textures for what fades light, four values to a texel, in halves or else in bytes, which ShadowState::opacity_unit tells
+/// then: OpenGL ES 3.0 draws into half floats only with GL_EXT_color_buffer_half_float or _float; nearly all devices have
+/// one. False where the driver cannot. `first`, and as many as `count` from there on.
+bool make_opacity_layers(ShadowState& shadow, ShadowTexture first, std::uint32_t count);
+[[nodiscard]] std::uint32_t opacity_texel_bytes(const ShadowState& shadow);
+/// Hair that goes into the map of solid things instead, and the rest.
+[[nodiscard]] PassList plan_solid_hair(const MaterialRecord& material, const AlphaRange& texture, const ShadowLookup&);
+[[nodiscard]] Pass soft_caster_pass(const MaterialRecord& material);
+
+/// Draws all crowds into the framebuffer that is bound.
+Status draw_hair(const ShadowState& shadow, const ShadowStage& stage, std::span<const ShadowCrowd> crowds,
+                 const MapPart& part = {});
 
 /// Depths move away from the light by what they change within a few texels, so that a surface does not shade itself where
 /// light grazes it: percentage-closer filtering compares it to its neighbours. 0 turns it off.

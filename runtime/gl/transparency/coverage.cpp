@@ -1,4 +1,4 @@
-#include "gl/crowd_draw.h"
+#include "gl/transparency/covered.h"
 
 #include <hair_shaders.h>
 
@@ -20,17 +20,6 @@ PassList plan(const MaterialRecord& material, const AlphaRange& texture) {
   PassList drawn;
   drawn.add_for(drawn_alpha(material, texture), pass);
   return drawn;
-}
-
-// Samples that are drawn get the whole colour. Their alpha, which says how many are drawn, would be left in the target
-// too and let the picture through a second time where it is shown; over what is opaque it stays 1 this way.
-bool draw_covered(const ModeDraw& draw) {
-  const GlFunctions& gl = draw.renderer.gl;
-  gl.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl.Enable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  const bool is_drawn = draw.crowd.draw(draw.passes);
-  gl.Disable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  return is_drawn;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace {
 constexpr FragmentCode kScreenDoorCode = {.id = 2,
                                           .keep = kShaderKeepScreenDoorGlsl,
                                           .output = kShaderHairOutputGlsl,
+                                          .shared = kShaderBayerSquareGlsl,
                                           .vertex = "#define COIF_CORNER\n",
                                           .thins = true};
 

@@ -5,6 +5,7 @@
 #include <coif/export.h>
 #include <coif/status.h>
 #include <coif/transparency.h>
+#include <coif/triangle_order.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,9 @@ struct DrawDesc {
   const TransparencyMode* transparency = &kBlendMode;
   const HairShadow* shadow = nullptr;  ///< Drawn for one of the lights, see coif/shadow.h; null: none.
   std::uint32_t shadowed_light = 0;    ///< Which of `lights` that is.
+  /// Makes each head's order of triangles anew, of the model's own asset (BoneOrder); null: the asset's own orders. Must stay
+  /// valid during the call.
+  TriangleOrder* order = nullptr;
   /// The framebuffer encodes sRGB itself (GL_SRGB8_ALPHA8). Otherwise the shader encodes: solid hair looks the same, but
   /// blending happens between encoded values, which makes soft tips darker. Over an edge whose alpha rises evenly from 0
   /// to 1 that is an error (PSNR) of 19 dB for light hair before a dark wall, 20 dB for dark hair before a light one, 42 dB
@@ -44,7 +48,8 @@ struct DrawDesc {
 /// What the renderer's one buffer for a frame's data is like.
 struct RendererDesc {
   /// Bytes, 1 MiB..256 MiB. Holds the bone matrices of all crowds of some three frames: 48 bytes for each bone and head,
-  /// and as much again for each time they are drawn. Where it is too small, draw() waits for the GPU.
+  /// and as much again for each time they are drawn; with DrawDesc::order also the indices of each head's
+  /// level, of which a quarter of the stream has to hold one head's with a block of matrices. Where it is too small, draw() waits for the GPU.
   std::uint32_t stream_bytes = 4u << 20;
   /// Most bytes of a uniform block, 16 KiB..64 KiB; less where the driver offers less. A draw call shows as many heads as
   /// have their matrices in one block; an asset with more bones than a block holds is drawn head by head.
@@ -85,9 +90,13 @@ class COIF_API HairRenderer {
   /// first. Coarser levels are drawn before finer ones. Never waits for the GPU while the stream is large enough, and
   /// never makes or grows an OpenGL object but a missing program. (Neither is true of kExactMode.)
   ///
+  /// With DrawDesc::order each head is drawn by itself with its own order, all passes in turn, from indices that are sent with its
+  /// matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses.
+  ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
   /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level
-  /// or a number out of its range. After these no OpenGL function has been called. kDriver when a program was missing,
+  /// or a number out of its range, an order that was not made of such an asset or whose indices the stream
+  /// has no room for. After these no OpenGL function has been called. kDriver when a program was missing,
   /// see prepare(), and is refused; nothing is drawn then.
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them,

@@ -17,21 +17,37 @@ struct ShadowTechnique;
 extern COIF_API const ShadowTechnique kPlainShadow;
 
 /// Deep opacity maps (Yuksel and Keyser 2008): layers that begin where the light first meets hair, and how much hair lies
-/// in each. Light fades as it goes in, by each strand's alpha. Two passes over the hair; 16 bytes a texel with four layers,
-/// 24 with eight, 12 and 16 where the driver cannot draw into half floats. The errors of both techniques:
-/// `coif report FILE shadows`.
+/// in each. Light fades as it goes in, by each strand's alpha; hair from alpha 0.9 on is solid. Three passes over the hair;
+/// 16 bytes a texel with four layers, 24 with eight, 12 and 16 where the driver cannot draw into half floats. The errors of
+/// all techniques: `coif report FILE shadows`.
 extern COIF_API const ShadowTechnique kDeepOpacityShadow;
 
-/// As the command line calls it: "plain", "deep".
+/// Opacity shadow maps (Kim and Neumann, "Opacity shadow maps", EGWR 2001; thesis, section 4.2.2): planes across the light,
+/// equally far apart over the ball, and how much hair lies before each; light between two planes is interpolated. Two passes
+/// over the hair; 12 bytes a texel with 4 planes, 20 with 8, 28 with 12, half of what is beyond 4 where the driver cannot draw
+/// into half floats. Planes are centimetres apart, so hair is shaded as if it were fog: deep opacity maps put the layers where
+/// the hair is.
+extern COIF_API const ShadowTechnique kOpacityShadow;
+
+/// Deep shadow maps (Lokovic and Veach, "Deep shadow maps", SIGGRAPH 2000; thesis, section 4.2.1): of each texel how much
+/// light passes its hair is a function of depth, here compressed to the two steps that come nearest to it. The hair's
+/// nearest layers towards the light, as many as ShadowDesc::layers, are peeled off one by one, with a pass over the hair
+/// for each and one for what is left, in each of 16 parts of the map. 6 bytes a texel, and 13 to 20 bytes for each of a 16th
+/// of the texels, which nothing looks up. Its steps need no bias. Nearest to the truth, and dearest to draw.
+extern COIF_API const ShadowTechnique kDeepShadow;
+
+/// As the command line calls it: "plain", "opacity", "deep", "deep-shadow".
 [[nodiscard]] COIF_API const char* name_of(const ShadowTechnique& technique);
 
 struct ShadowDesc {
-  const ShadowTechnique* technique = &kDeepOpacityShadow;
+  const ShadowTechnique* technique = &kDeepShadow;
   std::uint32_t size = 512;  ///< Texels each way, 16..4096.
-  std::uint32_t layers = 4;  ///< kDeepOpacityShadow: 4 or 8.
+  /// kOpacityShadow: planes, 4, 8 or 12; kDeepOpacityShadow: 4 or 8; kDeepShadow: 2 to 6. 0: 12, 4, and 6.
+  std::uint32_t layers = 0;
   /// kDeepOpacityShadow: metres from the first layer's front to the last one's end, > 0. What lies deeper counts to the last.
   float depth = 0.08f;
-  float bias = 0;  ///< Metres, >= 0: what is nearer to a surface does not shade it. Some of a texel's width comes on top.
+  float bias =
+      0;  ///< Metres, >= 0: what is nearer to a surface does not shade it. Some of a texel's width comes on top.
 };
 
 /// A ball, world, metres: what casts shadows and what may catch them.
@@ -84,7 +100,7 @@ class COIF_API HairShadow {
   /// material out of range; the errors of HairRenderer::draw() for models and instances. After these nothing has been drawn.
   ///
   /// State as after HairRenderer::draw(); beside it leaves the framebuffer bindings empty, the viewport as begin() sets
-  /// it, scissor test and polygon offset off, 2D texture and sampler of unit 4 empty. The host binds its own framebuffer next.
+  /// it, scissor test and polygon offset off, 2D texture and sampler of units 0 to 13 empty. The host binds its own framebuffer next.
   Status draw(std::span<const ShadowCrowd> crowds);
 
   /// Builds the programs that draw() would have to build first for this asset, drawn with its own or another material.

@@ -15,15 +15,37 @@ extern COIF_API const TransparencyMode kBlendMode;
 /// One pass, nothing blended: cut at the opaque threshold.
 extern COIF_API const TransparencyMode kOpaqueMode;
 
-/// One pass, nothing blended: alpha to coverage. Of a pixel on the line where alpha is half, or the opaque threshold if that
-/// is less, as many samples are drawn as lie inside, so edges are as smooth as the target has samples. For multisampled
-/// targets; with one sample the cut lies half a pixel further out. The target's alpha stays 1 where it was 1; over less it is only right in
-/// pixels that the hair covers wholly.
+/// One pass, nothing blended: alpha to coverage, sharpened, which is not the thesis's. Of a pixel on the line where alpha is
+/// half, or the opaque threshold if that is less, as many samples are drawn as lie inside, so edges are as smooth as the
+/// target has samples. For multisampled targets; with one sample the cut lies half a pixel further out. The target's alpha stays 1 where it
+/// was 1; over less it is only right in pixels that the hair covers wholly.
 extern COIF_API const TransparencyMode kCoverageMode;
 
-/// One pass, nothing blended: of soft texels every 4 x 4 pixels show as many as their alpha asks for, in Bayer's ordered
-/// pattern, mixed anew in each square and by each triangle so that layers do not hide each other. The pattern stays with
-/// the screen.
+/// One pass, nothing blended: alpha to coverage in proportion (thesis, 4.1.2). Of a soft texel's n samples a share is drawn that
+/// is the nearest to its alpha: n + 1 levels, off by 1 / (2 n) at most. (For four samples the thesis counts four levels,
+/// 0, 33.3, 66.6 and 100 %; the rasterizer has five.) Which samples is the driver's choice, mostly the same ones for the same
+/// share, so layers hide each other as with kBayerMode. The target's alpha as with kCoverageMode. For multisampled targets; with
+/// one sample it is a cut at half. Asks for GL_SAMPLES of the bound framebuffer.
+extern COIF_API const TransparencyMode kProportionalMode;
+
+/// kProportionalMode with the thesis's random pattern, whose jitter is in its Figure 16: the number of samples is rounded up or
+/// down at random for each pixel and triangle, so that its mean is alpha and a slow change of alpha shows no steps. With one
+/// sample texels are drawn or not at random. With OpenGL ES 3.2 it is also random which samples are drawn, so that layers do not
+/// hide each other, and the target's alpha is right; before that nobody may choose them. The pattern stays with the screen.
+extern COIF_API const TransparencyMode kJitteredMode;
+
+/// One pass, nothing blended: screen-door as published (thesis, 4.1.1). Soft texels show in every other pixel, as on a
+/// checkerboard, whatever their alpha. The pixels are the same for all surfaces, so two are seen at most: the nearest soft one
+/// and what is solid behind (its Figure 7).
+extern COIF_API const TransparencyMode kCheckerboardMode;
+
+/// One pass, nothing blended: screen-door with Bayer's ordered pattern (Bayer 1973). Of soft texels every 4 x 4 pixels show as
+/// many as their alpha asks for, the same ones on all surfaces: 17 levels, off by 1 / 32 at most. A soft layer behind another is
+/// seen only as far as its alpha is greater.
+extern COIF_API const TransparencyMode kBayerMode;
+
+/// kBayerMode with the pattern mixed anew in each square and by each triangle, which is coif's, so that layers do not hide each
+/// other. The pattern stays with the screen.
 extern COIF_API const TransparencyMode kScreenDoorMode;
 
 /// One pass, nothing blended: hashed alpha (Wyman and McGuire 2017). Soft texels are drawn at random points, which are

@@ -1,4 +1,5 @@
 #include "report/shadow/measure_shadows.h"
+#include "report/shadow/deep_shadow_map.h"
 
 #include "base/timing.h"
 #include "motion/head_path.h"
@@ -24,8 +25,11 @@ namespace {
 constexpr std::uint32_t kLeastSize = 16, kMostSize = 4096;
 constexpr double kLeastSpacing = 0.0005, kMostSpacing = 0.02;
 constexpr double kTurnSeconds = 0.45;  // hair at its furthest
-constexpr unsigned kTimedRuns = 5;
-constexpr float kPixel = 0.0005f;  // metres: fine enough that textures keep their detail
+constexpr unsigned kTimedRuns = 3;
+constexpr float kPixel = 0.0005f;         // metres: fine enough that textures keep their detail
+constexpr float kAside = 0.25f * kPixel;  // along both axes
+constexpr float kBound = 0.02f;           // of the deep shadow maps that are made on the processor
+constexpr char kOnProcessor[] = "deep-shadow-cpu";
 
 tl::expected<void, ToolError> check(const Asset& asset, const ShadowSettings& settings) {
   const auto size_ok = [](std::uint32_t size) { return size >= kLeastSize && size <= kMostSize; };
@@ -100,12 +104,16 @@ class ShadowMeasurement {
       const std::vector<Eigen::Vector3f> positions = posed_positions(asset_, pose.palette);
       for (const ShadowLight& light : report_.lights) {
         const FragmentView seen(surface_, positions, {towards(light), float(settings_.spacing), kPixel});
-        if (auto done = add_light(pose, light, shadow_points(seen, surface_, positions)); !done)
-          return tl::unexpected(done.error());
+        add_truth(light, seen, positions);
+        const std::vector<ShadowPoint> points = shadow_points(seen, surface_, positions);
+        if (auto done = add_light(pose, light, points); !done) return tl::unexpected(done.error());
+        for (const std::uint32_t size : settings_.sizes) add_on_processor(pose, light, positions, points, size);
       }
     }
+    report_.truth_rmse = agreement_.rmse();
+    report_.truth_compared = agreement_.compared();
+    report_.aside = kAside * std::numbers::sqrt2_v<float>;
     report_.totals = shadow_totals(report_.rows);
-    for (ShadowTotal& total : report_.totals) total.bytes = bytes_of(total);
     return std::move(report_);
   }
 
@@ -132,8 +140,12 @@ class ShadowMeasurement {
     ball_ = ball_around(framed_points(asset_), {&origin, 1});
     for (const std::uint32_t size : settings_.sizes) {
       const std::initializer_list<ShadowDesc> descs = {{.technique = &kPlainShadow, .size = size},
+                                                       {.technique = &kOpacityShadow, .size = size, .layers = 4},
+                                                       {.technique = &kOpacityShadow, .size = size, .layers = 12},
                                                        {.technique = &kDeepOpacityShadow, .size = size, .layers = 4},
-                                                       {.technique = &kDeepOpacityShadow, .size = size, .layers = 8}};
+                                                       {.technique = &kDeepOpacityShadow, .size = size, .layers = 8},
+                                                       {.technique = &kDeepShadow, .size = size, .layers = 4},
+                                                       {.technique = &kDeepShadow, .size = size, .layers = 6}};
       for (const ShadowDesc& desc : descs) {
         if (auto added = add_technique(desc); !added) return added;
       }
@@ -161,16 +173,51 @@ class ShadowMeasurement {
     for (Measured& one : measured_) {
       const auto ms = draw(one, pose, light);
       if (!ms) return tl::unexpected(ms.error());
-      const bool has_layers = one.desc.technique == &kDeepOpacityShadow;
+      const auto asked = std::chrono::steady_clock::now();
+      const std::vector<float> found = one.probe.light_at(points);
       add_row({.technique = name_of(*one.desc.technique),
-               .layers = has_layers ? one.desc.layers : 0,
+               .layers = one.desc.layers,
                .size = one.desc.size,
                .light = light.name,
                .pose = pose.name,
-               .ms = *ms},
-              points, one.probe.light_at(points));
+               .ms = *ms,
+               .read_ns = nanoseconds_since(asked) / double(points.size()),
+               .bytes = one.shadow.shadow().bytes()},
+              points, found);
     }
     return {};
+  }
+
+  /// Deep shadow maps as published, without a device.
+  void add_on_processor(const Pose& pose, const ShadowLight& light, std::span<const Eigen::Vector3f> positions,
+                        const std::vector<ShadowPoint>& points, std::uint32_t size) {
+    const float texel = 2 * ball_.radius / float(size);
+    const auto start = std::chrono::steady_clock::now();
+    const FragmentView seen(surface_, positions, {towards(light), texel, texel});
+    const DeepShadowMap map(seen, towards(light), texel, kBound);
+    const double made = nanoseconds_since(start);
+    const auto asked = std::chrono::steady_clock::now();
+    std::vector<float> found;
+    found.reserve(points.size());
+    for (const ShadowPoint& point : points) found.push_back(map.light_at(point));
+    add_row({.technique = kOnProcessor,
+             .size = size,
+             .light = light.name,
+             .pose = pose.name,
+             .ms = made * 1e-6,
+             .read_ns = nanoseconds_since(asked) / double(points.size()),
+             .bytes = map.bytes()},
+            points, found);
+  }
+
+  void add_truth(const ShadowLight& light, const FragmentView& seen, std::span<const Eigen::Vector3f> positions) {
+    const ViewGrid moved{
+        .towards_eye = towards(light), .spacing = float(settings_.spacing), .pixel = kPixel, .aside = kAside};
+    agreement_.add(seen, FragmentView(surface_, positions, moved), surface_, positions);
+  }
+
+  static double nanoseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
   }
 
   void add_row(ShadowRow row, const std::vector<ShadowPoint>& points, const std::vector<float>& light) {
@@ -201,16 +248,6 @@ class ShadowMeasurement {
     return SideBySideTiming::summarize(std::move(samples)).seconds;
   }
 
-  [[nodiscard]] std::uint64_t bytes_of(const ShadowTotal& total) const {
-    for (const Measured& one : measured_) {
-      const bool same_layers = total.layers == 0 || total.layers == one.desc.layers;
-      if (total.technique == name_of(*one.desc.technique) && same_layers && total.size == one.desc.size) {
-        return one.shadow.shadow().bytes();
-      }
-    }
-    return 0;
-  }
-
   const Asset& asset_;
   const ShadowSettings& settings_;
   const ReportProgress& progress_;
@@ -221,6 +258,7 @@ class ShadowMeasurement {
   StageRenderer stage_;
   ShadowBall ball_;
   std::vector<Measured> measured_;
+  TruthAgreement agreement_;
   ShadowReport report_;
 };
 
@@ -232,32 +270,6 @@ tl::expected<ShadowReport, ToolError> measure_shadows(const Asset& asset, const 
   const auto measurement = ShadowMeasurement::create(asset, settings, progress);
   if (!measurement) return tl::unexpected(measurement.error());
   return (*measurement)->run();
-}
-
-namespace {
-
-Eigen::Vector3f normal_of(const HairSurface::Triangle& triangle, std::span<const Eigen::Vector3f> positions) {
-  const Eigen::Vector3f& a = positions[triangle.vertex[0]];
-  return (positions[triangle.vertex[1]] - a).cross(positions[triangle.vertex[2]] - a);
-}
-
-}  // namespace
-
-std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
-                                       std::span<const Eigen::Vector3f> positions) {
-  std::vector<ShadowPoint> points;
-  for (std::size_t line = 0; line < seen.line_count(); ++line) {
-    const float solid = seen.solid_depth(line);
-    float passes = 1;
-    for (const Fragment& fragment : seen.line(line)) {
-      if (fragment.depth > solid) break;
-      points.push_back({seen.place(line, fragment.depth), normal_of(hair.triangles[fragment.triangle], positions),
-                        passes, fragment.alpha, false});
-      passes *= 1 - fragment.alpha;
-    }
-    if (std::isfinite(solid)) points.push_back({seen.place(line, solid), Eigen::Vector3f::Zero(), passes, 1, true});
-  }
-  return points;
 }
 
 }  // namespace coif

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <tl/expected.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,22 @@ struct ShadowPoint {
 /// known exactly, so no point needs a margin to its own card. `seen`: from the light, `hair` with its vertices at `positions`.
 [[nodiscard]] std::vector<ShadowPoint> shadow_points(const FragmentView& seen, const HairSurface& hair,
                                                      std::span<const Eigen::Vector3f> positions);
+
+/// Whether the exact reference agrees with itself: its light at a point, and on the same surface a little aside. No map whose
+/// texels are wider than that can be nearer to the reference than the two are to each other.
+class TruthAgreement {
+ public:
+  /// `aside`: as `seen`, its lines moved (ViewGrid::aside).
+  void add(const FragmentView& seen, const FragmentView& aside, const HairSurface& hair,
+           std::span<const Eigen::Vector3f> positions);
+
+  [[nodiscard]] double rmse() const { return met_ > 0 ? std::sqrt(squares_ / met_) : 0; }
+  /// Of the hair, the share whose surface goes on so far aside, 0..1; the rest is not compared.
+  [[nodiscard]] double compared() const { return points_ > 0 ? met_ / points_ : 0; }
+
+ private:
+  double points_ = 0, met_ = 0, squares_ = 0;
+};
 
 /// Asks a shadow how much light reaches points, as a host's own shader would: by HairShadow::code(). The context must be
 /// current in every call; its objects are freed with it.

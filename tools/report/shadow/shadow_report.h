@@ -17,6 +17,7 @@ namespace coif {
 struct ShadowError {
   double rmse = kNoNumber;  ///< NaN: there are no such points.
   double bias = kNoNumber;  ///< Mean; positive: too much light comes through.
+  double most = kNoNumber;  ///< The largest, either way.
 };
 
 /// "deep, 4 layers, 512".
@@ -28,7 +29,7 @@ template <typename Row>
   return {{kNoKey,
            [](const Row& row) { return technique_text(row.technique, row.layers, row.size); },
            {"technique"},
-           {"technique", -22}},
+           {"technique", -29}},
           {"technique", &Row::technique},
           {"layers", &Row::layers},
           {"size", &Row::size}};
@@ -38,21 +39,26 @@ template <typename Row>
 template <typename Row>
 [[nodiscard]] Columns<Row> shadow_error_columns() {
   return {{"rmse", [](const Row& row) { return row.hair.rmse; }, {"RMS, hair"}, {"hair rms", 9}},
-          {"bias", [](const Row& row) { return row.hair.bias; }, {"bias, hair"}, {"bias", 9}},
+          {"bias", [](const Row& row) { return row.hair.bias; }, {"bias, hair"}, {"bias", 10}},
+          {"max", [](const Row& row) { return row.hair.most; }, {"maximum, hair"}, {"max", 8}},
           {"head_rmse", [](const Row& row) { return row.head.rmse; }, {"RMS, head"}, {"head rms", 11}},
           {"head_bias", [](const Row& row) { return row.head.bias; }, {"bias, head"}, {"bias", 11}}};
 }
 
 /// One technique under one light in one pose.
 struct ShadowRow {
-  std::string technique;  ///< "plain" or "deep", as the command line calls them; "none": all light reaches everything.
+  /// As the command line calls it; "deep-shadow-cpu": deep shadow maps made and asked on the processor, compressed to a bound;
+  /// "none": all light reaches everything.
+  std::string technique;
   std::uint32_t layers = 0;  ///< 0: it has none.
   std::uint32_t size = 0;    ///< Texels of the map each way.
   std::string light;         ///< ShadowLight::name.
   std::string pose{};        ///< "rest" or a motion.
   ShadowError hair{};        ///< Over the hair that the head leaves in the light, each point counted by its alpha.
   ShadowError head{};        ///< Over the side of the head that is turned to the light.
-  double ms = 0;             ///< Wall time of drawing the map, until the device has finished, median.
+  double ms = 0;             ///< Wall time of making the map, until the device has finished, median.
+  double read_ns = 0;        ///< Wall time of asking it, for one point, with the answers' way back.
+  std::uint64_t bytes = 0;   ///< Of all that the map takes.
 };
 
 [[nodiscard]] inline Columns<ShadowRow> shadow_columns() {
@@ -60,8 +66,14 @@ struct ShadowRow {
   Columns<Row> columns = technique_columns<Row>();
   columns.append({{"light", &Row::light, {"light"}}, {"pose", &Row::pose, {"pose"}}});
   columns.append(shadow_error_columns<Row>());
-  columns.append(
-      {{"ms", &Row::ms}, {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}}});
+  columns.append({{"ms", &Row::ms},
+                  {"read_ns", &Row::read_ns},
+                  {"bytes", &Row::bytes},
+                  {kNoKey, [](const Row& row) { return row.size > 0 ? row.ms : kNoNumber; }, {"ms"}},
+                  {kNoKey, [](const Row& row) { return row.size > 0 ? row.read_ns : kNoNumber; }, {"ns to ask"}},
+                  {kNoKey,
+                   [](const Row& row) { return row.size > 0 ? double(row.bytes) / 1024 : kNoNumber; },
+                   {"KiB", {"{:.0f}", "-"}}}});
   return columns;
 }
 
@@ -75,7 +87,8 @@ struct ShadowTotal {
   std::string worst_pose{};
   double worst_rmse = 0;    ///< and how large.
   double ms = 0;            ///< Median over lights and poses.
-  std::uint64_t bytes = 0;  ///< Of the map's textures.
+  double read_ns = 0;       ///< Median, too.
+  std::uint64_t bytes = 0;  ///< The most over them.
 };
 
 [[nodiscard]] inline Columns<ShadowTotal> shadow_total_columns() {
@@ -94,8 +107,13 @@ struct ShadowTotal {
        {"worst_rmse", &Total::worst_rmse, {"its RMS"}},
        {kNoKey, worst, {}, {"   worst light of hair", -27}},
        {"ms", &Total::ms},
+       {"read_ns", &Total::read_ns},
        {"bytes", &Total::bytes},
        {kNoKey, [](const Total& total) { return total.size > 0 ? total.ms : kNoNumber; }, {"ms"}, {"ms", 8}},
+       {kNoKey,
+        [](const Total& total) { return total.size > 0 ? total.read_ns : kNoNumber; },
+        {"ns to ask"},
+        {"ns", 8}},
        {kNoKey, kibibytes, {"KiB", {"{:.0f}", "-"}}, {"KiB", 8, {"{:.0f}", "-"}}}});
   return columns;
 }
@@ -116,6 +134,9 @@ struct ShadowReport {
   std::string device;                              ///< GL_RENDERER.
   double spacing = 0;                              ///< Metres between the exact reference's lines.
   std::uint64_t hair_points = 0, head_points = 0;  ///< All lights and poses together.
+  double aside = 0;           ///< Metres across the light, over which the reference is compared with itself:
+  double truth_rmse = 0;      ///< its difference over hair,
+  double truth_compared = 0;  ///< and the share of the hair, 0..1, that goes on so far.
   std::vector<ShadowLight> lights;
   std::vector<ShadowRow> rows;
   std::vector<ShadowTotal> totals;  ///< In the order in which they first occur in `rows`.
