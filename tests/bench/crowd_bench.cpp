@@ -121,7 +121,7 @@ void report(benchmark::State& state, const CrowdRun& run, Frames& asleep, Frames
   state.counters["step_ns_per_bone"] = step * 1e9 / run.shape.bone_count();
   state.counters["set_head_ns"] = set * 1e9 / run.shape.heads;
   state.counters["us_per_frame"] = (set + step) * 1e6;
-  state.counters["ratio"] = step / awake.step.median_seconds();
+  state.counters["ratio"] = (set + step) / (awake.set.median_seconds() + awake.step.median_seconds());
 }
 
 void time_sleep(benchmark::State& state, const CrowdRun& run) {

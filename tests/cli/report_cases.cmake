@@ -55,7 +55,7 @@ coif_cli_case(report_cost_json EXIT 0 SAMPLE TIMEOUT 300
   ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --format json)
 # Four crowds in four ways, where there is something to draw with.
 coif_cli_case(report_cost_table1 EXIT 0 SAMPLE TIMEOUT 600
-  JSON table_1,15,heads table_1,15,transparency table_1,15,simulation table_1,15,ms_per_frame table_1,15,gpu_ms_per_frame
+  JSON table_1,15,heads table_1,15,transparency table_1,15,simulation table_1,15,ms_per_frame table_1,15,step_ms table_1,15,gpu_ms_per_frame
        table_1,15,fps table_1,15,thesis_fps table_1,15,device table_1_ratios,3,transparency_on_off
        table_1_ratios,3,simulation_on_off distances,0,screen_share distances,0,covered_pixels_per_head
   ARGS report ${COIF_COOKED_SAMPLE} cost ${quick_cost} --table1 --format json)
@@ -98,13 +98,13 @@ coif_cli_case(report_order_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
   STDOUT "bob.coif: [0-9]+ bones, .*\n  rest +head .*\n  rest +opaque .*own order .*out.html: written"
   ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} -o out.html)
 coif_cli_case(report_order_json EXIT 0 SAMPLE TIMEOUT 300
-  JSON asset device width views orders orbit_frames rows,3,order rows,3,pose rows,3,faces rows,3,psnr_db rows,3,rmse
-       rows,3,worst_psnr_db rows,3,bad_pixels_pct rows,3,popping rows,3,median_psnr_db rows,3,ms_per_frame rows,3,bytes
-       modes,1,transparency modes,1,psnr_db gain_over_head_db,rest gain_over_head_db,turn gain_over_head_db,charge
+  JSON asset device solver width views orders orbit_frames rows,3,order rows,3,pose rows,3,faces rows,3,psnr_db rows,3,rmse
+       rows,3,worst_psnr_db rows,3,bad_pixels_pct rows,3,popping rows,3,median_psnr_db rows,3,ms_per_frame rows,3,sorting_ns rows,3,bytes
+       modes,1,transparency modes,1,psnr_db gain_over_head_db,rest gain_over_head_db,turn gain_over_head_db,charge gain_over_head_db,tumble
        thresholds,1,opaque_threshold distance,1,pixels distance,1,coverage_pct reference,0,max_difference worst,0,yaw
        left_out
   ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} --format json)
-coif_cli_case(report_order_alone EXIT 0 SAMPLE STDOUT "\n  charge +triangles " TIMEOUT 300
+coif_cli_case(report_order_alone EXIT 0 SAMPLE STDOUT "\n  tumble +triangles " TIMEOUT 300
   ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} --no-modes)
 coif_cli_case(report_order_too_large EXIT 1 SAMPLE
   STDERR "bob.coif: pictures that are compared have 16 to 1024 pixels each way"
@@ -112,6 +112,14 @@ coif_cli_case(report_order_too_large EXIT 1 SAMPLE
 coif_cli_case(report_order_without_device EXIT 5 SAMPLE STDERR "bob.coif: no EGL display with OpenGL ES 3.0"
   ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order})
 set_tests_properties(cli.report_order_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
+coif_cli_case(report_order_of_thesis EXIT 0 SAMPLE STDOUT "\n  charge +bones .*\n" TIMEOUT 300
+  ARGS report ${COIF_COOKED_SAMPLE} order ${quick_order} --no-modes --solver thesis)
+coif_cli_case(report_order_of_history EXIT 1 SAMPLE
+  STDERR "bob.coif: 'xpbd' is no solver that a game can run; orders are measured with coif, cascade, passive, thesis"
+  ARGS report ${COIF_COOKED_SAMPLE} order --solver xpbd)
+coif_cli_case(report_order_of_two_solvers EXIT 1
+  STDERR "coif report: error: --solver: draw orders are measured with one at a time"
+  ARGS report a.coif order --solver coif,thesis)
 set(quick_shadows --map-size 128 --spacing 0.01)
 coif_cli_case(report_shadows_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
   STDOUT "bob.coif: [0-9]+ bones, .*\n  none .*\n  plain, 128 .*\n  deep, 8 layers, 128 .*Nearest to the truth.*out.html: written"

@@ -67,10 +67,16 @@ foreach(shading thesis kajiya-kay marschner)
   coif_cli_case(render_${shading} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shading ${shading} -o bob.png)
 endforeach()
-foreach(shadows none plain deep)
+foreach(shadows none plain opacity deep deep-shadow)
   coif_cli_case(render_shadows_${shadows} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shadows ${shadows} --heads 2 -o bob.png)
 endforeach()
+foreach(way checkerboard bayer proportional jittered)
+  coif_cli_case(render_${way} EXIT 0 SAMPLE WRITES bob.png
+    ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --transparency ${way} -o bob.png)
+endforeach()
+coif_cli_case(render_by_bones EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --order bones --motion turn --time 0.3 -o bob.png)
 coif_cli_case(render_no_such_lod EXIT 1 SAMPLE STDERR "bob.coif: there is no level of detail 9; the asset has [0-9], counted"
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --lod 9 -o bob.png)
 coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png

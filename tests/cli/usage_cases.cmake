@@ -37,7 +37,12 @@ coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT w
 coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)
 coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner"
   ARGS render a.coif --shading phong -o out.png)
-coif_cli_case(render_bad_shadows EXIT 1 STDERR "--shadows: 'soft' is not one of none, plain, deep"
+coif_cli_case(render_bad_order EXIT 1 STDERR "--order: 'depth' is not one of cooked, bones"
+  ARGS render a.coif --order depth -o out.png)
+coif_cli_case(render_bad_transparency EXIT 1
+  STDERR "--transparency: 'door' is not one of blend, opaque, coverage, proportional, jittered, screendoor, checkerboard, bayer, hashed, exact"
+  ARGS render a.coif --transparency door -o out.png)
+coif_cli_case(render_bad_shadows EXIT 1 STDERR "--shadows: 'soft' is not one of none, plain, opacity, deep, deep-shadow"
   ARGS render a.coif --shadows soft -o out.png)
 coif_cli_case(render_time_without_motion EXIT 1 STDERR "coif render: error: .*--motion"
   ARGS render a.coif --time 1 -o out.png)

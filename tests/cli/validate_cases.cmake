@@ -52,3 +52,4 @@ coif_cli_case(validate_page_folder EXIT 2 STDERR "coif validate: error: no/out.h
 coif_cli_case(validate_page_of_bad EXIT 3 WRITES out.html STDOUT "notes.coif: invalid"
   TEXT notes.coif "this text is long enough for a header" ARGS validate notes.coif --report out.html)
 coif_cli_script(validate_draws_patches)
+coif_cli_script(size_is_judged TIMEOUT 120)

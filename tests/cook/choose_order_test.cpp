@@ -4,6 +4,7 @@
 #include "cook/told.h"
 #include "lab/rig.h"
 #include "models/card_asset.h"
+#include "models/test_rig.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -50,7 +51,8 @@ std::vector<std::string> choose(const Recipe& recipe, AssetContents& contents, u
   Findings findings;
   const auto chosen = choose_order(recipe, used, threads, contents, findings);
   EXPECT_TRUE(chosen) << (chosen ? "" : chosen.error().message);
-  EXPECT_TRUE(OpenedAsset(contents).asset().is_open()) << "the format allows the result";
+  const OpenedAsset opened(contents);
+  EXPECT_TRUE(opened.asset().is_open()) << "the format allows the result: " << describe(opened.status().code);
   return findings.notes;
 }
 
@@ -140,6 +142,34 @@ TEST(ChooseOrder, DistanceFromTheHeadIsThatWhateverTheOrderInTheFile) {
   const std::string sorted = head_quality(stack());
   EXPECT_NE(sorted.find(" dB (median "), std::string::npos) << sorted;
   EXPECT_EQ(head_quality(card_contents(cards)), sorted);
+}
+
+/// Cards on the bones of hair that moves.
+AssetContents hanging_stack() {
+  std::vector<Card> cards;
+  for (int i = 0; i < 9; ++i) cards.push_back({.center = {0, -0.03f * float(i % 3), -0.02f * float(i)}, .alpha = 150});
+  const AssetContents drawn = card_contents(cards);
+  AssetContents contents = nine_bone_rig().contents();
+  contents.vertices = drawn.vertices;
+  contents.indices = drawn.indices;
+  contents.patches = drawn.patches;
+  contents.material = drawn.material;
+  contents.textures = drawn.textures;
+  contents.texels = drawn.texels;
+  for (std::size_t v = 0; v < contents.vertices.size(); ++v) {
+    contents.skin.push_back({{std::uint16_t(contents.bones.size() - 9 + v / 4), 0, 0, 0}, {255, 0, 0, 0}});
+  }
+  return contents;
+}
+
+TEST(ChooseOrder, IsSearchedInPosesOfTheSolverThatTheRecipeNames) {
+  const auto told_of = [](const std::string& solver) {
+    Recipe recipe = recipe_with("auto");
+    recipe.order_solver = solver;
+    AssetContents contents = hanging_stack();
+    return choose(recipe, contents).at(0);
+  };
+  EXPECT_NE(told_of("thesis"), told_of(default_recipe().order_solver));
 }
 
 void expect_untouched(const Recipe& recipe, AssetContents contents) {

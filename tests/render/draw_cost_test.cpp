@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <chrono>
 #include <limits>
 #include <set>
+#include <span>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -65,7 +68,7 @@ TEST_F(DrawCostTest, DrawsTheSmallestCrowdInEveryModeThereIs) {
     });
   };
   for (const TransparencyMode* mode : transparency_modes()) {
-    EXPECT_EQ(is_drawn(mode, 1), mode != &kCoverageMode) << name_of(*mode);
+    EXPECT_EQ(is_drawn(mode, 1), !covers_samples(*mode)) << name_of(*mode);
     EXPECT_EQ(is_drawn(mode, 4), samples_for(*mode) == 4) << name_of(*mode);
   }
 }
@@ -213,6 +216,40 @@ TEST_F(CrowdFrames, MakeNoObjectsInAnyMode) {
   model.destroy();
 }
 
+/// Frames of which every part takes a known time at the least: what is not in the clock is missed.
+class FrameTimesTest : public DrawnWigTest {
+ protected:
+  static constexpr double kDraw = 2e-3, kStep = 6e-3;  // seconds
+
+  std::vector<FrameTime> times_of(std::span<const DrawnFrame> frames) {
+    const auto host = EglContext::create();
+    CountedCalls calls(host->loader());
+    calls.draw_seconds = kDraw;
+    const GlLoader through = calls.loader();
+    const auto stage = CrowdStage::create(*wig_, 32, 24, &through);
+    EXPECT_TRUE(stage);
+    const DrawnCrowd crowd{[] { std::this_thread::sleep_for(std::chrono::duration<double>(kStep)); },
+                           [this](std::uint32_t) { return std::span<const Mat34>(palette_); }};
+    (*stage)->add(crowd, (*stage)->filling_view(1));
+    return time_frames(**stage, frames, 0.05);
+  }
+};
+
+TEST_F(FrameTimesTest, HaveEveryPassOfTheFrameInThem) {
+  const DrawnFrame frames[] = {{.transparency = &kOpaqueMode},
+                               {.transparency = &kBlendMode},
+                               {.transparency = &kOpaqueMode, .simulation = true},
+                               {.transparency = &kBlendMode, .simulation = true}};
+  const std::vector<FrameTime> times = times_of(frames);
+  const double least[] = {kDraw, 4 * kDraw, kDraw + kStep, 4 * kDraw + kStep};  // one pass, four, and a step before them
+  for (std::size_t i = 0; i < std::size(frames); ++i) {
+    EXPECT_GE(times[i].seconds, least[i]) << i;
+    EXPECT_GE(times[i].step_seconds, frames[i].simulation ? kStep : 0) << i;
+    EXPECT_LE(times[i].step_seconds, times[i].seconds) << i;
+    if (!frames[i].simulation) EXPECT_EQ(times[i].step_seconds, 0) << i;
+  }
+}
+
 class ThesisCrowdsTest : public DrawnWigTest {
  protected:
   static ThesisCrowdSettings quick() { return {.heads = {4, 2}, .width = 32, .height = 24, .time = {1, kAnyTime}}; }
@@ -226,6 +263,7 @@ TEST_F(ThesisCrowdsTest, MeasuresFourWaysOfEveryCrowd) {
   for (const ThesisCrowdRow& row : found->rows) {
     ways.insert({row.heads, row.transparency, row.simulation});
     EXPECT_GT(row.time.seconds, 0);
+    EXPECT_EQ(row.time.step_seconds > 0, row.simulation);
   }
   EXPECT_EQ(found->rows.size(), 8u);
   EXPECT_EQ(ways.size(), 8u);

@@ -116,7 +116,7 @@ TEST_F(PictureTest, CollidersHaveAColourOfTheirOwnBesideABodyToo) {
   };
   const SourceModel body = shoulders();
   settings_.yaw_degrees = 0;
-  settings_.shadows = &kDeepOpacityShadow;
+  settings_.shadows = &kDeepShadow;
   for (const SourceModel* const beside : {static_cast<const SourceModel*>(nullptr), &body}) {
     settings_.body = beside;
     settings_.colliders = false;
@@ -190,7 +190,7 @@ TEST_F(PictureTest, ShadowsDarkenHairAndBody) {
     hair[i] = !bare[i];
     skin[i] = bare[i] && !backdrop[i];
   }
-  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
+  for (const ShadowTechnique* technique : shadow_techniques()) {
     settings_.shadows = bald.shadows = technique;
     const Picture shaded = take(settings_), shaded_body = take(bald);
     EXPECT_LT(brightness(shaded, hair), 0.95 * brightness(lit, hair)) << name_of(*technique);
@@ -208,7 +208,7 @@ TEST_F(PictureTest, TheHeadsOwnShadowHasASoftEdge) {
   settings_.height = 360;
   settings_.material = *(*wig_).material();
   settings_.material->base_color[3] = 0;
-  for (const ShadowTechnique* technique : {&kPlainShadow, &kDeepOpacityShadow}) {
+  for (const ShadowTechnique* technique : shadow_techniques()) {
     settings_.shadows = technique;
     const Picture picture = take(settings_);
     int steepest = 0, least = 255, most = 0;

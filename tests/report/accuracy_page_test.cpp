@@ -188,7 +188,7 @@ TEST(AccuracyTables, ColorsCompareWithTheBudget) {
   const CellLook looks[] = {CellLook::kGood,    CellLook::kGood, CellLook::kBad,
                             CellLook::kWarning, CellLook::kGood, CellLook::kGood};
   ASSERT_EQ(table.rows.size(), std::size(looks));
-  for (std::size_t i = 0; i < std::size(looks); ++i) EXPECT_EQ(table.rows[i][3].look, looks[i]) << i;
+  for (std::size_t i = 0; i < std::size(looks); ++i) EXPECT_EQ(table.rows[i][4].look, looks[i]) << i;
 }
 
 TEST(AccuracyText, ShowsTheFrontAndTheBestOfEachSolver) {

@@ -201,7 +201,8 @@ ThesisTable made_up_thesis_table() {
                               .transparency = transparency,
                               .simulation = simulation,
                               .ms_per_frame = heads * (transparency ? 3 : 2) * (simulation ? 1.5 : 1),
-                              .spread_pct = 2});
+                              .spread_pct = 2,
+                          .step_ms = simulation ? heads * (transparency ? 3 : 2) * 0.5 : 0});
       }
     }
   }
@@ -226,15 +227,16 @@ OrderError error_of(double db) {
 OrderReport made_up_order() {
   OrderReport report;
   report.device = "made-up device";
+  report.solver = "coif";
   report.width = report.height = 64;
   report.opaque_threshold = 0.8;
   report.orders = 3;
   report.directions = {{0, 0}, {90, 0}, {180, 0}, {270, 10}};
   report.orbit_frames = 30;
   for (const char* pose : {"rest", "turn"}) {
-    report.rows.push_back({"head", pose, false, error_of(20), 0.02, 1, 1000});
-    report.rows.push_back({"view", pose, true, error_of(40), 0.01, 1.5, 3000});
-    report.rows.push_back({"triangles", pose, true, error_of(44), std::nullopt, 2, 1000});
+    report.rows.push_back({"head", pose, false, error_of(20), 0.02, 1, std::nullopt, 1000});
+    report.rows.push_back({"view", pose, true, error_of(40), 0.01, 1.5, 7, 3000});
+    report.rows.push_back({"triangles", pose, true, error_of(44), std::nullopt, 2, 90000, 1000});
     report.gains.push_back({pose, 20});
   }
   report.modes = {{"blend", 1, "rest", error_of(40), 0.01, 1.5}, {"opaque", 1, "rest", error_of(18), 0.05, 0.5}};

@@ -28,7 +28,7 @@ TEST(OrderJson, HasTheDocumentedKeysAndTypes) {
   EXPECT_EQ(json["views"], 4);
   EXPECT_EQ(json["orders"], 3);
   EXPECT_EQ(keys_of(json["rows"][0]), (Keys{"order", "pose", "faces", "psnr_db", "rmse", "worst_psnr_db",
-                                            "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame", "bytes"}));
+                                            "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame", "sorting_ns", "bytes"}));
   EXPECT_EQ(keys_of(json["modes"][0]), (Keys{"transparency", "samples", "pose", "psnr_db", "rmse", "worst_psnr_db",
                                              "bad_pixels_pct", "popping", "median_psnr_db", "ms_per_frame"}));
   EXPECT_EQ(keys_of(json["thresholds"][0]), (Keys{"opaque_threshold", "is_own", "psnr_db", "rmse", "worst_psnr_db",
@@ -50,6 +50,9 @@ TEST(OrderJson, HoldsEveryRow) {
     EXPECT_EQ(json["rows"][i]["faces"], report.rows[i].faces_together ? "together" : "apart");
   }
   EXPECT_TRUE(json["rows"][2]["popping"].is_null());
+  EXPECT_TRUE(json["rows"][0]["sorting_ns"].is_null()) << "one order for all sides";
+  EXPECT_EQ(json["rows"][1]["sorting_ns"], 7);
+  EXPECT_EQ(json["solver"], "coif");
   EXPECT_EQ(json["gain_over_head_db"]["turn"], 20);
 }
 
@@ -114,7 +117,7 @@ TEST(OrderSummary, PraisesWhatNeedsNoChange) {
 
 TEST(OrderText, HasALineForEveryRow) {
   const std::string text = order_text(made_up_heading(), made_up_order());
-  EXPECT_TRUE(std::regex_search(text, std::regex("\n  turn +view +40.0 +41.0 +35.0 .* 1.50\n"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("\n  turn +view +40.0 +41.0 +35.0 .* 1.50 +7\n"))) << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  rest +opaque +18.0 "))) << text;
   EXPECT_TRUE(std::regex_search(text, std::regex("\n  0.800 .*the asset's\n"))) << text;
   EXPECT_NE(text.find("left out: bones: this program <cannot>"), std::string::npos) << text;
@@ -165,11 +168,13 @@ TEST(ShadowJson, HasTheDocumentedKeysAndTypes) {
   const ordered_json json = shadow_json(made_up_heading(), made_up_shadows());
   EXPECT_EQ(json["hair_points"], 1234);
   EXPECT_EQ(keys_of(json["lights"][0]), (std::vector<std::string>{"light", "yaw", "pitch"}));
-  EXPECT_EQ(keys_of(json["rows"][0]), (std::vector<std::string>{"technique", "layers", "size", "light", "pose", "rmse",
-                                                                "bias", "head_rmse", "head_bias", "ms"}));
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (std::vector<std::string>{"technique", "layers", "size", "light", "pose", "rmse", "bias", "max",
+                                      "head_rmse", "head_bias", "ms", "read_ns", "bytes"}));
   EXPECT_EQ(keys_of(json["totals"][0]),
-            (std::vector<std::string>{"technique", "layers", "size", "rmse", "bias", "head_rmse", "head_bias",
-                                      "worst_light", "worst_pose", "worst_rmse", "ms", "bytes"}));
+            (std::vector<std::string>{"technique", "layers", "size", "rmse", "bias", "max", "head_rmse", "head_bias",
+                                      "worst_light", "worst_pose", "worst_rmse", "ms", "read_ns", "bytes"}));
+  for (const char* key : {"truth_aside", "truth_rmse", "truth_compared"}) EXPECT_TRUE(json.contains(key)) << key;
   ASSERT_EQ(json["rows"].size(), 4u);
   EXPECT_EQ(json["rows"][2]["rmse"], 0.12);
   EXPECT_TRUE(json["rows"][2]["head_rmse"].is_null()) << "there is no head";
@@ -179,6 +184,17 @@ TEST(ShadowSummary, NamesTheBestAndTheSmallestThatIsNearlyAsGood) {
   const std::string text = shadow_summary(made_up_shadows());
   EXPECT_NE(text.find("Nearest to the truth: deep, 4 layers, 512 (RMS 0.10"), std::string::npos) << text;
   EXPECT_NE(text.find("nearly as good: deep, 4 layers, 256"), std::string::npos) << text;
+}
+
+TEST(ShadowSummary, TellsTheGainOverAPlainMapOfAsManyBytes) {
+  ShadowReport report;
+  report.totals = {made_up_total("plain", 0, 256, 0.2), made_up_total("plain", 0, 512, 0.1),
+                   made_up_total("deep-shadow", 6, 256, 0.05)};
+  report.totals[2].bytes = 2 * report.totals[0].bytes;  // half way: plain has 0.2 / sqrt(2)
+  EXPECT_NE(shadow_summary(report).find("as many bytes: 2.83 x (deep-shadow, 6 layers, 256)."), std::string::npos)
+      << shadow_summary(report);
+  report.totals[2].bytes = 5 * report.totals[0].bytes;
+  EXPECT_EQ(shadow_summary(report).find("as many bytes"), std::string::npos) << "no plain map was as large";
 }
 
 TEST(ShadowSummary, SaysWhereNothingWasCompared) {

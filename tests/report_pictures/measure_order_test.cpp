@@ -224,39 +224,6 @@ TEST(DrawnOrders, TrianglesAreFarToNear) {
   }
 }
 
-/// Both boxes' cards on bones of their own but for one corner each.
-AssetContents shells_on_two_bones() {
-  AssetContents contents = shells();
-  contents.skin.resize(contents.vertices.size());
-  for (std::size_t v = 0; v < contents.skin.size(); ++v) {
-    const bool is_outer = v < contents.skin.size() / 2;
-    contents.skin[v].bone[0] = std::uint16_t(is_outer == (v % 4 != 0) ? 5 : 3);
-    contents.skin[v].weight[0] = 255;
-  }
-  return contents;
-}
-
-TEST(DrawnOrders, TrianglesHangOnTheBoneThatMovesThemMost) {
-  const AssetContents finest = shells_on_two_bones();
-  const auto bones = leading_bones(finest);
-  ASSERT_EQ(bones.size(), finest.indices.size() / 3);
-  for (std::size_t t = 0; t < bones.size(); ++t) EXPECT_EQ(bones[t], t < bones.size() / 2 ? 5u : 3u) << t;
-}
-
-TEST(DrawnOrders, BonesAreFarToNearAndKeepTheirTrianglesInStoredOrder) {
-  const AssetContents finest = shells_on_two_bones();
-  auto positions = rest_positions(finest);
-  for (std::size_t v = 0; v < positions.size() / 2; ++v) positions[v].z() += 1;  // the outer box's
-  const auto bones = leading_bones(finest);
-  const auto in_front = far_to_near(finest.indices, bones, positions, {0, 0, 5});
-  const auto behind = far_to_near(finest.indices, bones, positions, {0, 0, -5});
-  const auto middle = std::ptrdiff_t(finest.indices.size() / 2);
-  std::vector<std::uint32_t> inner_first = finest.indices;
-  std::ranges::rotate(inner_first, inner_first.begin() + middle);
-  EXPECT_EQ(in_front, inner_first);
-  EXPECT_EQ(behind, finest.indices);
-}
-
 using Bytes = std::vector<std::uint8_t>;
 
 /// Pixels of one grey and one alpha.

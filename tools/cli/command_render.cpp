@@ -6,6 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cook/size/settle_size.h"
 #include "render/picture.h"
 
 #include <algorithm>
@@ -55,6 +56,9 @@ tl::expected<SourceModel, ToolError> read_body(const RenderOptions& options, con
   if (!choice) return tl::unexpected(choice.error());
   auto model = import_model(options.body, import_settings(choice->recipe, options.roots));
   if (!model) return model;
+  Findings findings;
+  if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
+  for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
   return keep_body(std::move(*model), options.body_mesh, choice->recipe);
 }
 
@@ -149,7 +153,7 @@ void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
     return all;
   }();
   add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices,
-                                     "How the key light's shadows are drawn (default: deep)");
+                                     "How the key light's shadows are drawn (default: deep-shadow)");
 }
 
 void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
@@ -159,6 +163,12 @@ void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
     return all;
   }();
   add_choice<const TransparencyMode*>(app, "--transparency", choice, choices, "How soft edges are drawn");
+}
+
+void add_order(CLI::App& app, OrderChoice& choice) {
+  static constexpr Choice<OrderChoice> kChoices[] = {{"cooked", OrderChoice::kCooked}, {"bones", OrderChoice::kBones}};
+  add_choice<OrderChoice>(app, "--order", choice, kChoices,
+                          "In which order triangles are blended, as cooked or with the bones sorted in each frame");
 }
 
 void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
@@ -176,7 +186,7 @@ void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
 Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
   const auto options = std::make_shared<RenderOptions>();
-  options->picture.shadows = &kDeepOpacityShadow;
+  options->picture.shadows = &kDeepShadow;
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
   add_size(*app, options->size);
@@ -187,6 +197,7 @@ Command add_render(CLI::App& program) {
       "Which part of the shading; or, to check the cook, the strands' direction, the patches, or the colliders");
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_transparency(*app, options->picture.transparency);
+  add_order(*app, options->picture.order);
   add_shadows(*app, options->picture.shadows);
   add_shading(*app, options->shading);
   app->add_option(

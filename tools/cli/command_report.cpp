@@ -77,6 +77,7 @@ CostChoice cost_choice(const ReportOptions& options) {
 
 OrderSettings order_settings(const ReportOptions& options) {
   OrderSettings settings = options.order;
+  if (!options.accuracy.solvers.empty()) settings.solver = options.accuracy.solvers.front();
   if (options.size_option->count() > 0) {
     settings.width = options.size.width;
     settings.height = options.size.height;

@@ -83,6 +83,7 @@ ThesisTableRow to_row(const ThesisCrowdRow& row) {
           .simulation = row.simulation,
           .ms_per_frame = 1e3 * row.time.seconds,
           .spread_pct = row.time.spread_pct,
+          .step_ms = 1e3 * row.time.step_seconds,
           .gpu_ms_per_frame = milliseconds(row.time.gpu_seconds)};
 }
 

@@ -56,7 +56,9 @@ void add_solvers(CLI::App& app, ReportOptions& options) {
     options.accuracy.solvers = options.stability.solvers = options.cost.simulation.solvers = words;
   };
   CLI::Option* option =
-      app.add_option_function<std::vector<std::string>>("--solver", parse, "Which methods, repeatable (default: all)");
+      app.add_option_function<std::vector<std::string>>("--solver", parse,
+                                                    "Which methods, repeatable (default: all); for order the one that "
+                                                    "moves the hair (default: coif)");
   as_list(option->type_name("NAME"));
 }
 
@@ -143,6 +145,9 @@ tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
   for (const SubjectOptions& of : options.only) {
     if (of.subject == options.subject) continue;
     if (auto refused = refuse(of.options, of.name); !refused) return refused;
+  }
+  if (options.subject == ReportSubject::kOrder && options.accuracy.solvers.size() > 1) {
+    return tl::unexpected(ToolError{ToolError::Kind::kUsage, "--solver: draw orders are measured with one at a time"});
   }
   const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder;
   return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost' or 'order");

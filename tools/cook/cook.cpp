@@ -7,6 +7,7 @@
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
+#include "cook/size/settle_size.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
 #include "cook/texture/hair_views.h"
@@ -49,7 +50,12 @@ StrandField find_strands(const Cooking& c, Findings& findings) {
 const Pass kPasses[] = {
     // The hair, out of the model and with one texture. Joining textures moves texture coordinates and splits vertices, so
     // it comes before anything that numbers them.
-    {"select", [](Cooking& c) { return keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh); }},
+    {"select",
+     [](Cooking& c) {
+       if (!c.selected) return keep(select_hair(c.source, c.recipe, c.report), c.hair.mesh);
+       c.report.append(c.selected->findings);
+       return keep(std::move(c.selected->mesh), c.hair.mesh);
+     }},
     {"base color",
      [](Cooking& c) { return keep(find_base_color(c.source, c.hair.mesh, c.recipe, c.settings, c.report), c.color); }},
 
@@ -143,7 +149,9 @@ const Pass kPasses[] = {
      }},
     {"conditioning",
      [](Cooking& c) {
-       return keep(condition_chains(c.contents, c.model.ill_posed, c.settings.threads, c.report), c.contents.dynamics);
+       auto given = condition_chains(c.contents, c.model.ill_posed, c.settings.threads, c.report);
+       c.contents.asked = asked_of(c.contents.dynamics);
+       return keep(std::move(given), c.contents.dynamics);
      },
      [](const Cooking& c) { return c.moves && !c.model.ill_posed.empty(); }},
     {"twist",
@@ -199,15 +207,20 @@ const Pass kPasses[] = {
      }},
     {"write", write_parts}};
 
-Done run(const Pass& pass, Cooking& cooking) {
-  if (cooking.settings.progress) cooking.settings.progress(pass.name);
+/// Calls `pass` with all that comes with one.
+auto run_timed(const char* name, const CookSettings& settings, CookReport& report, const auto& pass) {
+  if (settings.progress) settings.progress(name);
   WorkLimit::check();
   WorkLimit::begin_part();
   const auto start = std::chrono::steady_clock::now();
-  Done done = pass.run(cooking);
+  auto done = pass();
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-  cooking.report.passes.push_back({pass.name, elapsed.count()});
+  report.passes.push_back({name, elapsed.count()});
   return done;
+}
+
+Done run(const Pass& pass, Cooking& cooking) {
+  return run_timed(pass.name, cooking.settings, cooking.report, [&] { return pass.run(cooking); });
 }
 
 }  // namespace
@@ -217,7 +230,11 @@ tl::expected<CookResult, ToolError> cook(const SourceModel& source, const Recipe
   CookResult result;
   result.report.warnings = source.warnings;
   const Recipe used = settings.draft ? draft_of(recipe) : recipe;
-  Cooking cooking{source, used, settings, result.report};
+  // Before all passes, which take the model for one in metres with Y up.
+  SettledSource settled =
+      run_timed("size", settings, result.report, [&] { return settle_size(source, used, result.report); });
+  Cooking cooking{settled.model ? *settled.model : source, used, settings, result.report};
+  cooking.selected = std::move(settled.hair);
   for (const Pass& pass : kPasses) {
     if (pass.wanted != nullptr && !pass.wanted(cooking)) continue;
     if (const Done done = run(pass, cooking); !done) return tl::unexpected(done.error());

@@ -9,6 +9,7 @@
 #include "cook/rig/colliders.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
+#include "cook/size/measured_model.h"
 #include "cook/strands/choose_patches.h"
 #include "cook/strands/face_hair.h"
 #include "cook/strands/patches.h"
@@ -23,6 +24,7 @@ struct Cooking {
   const CookSettings& settings;
   CookReport& report;
 
+  std::optional<SelectedHair> selected{};  ///< What the size was judged by, where that is the hair that is cooked.
   HairStrips hair{};
   BaseColor color{};
   HeadBone head_bone{};

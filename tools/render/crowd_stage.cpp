@@ -29,13 +29,13 @@ CrowdStage::CrowdStage(const Asset& asset, double aspect, std::unique_ptr<Drawin
     : aspect_(aspect), device_(std::move(device)), timer_(device_->context.loader()), points_(framed_points(asset)) {}
 
 tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const Asset& asset, std::uint32_t width,
-                                                                        std::uint32_t height) {
+                                                                        std::uint32_t height, const GlLoader* through) {
   const auto side_ok = [](std::uint32_t side) { return side >= 16 && side <= 8192; };
   if (!side_ok(width) || !side_ok(height)) {
     return usage("a picture has 16 to 8192 pixels each way");
   }
   if (!has_mesh(asset)) return failure(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
-  auto device = DrawingDevice::create();
+  auto device = DrawingDevice::create({}, through);
   if (!device) return tl::unexpected(device.error());
   std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*device)));
   if (const Status status = made->model_.upload(made->device_->renderer, asset); status != Status::kOk) {
@@ -85,7 +85,10 @@ Status CrowdStage::draw_heads(const DrawnFrame& frame) {
 }
 
 Status CrowdStage::draw(const DrawnFrame& frame) {
+  const auto begin = std::chrono::steady_clock::now();
   if (frame.simulation) scenes_[frame.crowd].crowd.step();
+  const std::chrono::duration<double> stepped = std::chrono::steady_clock::now() - begin;
+  step_seconds_ = frame.simulation ? stepped.count() : 0;
   target_of(frame).bind();
   clear(0.2f, 1);
   return draw_heads(frame);
@@ -114,22 +117,27 @@ std::optional<double> median_of_later(std::vector<double> samples) {
 
 }  // namespace
 
-std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds) {
-  std::vector<std::vector<double>> gpu_samples(frames.size());
+std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds,
+                                   unsigned least_frames) {
+  std::vector<std::vector<double>> gpu_samples(frames.size()), step_samples(frames.size());
   std::vector<std::function<void()>> works;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    works.emplace_back([&stage, &frame = frames[i], &samples = gpu_samples[i]] {
+    works.emplace_back([&stage, &frame = frames[i], &samples = gpu_samples[i], &steps = step_samples[i]] {
       (void)stage.draw(frame);
+      steps.push_back(stage.step_seconds());
       if (const auto gpu = stage.gpu_seconds()) samples.push_back(*gpu);
     });
   }
   const std::vector<Timing> timings =
       SideBySideTiming(
-          {.clock = TimingClock::kWall, .seconds = seconds, .least_rounds = kLeastFrames, .batch_seconds = 0})
+          {.clock = TimingClock::kWall, .seconds = seconds, .least_rounds = least_frames, .batch_seconds = 0})
           .run(works);
   std::vector<FrameTime> times;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    times.push_back({timings[i].seconds, timings[i].spread_pct, median_of_later(std::move(gpu_samples[i]))});
+    times.push_back({.seconds = timings[i].seconds,
+                     .spread_pct = timings[i].spread_pct,
+                     .step_seconds = median_of_later(std::move(step_samples[i])).value_or(0),
+                     .gpu_seconds = median_of_later(std::move(gpu_samples[i]))});
   }
   return times;
 }

@@ -42,8 +42,10 @@ class CrowdStage {
  public:
   /// `width` and `height`: pixels. Errors: kUnsupported where no EGL display with OpenGL ES 3.0 can be had or the
   /// driver refuses the asset, kBadInput for an asset without a mesh, kUsage for a size out of 16..8192.
+  /// `through` as DrawingDevice::create() takes it.
   static tl::expected<std::unique_ptr<CrowdStage>, ToolError> create(const Asset& asset, std::uint32_t width,
-                                                                     std::uint32_t height);
+                                                                     std::uint32_t height,
+                                                                     const GlLoader* through = nullptr);
 
   CrowdStage(const CrowdStage&) = delete;
   CrowdStage& operator=(const CrowdStage&) = delete;
@@ -53,6 +55,9 @@ class CrowdStage {
 
   /// Steps, clears, draws and waits until the device has finished. `frame`'s crowd must be there.
   [[nodiscard]] Status draw(const DrawnFrame& frame);
+
+  /// Of the last draw(): the part of its time that stepping took; 0 where nothing was stepped.
+  [[nodiscard]] double step_seconds() const { return step_seconds_; }
 
   /// Of the last draw(), draw calls alone, as the device itself tells; nothing where it does not.
   [[nodiscard]] std::optional<double> gpu_seconds() { return timer_.poll(); }
@@ -85,11 +90,13 @@ class CrowdStage {
   std::optional<OffscreenTarget> one_, many_;  ///< Samples a pixel.
   std::vector<Eigen::Vector3d> points_;
   std::vector<Scene> scenes_;
+  double step_seconds_ = 0;
 };
 
 struct FrameTime {
   double seconds = 0;                   ///< Wall time until the device has finished, median.
   double spread_pct = 0;                ///< Width of the middle half of the frames, % of the median.
+  double step_seconds = 0;              ///< The part of it that stepping took, in the same frames; median.
   std::optional<double> gpu_seconds{};  ///< As the device itself tells, median; nothing where it does not.
 };
 
@@ -97,7 +104,8 @@ inline constexpr unsigned kLeastFrames = 3;  ///< Of each way, however long they
 
 /// Draws frames in turns for about `seconds` (> 0), so that a machine that is slower for a while is slower for all. Each
 /// must be one that `stage` can draw.
-[[nodiscard]] std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds);
+[[nodiscard]] std::vector<FrameTime> time_frames(CrowdStage& stage, std::span<const DrawnFrame> frames, double seconds,
+                                                 unsigned least_frames = kLeastFrames);
 
 /// A crowd that was not measured.
 struct DrawCostLeftOut {

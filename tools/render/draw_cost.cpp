@@ -58,7 +58,7 @@ void add_levels_and_modes(std::uint32_t heads, std::uint32_t crowd, std::uint32_
   for (std::uint32_t lod = 1; lod < lod_count; ++lod) found.add(heads, {.crowd = crowd, .lod = lod});
   for (const TransparencyMode* mode : transparency_modes()) {
     const bool is_there = mode == &kBlendMode || mode == &kOpaqueMode;
-    const bool is_for_one = mode != &kCoverageMode;
+    const bool is_for_one = !covers_samples(*mode);
     if (is_for_one && !is_there) found.add(heads, {.crowd = crowd, .transparency = mode});
     if (const std::uint32_t samples = samples_for(*mode); samples > 1) {
       found.add(heads, {.crowd = crowd, .transparency = mode, .samples = samples});
@@ -173,6 +173,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
 namespace {
 
 constexpr double kLongestThesisFrame = 15;  // seconds
+constexpr unsigned kLeastThesisFrames = 5;  ///< Of each way, so that a frame that was held up is no middle one.
 
 void add_rows(std::uint32_t heads, std::uint32_t crowd, std::vector<ThesisCrowdRow>& rows,
               std::vector<DrawnFrame>& frames) {
@@ -204,7 +205,7 @@ tl::expected<ThesisCrowds, ToolError> measure_thesis_crowds(const Asset& asset, 
     if (*crowd) add_rows(heads, **crowd, found.rows, frames);
   }
   found.left_out = crowds.left_out();
-  const std::vector<FrameTime> times = time_frames(**stage, frames, settings.time.seconds);
+  const std::vector<FrameTime> times = time_frames(**stage, frames, settings.time.seconds, kLeastThesisFrames);
   for (std::size_t i = 0; i < times.size(); ++i) found.rows[i].time = times[i];
   return found;
 }

@@ -89,11 +89,13 @@ std::string EglContext::device() const {
   return name != nullptr ? reinterpret_cast<const char*>(name) : "";
 }
 
-tl::expected<std::unique_ptr<DrawingDevice>, ToolError> DrawingDevice::create(const RendererDesc& desc) {
+tl::expected<std::unique_ptr<DrawingDevice>, ToolError> DrawingDevice::create(const RendererDesc& desc,
+                                                                              const GlLoader* through) {
   auto context = EglContext::create();
   if (!context) return tl::unexpected(context.error());
   auto device = std::make_unique<DrawingDevice>(std::move(*context));
-  if (device->renderer.create(device->context.loader(), desc) == Status::kOk) return device;
+  const GlLoader loader = through != nullptr ? *through : device->context.loader();
+  if (device->renderer.create(loader, desc) == Status::kOk) return device;
   return failure(ToolError::Kind::kUnsupported,
                  std::string("the renderer does not start: ") + device->renderer.failure());
 }

@@ -48,8 +48,10 @@ class EglContext {
 
 /// A context with the runtime's renderer in it.
 struct DrawingDevice {
-  /// Errors: kUnsupported where there is no context or the renderer does not start.
-  static tl::expected<std::unique_ptr<DrawingDevice>, ToolError> create(const RendererDesc& desc = {});
+  /// `through`: what the renderer finds OpenGL's functions by, for who looks at its calls; null: the context's own. Errors:
+  /// kUnsupported where there is no context or the renderer does not start.
+  static tl::expected<std::unique_ptr<DrawingDevice>, ToolError> create(const RendererDesc& desc = {},
+                                                                        const GlLoader* through = nullptr);
 
   explicit DrawingDevice(EglContext opened) : context(std::move(opened)) {}
 

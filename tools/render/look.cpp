@@ -61,7 +61,7 @@ std::vector<Gallery> what_to_look_at(const Asset& asset, const LookSettings& set
   picture.height = settings.height;
   picture.warm_up = false;
   picture.oversampling = 2;
-  picture.shadows = &kDeepOpacityShadow;
+  picture.shadows = &kDeepShadow;
   std::vector<Gallery> galleries{from_all_sides(settings.title, picture)};
   PictureSettings part = picture;
   part.component = Component::kDirection;

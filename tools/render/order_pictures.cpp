@@ -92,6 +92,7 @@ tl::expected<void, ToolError> OrderPictures::draw_scene(const HairShot& shot, bo
   DrawDesc desc = studio_desc(camera, lights);
   desc.material = shot.material;
   desc.transparency = shot.transparency;
+  desc.order = shot.order;
   const HairInstance head{HeadPose{}, shot.palette, shot.lod};
   const Status status = device_->drawing->renderer.draw(*device_->models[shot.model], std::span(&head, 1), desc);
   if (status == Status::kOk) return {};

@@ -27,6 +27,7 @@ struct HairShot {
   const TransparencyMode* transparency = &kBlendMode;
   const MaterialRecord* material = nullptr;  ///< Instead of the asset's own, unless null.
   std::span<const Mat34> palette;            ///< Head space, one per bone.
+  TriangleOrder* order = nullptr;            ///< Instead of the model's own orders, unless null.
   double yaw_degrees = 0;                    ///< As PictureSettings.
   double pitch_degrees = 0;
   std::uint32_t width = 256, height = 256;  ///< Pixels, 16..8192.

@@ -12,7 +12,6 @@
 #include <GLES3/gl3.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -108,6 +107,7 @@ struct Scene {
   const ShadowBall& ball;
   const MaterialRecord& glass;  ///< Of hair that is looked through.
   StudioShadow* shadow;         ///< Null: none.
+  TriangleOrder* order;         ///< Null: the asset's own.
 };
 
 Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTarget& target,
@@ -118,6 +118,7 @@ Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTar
   const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
   desc.material = settings.colliders ? &scene.glass : own;
   desc.transparency = settings.transparency;
+  desc.order = scene.order;
 
   std::vector<HairInstance> heads;
   std::vector<HeadPose> poses;
@@ -146,7 +147,7 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene
                                               const PictureSettings& settings) {
   const std::uint32_t finer = settings.oversampling;
   // The driver's samples are of edges alone, ours of all; both would be paid for twice.
-  const bool needs_samples = finer == 1 || settings.transparency == &kCoverageMode;
+  const bool needs_samples = finer == 1 || covers_samples(*settings.transparency);
   const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
                                               needs_samples ? samples_for(*settings.transparency) : 0,
                                               OffscreenTarget::Pixels::kRadiance);
@@ -211,7 +212,7 @@ PictureMaker::~PictureMaker() = default;
 
 tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
   if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
-  auto device = DrawingDevice::create();
+  auto device = DrawingDevice::create({.stream_bytes = stream_bytes_for(asset)});
   if (!device) return tl::unexpected(device.error());
   auto loaded = std::make_unique<Loaded>(asset, std::move(*device));
   if (const Status status = loaded->model.upload(loaded->device->renderer, asset); status != Status::kOk) {
@@ -241,7 +242,14 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   if (!frame) return tl::unexpected(frame.error());
   const ShadowBall ball = ball_around(frame->points, frame->view.places);
   const MaterialRecord glass = like_glass(asset);
-  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, glass, shadow ? &*shadow : nullptr};
+  std::unique_ptr<KeptBoneOrder> order;
+  if (settings.order == OrderChoice::kBones) {
+    auto kept = KeptBoneOrder::create(asset);
+    if (!kept) return tl::unexpected(kept.error());
+    order = std::move(*kept);
+  }
+  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, glass, shadow ? &*shadow : nullptr,
+                    order ? &order->order() : nullptr};
   return take_picture(*loaded_->device, scene, settings);
 }
 
@@ -271,18 +279,5 @@ MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
   }
   return material;
 }
-
-std::span<const ShadowTechnique* const> shadow_techniques() {
-  static constexpr std::array kAll{&kPlainShadow, &kDeepOpacityShadow};
-  return kAll;
-}
-
-std::span<const TransparencyMode* const> transparency_modes() {
-  static constexpr const TransparencyMode* kModes[] = {&kBlendMode,      &kOpaqueMode, &kCoverageMode,
-                                                       &kScreenDoorMode, &kHashedMode, &kExactMode};
-  return kModes;
-}
-
-std::uint32_t samples_for(const TransparencyMode& mode) { return &mode == &kExactMode ? 0 : 4; }
 
 }  // namespace coif

@@ -5,6 +5,7 @@
 #include "import/source_model.h"
 #include "motion/head_path.h"
 #include "render/camera.h"
+#include "render/kept_order.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -34,6 +35,9 @@ namespace coif {
 /// Every way to draw transparent hair, for tools that offer or compare them; name_of() tells what each is called.
 [[nodiscard]] std::span<const TransparencyMode* const> transparency_modes();
 
+/// It draws some of a pixel's samples (alpha to coverage), of which there should be more than one.
+[[nodiscard]] bool covers_samples(const TransparencyMode& mode);
+
 /// Samples per pixel of a target that the mode draws to at its best; 0: a target without multisampling.
 [[nodiscard]] std::uint32_t samples_for(const TransparencyMode& mode);
 
@@ -57,6 +61,7 @@ struct PictureSettings {
   std::optional<std::uint32_t> marked_patch;  ///< With `patches`: this one of the level in red, the others grey.
   std::uint32_t lod = 0;                      ///< Level of detail, below the asset's lod_count().
   const TransparencyMode* transparency = &kBlendMode;
+  OrderChoice order = OrderChoice::kCooked;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;                   ///< Drawn in a grid.
   std::uint32_t oversampling = 1;            ///< Samples of each pixel, each way, 1..4; 1: those of the driver.

@@ -147,6 +147,8 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
   right_ = upright.cross(towards_eye_).normalized();
   up_ = towards_eye_.cross(right_);
   set_extent(hair, positions);
+  left_ -= grid.aside;
+  bottom_ -= grid.aside;
   std::vector<Placed> placed;
   Rasteriser rasteriser(*this, hair, positions, grid);
   for (const std::uint32_t t : near_to_far(hair, positions)) rasteriser.draw(t, placed);

@@ -18,6 +18,7 @@ struct ViewGrid {
   float pixel = 0.001f;   ///< Metres: a pixel of the pictures that the view stands for, which picks the mips.
   float solid_alpha = 2;  ///< Fragments behind one of at least this alpha are left out; above 1 all are there.
   std::optional<float> faintest = {};  ///< Instead of the hair's own: fainter fragments are left out.
+  float aside = 0;                     ///< Metres by which all lines are moved to the left and down, 0..spacing / 2.
 };
 
 /// Where a line meets a triangle of the hair.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <ranges>
+#include <string_view>
 
 namespace coif {
 namespace {
@@ -49,10 +50,17 @@ bool is_blended(const AssetContents& contents) {
   return !contents.material.empty() && !contents.patches.empty() && blends(contents.material.front());
 }
 
-tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset) {
+/// By its name in a recipe.
+const Solver& solver_named(std::string_view name) {
+  if (name == "cascade") return kCascadeSolver;
+  if (name == "passive") return kPassiveSolver;
+  return name == "thesis" ? kThesisSolver : kCoifSolver;
+}
+
+tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset, const Solver& solver) {
   std::vector<HairPositions> poses;
   const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
-    const auto pose = simulate_pose(asset, path, seconds, {});
+    const auto pose = simulate_pose(asset, path, seconds, {}, &solver);
     if (!pose) return tl::unexpected(pose.error());
     poses.push_back(posed_positions(asset, pose->palette));
     return {};
@@ -253,7 +261,7 @@ tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const
   }
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return {};  // the cooker says why where it opens what it wrote
-  const auto poses = find_poses(opened.asset());
+  const auto poses = find_poses(opened.asset(), solver_named(recipe.order_solver));
   if (!poses) return tl::unexpected(poses.error());
   OrderChoice choice(recipe, used, threads, contents, *poses);
   const FoundOrders found = choice.run();

@@ -29,9 +29,9 @@ const RecipeKey kKeys[] = {
    "least of the screen's height that the head ever covers; leaves coarser levels of detail out"},
 
   {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
-   "size of the file's unit; 0 takes it from the file (OBJ has none: 1)"},
+   "size of the file's unit; 0 takes the file's own, unless the model's size speaks clearly for another; OBJ has none"},
   {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
-   "axis that points up in the file"},
+   "axis that points up in the file; file: the one it says, unless bones and hair speak clearly for another"},
 
   {"hair", "meshes", &R::hair_meshes, "[]", 0, 0, nullptr, "",
    "names of the meshes that are hair; * and ? are wildcards; all empty: whatever is called hair, else everything"},
@@ -158,6 +158,8 @@ const RecipeKey kKeys[] = {
    "most that further orders take in the asset, 4 bytes for each triangle and order; fewer orders where they would take more"},
   {"order", "min_gain", &R::order_min_gain, "0.5", 0, 100, nullptr, "dB",
    "with method auto orders for directions must be better by this than the best single one"},
+  {"order", "solver", &R::order_solver, "\"coif\"", 0, 0, "coif|cascade|passive|thesis", "",
+   "which of the runtime's solvers moves the hair in the poses that orders are searched in: the one that the game will run"},
 
   {"textures", "base_color", &R::base_color_texture, "\"\"", 0, 0, nullptr, "",
    "image with colour and alpha, path from the recipe; empty: the source's own"},

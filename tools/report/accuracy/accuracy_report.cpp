@@ -22,6 +22,7 @@ AccuracyRow& find_or_add(std::vector<AccuracyRow>& means, const AccuracyRow& row
   mean.solver = row.solver;
   mean.fps = row.fps;
   mean.substeps = row.substeps;
+  mean.code = row.code;
   for (double AccuracyRow::*figure :
        {&AccuracyRow::ns_per_bone_frame, &AccuracyRow::rms_error_pct, &AccuracyRow::own_error_pct,
         &AccuracyRow::model_distance_pct, &AccuracyRow::max_error_pct,

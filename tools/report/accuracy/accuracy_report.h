@@ -7,6 +7,7 @@
 #include "report/accuracy/swing.h"
 #include "report/page/report_columns.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,11 +25,13 @@ struct AccuracyRow {
   double fps = 0;
   std::uint32_t substeps = 1;  ///< Of each frame.
   double ns_per_bone_frame = kNoNumber;
+  std::string code;  ///< What the time is of: "float, AVX2" for what ships, "double, scalar" for the others.
   /// Distance of chain tips to the converged solution of the same model, head space, in % of the chain's length.
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
   double worst_second_pct = kNoNumber;  ///< The RMS error over the worst second.
-  double own_error_pct = kNoNumber;     ///< RMS distance to where the solver itself comes with ever finer steps (own_model.h).
+  /// RMS distance to where the solver itself comes with ever finer steps (own_model.h). Missing where that is no one motion.
+  double own_error_pct = kNoNumber;
   double model_distance_pct = kNoNumber;  ///< RMS distance of that to the converged solution: no step mends it.
   double of_motion_pct = kNoNumber;     ///< The RMS error in % of how far the tips move from their rest, RMS too.
   double stretch_max_pct = kNoNumber;   ///< Worst |length / rest - 1|.
@@ -49,6 +52,7 @@ struct AccuracyRow {
           {"fps", &Row::fps, {"fps", "{}"}},
           {"substeps", &Row::substeps, {"steps"}, {"steps", 10}},
           {"ns_per_bone_frame", &Row::ns_per_bone_frame, {"ns/bone"}, {"ns/bone", 10}},
+          {"code", &Row::code, {"code"}},
           {"rms_error_pct", &Row::rms_error_pct, {"RMS error %", against_budget(budget_pct)}, {"rms %", 9}},
           {"own_error_pct", &Row::own_error_pct, {"to its own model %"}, {"own %", 9}},
           {"model_distance_pct", &Row::model_distance_pct, {"its model's distance %"}, {"model %", 9}},
@@ -92,6 +96,24 @@ struct ReferenceRow {
       {"steps_per_second", &ReferenceRow::steps_per_second, {"steps per second"}}};
 }
 
+/// The same of a solver's own model, which its own error is measured against.
+struct OwnReferenceRow {
+  std::string solver;
+  std::string motion;
+  double self_difference_pct = kNoNumber;
+};
+
+[[nodiscard]] inline Columns<OwnReferenceRow> own_reference_columns(double budget_pct) {
+  using Row = OwnReferenceRow;
+  return {{"solver", &Row::solver, {"solver"}},
+          {"motion", &Row::motion, {"motion"}},
+          {"self_difference_pct", &Row::self_difference_pct, {"self-difference %", against_budget(budget_pct)}}};
+}
+
+/// A motion is one where two computations of it differ by no more, %. Where no budget says what matters, a percent of the
+/// hair's length is about what an eye notices.
+[[nodiscard]] inline double largest_self_difference(double budget_pct) { return std::isfinite(budget_pct) ? budget_pct : 1; }
+
 /// Where the hair comes to rest under a still head.
 struct SettleRow {
   std::string solver;
@@ -123,9 +145,11 @@ struct AccuracyReport {
   std::vector<AccuracyRow> rows;
   std::vector<SpreadRow> spread;
   std::vector<ReferenceRow> reference;  ///< One per motion.
+  std::vector<OwnReferenceRow> own_reference;
   std::vector<SettleRow> settle;
   Swings swings;
   double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
+  double conditioned_share = 0;        ///< Of the bones: given other numbers than the artist's, so as to have one motion.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
@@ -146,8 +170,8 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// "coif", or "coif x2" for two sub-steps or iterations of a frame.
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
-/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, settle, swings and chosen, which is null
-/// where no setting meets the budget. The keys are those of the columns.
+/// `coif report accuracy` for other programs: the heading, then rows, spread, reference, own_reference, settle, swings,
+/// conditioned_share and chosen, which is null where no setting meets the budget. The keys are those of the columns.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
 
 /// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.
@@ -161,6 +185,10 @@ void mark_fronts(std::span<AccuracyRow> rows);
 
 /// How far the reference can be trusted, as a sentence.
 [[nodiscard]] std::string reference_summary(const AccuracyReport& report);
+
+/// Whose motions are no one motion, and which numbers were read; empty where there is nothing to say.
+[[nodiscard]] std::string own_reference_summary(const AccuracyReport& report);
+[[nodiscard]] std::string numbers_read(const AccuracyReport& report);
 
 /// The longest chain's tip over time, when the head charges.
 [[nodiscard]] Figure swing_figure(const SwingPath& path);

@@ -17,8 +17,10 @@ ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& r
   json["rows"] = json_list(accuracy_columns(budget), report.rows);
   json["spread"] = json_list(spread_columns(), report.spread);
   json["reference"] = json_list(reference_columns(budget), report.reference);
+  json["own_reference"] = json_list(own_reference_columns(budget), report.own_reference);
   json["settle"] = json_list(settle_columns(budget), report.settle);
   json["swings"] = json_list(swing_columns(), report.swings.rows);
+  json["conditioned_share"] = report.conditioned_share;
   json["budget_rms_pct"] = number_json(budget);
   json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
   return json;
@@ -99,8 +101,7 @@ std::string model_text(double passive_share) {
 }
 
 std::string reference_summary(const AccuracyReport& report) {
-  // Where no budget says what matters, a percent of the hair's length is about what an eye notices.
-  const double limit = std::isfinite(report.budget_rms_pct) ? report.budget_rms_pct : 1.0;
+  const double limit = largest_self_difference(report.budget_rms_pct);
   std::vector<std::string> unsure;
   double worst = 0;
   for (const ReferenceRow& row : report.reference) {
@@ -122,7 +123,33 @@ std::string reference_summary(const AccuracyReport& report) {
       fmt::join(unsure, ", "), budget_text(limit));
 }
 
+std::string own_reference_summary(const AccuracyReport& report) {
+  const double limit = largest_self_difference(report.budget_rms_pct);
+  std::vector<std::string> named;
+  for (const std::string& solver : names_of(report.own_reference, &OwnReferenceRow::solver)) {
+    std::vector<std::string> motions;
+    for (const OwnReferenceRow& row : report.own_reference) {
+      if (row.solver == solver && !(row.self_difference_pct <= limit)) motions.push_back(row.motion);
+    }
+    if (!motions.empty()) named.push_back(fmt::format("{} in {}", solver, fmt::join(motions, ", ")));
+  }
+  if (named.empty()) return "";
+  return fmt::format("Ever finer steps do not come to one motion (within {}) of {}: no error against their own model is told there.",
+                     budget_text(limit), fmt::join(named, "; "));
+}
+
+std::string numbers_read(const AccuracyReport& report) {
+  if (report.conditioned_share == 0) return "";
+  return fmt::format(
+      "In {:.2g} % of the bones the cook changed friction, damping or parent_share so that they have one motion. The reference, "
+      "coif, cascade and passive read these numbers; thesis and the other methods read the artist's, so that a part of their "
+      "distance is that difference.",
+      100 * report.conditioned_share);
+}
+
 namespace {
+
+std::string line_of(const std::string& sentence) { return sentence.empty() ? "" : sentence + "\n"; }
 
 /// How the hair swings, of the longest chains.
 std::string swings_text(const AccuracyReport& report) {
@@ -136,7 +163,7 @@ std::string swings_text(const AccuracyReport& report) {
   }
   return text +
          "  after a charge from 0 to 8 m/s in 0.3 s, as the asset asks for at 60 per second, and by Algorithm 1 with "
-         "the artist's resistance\n";
+         "the artist's resistance and friction\n";
 }
 
 }  // namespace
@@ -153,9 +180,31 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
   const auto columns = accuracy_columns(report.budget_rms_pct);
   const std::size_t motions = averaged_motions(report).size();
   return heading_text(heading) + "\n" + text_heading(columns) + text_lines(columns, shown) +
-         fmt::format("  at {} per second, over {}; *: nothing is both cheaper and more exact\n", fps,
-                     counted(motions, "motion", "motions")) +
-         swings_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n";
+         fmt::format("  at {} per second, over {}; *: nothing is both cheaper and more exact\n"
+                     "  ns of coif, cascade, passive and thesis are of the library: float, in lanes, matrices included; of the "
+                     "others of double, one bone after the other\n",
+                     fps, counted(motions, "motion", "motions")) +
+         swings_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n" +
+         line_of(own_reference_summary(report)) + line_of(numbers_read(report));
+}
+
+Table spread_table(const AccuracyReport& report) {
+  const CellFormat format = against_budget(report.budget_rms_pct);
+  Table table{{{"solver"}}, {}};
+  const std::vector<std::string> motions = names_of(report.spread, &SpreadRow::motion);
+  for (const std::string& motion : motions) table.columns.push_back({motion, Column::Kind::kNumbers});
+  for (const SpreadRow& row : report.spread) {
+    const std::string setting = setting_text(row.solver, row.substeps);
+    auto cells = std::ranges::find_if(table.rows, [&](const auto& line) { return line[0].text == setting; });
+    if (cells == table.rows.end()) {
+      table.rows.push_back({{setting}});
+      cells = table.rows.end() - 1;
+    }
+    const auto column = std::size_t(std::ranges::find(motions, row.motion) - motions.begin()) + 1;
+    if (cells->size() <= column) cells->resize(column + 1, {"-"});
+    (*cells)[column] = format(row.frame_rate_spread_pct);
+  }
+  return table;
 }
 
 }  // namespace coif

@@ -5,6 +5,7 @@
 #include "report/accuracy/own_model.h"
 
 #include <coif/hair.h>
+#include <coif/instruction_set.h>
 
 #include <fmt/format.h>
 
@@ -29,10 +30,14 @@ class AccuracyMeasurement {
       : asset_(asset), settings_(settings), progress_(progress), sample_(sample_of(rig_of(asset), kMostBones)) {}
 
   AccuracyReport run(std::span<const NamedPath> motions, std::span<const MeasuredSolver* const> solvers) {
+    report_.budget_rms_pct = settings_.budget_rms_pct;
     for (const NamedPath& motion : motions) measure_motion(motion, solvers);
     measure_settling(solvers);
     const auto passive = std::ranges::count(sample_.rig.bones, ChainModel::kPassive, &RigBone::model);
-    report_.passive_share = double(passive) / double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
+    const auto changed = std::ranges::count_if(sample_.rig.bones, [](const RigBone& bone) { return bone.asked.has_value(); });
+    const double bones = double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
+    report_.passive_share = double(passive) / bones;
+    report_.conditioned_share = double(changed) / bones;
     tell("swings");
     report_.swings = measure_swings(asset_);
     choose();
@@ -56,12 +61,23 @@ class AccuracyMeasurement {
     const std::size_t first_row = report_.rows.size();
     for (const MeasuredSolver* solver : solvers) {
       tell(fmt::format("{}, {}", solver->name, motion.name));
-      const auto own = own_model_run(*solver, sample_.rig, scene_, *motion.path, reference);
+      const auto own = own_model(*solver, motion, reference);
       for (const int effort : efforts_of(*solver)) {
         measure_setting({motion.name, *solver, effort}, frames, reference, own ? &*own : nullptr);
       }
     }
     mark_fronts(std::span(report_.rows).subspan(first_row));
+  }
+
+  /// Empty too where the solver's own motion is not one: nothing can be said of errors against it.
+  std::optional<ReferenceRun> own_model(const MeasuredSolver& solver, const NamedPath& motion,
+                                        const ReferenceRun& reference) {
+    auto own = own_model_run(solver, sample_.rig, scene_, *motion.path, reference);
+    if (!own) return own;
+    const double apart = own->self_difference_pct();
+    report_.own_reference.push_back({std::string(solver.name), motion.name, apart});
+    if (!(apart <= largest_self_difference(report_.budget_rms_pct))) own.reset();
+    return own;
   }
 
   struct Setting {
@@ -81,6 +97,7 @@ class AccuracyMeasurement {
       const MotionTrial& trial = trials.back();
       AccuracyRow row{.motion = motion, .solver = std::string(solver.name), .fps = at_rate.fps};
       row.substeps = std::uint32_t(effort);
+      row.code = solver.is_runtime() ? fmt::format("float, {}", name_of(best_instruction_set())) : "double, scalar";
       const TipError error = tip_error(trial, at_rate, sample_.rig, reference);
       row.rms_error_pct = kPercent * error.rms;
       row.max_error_pct = kPercent * error.max;
@@ -145,7 +162,6 @@ class AccuracyMeasurement {
 
   /// Among what games can run.
   void choose() {
-    report_.budget_rms_pct = settings_.budget_rms_pct;
     for (const AccuracyRow& mean : means_over_motions(report_, main_frame_rate(report_))) {
       const bool fits = mean.rms_error_pct <= settings_.budget_rms_pct;
       if (!fits || !find_measured_solver(mean.solver)->is_runtime()) continue;

@@ -14,6 +14,7 @@ const PublishedFrameRate* find_published(std::uint32_t heads) {
 /// Times of one crowd: [transparency][simulation].
 struct FourWays {
   double ms[2][2] = {};
+  double simulated_ms = 0, stepping_ms = 0;  ///< Of both simulated ones.
   unsigned count = 0;
 };
 
@@ -22,6 +23,7 @@ FourWays ways_of(const ThesisTable& table, std::uint32_t heads) {
   for (const ThesisTableRow& row : table.rows) {
     if (row.heads != heads) continue;
     ways.ms[row.transparency][row.simulation] = row.ms_per_frame;
+    if (row.simulation) ways.simulated_ms += row.ms_per_frame, ways.stepping_ms += row.step_ms;
     ++ways.count;
   }
   return ways;
@@ -41,11 +43,12 @@ std::vector<ThesisTableRatio> ratios_of(const ThesisTable& table) {
   std::vector<ThesisTableRatio> ratios;
   for (const ThesisTableRow& row : table.rows) {
     if (std::ranges::find(ratios, row.heads, &ThesisTableRatio::heads) != ratios.end()) continue;
-    const auto [ms, count] = ways_of(table, row.heads);
-    if (count != 4) continue;
+    const FourWays ways = ways_of(table, row.heads);
+    const auto& ms = ways.ms;
+    if (ways.count != 4) continue;
     ThesisTableRatio ratio{.heads = row.heads};
     ratio.transparency_on_off = (ms[1][0] + ms[1][1]) / (ms[0][0] + ms[0][1]);
-    ratio.simulation_on_off = (ms[0][1] + ms[1][1]) / (ms[0][0] + ms[1][0]);
+    ratio.simulation_on_off = ways.simulated_ms / (ways.simulated_ms - ways.stepping_ms);
     if (const PublishedFrameRate* published = find_published(row.heads)) {
       ratio.published_transparency = published->opaque_fps / published->transparent_fps;
       ratio.published_simulation = 1;

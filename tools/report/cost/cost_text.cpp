@@ -62,8 +62,8 @@ std::string drawing_sentence(const CostReport& report) {
   return text + ", on " + device_text(report.rendering.device) + ".";
 }
 
-std::string range_text(double least, double most) {
-  const std::string from = fmt::format("{:.2f}", least), to = fmt::format("{:.2f}", most);
+std::string range_text(double least, double most, int digits = 2) {
+  const std::string from = fmt::format("{:.{}f}", least, digits), to = fmt::format("{:.{}f}", most, digits);
   return from == to ? from : from + " to " + to;
 }
 
@@ -76,7 +76,7 @@ std::string thesis_sentence(const CostReport& report) {
       " Table 1 of the thesis: frames with transparency take {} times as long as without (there 1.09 to 1.14, with all "
       "that a game draws), frames with simulation {} times (there 1).",
       range_text(least.transparency_on_off, most.transparency_on_off),
-      range_text(still.simulation_on_off, moved.simulation_on_off));
+      range_text(still.simulation_on_off, moved.simulation_on_off, 3));
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ std::string thesis_table_text(const RenderingCost& rendering) {
     text +=
         fmt::format("  {:>6} heads: with transparency {:.2f} times as long", ratio.heads, ratio.transparency_on_off);
     if (ratio.published_transparency) text += fmt::format(" (thesis {:.2f})", *ratio.published_transparency);
-    text += fmt::format(", with simulation {:.2f} times", ratio.simulation_on_off);
+    text += fmt::format(", with simulation {:.3f} times", ratio.simulation_on_off);
     if (ratio.published_simulation) text += fmt::format(" (thesis {:.2f})", *ratio.published_simulation);
     text += "\n";
   }

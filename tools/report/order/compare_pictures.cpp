@@ -155,6 +155,7 @@ HairShot PictureComparer::shot(const DrawnWay& way, const PosedHair& hair, const
           .transparency = way.transparency,
           .material = way.material,
           .palette = hair.palette,
+          .order = way.bones ? &way.bones->order() : nullptr,
           .yaw_degrees = view.yaw_degrees,
           .pitch_degrees = view.pitch_degrees,
           .width = width_,

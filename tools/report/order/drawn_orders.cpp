@@ -1,7 +1,6 @@
 #include "report/order/drawn_way.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -76,17 +75,6 @@ struct Unit {
   float count = 0;
 };
 
-/// The one that moves the three corners most.
-std::uint32_t leading_bone(std::span<const SkinRecord> skin, std::span<const std::uint32_t, 3> corners) {
-  std::map<std::uint32_t, int> weight;
-  for (const std::uint32_t corner : corners) {
-    for (std::size_t k = 0; k < std::size(skin[corner].bone); ++k) {
-      weight[skin[corner].bone[k]] += skin[corner].weight[k];
-    }
-  }
-  return std::ranges::max_element(weight, {}, &std::pair<const std::uint32_t, int>::second)->first;
-}
-
 }  // namespace
 
 AssetContents finest_level(const Asset& asset) {
@@ -155,14 +143,6 @@ std::vector<std::uint32_t> each_triangle(const AssetContents& finest) {
   std::vector<std::uint32_t> own(finest.indices.size() / 3);
   std::iota(own.begin(), own.end(), 0u);
   return own;
-}
-
-std::vector<std::uint32_t> leading_bones(const AssetContents& finest) {
-  std::vector<std::uint32_t> leading;
-  for (std::size_t i = 0; i < finest.indices.size(); i += 3) {
-    leading.push_back(leading_bone(finest.skin, std::span(finest.indices).subspan(i).first<3>()));
-  }
-  return leading;
 }
 
 AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t> unit_of_triangle,

@@ -3,12 +3,14 @@
 // Ways to draw one asset that are compared, and the poses in which they are.
 
 #include "base/tool_error.h"
+#include "render/kept_order.h"
 #include "render/order_pictures.h"
 #include "report/order/order_report.h"
 #include "write/asset_writer.h"
 
 #include <coif/asset.h>
 #include <coif/asset_records.h>
+#include <coif/hair.h>
 #include <coif/math.h>
 #include <coif/transparency.h>
 
@@ -32,6 +34,7 @@ struct DrawnWay {
   std::uint32_t samples = 1;
   /// Per triangle what is sorted far to near for each picture, for which `model` is made anew; empty: nothing is.
   std::vector<std::uint32_t> sorted_units = {};
+  std::shared_ptr<KeptBoneOrder> bones = {};  ///< The renderer sorts these for each picture, unless null.
   bool faces_together = false;
   std::uint64_t bytes = 0;  ///< Of indices.
 };
@@ -65,10 +68,6 @@ void set_faces(AssetContents& contents, bool together);
 
 /// Units that a game sorts in every frame, one per triangle: each triangle for itself.
 [[nodiscard]] std::vector<std::uint32_t> each_triangle(const AssetContents& finest);
-/// All that hangs mostly on one bone (thesis, chapter 8, as future work: bones sorted, within a bone a fixed order). Needs
-/// skinned hair.
-[[nodiscard]] std::vector<std::uint32_t> leading_bones(const AssetContents& finest);
-
 /// What a game draws that sorts units in every frame: the unit whose triangles' mean is furthest from `eye` (head space,
 /// metres) first, each unit's triangles in stored order. `positions` of all vertices, in the pose.
 [[nodiscard]] AssetContents sorted_by_unit(AssetContents finest, std::span<const std::uint32_t> unit_of_triangle,
@@ -80,9 +79,9 @@ void set_faces(AssetContents& contents, bool together);
                                                      std::span<const Eigen::Vector3f> positions,
                                                      const Eigen::Vector3f& eye);
 
-/// "rest", the settled hair, and for hair that moves "turn" and "charge", each at three moments: the head at its fastest, the
-/// hair at its furthest, on its way back. Errors: those of simulate_pose().
-tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset);
+/// "rest", the settled hair, and for hair that moves "turn", "charge" and "tumble", each at three moments: the head at its
+/// fastest, the hair at its furthest, on its way back. Cooked orders are made for moments of the first two, not for the last. Moved by `solver`. Errors: those of simulate_pose().
+tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset, const Solver& solver);
 
 /// Directions to look from, each for the same share of the sphere, neighbours in the list far apart: a spherical Fibonacci
 /// lattice (Gonzalez 2010, "Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices").

@@ -1,8 +1,10 @@
 #include "report/order/measure_order.h"
 
 #include "report/order/drawn_way.h"
+#include "report/solvers/measured_solvers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,7 @@ namespace {
 constexpr std::uint32_t kMostPixels = 1024, kLeastPixels = 16, kMostFrames = 360;
 constexpr double kThresholds[] = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95};
 constexpr double kSameThreshold = 0.005;      // an 8-bit alpha or so
+constexpr double kSortingShare = 0.2;             // of the time for times
 constexpr std::uint32_t kThresholdViews = 3;  // thresholds differ alike from all sides: one in so many views will do
 
 tl::expected<void, ToolError> check(const OrderSettings& settings) {
@@ -28,6 +31,26 @@ tl::expected<void, ToolError> check(const OrderSettings& settings) {
                 "views, an orbit has 0 or 2 to 360 frames, and taking times takes time"});
 }
 
+void take_times(OrderRow& row, double ms, std::optional<double> sorting_ns) {
+  row.ms_per_frame = ms;
+  row.sorting_ns = sorting_ns;
+}
+
+/// Of the runtime, by the name that reports have for it; null: there is none.
+const Solver* find_runtime_solver(const std::string& name) {
+  const MeasuredSolver* const found = find_measured_solver(name);
+  return found == nullptr ? nullptr : found->runtime;
+}
+
+tl::expected<const Solver*, ToolError> chosen_solver(const std::string& name) {
+  if (const Solver* const solver = find_runtime_solver(name)) return solver;
+  std::vector<std::string> known = report_solvers();
+  std::erase_if(known, [](const std::string& other) { return find_runtime_solver(other) == nullptr; });
+  return tl::unexpected(ToolError{
+      ToolError::Kind::kUsage,
+      fmt::format("'{}' is no solver that a game can run; orders are measured with {}", name, fmt::join(known, ", "))});
+}
+
 class OrderMeasurement {
  public:
   OrderMeasurement(const Asset& asset, const OrderSettings& settings, const ReportProgress& progress,
@@ -40,6 +63,7 @@ class OrderMeasurement {
         poses_(std::move(poses)),
         comparer_(pictures_, ways_.finest, ways_.exact, settings.width, settings.height) {
     report_.device = pictures.device();
+    report_.solver = settings.solver;
     report_.width = settings.width;
     report_.height = settings.height;
     report_.opaque_threshold = pictures.material(ways_.own.model).opaque_threshold;
@@ -161,10 +185,12 @@ class OrderMeasurement {
     const std::vector<DrawnWay> ways = ways_of(settings_.modes);
     const std::vector<double> times = measure_order_times(pictures_, comparer_, ways, poses_[0].moments[0],
                                                           ways_.finest.indices, settings_.timing_seconds);
+    const auto sorting = measure_sorting(pictures_, comparer_, ways_, poses_[0].moments[0],
+                                         kSortingShare * settings_.timing_seconds);
     for (std::size_t i = 0; i < ways.size(); ++i) {
       const double ms = times[i];
       for (OrderRow& row : report_.rows) {
-        if (i < ways_.orders.size() && row.order == ways[i].name) row.ms_per_frame = ms;
+        if (i < ways_.orders.size() && row.order == ways[i].name) take_times(row, ms, sorting[i]);
       }
       for (OrderModeRow& row : report_.modes) {
         if (i >= ways_.orders.size() && row.transparency == ways[i].name) row.ms_per_frame = ms;
@@ -187,12 +213,14 @@ class OrderMeasurement {
 tl::expected<OrderReport, ToolError> measure_order(const Asset& asset, const OrderSettings& settings,
                                                    const ReportProgress& progress) {
   if (auto checked = check(settings); !checked) return tl::unexpected(checked.error());
-  auto poses = make_order_poses(asset);
+  const auto solver = chosen_solver(settings.solver);
+  if (!solver) return tl::unexpected(solver.error());
+  auto poses = make_order_poses(asset, **solver);
   if (!poses) return tl::unexpected(poses.error());
   if (progress) progress("exact pictures");
   auto exactness = measure_exactness(asset, poses->front().moments.front(), settings.width, settings.height);
   if (!exactness) return tl::unexpected(exactness.error());
-  auto pictures = OrderPictures::create(asset, {.list_bytes = kListBytes});
+  auto pictures = OrderPictures::create(asset, {.stream_bytes = stream_bytes_for(asset), .list_bytes = kListBytes});
   if (!pictures) return tl::unexpected(pictures.error());
   auto ways = make_order_ways(asset, **pictures);
   if (!ways) return tl::unexpected(ways.error());

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -91,11 +92,18 @@ class PictureComparer {
   std::uint32_t width_, height_;
 };
 
-/// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Ways that sort in every frame sort
-/// `indices`, too, but do not hand them to the device.
+/// Milliseconds of a frame of each way, one head, all ways in turns for about `seconds`. Triangles that are sorted in every
+/// frame, of `indices`, are not handed to the device.
 [[nodiscard]] std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
                                                       std::span<const DrawnWay> ways, const PosedHair& hair,
                                                       std::span<const std::uint32_t> indices, double seconds);
+
+/// Nanoseconds of the processor that it takes to choose or to make one head's order, seen from one side after the other, all
+/// ways in turns for about `seconds`; nothing for a way with one order for all sides.
+[[nodiscard]] std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures,
+                                                                 const PictureComparer& comparer,
+                                                                 const OrderWays& ways, const PosedHair& hair,
+                                                                 double seconds);
 
 /// How much of the hair is left where `asset`, which `pictures` has as `model` with all its levels, is drawn as in a game
 /// at 512, 256, ... 16 pixels, mean over some views around it. Errors: those of OrderPictures.
@@ -115,6 +123,7 @@ struct OrderSettings {
   std::uint32_t views = 64;                 ///< 1..kMostOrderViews, evenly spread over the sphere.
   std::uint32_t orbit_frames = 30;          ///< By steps of one degree, 0 (popping is not measured) or 2..360.
   double timing_seconds = 3;                ///< To spend on times of frames, > 0; five of each are taken at least.
+  std::string solver = "coif";              ///< Of the runtime's: moves the hair.
   bool modes = true;                        ///< Also compares other ways to draw, thresholds and distances, at rest.
 };
 

@@ -74,7 +74,9 @@ struct OrderRow {
   /// RMS over an orbit by single degrees of what a pixel changes from frame to frame beyond what it changes in exact pictures.
   std::optional<double> popping{};
   double ms_per_frame = 0;  ///< Wall time until the device has finished; `triangles`: sorting included, upload not.
-  std::uint64_t bytes = 0;  ///< Of indices on the device.
+  /// Nanoseconds of one processor to choose the head's order, or to make it. Nothing: there is one for all sides.
+  std::optional<double> sorting_ns{};
+  std::uint64_t bytes = 0;  ///< Of indices on the device; with those of `bones`' own memory.
 };
 
 [[nodiscard]] inline Columns<OrderRow> order_columns() {
@@ -83,6 +85,7 @@ struct OrderRow {
                        {"pose", &Row::pose, {"pose", {}, -1}, {"pose", -8, {}, -1}},
                        {"faces", [](const Row& row) { return row.faces_together ? "together" : "apart"; }, {"faces"}}};
   columns.append(way_columns<Row>());
+  columns.add({"sorting_ns", &Row::sorting_ns, {"sorting a head, ns", {}, 4}, {"sort, ns", 10, {"{:.0f}", "-"}, 4}});
   columns.add({"bytes", &Row::bytes, {"indices", bytes_text, 4}});
   return columns;
 }
@@ -194,6 +197,7 @@ struct OrderLeftOut {
 
 struct OrderReport {
   std::string device;                   ///< GL_RENDERER.
+  std::string solver;                   ///< Moved the hair.
   std::uint32_t width = 0, height = 0;  ///< Pixels.
   double opaque_threshold = 0;          ///< The asset's.
   std::uint32_t orders = 1;             ///< That the asset has.
@@ -210,10 +214,10 @@ struct OrderReport {
 };
 
 /// `coif report order` for other programs: the heading, then
-/// - `device`, `width`, `height`, `opaque_threshold`, `orders`: how many the asset has
+/// - `device`, `solver` of the poses, `width`, `height`, `opaque_threshold`, `orders`: how many the asset has
 /// - `views`: how many directions each figure is of, `orbit_frames` those of popping
 /// - `rows`, `modes`
-/// - `gain_over_head_db{rest, turn, charge}`: of the asset's own orders, one per pose
+/// - `gain_over_head_db{rest, turn, charge, tumble}`: of the asset's own orders, one per pose
 /// - `thresholds`, `distance`, `reference`: of exact pictures from each other, `worst`, `left_out`
 ///
 /// The keys within are those of the columns above.

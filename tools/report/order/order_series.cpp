@@ -4,9 +4,11 @@
 #include "report/order/measure_order.h"
 
 #include <coif/lod.h>
+#include <coif/view_cells.h>
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <utility>
 
 namespace coif {
@@ -127,7 +129,66 @@ namespace {
 
 constexpr ViewAngle kView{30, 5};
 
+constexpr std::uint32_t kSides = 16;
+
+/// Eyes in head space, from all sides in turns.
+class Sides {
+ public:
+  Sides(const OrderPictures& pictures, HairShot shot) {
+    for (const ViewAngle& view : spread_directions(kSides)) {
+      shot.yaw_degrees = view.yaw_degrees;
+      shot.pitch_degrees = view.pitch_degrees;
+      eyes_.emplace_back(pictures.eye(shot).cast<float>());
+    }
+  }
+  const Eigen::Vector3f& next() { return eyes_[at_++ % kSides]; }
+
+ private:
+  std::vector<Eigen::Vector3f> eyes_;
+  std::size_t at_ = 0;
+};
+
+/// What `way` computes for a head before it is drawn; empty: nothing.
+std::function<void()> sorting_of(const DrawnWay& way, const OrderWays& ways, const PosedHair& hair,
+                                 const std::shared_ptr<Sides>& sides) {
+  if (way.bones != nullptr) {
+    const auto room = std::make_shared<std::vector<std::byte>>(sizeof(std::uint32_t) * ways.finest.indices.size());
+    return [&way, &hair, sides, room] {
+      const Eigen::Vector3f& eye = sides->next();
+      way.bones->order().write({.head = {}, .palette = hair.palette}, {eye.x(), eye.y(), eye.z()}, room->data());
+    };
+  }
+  if (!way.sorted_units.empty()) {
+    return [&way, &ways, &hair, sides] {
+      (void)far_to_near(ways.finest.indices, way.sorted_units, hair.positions, sides->next());
+    };
+  }
+  if (way.model != ways.own.model || ways.finest.orders.empty()) return {};
+  const auto chosen = std::make_shared<volatile std::uint32_t>(0);
+  return [&ways, sides, chosen] {
+    const Eigen::Vector3f& eye = sides->next();
+    *chosen = ways.finest.order_views[view_cell({eye.x(), eye.y(), eye.z()})];
+  };
+}
+
 }  // namespace
+
+std::vector<std::optional<double>> measure_sorting(const OrderPictures& pictures, const PictureComparer& comparer,
+                                                   const OrderWays& ways, const PosedHair& hair, double seconds) {
+  const auto sides = std::make_shared<Sides>(pictures, comparer.shot(ways.own, hair, kView));
+  std::vector<std::optional<double>> nanoseconds(ways.orders.size());
+  std::vector<std::size_t> of_work;
+  std::vector<std::function<void()>> works;
+  for (std::size_t i = 0; i < ways.orders.size(); ++i) {
+    auto sorting = sorting_of(ways.orders[i], ways, hair, sides);
+    if (!sorting) continue;
+    works.push_back(std::move(sorting));
+    of_work.push_back(i);
+  }
+  const std::vector<Timing> timed = SideBySideTiming({.clock = TimingClock::kThread, .seconds = seconds}).run(works);
+  for (std::size_t i = 0; i < timed.size(); ++i) nanoseconds[of_work[i]] = 1e9 * timed[i].seconds;
+  return nanoseconds;
+}
 
 std::vector<double> measure_order_times(OrderPictures& pictures, const PictureComparer& comparer,
                                         std::span<const DrawnWay> ways, const PosedHair& hair,

@@ -12,6 +12,7 @@ using nlohmann::ordered_json;
 ordered_json order_json(const ReportHeading& heading, const OrderReport& report) {
   ordered_json json = heading_json(heading);
   json["device"] = report.device;
+  json["solver"] = report.solver;
   json["width"] = report.width;
   json["height"] = report.height;
   json["opaque_threshold"] = number_json(report.opaque_threshold);
@@ -94,8 +95,9 @@ std::string order_method(const OrderReport& report) {
       "alpha counts as it is, of sRGB values of 0 to 1, over pixels that hair covers; PSNR is of all views' pixels "
       "together, {:.0f} dB means equal. Back faces come before front faces where they are drawn apart. Popping is what "
       "a pixel changes between frames one degree apart in excess of the exact picture's change, RMS. The time is that "
-      "of one head, for triangles with the sorting and without handing the indices to the device.",
-      device_text(report.device), report.width, report.height, kEqualDb);
+      "of one head, for triangles with the sorting and without handing the indices to the device. Sorting is what the "
+      "processor alone takes to choose a head's order or to make it. The hair is moved by solver {}.",
+      device_text(report.device), report.width, report.height, kEqualDb, report.solver);
 }
 
 std::string order_text(const ReportHeading& heading, const OrderReport& report) {

@@ -48,7 +48,7 @@ class WayMaker {
     ways_.exact.name = name_of(kExactMode);
     ways_.exact.transparency = &kExactMode;
     ways_.exact.material = ways_.exact_material.get();
-    if (!add_bones() || !add_sorted("triangles", each_triangle(ways_.finest), true)) return tl::unexpected(error_);
+    if (!add_bones() || !add_triangles()) return tl::unexpected(error_);
     add_modes();
     return std::move(ways_);
   }
@@ -78,11 +78,11 @@ class WayMaker {
     return true;
   }
 
-  [[nodiscard]] bool add_sorted(const char* name, std::vector<std::uint32_t> units, bool faces_together) {
+  [[nodiscard]] bool add_triangles() {
     AssetContents contents = in_stored_order(ways_.finest);
-    set_faces(contents, faces_together);
-    if (!add(name, contents)) return false;
-    ways_.orders.back().sorted_units = std::move(units);
+    set_faces(contents, true);
+    if (!add("triangles", contents)) return false;
+    ways_.orders.back().sorted_units = each_triangle(ways_.finest);
     return true;
   }
 
@@ -91,7 +91,17 @@ class WayMaker {
       ways_.left_out.push_back({"bones", "all hair hangs on the head itself"});
       return true;
     }
-    return add_sorted("bones", leading_bones(ways_.finest), draws_faces_together(ways_.finest));
+    const AssetContents& contents = ways_.finest;
+    if (!add("bones", in_stored_order(contents))) return false;
+    const OpenedAsset opened(contents);
+    auto bones = KeptBoneOrder::create(opened.asset());
+    if (!bones) {
+      error_ = bones.error();
+      return false;
+    }
+    ways_.orders.back().bytes += (*bones)->bytes();
+    ways_.orders.back().bones = std::move(*bones);
+    return true;
   }
 
   void add_modes() {
@@ -100,7 +110,7 @@ class WayMaker {
       DrawnWay way = ways_.own;
       way.name = name_of(*mode);
       way.transparency = mode;
-      way.samples = mode == &kCoverageMode ? kCoverageSamples : 1;
+      way.samples = covers_samples(*mode) ? kCoverageSamples : 1;
       ways_.modes.push_back(std::move(way));
     }
   }
@@ -131,11 +141,14 @@ struct MovingPose {
   const char* name;
   double seconds[3];
 };
+/// The cooker looks for its orders in moments of the first two. Of the last it knows nothing.
 constexpr MovingPose kMovingPoses[] = {{Motion::kTurn, "turn", {0.2, 0.45, 0.7}},
-                                       {Motion::kCharge, "charge", {0.15, 0.35, 0.8}}};
+                                       {Motion::kCharge, "charge", {0.15, 0.35, 0.8}},
+                                       {Motion::kTumble, "tumble", {0.25, 0.5, 0.85}}};
 
-tl::expected<PosedHair, ToolError> posed(const Asset& asset, const HeadPath* path, double seconds) {
-  auto pose = simulate_pose(asset, path, seconds, {});
+tl::expected<PosedHair, ToolError> posed(const Asset& asset, const Solver& solver, const HeadPath* path,
+                                         double seconds) {
+  auto pose = simulate_pose(asset, path, seconds, {}, &solver);
   if (!pose) return tl::unexpected(pose.error());
   std::vector<Eigen::Vector3f> positions = posed_positions(asset, pose->palette);
   return PosedHair{std::move(pose->palette), std::move(positions)};
@@ -143,15 +156,15 @@ tl::expected<PosedHair, ToolError> posed(const Asset& asset, const HeadPath* pat
 
 }  // namespace
 
-tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset) {
-  auto rest = posed(asset, nullptr, 0);
+tl::expected<std::vector<OrderPose>, ToolError> make_order_poses(const Asset& asset, const Solver& solver) {
+  auto rest = posed(asset, solver, nullptr, 0);
   if (!rest) return tl::unexpected(rest.error());
   std::vector<OrderPose> poses = {{"rest", {std::move(*rest)}}};
   if (asset.dynamics().empty()) return poses;
   for (const MovingPose& moving : kMovingPoses) {
     poses.push_back({moving.name, {}});
     for (const double seconds : moving.seconds) {
-      auto moment = posed(asset, path_of(moving.motion).get(), seconds);
+      auto moment = posed(asset, solver, path_of(moving.motion).get(), seconds);
       if (!moment) return tl::unexpected(moment.error());
       poses.back().moments.push_back(std::move(*moment));
     }

@@ -6,22 +6,44 @@
 
 namespace coif {
 
-/// Point masses on springs, integrated explicitly: thesis 3.1 and 5.2 "Initial attempt", after Rosenblum, Carlson and
+/// Point masses on springs, integrated explicitly: thesis 5.2 "Initial attempt", after Rosenblum, Carlson and
 /// Tripp, "Simulating the Structure and Dynamics of Human Hair", 1991. Forces change velocities, the new velocities
 /// change positions (symplectic Euler). Springs hold the segments (segment_springs()), the model's stiffness and damping
 /// hold the pose. Unstable where dt exceeds about two over the root of the stiffest chain's spring sum: that is its
 /// place in history.
-class MassSpringSolver final : public PosedSolver {
+class MassSpringSolver : public PosedSolver {
  public:
   MassSpringSolver(const Rig& rig, const SolverScene& scene);
 
+ protected:
+  /// Sets all forces to those that hold the pose. Here they pull on particles alone.
+  virtual void add_pose_forces(const ParticleStep& step);
+
+  std::vector<Eigen::Vector3d> forces_;  ///< Per unit of mass, m/s^2.
+
  private:
-  void advance(const ParticleStep& step) override;
-  void add_pose_forces(const ParticleStep& step);
+  void advance(const ParticleStep& step) final;
   void add_springs(const ParticleStep& step);
 
   std::vector<double> springs_;
-  std::vector<Eigen::Vector3d> forces_;  ///< Per unit of mass, m/s^2.
+};
+
+/// The same with what the thesis (3.1, Figure 5) calls angular springs, the hinges of Rosenblum et al.: where two segments meet, a spring
+/// and a damper per radian turn the lower one to its default direction and the upper one the other way, so that bones feel
+/// what hangs from them. A hinge is as strong as what it swings: a bone and all that hangs from it, stretched out as at rest, swing
+/// by its stiffness (1/s^2) and damping (1/s), which is how the passive model reads these numbers too.
+class AngularSpringSolver final : public MassSpringSolver {
+ public:
+  AngularSpringSolver(const Rig& rig, const SolverScene& scene);
+
+ private:
+  void add_pose_forces(const ParticleStep& step) override;
+  /// Of bone i's hinge, per unit of mass, m^2/s^2; at right angles to the bone.
+  [[nodiscard]] Eigen::Vector3d torque(std::size_t i, const ParticleStep& step) const;
+  /// A pair of forces at the bone's ends.
+  void turn(std::size_t i, const Eigen::Vector3d& torque, const ParticleStep& step);
+
+  std::vector<double> inertia_;  ///< Per unit of mass, m^2: of what each bone swings, about its start, at rest.
 };
 
 /// The thesis's second attempt (5.2 "Replacing the springs"): nothing moves a particle but its velocity. Errors of

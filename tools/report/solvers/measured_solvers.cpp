@@ -30,11 +30,14 @@ constexpr int kFew[] = {1, 2, 4, 8};
 constexpr int kNewton[] = {1, 2, 3, 4};
 constexpr int kSmallSteps[] = {1, 2, 4, 8, 16, 32};
 constexpr int kExplicit[] = {4, 16, 64, 256};  // At 60 fps, below 4 even three bones explode.
+constexpr int kHinged[] = {16, 64, 256};  // Three bones hold with the first; a hinge is as strong as all that hangs from it.
 
 const ListedSolver kSolvers[] = {
     {"mass-spring", "point masses on stiff springs, integrated explicitly",
      "thesis 3.1 and 5.2, initial attempt; Rosenblum et al. 1991", kSubSteps, kExplicit, sub_stepped<MassSpringSolver>,
      true},
+    {"angular-springs", "the mass-spring system, its pose held by springs at the hinges that turn both segments",
+     "thesis 3.1, Figure 5; Rosenblum et al. 1991", kSubSteps, kHinged, sub_stepped<AngularSpringSolver>, true},
     {"impulse", "errors of length and collision become impulses, the pose a constant pull",
      "thesis 5.2, replacing the springs", kIterations, kFew, iterated<ImpulseSolver>},
     {"separate", "positions are put right directly and velocities adjusted to match",

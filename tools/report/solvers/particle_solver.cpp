@@ -52,8 +52,8 @@ bool jumps(const HeadPose& from, const HeadPose& to) {
 }
 
 ParticleSolver::ParticleSolver(const Rig& rig, const SolverScene& scene)
-    : rig_(rig), scene_(scene), has_children_(rig.bones.size()) {
-  for (const RigBone& bone : rig.bones) {
+    : rig_(as_asked(rig)), scene_(scene), has_children_(rig.bones.size()) {
+  for (const RigBone& bone : rig_.bones) {
     if (bone.parent >= 0) has_children_[std::size_t(bone.parent)] = true;
     if (bone.parent_share > 0) turns_with_parents_ = true;
   }

@@ -1,12 +1,15 @@
 #include "report/solvers/historical_solvers.h"
 #include "report/solvers/particle_solver.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace coif {
 
 using Eigen::Vector3d;
 
 MassSpringSolver::MassSpringSolver(const Rig& rig, const SolverScene& scene)
-    : PosedSolver(rig, scene), springs_(segment_springs(rig)), forces_(rig.bones.size()) {}
+    : PosedSolver(rig, scene), forces_(rig.bones.size()), springs_(segment_springs(rig)) {}
 
 void MassSpringSolver::advance(const ParticleStep& step) {
   // Forces are those of the step's start, seen from where the head was then: judged by where it now is, one at 8 m/s
@@ -40,6 +43,46 @@ void MassSpringSolver::add_springs(const ParticleStep& step) {
     forces_[i] -= force;
     if (!hangs_from_head(i)) forces_[parent(i)] += force;
   }
+}
+
+AngularSpringSolver::AngularSpringSolver(const Rig& rig, const SolverScene& scene)
+    : MassSpringSolver(rig, scene), inertia_(rig.bones.size(), 0) {
+  std::vector<Vector3d> starts, tails;
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    starts.push_back(hangs_from_head(i) ? bone(i).joint : tails[parent(i)]);
+    tails.push_back(starts[i] + bone(i).rest_direction * bone(i).length);
+    for (int up = int(i); up >= 0; up = bone(std::size_t(up)).parent) {
+      inertia_[std::size_t(up)] += (tails[i] - starts[std::size_t(up)]).squaredNorm();
+    }
+  }
+}
+
+void AngularSpringSolver::add_pose_forces(const ParticleStep& step) {
+  forces_.assign(bone_count(), Vector3d::Zero());
+  for (std::size_t i = 0; i < bone_count(); ++i) {
+    const Vector3d lower = torque(i, step);
+    turn(i, lower, step);
+    if (!hangs_from_head(i)) turn(parent(i), -lower * bone(i).parent_share, step);
+  }
+}
+
+Vector3d AngularSpringSolver::torque(std::size_t i, const ParticleStep& step) const {
+  const Vector3d along = positions_[i] - start(i, step);
+  const Vector3d direction = along.normalized(), to = default_direction(i).normalized();
+  const Vector3d axis = direction.cross(to);
+  const double angle = std::atan2(axis.norm(), direction.dot(to));
+  const Vector3d off = axis.norm() > 0 ? Vector3d(axis.normalized() * angle) : Vector3d::Zero();
+  const Vector3d spin = direction.cross(velocities_[i] - start_velocity(i, step)) / std::max(along.norm(), 1e-12);
+  const Vector3d default_spin = to.cross(swing_velocity(i)) / bone(i).length;
+  const Vector3d all = off * bone(i).stiffness + (default_spin - spin) * bone(i).damping;
+  return (all - direction * all.dot(direction)) * inertia_[i];
+}
+
+void AngularSpringSolver::turn(std::size_t i, const Vector3d& torque, const ParticleStep& step) {
+  const Vector3d along = positions_[i] - start(i, step);
+  const Vector3d force = torque.cross(along) / std::max(along.squaredNorm(), 1e-12);
+  forces_[i] += force;
+  if (!hangs_from_head(i)) forces_[parent(i)] -= force;
 }
 
 using Eigen::Vector3d;
