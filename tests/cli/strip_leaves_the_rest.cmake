@@ -20,7 +20,7 @@ function(must_be_equal a b why)
   endif()
 endfunction()
 
-set(groups names provenance quality asked tuning colliders motion lods orders textures material mesh)
+set(groups names provenance quality tuning colliders motion lods orders textures material mesh)
 file(SIZE "${ASSET}" whole)
 foreach(one IN LISTS groups)
   foreach(other IN LISTS groups)
