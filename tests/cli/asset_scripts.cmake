@@ -258,8 +258,8 @@ endif()
 
 # Two assets of different hair: exit code 3 and a message that says how far apart they are.
 if(CASE STREQUAL "compare_refuses_other_hair")
-  file(WRITE "${FOLDER}/card.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-  file(WRITE "${FOLDER}/other.obj" "v 0 0 0.5\nv 1 0 0.5\nv 0 1 0.5\nf 1 2 3\n")
+  file(WRITE "${FOLDER}/card.obj" "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n")
+  file(WRITE "${FOLDER}/other.obj" "v 0 0 0.05\nv 0.1 0 0.05\nv 0 0.1 0.05\nf 1 2 3\n")
 
   foreach(name card other)
     execute_process(COMMAND "${PROGRAM}" cook ${name}.obj -o ${name}.coif WORKING_DIRECTORY "${FOLDER}"

@@ -52,7 +52,7 @@ coif_cli_case(cook_for_a_scene EXIT 0 WRITES out.coif
   STDOUT "left out: 12 bones, 9 of them simulated: \"scene.simulate\" is false [(][0-9]+ bytes, [0-9]+ ns a frame[)].*left out: bone names: \"scene.names\" is false [(][0-9]+ bytes[)]"
   TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}, ${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --verbose)
 coif_cli_case(cook_one_flat_card EXIT 0 STDOUT "^card.coif: 1 triangle in 1 patch " WRITES card.coif
-  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
+  TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
 coif_cli_case(cook_list EXIT 0 STDOUT "meshes\n.*materials\n.*nodes\n.*[(]bone[)]" ARGS cook ${sample} --list)
 coif_cli_case(cook_list_json EXIT 0 JSON meshes,0,name materials,0,name nodes,0,name
   ARGS cook ${sample} --list --format json)
@@ -78,16 +78,16 @@ set(pointer "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146a0a7
 coif_cli_case(cook_lfs_pointer EXIT 3 STDERR "coif cook: error: wig.fbx: Git LFS has not fetched what is in this file; run 'git lfs pull'"
   TEXT wig.fbx "${pointer}" ARGS cook wig.fbx -o wig.coif)
 coif_cli_case(cook_lfs_texture EXIT 0 WRITES card.coif STDERR "card.png: Git LFS has not fetched what is in this file; run 'git lfs pull'; it is cooked without"
-  TEXT card.obj "mtllib card.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nmap_Kd card.png\n" card.png "${pointer}"
+  TEXT card.obj "mtllib card.mtl\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nmap_Kd card.png\n" card.png "${pointer}"
   ARGS cook card.obj -o card.coif)
 
 # Said where it is wanted.
 coif_cli_case(cook_says_five_lines EXIT 0 WRITES card.coif
   STDOUT "^card.coif: 1 triangle [^\n]*\n[^\n]*simulated\n[^\n]*warnings?\n  [1-9][0-9]* notes, [0-9]+ things? left out: -v tells them\n  next: [^\n]*\n$"
-  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
+  TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif)
 coif_cli_case(cook_names_files_that_it_read EXIT 0 WRITES card.coif
   STDOUT "\n  read: card.mtl\n.*  looked for in vain: lost.mtl\n" STDERR "'lost.mtl' is named for the materials and was not read: there is no"
-  TEXT card.obj "mtllib lost.mtl\nmtllib card.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nKd 1 0 0\n"
+  TEXT card.obj "mtllib lost.mtl\nmtllib card.mtl\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nusemtl hair\nf 1 2 3\n" card.mtl "newmtl hair\nKd 1 0 0\n"
   ARGS cook card.obj -o card.coif -v)
 coif_cli_case(cook_max_pass_seconds EXIT 3 TIMEOUT 120
   STDERR "coif cook: error: .*bob.glb: the pass '[a-z ]+' exceeded 1 s; use fewer triangles, or allow more with --max-pass-seconds"
@@ -95,7 +95,7 @@ coif_cli_case(cook_max_pass_seconds EXIT 3 TIMEOUT 120
 coif_cli_case(cook_quiet_and_verbose EXIT 1 STDERR "--quiet.*--verbose|--verbose.*--quiet" ARGS cook a.obj -o a.coif -q -v)
 coif_cli_case(cook_absent_root EXIT 1 STDERR "--root: Directory does not exist: nowhere" ARGS cook a.obj -o a.coif --root nowhere)
 coif_cli_case(cook_durable EXIT 0 WRITES card.coif report.json
-  TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif --report report.json --durable -q)
+  TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o card.coif --report report.json --durable -q)
 coif_cli_case(cook_quiet EXIT 0 WRITES out.coif STDERR "^$" STDOUT "^$"
   TEXT R.json "{\"scene\": {\"draw\": false}}" ARGS cook ${sample} --recipe R.json -o out.coif --quiet)
 coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "^$" JSON output bytes passes

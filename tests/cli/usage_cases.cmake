@@ -51,6 +51,6 @@ coif_cli_case(render_time_without_motion EXIT 1 STDERR "coif render: error: .*--
 coif_cli_case(notices_wrong_code EXIT 3 ARGS --version)
 coif_cli_case(notices_missing_text EXIT 0 STDOUT "no such text" ARGS --version)
 coif_cli_case(notices_missing_key EXIT 0 JSON bytes ARGS --version)
-coif_cli_case(notices_file_left_behind EXIT 0 TEXT card.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" ARGS cook card.obj -o left.coif)
+coif_cli_case(notices_file_left_behind EXIT 0 TEXT card.obj "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n" ARGS cook card.obj -o left.coif)
 set_tests_properties(cli.notices_wrong_code cli.notices_missing_text cli.notices_missing_key
                      cli.notices_file_left_behind PROPERTIES WILL_FAIL ON)

@@ -111,6 +111,7 @@ TEST(Cook, WhatHairNeverHasIsLookedAtWithFewerLines) {
   Recipe recipe = default_recipe();
   recipe.base_color[3] = 0.6;  // so that an order is searched
   recipe.order_method = "single";
+  recipe.scene_simulate = false;
   const CookResult result = cooked(triangle_soup(1200), 2, recipe);
   const auto said = [&](const char* what) {
     return std::ranges::any_of(result.report.notes, [&](const std::string& note) { return note.find(what) != note.npos; });

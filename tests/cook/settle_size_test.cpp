@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <numbers>
 #include <tuple>
+#include <vector>
 
 namespace coif::settle_size_test {
 
@@ -79,9 +80,12 @@ class EveryStatement : public testing::TestWithParam<std::tuple<Statement, doubl
   [[nodiscard]] double metres_per_unit() const { return std::get<1>(GetParam()); }
 };
 
+const char* const kNames[] = {"Declared", "UsualCentimetres", "UsualMetres", "Unsaid"};
+
 INSTANTIATE_TEST_SUITE_P(Size, EveryStatement,
                          testing::Values(std::tuple{Statement::kDeclared, 1.0}, std::tuple{Statement::kUsual, 0.01},
-                                         std::tuple{Statement::kUsual, 1.0}, std::tuple{Statement::kUnsaid, 1.0}));
+                                         std::tuple{Statement::kUsual, 1.0}, std::tuple{Statement::kUnsaid, 1.0}),
+                         [](const auto& statement) { return kNames[statement.index]; });
 
 TEST_P(EveryStatement, AHeadOfTheRightSizeIsLeftAlone) {
   for (const SourceModel& model : {long_hair(), styled_person()}) {
@@ -92,8 +96,9 @@ TEST_P(EveryStatement, AHeadOfTheRightSizeIsLeftAlone) {
 }
 
 TEST_P(EveryStatement, SmallAndLargeHeadsKeepTheirSizeWhereAFileSaysIt) {
-  if (said() == Statement::kUnsaid) GTEST_SKIP() << "without a unit there is nothing to keep";
-  for (const double scale : {0.3, 0.5, 1.5, 2.0, 3.0}) {  // a doll, a child, a chibi, a giant
+  // A doll, a child, a chibi, a giant; without a unit there is only what is usual.
+  const std::vector<double> usual{0.75, 1.6}, kept{0.3, 0.5, 1.5, 2.0, 3.0};
+  for (const double scale : said() == Statement::kUnsaid ? usual : kept) {
     EXPECT_FALSE(judge(at_scale(long_hair(), scale, said(), metres_per_unit())).changes()) << scale;
   }
 }
@@ -176,6 +181,21 @@ TEST(JudgedSizes, BrowsAloneAreNoHead) {
     EXPECT_TRUE(size.doubts.empty()) << size.doubts.front().text;
   }
   EXPECT_EQ(judge(at_scale(model, 100, Statement::kUnsaid)).factor, 0.01);
+}
+
+TEST(JudgedSizes, WhatSaysNothingForAnotherAxisIsNotDoubted) {
+  SourceModel model;
+  add_node(model, "root", kNoIndex, {0, 0, 0});
+  for (const float size : {0.1f, 1.0f}) {
+    SourceMesh card;
+    card.positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+    card.triangles = {0, 1, 2};
+    model.meshes = {card};
+    model.space.unit = model.space.up = Statement::kUnsaid;
+    const JudgedSize judged = judge(model);
+    EXPECT_FALSE(judged.changes());
+    for (const SizeDoubt& doubt : judged.doubts) ADD_FAILURE() << doubt.text;
+  }
 }
 
 TEST(JudgedSizes, NothingToMeasureChangesNothing) {

@@ -58,27 +58,28 @@ double fastest_rate(std::span<const RigBone> bones) {
 PassiveModel::PassiveModel(std::span<const RigBone> bones)
     : bones_(bones),
       carried_(carried_at_rest(bones)),
+      turns_(bones.size()),
       bends_(bones.size()),
       links_(bones.size()),
       forces_(bones.size()),
       torques_(bones.size()) {}
 
-PassiveModel::Bend PassiveModel::bend(std::size_t i, const HeadState& head, const BoneMotion& parent,
-                                      const BoneMotion& motion) const {
+const Matrix3d& PassiveModel::turn_above(std::size_t i) const {
+  return bones_[i].parent < 0 ? head_turn_ : turns_[std::size_t(bones_[i].parent)];
+}
+
+/// What acts at the joint of a bone whose direction and arc are known.
+void PassiveModel::load(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion) {
   const RigBone& bone = bones_[i];
-  Bend bend;
-  bend.direction = motion.frame * bone.rest_direction;
-  bend.arc = parent.frame * bone.rest_direction;
-  bend.per_fold = per_fold(1 + bend.arc.dot(bend.direction));
+  Bend& bend = bends_[i];
   const double share = bone.parent_share;
-  const Vector3d by_parent = parent.frame * bone.pull_direction(), by_head = head.rotation * bone.pull_direction();
+  const Vector3d pull = bone.pull_direction(), by_parent = turn_above(i) * pull, by_head = head_turn_ * pull;
   const Vector3d base = share * parent.angular_velocity + (1 - share) * head.angular_velocity;
   const Vector3d drag = bone.damping * carried_[i].inertia * across(motion.angular_velocity - base, bend.direction);
   const double stiffness = bone.stiffness * carried_[i].inertia;
   const Vector3d of_parent = stiffness * bend.direction.cross(by_parent);
   bend.torque = share * of_parent + (1 - share) * stiffness * bend.direction.cross(by_head) - drag;
   bend.reaction = share * (of_parent - drag);
-  return bend;
 }
 
 void PassiveModel::gather(std::size_t i, double opening) {
@@ -104,18 +105,23 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
                          std::span<BoneMotion> motions, std::span<BoneRates> rates) {
   const Vector3d air = scene.wind + head.velocity * bones_.front().air_follow;
   BoneMotion joint;
+  head_turn_ = head.rotation.toRotationMatrix();
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     const RigBone& bone = bones_[i];
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
     BoneMotion& motion = motions[i];
     motion.frame = states[i].frame.normalized();
-    const Vector3d direction = motion.frame * bone.rest_direction, arc = parent.frame * bone.rest_direction;
+    turns_[i] = motion.frame.toRotationMatrix();
+    const Vector3d direction = turns_[i] * bone.rest_direction, arc = turn_above(i) * bone.rest_direction;
+    bends_[i].direction = direction;
+    bends_[i].arc = arc;
+    bends_[i].per_fold = per_fold(1 + arc.dot(direction));
     const Vector3d turning = across(states[i].turning, direction), swing = direction.cross(turning);
     const double along = (arc + direction).dot(parent.angular_velocity) - arc.dot(swing);
     motion.end = parent.end + bone.length * direction;
     motion.velocity = parent.velocity + bone.length * turning;
-    motion.angular_velocity = swing + direction * (along * per_fold(1 + arc.dot(direction)));
-    bends_[i] = bend(i, head, parent, motion);
+    motion.angular_velocity = swing + direction * (along * bends_[i].per_fold);
+    load(i, head, parent, motion);
     forces_[i] = mass_of(bone) * (scene.gravity * bone.gravity_scale - bone.friction * (motion.velocity - air));
     torques_[i] = bends_[i].torque;
     links_[i] = {mass_of(bone) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};

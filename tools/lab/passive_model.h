@@ -55,12 +55,15 @@ class PassiveModel {
     Eigen::Vector3d torque, reaction;
   };
 
-  Bend bend(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion) const;
+  const Eigen::Matrix3d& turn_above(std::size_t i) const;
+  void load(std::size_t i, const HeadState& head, const BoneMotion& parent, const BoneMotion& motion);
   void gather(std::size_t i, double opening);
   Eigen::Vector3d release(std::size_t i, const Eigen::Vector3d& of_start) const;
 
   std::span<const RigBone> bones_;
   std::vector<Carried> carried_;
+  Eigen::Matrix3d head_turn_;           ///< The head's rotation, and the frames of bones: turning by a quaternion takes
+  std::vector<Eigen::Matrix3d> turns_;  ///< twice the time.
   std::vector<Bend> bends_;
   std::vector<Links> links_;
   std::vector<Eigen::Vector3d> forces_, torques_;

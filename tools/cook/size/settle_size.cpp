@@ -163,7 +163,7 @@ void judge_up(const KnownModel& known, JudgedSize& judged) {
          fmt::format("up is the file's {} and not what it says ({}): with that, {}; the model was turned: set "
                      "\"source.up_axis\": \"{}\" in the recipe if the file is right",
                      axis, space.up_words, why, space.up_axis)});
-  } else if (lead < kNarrow && own.evidence < kSaysLittle) {
+  } else if (lead < kNarrow && own.evidence < kSaysLittle && !why.empty()) {
     judged.doubts.push_back(
         {SizeDoubt::Of::kDoubtfulUp,
          fmt::format("up is doubtful: it is as the file says ({}), though with the file's {} up {}: set "
