@@ -17,7 +17,7 @@ float hair_shadow_metres(float z, vec4 depth) { return (depth.x + depth.y * z) /
 // with one of its points, so that none shades itself (Isidoro 2006, "Shadow mapping: GPU-based tips and techniques"). Call
 // it where the neighbours' values are known: before any discard, and outside of branches that not all take.
 vec2 hair_slope(vec4 place) {
-  const float kSteepest = 8.0;  // beyond, light only grazes the surface
+  const float kSteepest = 64.0;  // 89 degrees from facing the light: beyond, neighbours in the picture tell nothing
   vec3 p = place.xyz / place.w;
   vec3 x = dFdx(p), y = dFdy(p);
   float area = x.x * y.y - x.y * y.x;

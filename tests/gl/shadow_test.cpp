@@ -137,6 +137,18 @@ TEST_F(Shadow, NothingShadesItselfAtItsLitSide) {
   }
 }
 
+// As it does most of a head's sides: from one texel of the map to the next the card is many texels nearer to the light.
+TEST_F(Shadow, HairThatLightGrazesDoesNotShadeItselfInADeepMap) {
+  for (const float rise : {0.2f, 0.1f, 0.05f, 0.025f}) {
+    const Light light{Light::Kind::kDirectional, {1, 0.3f, rise}, {4, 4, 4}};
+    HairShadow shadow;
+    create(shadow, {.technique = &kDeepShadow, .size = 256});
+    cast(shadow, std::array{DrawnCard{}}, light);
+    for (int x = 10; x < 22; ++x) EXPECT_GT(light_at(x, 17, shadow, light), 0.9) << rise << ", pixel " << x;
+    shadow.destroy();
+  }
+}
+
 // The map ends across the receiver, so that it holds the nearer part of it alone.
 TEST_F(Shadow, TheFarEndOfTheMapShadesNothing) {
   constexpr ShadowBall kEndsHere{{1.06066, 0, 1.06066}, 1.5f};

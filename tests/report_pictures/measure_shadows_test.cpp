@@ -76,7 +76,7 @@ TEST_F(MeasureShadows, LayersKnowHalfTransparentHairAndAPlainMapDoesNot) {
   EXPECT_GT(total(report, "none").hair.bias, 0.3) << "without shadows all is too light";
 }
 
-// What the sample shows at twice the size is nearer to two times; there it takes half a minute.
+// With larger maps it is more than twice as near; those take half a minute.
 TEST_F(MeasureShadows, OfTheSampleTheDefaultIsNearerByHalfThanAPlainMapOfAsManyBytes) {
   std::ifstream file(COIF_COOKED_SAMPLE, std::ios::binary);
   const std::vector<char> content{std::istreambuf_iterator<char>(file), {}};
