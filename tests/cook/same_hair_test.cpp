@@ -98,7 +98,10 @@ TEST_F(SameHair, APonyTailIsTheSameFromFbxColladaGlbAndGlbWithZUp) {
   const auto first = cooked("ponytail01_blender.fbx");
   for (const char* name : {"ponytail01_blender.dae", "ponytail01_springbone.glb", "ponytail01_zup.glb"}) {
     SCOPED_TRACE(name);
-    expect_same(*first, *cooked(name));
+    const auto hair = cooked(name);
+    expect_same(*first, *hair);
+    // Of the last bone's end one file has a marker, another hair alone, and COLLADA a marker that is wrong.
+    EXPECT_NEAR(longest_chain(hair->asset), longest_chain(first->asset), 0.06f * longest_chain(first->asset));
   }
 }
 

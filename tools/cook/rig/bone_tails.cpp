@@ -7,6 +7,9 @@ namespace coif {
 namespace {
 
 constexpr double kShortestBone = 1.0e-3;  ///< Metres; shorter ones have no direction to speak of.
+/// Of the way to the end of the hair that the last bone carries: a marker before that does not mark its end. Blender's
+/// COLLADA has such, where axes were turned.
+constexpr double kLeastOfHair = 0.4;
 
 /// Nodes in the tree below `node`, itself included.
 std::size_t tree_size(const SourceModel& source, std::uint32_t node) {
@@ -40,6 +43,14 @@ std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32
     if (child.parent == node) return child.model_from_node.translation();
   }
   return std::nullopt;
+}
+
+/// The file's spring bones say how long those are that they turn.
+bool turns_with_a_spring(const SourceModel& source, std::uint32_t node) {
+  return std::ranges::any_of(source.springs, [&](const SourceSpring& spring) {
+    return std::ranges::any_of(spring.joints,
+                               [&](const SourceSpringJoint& joint) { return joint.node == node && joint.length > 0; });
+  });
 }
 
 /// Half, or half of what the bone's heaviest vertex has, where it shares all of them.
@@ -83,8 +94,13 @@ Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, 
   std::optional<Eigen::Vector3d> tail;
   if (!hair_children.empty()) {
     tail = source.nodes[main_child(source, hair_children)].model_from_node.translation();
-  } else if (!(tail = end_marker(source, node))) {
-    tail = end_of_vertices(hair, node, start);
+  } else {
+    tail = end_marker(source, node);
+    const auto end = end_of_vertices(hair, node, start);
+    if (end && (!tail || (!turns_with_a_spring(source, node) &&
+                          (*tail - start).norm() < kLeastOfHair * (*end - start).norm()))) {
+      tail = end;
+    }
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
   // Along a simulated parent, at whose tail this bone starts; a rigid one has no length, but a joint to lead away from.
