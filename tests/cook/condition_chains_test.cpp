@@ -95,7 +95,7 @@ std::vector<Eigen::Vector3d> turned(const AssetContents& contents, const Solver&
 }
 
 TEST(ConditionChains, AlgorithmOneStillReadsTheArtistsNumbers) {
-  TestRig rig = rig_of_chain({.bones = 16, .length = 0.4f, .damping_ratio = 0.3});
+  TestRig rig = rig_of_chain({.bones = 16, .length = 0.4f, .damping_ratio = 0.3f});
   for (DynamicsRecord& bone : rig.dynamics) bone.resistance = 0.2f;
   const AssetContents asked = named(rig);
   AssetContents given = asked;

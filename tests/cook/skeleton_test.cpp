@@ -64,7 +64,7 @@ TEST(BuildSkeleton, WithoutAnEndMarkerTheLastBoneEndsWithItsVertices) {
 TEST(BuildSkeleton, AMarkerFarBeforeTheEndOfTheHairMarksNoEnd) {
   for (const double share : {0.15, 0.3, 0.5, 0.8}) {
     SourceModel model = make_wig();
-    model.nodes.back().model_from_node.translation() = {0, 1.5 - 0.1 * share, -0.1};
+    model.nodes.back().model_from_node.translation() = Eigen::Vector3d(0, 1.5 - 0.1 * share, -0.1);
     const auto skeleton = skeleton_of(model);
     ASSERT_TRUE(skeleton);
     EXPECT_NEAR(skeleton->bones[3].tail.y(), share < 0.4 ? 1.4 : 1.5 - 0.1 * share, 0.005) << share;

@@ -176,7 +176,8 @@ std::uint32_t cut_wreath(float turns, float lift, float rise) {
   for (std::uint32_t t = 0; more > 0 && t < hair.mesh.triangle_count(); ++t) {
     float along = 0;
     for (std::uint32_t k = 0; k < 3; ++k) along += hair.mesh.uvs[hair.mesh.triangles[3 * t + k]].y() / 3;
-    if (std::abs(along - 0.5f) > 0.1f) EXPECT_EQ(hair.patches.patch_of[t], along > 0.5f ? 1u : 0u) << along;
+    if (std::abs(along - 0.5f) <= 0.1f) continue;
+    EXPECT_EQ(hair.patches.patch_of[t], along > 0.5f ? 1u : 0u) << along;
   }
   return more;
 }

@@ -52,8 +52,12 @@ std::vector<Mat34> moved(const AssetContents& contents, const Solver& solver, st
   for (int frame = 0; frame < 90; ++frame) {
     for (std::uint32_t i = 0; i < heads; ++i) {
       const HeadPose pose = frame < 60 ? wander(0.02 * frame + i) : violence.next();
-      if (frame % 30 == 29) EXPECT_EQ(hair.teleport(i, pose), Status::kOk);
-      if (frame % 40 == 39) EXPECT_EQ(hair.reset(i, pose), Status::kOk);
+      if (frame % 30 == 29) {
+        EXPECT_EQ(hair.teleport(i, pose), Status::kOk);
+      }
+      if (frame % 40 == 39) {
+        EXPECT_EQ(hair.reset(i, pose), Status::kOk);
+      }
       EXPECT_EQ(hair.set_head(i, pose), Status::kOk);
       if (frame % 10 == 5) {
         const bool far = (frame / 10 + int(i)) % 3 == 0;

@@ -25,7 +25,7 @@ struct AccuracyRow {
   double fps = 0;
   std::uint32_t substeps = 1;  ///< Of each frame.
   double ns_per_bone_frame = kNoNumber;
-  std::string code;  ///< What the time is of: "float, AVX2" for what ships, "double, scalar" for the others.
+  std::string code{};  ///< What the time is of: "float, AVX2" for what ships, "double, scalar" for the others.
   /// Distance of chain tips to the converged solution of the same model, head space, in % of the chain's length.
   double rms_error_pct = kNoNumber;
   double max_error_pct = kNoNumber;
