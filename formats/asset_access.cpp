@@ -10,13 +10,13 @@ const char* Asset::bone_name(std::uint32_t bone) const {
 }
 
 std::uint32_t Asset::lod_count() const {
-  if (!lods().empty()) return std::uint32_t(lods().size());
+  if (!stored_lods().empty()) return std::uint32_t(stored_lods().size());
   return patches().empty() ? 0 : 1;
 }
 
 std::span<const PatchRecord> Asset::lod_patches(std::uint32_t lod) const {
   if (lod >= lod_count()) return {};
-  return lods().empty() ? patches() : patches().subspan(lods()[lod].first_patch, lods()[lod].patch_count);
+  return stored_lods().empty() ? patches() : patches().subspan(stored_lods()[lod].first_patch, stored_lods()[lod].patch_count);
 }
 
 std::span<const std::uint32_t> Asset::lod_indices(std::uint32_t lod) const {

@@ -18,7 +18,7 @@ LoadStatus check_lod_bones(const Asset& asset) {
   for (std::size_t i = 0; i < bones.size(); ++i) {
     const bool can_move = bones[i].kind == BoneKind::kSimulated;
     const bool hangs_freely = can_move && bones[bones[i].parent].kind != BoneKind::kSimulated;
-    const std::size_t most = !can_move ? 0 : hangs_freely ? asset.lods().size() : counts[bones[i].parent];
+    const std::size_t most = !can_move ? 0 : hangs_freely ? asset.stored_lods().size() : counts[bones[i].parent];
     const std::size_t least = can_move ? 1 : 0;
     if (counts[i] < least || counts[i] > most) return {LoadCode::kLodBones, chunk::kLodBones, i, most, counts[i]};
   }
@@ -36,7 +36,7 @@ bool measures_fit(const LodRecord& lod, const LodRecord* finer, bool is_last) {
 }  // namespace
 
 LoadStatus check_lods(const Asset& asset) {
-  const auto lods = asset.lods();
+  const auto lods = asset.stored_lods();
   if (lods.empty()) return {};
   if (lods.size() > kMaxLods) return lod_error(LoadCode::kChunkSize, 0, kMaxLods, lods.size());
   const std::uint64_t total = asset.patches().size();
@@ -195,8 +195,8 @@ LoadStatus check_level(const Asset& asset, std::size_t first, std::size_t count)
 }
 
 LoadStatus check_levels(const Asset& asset) {
-  if (asset.lods().empty()) return check_level(asset, 0, asset.indices().size() / 3);
-  for (const LodRecord& lod : asset.lods()) {
+  if (asset.stored_lods().empty()) return check_level(asset, 0, asset.indices().size() / 3);
+  for (const LodRecord& lod : asset.stored_lods()) {
     const auto patches = asset.patches().subspan(lod.first_patch, lod.patch_count);
     const std::size_t first = patches.front().first_index;
     const std::size_t end = std::size_t{patches.back().first_index} + patches.back().index_count;

@@ -163,6 +163,17 @@ coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_he
   return call(static_cast<PoseCall>(&coif::Hair::set_head), hair, instance, pose);
 }
 
+coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (poses == nullptr || count != hair->hair.instance_count()) return COIF_SIZE_MISMATCH;
+  coif_status first = COIF_OK;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const coif_status status = code(hair->hair.set_head(i, pose_of(poses[i])));
+    if (first == COIF_OK) first = status;
+  }
+  return first;
+}
+
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,
                                       const coif_head_velocity* velocity) {
   if (hair == nullptr) return COIF_NOT_CREATED;

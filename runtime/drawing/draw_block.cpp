@@ -42,22 +42,22 @@ bool fill_cone(const Light& light, float* spot, float& sharpness) {
   sharpness = 1.0f;
   if (light.kind != Light::Kind::kSpot) return true;
   const bool is_cone = light.outer_cosine >= -1.0f && light.inner_cosine <= 1.0f &&
-                       light.outer_cosine < light.inner_cosine && is_finite(light.direction);
-  if (!is_cone || !fill_direction(light.direction, spot)) return false;
+                       light.outer_cosine < light.inner_cosine && is_finite(light.spot_axis);
+  if (!is_cone || !fill_direction(light.spot_axis, spot)) return false;
   spot[3] = light.outer_cosine;
   sharpness = 1.0f / (light.inner_cosine - light.outer_cosine);
   return true;
 }
 
 bool fill_light(const Light& light, const Vec3& eye, std::size_t i, DrawBlock& block) {
-  if (!is_finite(light.position) || !is_finite(light.color) || light.kind > Light::Kind::kSpot) return false;
+  if (!is_finite(light.from) || !is_finite(light.color) || light.kind > Light::Kind::kSpot) return false;
   float* const position = block.light_position[i];
   if (light.kind == Light::Kind::kDirectional) {
-    if (!fill_direction(light.position, position)) return false;
+    if (!fill_direction(light.from, position)) return false;
   } else {
-    position[0] = static_cast<float>(double(light.position.x) - eye.x);
-    position[1] = static_cast<float>(double(light.position.y) - eye.y);
-    position[2] = static_cast<float>(double(light.position.z) - eye.z);
+    position[0] = static_cast<float>(double(light.from.x) - eye.x);
+    position[1] = static_cast<float>(double(light.from.y) - eye.y);
+    position[2] = static_cast<float>(double(light.from.z) - eye.z);
     position[3] = 1.0f;
   }
   float* const color = block.light_color[i];

@@ -88,7 +88,7 @@ constexpr host::Rectangle kPane{-2.0f, 0.0f, 2.0f, 4.0f, -0.4f, {0.9f, 0.8f, 0.1
 coif::Status draw_frame(const host::Frame& frame, coif::HairRenderer& renderer, const coif::HairModel& model,
                         const coif::Hair& hair, Stages& stages) {
   const host::Camera camera;
-  const coif::Light sun{.position = {0.3f, 1.0f, 0.6f}};
+  const coif::Light sun{.from = {0.3f, 1.0f, 0.6f}};
   frame.begin();
   frame.draw(camera, kPost);  // what is solid comes first: its depth hides the hair behind it
   stages.solid = frame.read();

@@ -171,8 +171,9 @@ bool is_still(const HeadLanes& heads, std::uint32_t i) {
 
 /// In no time nothing moves: a head with another pose than before was put there.
 void put_moved_heads(CrowdState& crowd) {
-  for (Block& block : crowd.blocks) {
-    if (block.treatment == kIdle) continue;
+  for (std::uint32_t index = 0; index < crowd.blocks.size(); ++index) {
+    if (crowd.treatments[index] == kIdle) continue;
+    Block& block = crowd.blocks[index];
     for (std::uint32_t i = 0; i < block.count; ++i) {
       if (!is_still(block.heads, i)) block.teleports = std::uint16_t(block.teleports | 1u << i);
     }
@@ -181,11 +182,10 @@ void put_moved_heads(CrowdState& crowd) {
 
 void choose_blocks(CrowdState& crowd) {
   crowd.job_count = 0;
-  for (std::uint32_t block = 0; block < crowd.blocks.size(); ++block) {
-    const Block& candidate = crowd.blocks[block];
-    if (candidate.count == 0 || candidate.treatment == kIdle) continue;
-    if (!has_its_turn(crowd, candidate.treatment)) continue;
-    crowd.intervals[interval_power_of(crowd, candidate.treatment)].is_due = true;
+  for (std::uint32_t block = 0; block < crowd.treatments.size(); ++block) {
+    const std::uint32_t treatment = crowd.treatments[block];
+    if (treatment == kIdle || !has_its_turn(crowd, treatment)) continue;
+    crowd.intervals[interval_power_of(crowd, treatment)].is_due = true;
     crowd.jobs[crowd.job_count++] = block;
   }
 }

@@ -21,7 +21,6 @@ struct Block {
   HeadLanes heads;
   std::uint32_t instance[kLanes] = {};
   std::uint32_t count = 0;
-  std::uint32_t treatment = 0;
   std::uint32_t previous = kNone;  ///< In the list; of free blocks too.
   std::uint16_t teleports = 0;     ///< A bit for each lane: put somewhere since the last step, as the host says.
   std::uint16_t is_lost = 0;       ///< Moved too far for single precision.
@@ -66,8 +65,10 @@ struct CrowdState {
   std::span<TwistState> twists;       ///< As states; empty where nothing twists.
   std::span<Mat34> palettes;          ///< Per instance, per bone.
   std::span<Block> blocks;
+  std::span<std::uint32_t> treatments;  ///< Per block; apart, as a step looks at all of them. kIdle: free, or idle.
   std::span<std::uint32_t> slots;       ///< Per instance: block * kLanes + lane.
   std::span<InstanceDetail> details;    ///< Per instance.
+  std::span<HeadPose> told;             ///< Per instance: the last pose, as the host gave it; forget_told() has none.
   std::span<std::uint32_t> last_block;  ///< Per treatment; kNone for none.
   std::span<std::uint32_t> jobs;        ///< Blocks to step.
   std::uint32_t first_free = 0;         ///< Block, linked by Block::previous.
@@ -95,6 +96,17 @@ struct CrowdState {
     return palettes.subspan(std::size_t(instance) * bone_count(), bone_count());
   }
 };
+
+/// Null for a bad index or before create().
+[[nodiscard]] inline Block* block_of(CrowdState* crowd, std::uint32_t instance) {
+  if (crowd == nullptr || instance >= crowd->instance_count()) return nullptr;
+  return &crowd->blocks[crowd->slots[instance] / kLanes];
+}
+
+/// Why block_of() has none.
+[[nodiscard]] inline Status missing(const CrowdState* crowd) {
+  return crowd == nullptr ? Status::kNotCreated : Status::kBadIndex;
+}
 
 /// A row's numbers of the head in `slot`, lanes yet to be chosen.
 [[nodiscard]] inline ChainLane row_of(const CrowdState& crowd, const Row& row, std::uint32_t slot) {

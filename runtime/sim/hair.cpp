@@ -31,7 +31,7 @@ bool any_bone_twists(const Asset& asset, const Solver& solver) {
   return false;
 }
 
-std::uint32_t levels_of(const Asset& asset) { return asset.lods().empty() ? 1 : std::uint32_t(asset.lods().size()); }
+std::uint32_t levels_of(const Asset& asset) { return asset.stored_lods().empty() ? 1 : std::uint32_t(asset.stored_lods().size()); }
 
 bool is_aligned(const std::byte* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % MemoryCarver::kAlignment == 0;
@@ -59,62 +59,12 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
+  crowd.treatments = carver.take<std::uint32_t>(blocks);
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
   crowd.details = carver.take<InstanceDetail>(desc.instances);
+  crowd.told = carver.take<HeadPose>(desc.instances);
   crowd.last_block = carver.take<std::uint32_t>(treatments);
   crowd.jobs = carver.take<std::uint32_t>(blocks);
-}
-
-/// Null for a bad index or before create().
-Block* block_of(CrowdState* crowd, std::uint32_t instance) {
-  if (crowd == nullptr || instance >= crowd->instance_count()) return nullptr;
-  return &crowd->blocks[crowd->slots[instance] / kLanes];
-}
-
-Status missing(const CrowdState* crowd) { return crowd == nullptr ? Status::kNotCreated : Status::kBadIndex; }
-
-/// What has been set replaces what was set before; the way is counted from where the last step left the head.
-void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
-  HeadLanes& heads = block.heads;
-  HeadPose from;
-  for (int axis = 0; axis < 3; ++axis) from.position[axis] = heads.next_position[axis][lane];
-  Vec3 way;
-  if (!displacement(from, unit, way)) block.is_lost = std::uint16_t(block.is_lost | 1u << lane);
-  set_lane(heads.way, lane, coif::lane(heads.way, lane) + way);
-  set_lane(heads.next_rotation, lane, unit.rotation);
-  for (int axis = 0; axis < 3; ++axis) heads.next_position[axis][lane] = unit.position[axis];
-}
-
-bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
-  return coif::lane(heads.rotation, lane) == unit.rotation && heads.next_position[0][lane] == unit.position[0] &&
-         heads.next_position[1][lane] == unit.position[1] && heads.next_position[2][lane] == unit.position[2];
-}
-
-void tell_velocity(HeadLanes& heads, std::uint32_t lane, const HeadVelocity* velocity) {
-  // Who takes back what was told finds the mean before gone.
-  if (velocity == nullptr && heads.is_told.v[lane] != 0.0f) heads.last_dt.v[lane] = 0.0f;
-  heads.is_told.v[lane] = velocity != nullptr ? 1.0f : 0.0f;
-  if (velocity == nullptr) return;
-  set_lane(heads.mean_velocity, lane, velocity->linear);
-  set_lane(heads.mean_angular_velocity, lane, velocity->angular);
-}
-
-/// `velocity` may be null.
-Status move_head(CrowdState* crowd, std::uint32_t instance, const HeadPose& pose, const HeadVelocity* velocity) {
-  Block* block = block_of(crowd, instance);
-  if (block == nullptr) return missing(crowd);
-  const FloatEnvironment plain;
-  HeadPose unit;
-  if (const Status status = normalise_pose(pose, unit); status != Status::kOk) return status;
-  if (velocity != nullptr && !(is_finite(velocity->linear) && is_finite(velocity->angular))) return Status::kBadPose;
-  if (crowd->details[instance].asleep) {
-    if (stays(block->heads, crowd->slots[instance] % kLanes, unit)) return Status::kOk;
-    wake(*crowd, instance);
-    block = block_of(crowd, instance);
-  }
-  aim_head(*block, crowd->slots[instance] % kLanes, unit);
-  tell_velocity(block->heads, crowd->slots[instance] % kLanes, velocity);
-  return Status::kOk;
 }
 
 }  // namespace
@@ -160,30 +110,6 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
 std::uint32_t Hair::instance_count() const { return crowd_ == nullptr ? 0 : crowd_->instance_count(); }
 
 std::uint32_t Hair::bone_count() const { return crowd_ == nullptr ? 0 : crowd_->bone_count(); }
-
-Status Hair::set_head(std::uint32_t instance, const HeadPose& pose) {
-  return move_head(crowd_, instance, pose, nullptr);
-}
-
-Status Hair::set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity) {
-  return move_head(crowd_, instance, pose, &velocity);
-}
-
-Status Hair::reset(std::uint32_t instance, const HeadPose& pose) {
-  if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
-  if (crowd_->details[instance].asleep) wake(*crowd_, instance);
-  const FloatEnvironment plain;
-  put_to_rest(*crowd_, crowd_->slots[instance]);
-  return Status::kOk;
-}
-
-Status Hair::teleport(std::uint32_t instance, const HeadPose& pose) {
-  if (const Status status = set_head(instance, pose); status != Status::kOk) return status;
-  if (crowd_->details[instance].asleep) wake(*crowd_, instance);
-  Block& block = *block_of(crowd_, instance);
-  block.teleports = std::uint16_t(block.teleports | 1u << crowd_->slots[instance] % kLanes);
-  return Status::kOk;
-}
 
 Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
   if (block_of(crowd_, instance) == nullptr) return missing(crowd_);

@@ -70,7 +70,7 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.gravity = step.interval.parts.gravity;
   job.dt = step.interval.parts.part_dt();
   job.iterations = crowd.settings.iterations;
-  job.level = level_of(crowd, step.block.treatment);
+  job.level = level_of(crowd, crowd.treatments[step.index]);
   job.colliders = &crowd.colliders;
   return job;
 }
@@ -151,7 +151,7 @@ void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
 
 void step_block(CrowdState& crowd, std::uint32_t index) {
   Block& block = crowd.blocks[index];
-  const std::uint32_t power = interval_power_of(crowd, block.treatment);
+  const std::uint32_t power = interval_power_of(crowd, crowd.treatments[index]);
   const std::size_t stride = crowd.row_bone_count() * crowd.coefficient_bytes;
   BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, {}};
   look_ahead(step);

@@ -50,7 +50,7 @@ std::uint32_t append_block(CrowdState& crowd, std::uint32_t treatment) {
   const std::uint32_t block = crowd.first_free;
   crowd.first_free = crowd.blocks[block].previous;
   crowd.blocks[block].previous = crowd.last_block[treatment];
-  crowd.blocks[block].treatment = treatment;
+  crowd.treatments[block] = treatment;
   crowd.last_block[treatment] = block;
   return block;
 }
@@ -59,6 +59,7 @@ void remove_last_block(CrowdState& crowd, std::uint32_t treatment) {
   const std::uint32_t block = crowd.last_block[treatment];
   crowd.last_block[treatment] = crowd.blocks[block].previous;
   crowd.blocks[block].previous = crowd.first_free;
+  crowd.treatments[block] = kIdle;
   crowd.first_free = block;
 }
 
@@ -139,7 +140,7 @@ void wake(CrowdState& crowd, std::uint32_t instance) {
 }
 
 void sort_in(CrowdState& crowd, std::uint32_t instance) {
-  const std::uint32_t from = crowd.blocks[crowd.slots[instance] / kLanes].treatment;
+  const std::uint32_t from = crowd.treatments[crowd.slots[instance] / kLanes];
   const std::uint32_t to = treatment_of(crowd, instance);
   if (from == to) return;
 

@@ -82,9 +82,7 @@ void TimedCrowd::plan(double dt) {
 }
 
 void TimedCrowd::set_heads() {
-  for (std::uint32_t head = 0; head < poses_.size(); ++head) {
-    refused_ = hair_.set_head(head, poses_[head]) != Status::kOk || refused_;
-  }
+  refused_ = hair_.set_heads(poses_) != Status::kOk || refused_;
 }
 
 void TimedCrowd::step(float dt) {

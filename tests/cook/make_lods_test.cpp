@@ -70,7 +70,7 @@ TEST(Lods, ThePatchesOfAllLevelsAreThoseOfTheFinest) {
 TEST(Lods, OneLevelNeedsNoRecords) {
   const Opened one(recipe_with(1)), three(recipe_with(3));
   ASSERT_TRUE(one.ok && three.ok);
-  EXPECT_TRUE(one.asset.lods().empty());
+  EXPECT_TRUE(one.asset.stored_lods().empty());
   EXPECT_EQ(one.asset.vertices().size(), three.asset.vertices().size()) << "levels share vertices";
   EXPECT_TRUE(std::ranges::equal(one.asset.lod_indices(0), three.asset.lod_indices(0)));
 }
@@ -86,7 +86,7 @@ TEST(Lods, ALevelIsLeftWhereTheNextOnesErrorIsAPixel) {
   recipe.lod_pixel_error = 2;
   const Opened opened(recipe);
   ASSERT_TRUE(opened.ok);
-  const auto lods = opened.asset.lods();
+  const auto lods = opened.asset.stored_lods();
   ASSERT_GE(lods.size(), 2u);
   for (std::size_t k = 0; k + 1 < lods.size(); ++k) {
     const double head_pixels = lods[k].screen_size * kScreenLines;
@@ -101,7 +101,7 @@ TEST(Lods, TheErrorStaysBelowTheLimit) {
   ASSERT_TRUE(opened.ok);
   ASSERT_GT(opened.asset.lod_count(), 1u);
   EXPECT_LT(opened.asset.lod_count(), 8u) << "a level that saves little is left out";
-  EXPECT_LE(opened.asset.lods().back().error, 0.002f);
+  EXPECT_LE(opened.asset.stored_lods().back().error, 0.002f);
 }
 
 TEST(Lods, WhatCannotBeCoarserHasOneLevel) {
@@ -116,7 +116,7 @@ TEST(Lods, WhatCannotBeCoarserHasOneLevel) {
   AlignedBytes file(result->asset);
   Asset asset;
   ASSERT_TRUE(asset.open(file.bytes()));
-  EXPECT_TRUE(asset.lods().empty());
+  EXPECT_TRUE(asset.stored_lods().empty());
   const auto says = [](const std::string& note) { return note.starts_with("no level 1: "); };
   EXPECT_TRUE(std::ranges::any_of(result->report.notes, says));
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coif::open_test {
 
@@ -18,6 +19,23 @@ TEST(Open, RefusesAFileOfNoChunks) {
   EXPECT_EQ(file.bytes().size(), sizeof(FileHeader));
   Asset asset;
   EXPECT_EQ(asset.open(file.bytes()).code, LoadCode::kChunkMissing);
+}
+
+TEST(Open, BeforeItThereIsNothingAndNothingIsRead) {
+  AlignedBytes damaged(std::vector<std::byte>(100));
+  Asset never, refused;
+  EXPECT_FALSE(refused.open(damaged.bytes()));
+  for (const Asset* const asset : {&never, &refused}) {
+    EXPECT_FALSE(asset->is_open());
+    EXPECT_EQ(asset->skeleton().bone_count, 0u);
+    EXPECT_EQ(asset->skeleton().simulated_count, 0u);
+    EXPECT_EQ(asset->minor(), 0u);
+    EXPECT_EQ(asset->total_bytes(), 0u);
+    EXPECT_TRUE(asset->bones().empty() && asset->chains().empty() && asset->stored_lods().empty());
+    EXPECT_EQ(asset->lod_count(), 0u);
+    EXPECT_TRUE(asset->lod_patches(0).empty());
+    EXPECT_STREQ(asset->bone_name(0), "");
+  }
 }
 
 TEST(Open, GivesBackWhatWasWritten) {
@@ -33,7 +51,7 @@ TEST(Open, GivesBackWhatWasWritten) {
   EXPECT_FLOAT_EQ(asset.bones()[4].length, 0.1f);
   EXPECT_EQ(asset.indices().size(), 9u);
   EXPECT_EQ(asset.patches()[1].first_index, 3u);
-  ASSERT_EQ(asset.lods().size(), 2u);
+  ASSERT_EQ(asset.stored_lods().size(), 2u);
   EXPECT_EQ(asset.lod_bones()[2], 2u);
   EXPECT_EQ(asset.lod_count(), 2u);
   EXPECT_EQ(asset.lod_patches(0).size(), 2u);

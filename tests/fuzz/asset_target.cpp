@@ -43,8 +43,8 @@ HeadPose pose_at(int frame, std::uint32_t head) {
 
 void move_heads(Hair& hair, const Asset& asset, int frame) {
   for (std::uint32_t head = 0; head < kHeads; ++head) {
-    const std::uint32_t level = choose_lod(asset.lods(), frame % 2 == 0 ? 1.0f : 0.01f, 0);
-    promise(level < std::max<std::size_t>(1, asset.lods().size()), "a level that is chosen exists");
+    const std::uint32_t level = choose_lod(asset.stored_lods(), frame % 2 == 0 ? 1.0f : 0.01f, 0);
+    promise(level < std::max<std::size_t>(1, asset.stored_lods().size()), "a level that is chosen exists");
     const Detail detail{.level = level, .interval = frame < 3 ? 1u : 4u, .simulated = frame != 2};
     promise(hair.set_detail(head, detail) == Status::kOk, "a level that was chosen can be set");
     const HeadPose pose = pose_at(frame, head);

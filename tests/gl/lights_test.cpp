@@ -40,7 +40,7 @@ class Lights : public GlTest {
   /// A metre in front of that place, shining past it by `angle` radians.
   static Light spot(float angle, float inner, float outer) {
     Light light{Light::Kind::kSpot, {kPlace, kPlace, 1}, {0.8f, 0.8f, 0.8f}};
-    light.direction = {3 * std::sin(angle), 0, -3 * std::cos(angle)};
+    light.spot_axis = {3 * std::sin(angle), 0, -3 * std::cos(angle)};
     light.inner_cosine = std::cos(inner);
     light.outer_cosine = std::cos(outer);
     return light;

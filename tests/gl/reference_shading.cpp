@@ -106,14 +106,14 @@ ReflectedLight marschner(const ShadedPoint& point, const Vector3d& view, const V
 
 /// Unit, and how much of its colour arrives.
 Vector3d reaching(const Light& light, const Vector3d& position, double& share) {
-  Vector3d towards(light.position.x, light.position.y, light.position.z);
+  Vector3d towards(light.from.x, light.from.y, light.from.z);
   share = 1;
   if (light.kind == Light::Kind::kDirectional) return towards.normalized();
   towards -= position;
   share = 1 / towards.squaredNorm();
   towards.normalize();
   if (light.kind == Light::Kind::kSpot) {
-    const Vector3d axis = Vector3d(light.direction.x, light.direction.y, light.direction.z).normalized();
+    const Vector3d axis = Vector3d(light.spot_axis.x, light.spot_axis.y, light.spot_axis.z).normalized();
     const double edge = double(light.inner_cosine) - light.outer_cosine;
     const double inside = std::clamp((axis.dot(-towards) - light.outer_cosine) / edge, 0.0, 1.0);
     share *= inside * inside;

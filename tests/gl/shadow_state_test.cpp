@@ -205,7 +205,7 @@ TEST_F(ShadowState, RefusesWhatItCannotDraw) {
   create(shadow, {.size = 64});
   EXPECT_EQ(shadow.draw({&one, 1}), Status::kBadArgument) << "without begin()";
   Light light = lamp();
-  light.position = {};
+  light.from = {};
   EXPECT_EQ(shadow.begin(light, kBall), Status::kBadArgument) << "no direction";
   EXPECT_EQ(shadow.begin(lamp(), {{0, 0, 0}, 0}), Status::kBadArgument);
   EXPECT_EQ(shadow.begin(lamp(), {{0, std::nan(""), 0}, 1}), Status::kBadArgument);

@@ -149,10 +149,10 @@ double touch_asset(const Asset& asset) {
   for (const QualityRecord& q : asset.quality()) {
     sum += q.frame_rate + q.rms_error + q.max_error + q.stretch + q.penetration + q.cost + float(q.worst_motion);
   }
-  for (const LodRecord& lod : asset.lods()) {
+  for (const LodRecord& lod : asset.stored_lods()) {
     sum += asset.patches()[lod.first_patch + lod.patch_count - 1].head_distance + lod.screen_size + lod.error;
   }
-  for (const std::uint8_t levels : asset.lod_bones()) sum += levels == 0 ? 0 : asset.lods()[levels - 1u].error;
+  for (const std::uint8_t levels : asset.lod_bones()) sum += levels == 0 ? 0 : asset.stored_lods()[levels - 1u].error;
   for (const std::uint32_t triangle : asset.orders()) sum += asset.indices()[3 * std::size_t{triangle} + 2];
   for (const std::uint8_t order : asset.order_views()) {
     if (order > 0) sum += asset.orders()[(order - 1u) * (asset.indices().size() / 3)];

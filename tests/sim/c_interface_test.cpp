@@ -50,6 +50,26 @@ class CInterface : public testing::Test {
   coif_hair* hair_ = nullptr;
 };
 
+TEST_F(CInterface, SetsAllHeadsAtOnce) {
+  ASSERT_EQ(create(), COIF_OK);
+  TestHair same(nine_bone_rig(), {.instances = 2});
+  for (int frame = 0; frame < 20; ++frame) {
+    const HeadPose poses[] = {{{0.03 * frame, 0, 0}, {}}, {{5, 0, 0}, {}}};
+    const coif_head_pose its[] = {in_c(poses[0]), in_c(poses[1])};
+    ASSERT_EQ(coif_hair_set_heads(hair_, its, 2), COIF_OK);
+    ASSERT_EQ(same.hair.set_heads(poses), Status::kOk);
+    ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
+    ASSERT_EQ(same.hair.step({}), Status::kOk);
+  }
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(std::memcmp(coif_hair_palette(hair_, i), same.hair.palette(i).data(), same.hair.palette(i).size_bytes()), 0);
+  }
+  const coif_head_pose one = in_c({});
+  EXPECT_EQ(coif_hair_set_heads(hair_, &one, 1), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(coif_hair_set_heads(hair_, nullptr, 2), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(coif_hair_set_heads(nullptr, &one, 1), COIF_NOT_CREATED);
+}
+
 TEST_F(CInterface, MovesHairToTheSameBits) {
   for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS, COIF_SOLVER_PASSIVE}) {
     desc_.solver = solver;

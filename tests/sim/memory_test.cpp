@@ -111,7 +111,8 @@ TEST(MemoryNeed, WhatTheMemoryHeldBeforeDoesNotMatter) {
 
 // What a head costs in memory.
 
-TEST(CrowdMemory, AHeadOfNineBonesHasHalfAKilobyteOfState) {
+// 40 of them are the pose that the host told last, so that it may be told again for nothing.
+TEST(CrowdMemory, AHeadOfNineBonesHasLittleMoreThanHalfAKilobyteOfState) {
   TestRig rig = nine_bone_rig();
   for (DynamicsRecord& bone : rig.dynamics) bone.torsion = kShortestArc;
   AlignedBytes file(write_asset(rig.contents()));
@@ -127,7 +128,7 @@ TEST(CrowdMemory, AHeadOfNineBonesHasHalfAKilobyteOfState) {
     const bool is_passive = solver == &kPassiveSolver;
     const char* const name = is_passive ? "passive" : solver == &kCoifSolver ? "coif" : "thesis";
     std::printf("%s: %.0f bytes a head besides its matrices\n", name, most);
-    EXPECT_LE(most, is_passive ? 640.0 : 512.0);
+    EXPECT_LE(most, is_passive ? 664.0 : 560.0);
   }
 }
 

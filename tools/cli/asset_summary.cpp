@@ -92,8 +92,8 @@ ordered_json texture_list(const Asset& asset) {
 
 ordered_json lod_list(const Asset& asset) {
   ordered_json list = ordered_json::array();
-  for (std::uint32_t i = 0; i < asset.lods().size(); ++i) {
-    const LodRecord& lod = asset.lods()[i];
+  for (std::uint32_t i = 0; i < asset.stored_lods().size(); ++i) {
+    const LodRecord& lod = asset.stored_lods()[i];
     const auto simulated = std::ranges::count_if(asset.lod_bones(), [i](std::uint8_t levels) { return levels > i; });
     list.push_back({{"triangles", asset.lod_indices(i).size() / 3},
                     {"patches", lod.patch_count},

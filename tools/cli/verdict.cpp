@@ -145,8 +145,8 @@ PictureSettings look_at(const Asset& asset, std::uint32_t patch) {
   PictureSettings settings;
   settings.width = settings.height = 360;
   settings.patches = true;
-  while (settings.lod + 1 < asset.lods().size() && patch >= asset.lods()[settings.lod + 1].first_patch) ++settings.lod;
-  settings.marked_patch = patch - (asset.lods().empty() ? 0 : asset.lods()[settings.lod].first_patch);
+  while (settings.lod + 1 < asset.stored_lods().size() && patch >= asset.stored_lods()[settings.lod + 1].first_patch) ++settings.lod;
+  settings.marked_patch = patch - (asset.stored_lods().empty() ? 0 : asset.stored_lods()[settings.lod].first_patch);
   const PatchRecord& record = asset.patches()[patch];
   const Eigen::Vector3d from = middle_of(asset, asset.indices().subspan(record.first_index, record.index_count)) -
                                middle_of(asset, asset.lod_indices(settings.lod));

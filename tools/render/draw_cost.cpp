@@ -155,7 +155,7 @@ tl::expected<DrawDistances, ToolError> measure_distances(const Asset& asset, Cro
     DrawDistance distance;
     distance.crowd = asked;
     distance.screen_share = screen_share_of(view, head_height(asset));
-    distance.lod = choose_lod(asset.lods(), float(distance.screen_share), 0, 0);
+    distance.lod = choose_lod(asset.stored_lods(), float(distance.screen_share), 0, 0);
     const DrawnFrame chosen{.crowd = **crowd, .lod = distance.lod};
     distance.covered_pixels = double(stage.count_covered_pixels(chosen).value_or(0));
     frames.insert(frames.end(), {chosen, DrawnFrame{.crowd = **crowd}});

@@ -140,7 +140,7 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   float color[kMaxLights][3] = {};
   const std::size_t count = std::min<std::size_t>(lights.size(), kMaxLights);
   for (std::size_t i = 0; i < count; ++i) {
-    Eigen::Map<Eigen::Vector3f>{direction[i]} = to_eigen(lights[i].position).normalized();
+    Eigen::Map<Eigen::Vector3f>{direction[i]} = to_eigen(lights[i].from).normalized();
     Eigen::Map<Eigen::Vector3f>{color[i]} = to_eigen(lights[i].color);
   }
   glUniform3fv(glGetUniformLocation(program, "light_direction"), kMaxLights, direction[0]);

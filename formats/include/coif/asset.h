@@ -31,8 +31,9 @@ class COIF_API Asset {
   [[nodiscard]] LoadStatus verify_draw_data() const;
 
   [[nodiscard]] bool is_open() const { return header_ != nullptr; }
-  [[nodiscard]] std::uint16_t minor() const { return header_->minor; }
-  [[nodiscard]] std::uint64_t total_bytes() const { return header_->total_bytes; }
+  /// These two are 0 before open() succeeded.
+  [[nodiscard]] std::uint16_t minor() const { return is_open() ? header_->minor : std::uint16_t{0}; }
+  [[nodiscard]] std::uint64_t total_bytes() const { return is_open() ? header_->total_bytes : 0; }
 
   /// The chunk table as stored, for tools that list sizes.
   [[nodiscard]] std::span<const ChunkEntry> chunks() const { return chunks_; }
@@ -51,7 +52,12 @@ class COIF_API Asset {
     return {record<kId>(), counts_[count_arrays(kRow)]};
   }
 
-  [[nodiscard]] const SkeletonRecord& skeleton() const { return *record<chunk::kSkeleton>(); }
+  /// Of every open asset; before open() succeeded one without any bone, as the lists are empty then.
+  [[nodiscard]] const SkeletonRecord& skeleton() const {
+    static constexpr SkeletonRecord kNoSkeleton{};
+    const SkeletonRecord* const stored = record<chunk::kSkeleton>();
+    return stored != nullptr ? *stored : kNoSkeleton;
+  }
   [[nodiscard]] std::span<const BoneRecord> bones() const { return records<chunk::kBones>(); }
   /// Never null; empty where the asset has no names.
   [[nodiscard]] const char* bone_name(std::uint32_t bone) const;
@@ -65,9 +71,10 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const SkinRecord> skin() const { return records<chunk::kSkin>(); }
   [[nodiscard]] std::span<const std::uint32_t> indices() const { return records<chunk::kIndices>(); }
   [[nodiscard]] std::span<const PatchRecord> patches() const { return records<chunk::kPatches>(); }
-  /// Levels of detail, finest first; empty where the asset has one level: all patches, all bones simulated.
-  [[nodiscard]] std::span<const LodRecord> lods() const { return records<chunk::kLods>(); }
-  /// In how many levels each bone is simulated, from the finest on; 0 for rigid bones. Empty where lods() is.
+  /// What the asset stores of its levels of detail, finest first: nothing where there is one, of all patches and with all bones
+  /// simulated. lod_count(), lod_patches() and lod_indices() know that one too.
+  [[nodiscard]] std::span<const LodRecord> stored_lods() const { return records<chunk::kLods>(); }
+  /// In how many levels each bone is simulated, from the finest on; 0 for rigid bones. Empty where stored_lods() is.
   [[nodiscard]] std::span<const std::uint8_t> lod_bones() const { return records<chunk::kLodBones>(); }
   /// 0 without a mesh, 1 for a mesh without LODS.
   [[nodiscard]] std::uint32_t lod_count() const;

@@ -52,7 +52,7 @@ bool aim(const Light& light, const ShadowBall& ball, std::uint32_t size, ShadowV
   if (!is_finite(ball) || light.kind > Light::Kind::kSpot) return false;
   view = {};
   view.radius = double(ball.radius);
-  const double place[3] = {double(light.position.x), double(light.position.y), double(light.position.z)};
+  const double place[3] = {double(light.from.x), double(light.from.y), double(light.from.z)};
   const bool is_directional = light.kind == Light::Kind::kDirectional;
   for (int i = 0; i < 3; ++i) {
     view.axes[2][i] = is_directional ? place[i] : place[i] - ball.center[i];

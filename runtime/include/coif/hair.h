@@ -102,7 +102,7 @@ struct StepSettings {
 /// one left its bones; bones that a coarser level makes rigid take their rest pose at once, so choose levels by sizes at
 /// which that is not seen.
 struct Detail {
-  /// Of Asset::lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents. kThesisSolver moves all.
+  /// Of Asset::stored_lods(), as choose_lod() gives it: bones that it lacks are rigid to their parents. kThesisSolver moves all.
   std::uint32_t level = 0;
   /// Stepped every 1st, 2nd or 4th step, by what passed since; up to HairDesc::longest_interval.
   std::uint32_t interval = 1;
@@ -158,6 +158,11 @@ class COIF_API Hair {
   /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
   /// poses: the head's path is then exact to one order more, at sharp turns above all. kBadPose for what is not finite, too.
   Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
+
+  /// The first set_head() of every instance at once, instance_count() poses: for crowds of which most stand. A pose with the same
+  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose where one or more are bad: those heads
+  /// stay where they were told to be, the others are set.
+  Status set_heads(std::span<const HeadPose> poses);
 
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
   Status reset(std::uint32_t instance, const HeadPose& pose);

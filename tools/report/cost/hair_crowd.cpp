@@ -118,7 +118,7 @@ bool touches_colliders(const Asset& asset) {
 }
 
 void add_levels(const Asset& asset, const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
-  for (std::uint32_t level = 1; level < asset.lods().size() && !asset.lod_bones().empty(); ++level) {
+  for (std::uint32_t level = 1; level < asset.stored_lods().size() && !asset.lod_bones().empty(); ++level) {
     CrowdSettings settings = usual;
     settings.detail.level = level;
     const auto bones = std::ranges::count_if(asset.lod_bones(), [level](auto levels) { return levels > level; });

@@ -53,7 +53,7 @@ tl::expected<std::vector<DistanceRow>, ToolError> measure_distances(const Asset&
     if (!finest) return tl::unexpected(finest.error());
     // A full-screen game's picture is some thousand pixels high: that share of it decides the level.
     constexpr float kScreen = 1080;
-    shot.lod = row.lod = choose_lod(asset.lods(), float(pixels) / kScreen, 0, 0);
+    shot.lod = row.lod = choose_lod(asset.stored_lods(), float(pixels) / kScreen, 0, 0);
     const auto chosen = coverage(pictures, shot);
     if (!chosen) return tl::unexpected(chosen.error());
     row.coverage_pct = *whole > 0 ? 100 * *finest / *whole : 0;
