@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kHeadBytes = (sizeof(coif_hair) + kAlignment - 1) / kAlignment * kAlignment;
 
-static_assert(int(COIF_DRIVER) == int(coif::Status::kDriver));
+static_assert(int(COIF_DAMAGED_STATE) == int(coif::Status::kDamagedState));
 static_assert(sizeof(coif_vec3) == sizeof(coif::Vec3) && sizeof(coif_mat34) == sizeof(coif::Mat34));
 static_assert(alignof(coif_hair) <= kAlignment);
 
@@ -217,6 +217,20 @@ void coif_hair_run_job(coif_hair* hair, uint32_t job) {
 
 void coif_hair_finish_step(coif_hair* hair) {
   if (hair != nullptr) hair->hair.finish_step();
+}
+
+size_t coif_hair_saved_bytes(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.saved_bytes(); }
+
+coif_status coif_hair_save(const coif_hair* hair, void* bytes, size_t size) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (bytes == nullptr) return COIF_SIZE_MISMATCH;
+  return code(hair->hair.save({static_cast<std::byte*>(bytes), size}));
+}
+
+coif_status coif_hair_restore(coif_hair* hair, const void* bytes, size_t size) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (bytes == nullptr) return COIF_DAMAGED_STATE;
+  return code(hair->hair.restore(bytes_of(bytes, size)));
 }
 
 const coif_mat34* coif_hair_palette(const coif_hair* hair, uint32_t instance) {

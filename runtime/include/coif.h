@@ -25,7 +25,9 @@ typedef enum coif_status {
   COIF_NOT_CREATED,
   COIF_ASSET_LACKS_DATA,
   COIF_SIZE_MISMATCH,
-  COIF_DRIVER
+  COIF_DRIVER,
+  COIF_FOREIGN_STATE,
+  COIF_DAMAGED_STATE
 } coif_status;
 
 /* What each does: coif/hair.h. */
@@ -124,6 +126,11 @@ coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* sett
 uint32_t coif_hair_job_count(const coif_hair* hair);
 void coif_hair_run_job(coif_hair* hair, uint32_t job);
 void coif_hair_finish_step(coif_hair* hair);
+
+/* The crowd's state as bytes, to go back to: see Hair::save() in coif/hair.h. `bytes` are exactly coif_hair_saved_bytes(). */
+size_t coif_hair_saved_bytes(const coif_hair* hair);
+coif_status coif_hair_save(const coif_hair* hair, void* bytes, size_t size);
+coif_status coif_hair_restore(coif_hair* hair, const void* bytes, size_t size);
 
 /* Skinning matrices, coif_hair_bone_count() of them: rest pose in head space to current pose in head space. Null for a
  * bad index. Their values change with step and reset. */

@@ -70,6 +70,27 @@ TEST_F(CInterface, SetsAllHeadsAtOnce) {
   EXPECT_EQ(coif_hair_set_heads(nullptr, &one, 1), COIF_NOT_CREATED);
 }
 
+TEST_F(CInterface, GoesBackToASavedState) {
+  ASSERT_EQ(create(), COIF_OK);
+  std::vector<std::byte> then(coif_hair_saved_bytes(hair_)), now(then.size());
+  const coif_head_pose there = in_c({{0.2, 0, 0}, {}});
+  ASSERT_EQ(coif_hair_save(hair_, then.data(), then.size()), COIF_OK);
+  ASSERT_EQ(coif_hair_set_head(hair_, 0, &there), COIF_OK);
+  ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
+  ASSERT_EQ(coif_hair_save(hair_, now.data(), now.size()), COIF_OK);
+  EXPECT_NE(now, then);
+  ASSERT_EQ(coif_hair_restore(hair_, then.data(), then.size()), COIF_OK);
+  ASSERT_EQ(coif_hair_save(hair_, now.data(), now.size()), COIF_OK);
+  EXPECT_TRUE(now == then);
+  now[40] ^= std::byte{1};
+  EXPECT_EQ(coif_hair_restore(hair_, now.data(), now.size()), COIF_DAMAGED_STATE);
+  EXPECT_EQ(coif_hair_restore(hair_, nullptr, now.size()), COIF_DAMAGED_STATE);
+  EXPECT_EQ(coif_hair_save(hair_, nullptr, now.size()), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(coif_hair_save(hair_, now.data(), now.size() - 1), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(coif_hair_saved_bytes(nullptr), 0u);
+  EXPECT_EQ(coif_hair_restore(nullptr, now.data(), now.size()), COIF_NOT_CREATED);
+}
+
 TEST_F(CInterface, MovesHairToTheSameBits) {
   for (const coif_solver solver : {COIF_SOLVER_COIF, COIF_SOLVER_THESIS, COIF_SOLVER_PASSIVE}) {
     desc_.solver = solver;

@@ -285,8 +285,8 @@ TEST(Hair, CallsBeforeCreateAreRefused) {
 
 TEST(Status, EveryStatusHasItsOwnSentence) {
   std::set<std::string> sentences;
-  for (int code = 0; code <= int(Status::kDriver); ++code) sentences.insert(describe(Status(code)));
-  EXPECT_EQ(sentences.size(), std::size_t(Status::kDriver) + 1);
+  for (int code = 0; code <= int(Status::kDamagedState); ++code) sentences.insert(describe(Status(code)));
+  EXPECT_EQ(sentences.size(), std::size_t(Status::kDamagedState) + 1);
   EXPECT_STREQ(describe(Status(250)), "unknown status");
 }
 

@@ -191,6 +191,15 @@ class COIF_API Hair {
   void run_job(std::uint32_t job);
   void finish_step();
 
+  /// The whole crowd's state as bytes, to go back to: for rollback and replays. Two crowds of the same asset, solver and number of
+  /// heads that are in the same state save the same bytes, and go on to the same bits after restore(), whatever the
+  /// instruction set. Asset and description are not in it. Not between begin_step() and finish_step().
+  [[nodiscard]] std::size_t saved_bytes() const;
+  /// kSizeMismatch unless there is room for exactly saved_bytes().
+  Status save(std::span<std::byte> bytes) const;
+  /// kForeignState or kDamagedState for what this crowd did not or could not have saved: then it stays as it is.
+  Status restore(std::span<const std::byte> bytes);
+
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under
   /// the head's world transform. Their values change with step() and reset(); empty for a bad index.
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t instance) const;

@@ -6,7 +6,7 @@
 
 namespace coif {
 
-/// Result of a runtime call. Anything but kOk leaves the state and every output as they were.
+/// Result of a runtime call. Anything but kOk leaves the state and every output as they were, where a call does not say otherwise.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
     kBadTimeStep,     ///< dt is not a number, below zero or infinite.
@@ -18,6 +18,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kAssetLacksData,  ///< The asset has no chunk that this call needs (for example no mesh to draw).
     kSizeMismatch,    ///< Spans of a job do not belong together.
     kDriver,          ///< OpenGL ES refused: function missing, shader not compiled, out of memory.
+    kForeignState,    ///< The saved state is that of another asset, solver or number of heads, or of another version.
+    kDamagedState,    ///< The saved state is none, or was changed or cut after it was saved.
 };
 
 /// One sentence, static storage, never null.

@@ -1,0 +1,227 @@
+// A crowd's state as bytes. All that moves is written head by head, in the order of their numbers, so that the same state has
+// the same bytes whatever blocks its heads lie in, and nothing that is read back can lead anywhere.
+
+#include <coif/hair.h>
+
+#include "crowd_step.h"
+
+#include <bit>
+#include <cstring>
+
+namespace coif {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x7461'7473'6669'6F63;  // "coifstat", little-endian
+constexpr std::uint32_t kVersion = 1;
+
+struct SavedHeader {
+  std::uint64_t magic;
+  std::uint32_t version;
+  std::uint32_t instances;
+  std::uint64_t crowd;  ///< What makes the crowd, see signature_of().
+  std::uint64_t hash;   ///< Of all that follows.
+};
+
+/// Against accidents. Order and place of every byte count.
+class Mixer {
+ public:
+  void add(const void* data, std::size_t size) {
+    const std::byte* bytes = static_cast<const std::byte*>(data);
+    for (; size >= sizeof(std::uint64_t); size -= sizeof(std::uint64_t), bytes += sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes, sizeof word);
+      mix(word);
+    }
+    std::uint64_t rest = size;
+    for (; size > 0; --size, ++bytes) rest = rest << 8 | std::uint64_t(*bytes);
+    mix(rest);
+  }
+  template <typename T>
+  void add(std::span<const T> values) {
+    add(values.data(), values.size_bytes());
+  }
+  [[nodiscard]] std::uint64_t hash() const { return state_ ^ state_ >> 32; }
+
+ private:
+  void mix(std::uint64_t word) {
+    state_ = std::rotl(state_ ^ word * 0x9E37'79B9'7F4A'7C15u, 29) * 0xBF58'476D'1CE4'E5B9u + 1;
+  }
+  std::uint64_t state_ = kVersion;
+};
+
+/// The same for crowds whose numbers mean the same: of one asset's bones, under the same solvers.
+std::uint64_t signature_of(const CrowdState& crowd) {
+  Mixer mixer;
+  const Asset& asset = crowd.asset;
+  mixer.add(&asset.skeleton(), sizeof(SkeletonRecord));
+  mixer.add(asset.bones());
+  mixer.add(asset.chains());
+  mixer.add(asset.dynamics());
+  mixer.add(asset.asked());
+  mixer.add(asset.colliders());
+  mixer.add(asset.lod_bones());
+  for (const Row& row : crowd.rows) {
+    const Solver& solver = *row.solver;
+    const std::uint64_t kind[] = {solver.state_bytes,   solver.coefficient_bytes,
+                                  row.bone_count,       row.first_chain,
+                                  row.chain_count,      std::uint64_t{solver.carries_frames},
+                                  crowd.interval_count, std::uint64_t{solver.reads_asked}};
+    mixer.add(kind, sizeof kind);
+  }
+  return mixer.hash();
+}
+
+// Written as they lie in memory: nothing between their members.
+static_assert(sizeof(StepSettings) == 18 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 40);
+
+/// Where bytes go to or come from; the same walk through the state does all three, so that they cannot disagree.
+struct Counting {
+  std::size_t size = 0;
+  void pass(const void*, std::size_t bytes) { size += bytes; }
+};
+struct Writing {
+  std::byte* to;
+  void pass(const void* from, std::size_t bytes) {
+    std::memcpy(to, from, bytes);
+    to += bytes;
+  }
+};
+struct Reading {
+  const std::byte* from;
+  void pass(void* to, std::size_t bytes) {
+    std::memcpy(to, from, bytes);
+    from += bytes;
+  }
+};
+
+/// Lane `i` of `bytes` bytes of Lanes.
+template <typename Tape>
+void pass_lane(Tape& tape, void* lanes, std::uint32_t i, std::size_t bytes) {
+  Lanes* const all = static_cast<Lanes*>(lanes);
+  for (std::size_t n = 0; n < bytes / sizeof(Lanes); ++n) tape.pass(&all[n].v[i], sizeof(float));
+}
+
+template <typename Tape>
+void pass_bit(Tape& tape, std::uint16_t& bits, std::uint32_t i) {
+  std::uint8_t bit = std::uint8_t(bits >> i & 1u);
+  tape.pass(&bit, sizeof bit);
+  bits = std::uint16_t((bits & ~(1u << i)) | (bit & 1u) << i);
+}
+
+template <typename Tape>
+void pass_time(CrowdState& crowd, Tape& tape) {
+  tape.pass(&crowd.settings, sizeof crowd.settings);
+  tape.pass(crowd.last_dts, sizeof crowd.last_dts);
+  tape.pass(&crowd.step_index, sizeof crowd.step_index);
+}
+
+template <typename Tape>
+void pass_details(CrowdState& crowd, Tape& tape) {
+  tape.pass(crowd.details.data(), crowd.details.size_bytes());
+}
+
+template <typename Tape>
+void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
+  const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
+  Block& block = crowd.blocks[slot / kLanes];
+  pass_lane(tape, &block.heads, i, offsetof(HeadLanes, next_position));
+  for (auto& axis : block.heads.next_position) tape.pass(&axis[i], sizeof(double));
+  for (std::uint16_t* const bits : {&block.teleports, &block.is_lost, &block.may_sleep}) pass_bit(tape, *bits, i);
+  tape.pass(&crowd.told[instance], sizeof(HeadPose));
+  tape.pass(crowd.palette(instance).data(), crowd.palette(instance).size_bytes());
+  const std::size_t first = crowd.first_state(slot);
+  for (const Row& row : crowd.rows) {
+    const std::size_t bone = first + row.first_bone;
+    // A row that is this head's alone has a lane for each chain; what idle lanes compute along is nobody's.
+    const bool by_heads = crowd.order == LaneOrder::kHeads;
+    const std::uint32_t begin = by_heads ? i : 0, end = by_heads ? i + 1 : row.chain_count;
+    for (std::uint32_t k = begin; k < end; ++k) {
+      pass_lane(tape, &crowd.states[bone * crowd.state_bytes], k, row.bone_count * crowd.state_bytes);
+      if (!crowd.twists.empty()) pass_lane(tape, &crowd.twists[bone], k, row.bone_count * sizeof(TwistState));
+    }
+  }
+}
+
+template <typename Tape>
+void pass_all(CrowdState& crowd, Tape& tape) {
+  pass_details(crowd, tape);
+  pass_time(crowd, tape);
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
+}
+
+std::size_t size_of(CrowdState& crowd) {
+  Counting head, once;
+  pass_head(crowd, 0, head);
+  pass_details(crowd, once);
+  pass_time(crowd, once);
+  return sizeof(SavedHeader) + once.size + head.size * crowd.instance_count();
+}
+
+SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> content) {
+  Mixer mixer;
+  mixer.add(content);
+  return {kMagic, kVersion, crowd.instance_count(), signature_of(crowd), mixer.hash()};
+}
+
+/// Details that this crowd may have; a bool is 0 or 1.
+bool are_possible(const CrowdState& crowd, std::span<const std::byte> details) {
+  const std::size_t levels = crowd.asset.stored_lods().empty() ? 1 : crowd.asset.stored_lods().size();
+  for (std::size_t at = 0; at < details.size(); at += sizeof(InstanceDetail)) {
+    std::uint8_t raw[sizeof(InstanceDetail)];
+    std::memcpy(raw, &details[at], sizeof raw);
+    if (raw[offsetof(InstanceDetail, level)] >= levels) return false;
+    if (raw[offsetof(InstanceDetail, interval_power)] >= crowd.interval_count) return false;
+    if (raw[offsetof(InstanceDetail, asked_power)] >= crowd.interval_count) return false;
+    if (raw[offsetof(InstanceDetail, simulated)] > 1 || raw[offsetof(InstanceDetail, asleep)] > 1) return false;
+  }
+  return true;
+}
+
+/// Each head among those that are treated as it was; then its numbers.
+void read_all(CrowdState& crowd, Reading tape) {
+  pass_details(crowd, tape);
+  pass_time(crowd, tape);
+  crowd.has_asked = false;
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
+    sort_in(crowd, instance);
+    const InstanceDetail& detail = crowd.details[instance];
+    if (detail.interval_power != detail.asked_power) crowd.has_asked = true;
+  }
+  for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
+  for (IntervalStep& interval : crowd.intervals) interval.terms.dt = 0;  // coefficients are made anew
+  crowd.job_count = 0;
+}
+
+}  // namespace
+
+std::size_t Hair::saved_bytes() const { return crowd_ == nullptr ? 0 : size_of(*crowd_); }
+
+Status Hair::save(std::span<std::byte> bytes) const {
+  if (crowd_ == nullptr) return Status::kNotCreated;
+  if (bytes.size() != size_of(*crowd_)) return Status::kSizeMismatch;
+  const std::span<std::byte> content = bytes.subspan(sizeof(SavedHeader));
+  Writing tape{content.data()};
+  pass_all(*crowd_, tape);
+  const SavedHeader header = header_of(*crowd_, content);
+  std::memcpy(bytes.data(), &header, sizeof header);
+  return Status::kOk;
+}
+
+Status Hair::restore(std::span<const std::byte> bytes) {
+  if (crowd_ == nullptr) return Status::kNotCreated;
+  SavedHeader header{};
+  if (bytes.size() < sizeof header) return Status::kDamagedState;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic != kMagic) return Status::kDamagedState;
+  if (header.version != kVersion || header.instances != crowd_->instance_count()) return Status::kForeignState;
+  if (header.crowd != signature_of(*crowd_)) return Status::kForeignState;
+  const std::span<const std::byte> content = bytes.subspan(sizeof header);
+  const SavedHeader whole = header_of(*crowd_, content);
+  const bool is_whole = bytes.size() == size_of(*crowd_) && header.hash == whole.hash &&
+                        are_possible(*crowd_, content.first(crowd_->details.size_bytes()));
+  if (!is_whole) return Status::kDamagedState;
+  read_all(*crowd_, {content.data()});
+  return Status::kOk;
+}
+
+}  // namespace coif
