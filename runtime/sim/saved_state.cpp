@@ -188,7 +188,6 @@ void read_all(CrowdState& crowd, Reading tape) {
     if (detail.interval_power != detail.asked_power) crowd.has_asked = true;
   }
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
-  for (IntervalStep& interval : crowd.intervals) interval.terms.dt = 0;  // coefficients are made anew
   crowd.job_count = 0;
 }
 
