@@ -53,17 +53,19 @@ float keep(float alpha) {
 #endif
 }
 
-//// keep_jittered.glsl
-// Alpha to coverage by a random pattern (the thesis's 4.1.2, and the jitter of its Figure 16): the number of samples is
-// rounded up or down at random, each pixel and triangle for itself, so that on average it is what alpha says.
-uniform vec3 alpha_range;  // from x on drawn; y: samples of a pixel; from z on all of them
-flat in int corner;        // the triangle's last vertex
-
+//// scattered.glsl
+// Integers that have nothing to do with each other.
 uint scattered(uint value) {
   value = (value ^ value >> 16) * 0x7FEB352Du;
   value = (value ^ value >> 15) * 0x846CA68Bu;
   return value ^ value >> 16;
 }
+
+//// keep_jittered.glsl after scattered.glsl
+// Alpha to coverage by a random pattern (the thesis's 4.1.2, and the jitter of its Figure 16): the number of samples is
+// rounded up or down at random, each pixel and triangle for itself, so that on average it is what alpha says.
+uniform vec3 alpha_range;  // from x on drawn; y: samples of a pixel; from z on all of them
+flat in int corner;        // the triangle's last vertex
 
 float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
@@ -79,17 +81,11 @@ float keep(float alpha) {
 #endif
 }
 
-//// keep_masked.glsl
+//// keep_masked.glsl after scattered.glsl
 // The same where a shader may say which samples are drawn (OpenGL ES 3.2): so many of them from a random one on, so that what
 // two surfaces leave out has nothing to do with each other.
 uniform vec3 alpha_range;  // from x on drawn, from z on all samples
 flat in int corner;        // the triangle's last vertex
-
-uint scattered(uint value) {
-  value = (value ^ value >> 16) * 0x7FEB352Du;
-  value = (value ^ value >> 15) * 0x846CA68Bu;
-  return value ^ value >> 16;
-}
 
 float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
@@ -140,17 +136,10 @@ float keep(float alpha) {
   return 1.0;
 }
 
-//// keep_screen_door.glsl
+//// keep_screen_door.glsl after scattered.glsl
 // Draws soft texels in as many pixels of each square of 4 x 4 as their alpha asks for, solid: of Bayer's matrix, mixed.
 uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
 flat in int corner;        // the triangle's last vertex
-
-// Integers that have nothing to do with each other.
-uint scattered(uint value) {
-  value = (value ^ value >> 16) * 0x7FEB352Du;
-  value = (value ^ value >> 15) * 0x846CA68Bu;
-  return value ^ value >> 16;
-}
 
 float keep(float alpha) {
 #ifdef COIF_ALPHA_TEST
@@ -165,18 +154,12 @@ float keep(float alpha) {
   return 1.0;
 }
 
-//// keep_hashed.glsl
+//// keep_hashed.glsl after scattered.glsl
 // Hashed alpha testing (Wyman and McGuire, "Hashed Alpha Testing", I3D 2017): a soft texel is drawn, solid, where its
 // alpha is above a threshold that is a hash of its place on the hair at rest. The pattern is fixed to the hair, whatever
 // the bones and the camera do, and its grain has about the size of a pixel.
 uniform vec3 alpha_range;  // from x on drawn, from z on in every pixel
 in vec3 rest_place;        // metres, head space
-
-uint scattered(uint value) {
-  value = (value ^ value >> 16) * 0x7FEB352Du;
-  value = (value ^ value >> 15) * 0x846CA68Bu;
-  return value ^ value >> 16;
-}
 
 // Even in 0..1 over the cells of a grid.
 float hash_of_cell(vec3 cell) {

@@ -18,6 +18,7 @@ constexpr std::size_t kHeadBytes = (sizeof(coif_hair) + kAlignment - 1) / kAlign
 
 static_assert(int(COIF_DAMAGED_STATE) == int(coif::Status::kDamagedState));
 static_assert(sizeof(coif_vec3) == sizeof(coif::Vec3) && sizeof(coif_mat34) == sizeof(coif::Mat34));
+static_assert(sizeof(coif_head_pose) == sizeof(coif::HeadPose) && alignof(coif_head_pose) == alignof(coif::HeadPose));
 static_assert(alignof(coif_hair) <= kAlignment);
 
 coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
@@ -165,13 +166,8 @@ coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_he
 
 coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count) {
   if (hair == nullptr) return COIF_NOT_CREATED;
-  if (poses == nullptr || count != hair->hair.instance_count()) return COIF_SIZE_MISMATCH;
-  coif_status first = COIF_OK;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const coif_status status = code(hair->hair.set_head(i, pose_of(poses[i])));
-    if (first == COIF_OK) first = status;
-  }
-  return first;
+  if (poses == nullptr) return COIF_SIZE_MISMATCH;
+  return code(hair->hair.set_heads({reinterpret_cast<const coif::HeadPose*>(poses), count}));
 }
 
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,

@@ -97,6 +97,11 @@ struct CrowdState {
   }
 };
 
+/// Levels of detail in which bones are simulated: 1 where the asset stores none.
+[[nodiscard]] inline std::uint32_t levels_of(const Asset& asset) {
+  return asset.stored_lods().empty() ? 1 : std::uint32_t(asset.stored_lods().size());
+}
+
 /// Null for a bad index or before create().
 [[nodiscard]] inline Block* block_of(CrowdState* crowd, std::uint32_t instance) {
   if (crowd == nullptr || instance >= crowd->instance_count()) return nullptr;

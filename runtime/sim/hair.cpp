@@ -31,8 +31,6 @@ bool any_bone_twists(const Asset& asset, const Solver& solver) {
   return false;
 }
 
-std::uint32_t levels_of(const Asset& asset) { return asset.stored_lods().empty() ? 1 : std::uint32_t(asset.stored_lods().size()); }
-
 bool is_aligned(const std::byte* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % MemoryCarver::kAlignment == 0;
 }

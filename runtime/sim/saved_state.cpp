@@ -165,7 +165,7 @@ SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> conten
 
 /// Details that this crowd may have; a bool is 0 or 1.
 bool are_possible(const CrowdState& crowd, std::span<const std::byte> details) {
-  const std::size_t levels = crowd.asset.stored_lods().empty() ? 1 : crowd.asset.stored_lods().size();
+  const std::uint32_t levels = levels_of(crowd.asset);
   for (std::size_t at = 0; at < details.size(); at += sizeof(InstanceDetail)) {
     std::uint8_t raw[sizeof(InstanceDetail)];
     std::memcpy(raw, &details[at], sizeof raw);

@@ -1,5 +1,6 @@
 // Bones sorted in each frame, without OpenGL. A program of its own: it counts every allocation of the process.
 
+#include "models/counted_allocations.h"
 #include "models/drawn_card.h"
 #include "models/skinned_asset.h"
 
@@ -17,21 +18,6 @@
 #include <numeric>
 #include <random>
 #include <vector>
-
-// Seen inlined, free() of what operator new gave looks like a mix-up; here both are ours and belong together.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t bytes) {
-  ++allocations;
-  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace coif::bone_order_test {
 

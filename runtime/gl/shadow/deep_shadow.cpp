@@ -235,8 +235,6 @@ Status draw_steps(const ShadowState& shadow, std::span<const ShadowCrowd> crowds
   return Peeling(shadow, crowds).run();
 }
 
-float no_layer(const ShadowState&) { return 0; }
-
 std::uint64_t bytes_of_steps(const ShadowState& shadow) {
   const std::uint64_t part = part_size(shadow.desc);
   return texels_times(shadow.desc, 2 + 4) + part * part * (3 * peels_of(shadow.desc) + 1);
@@ -252,7 +250,6 @@ const ShadowTechnique kDeepShadow = {.name = "deep-shadow",
                                      .stages = {kPeelStage, kUnpeeledStage},
                                      .choose_lookup = choose_steps,
                                      .make = make_steps,
-                                     .first_layer = no_layer,
                                      .bytes = bytes_of_steps,
                                      .draw = draw_steps};
 

@@ -19,7 +19,6 @@ constexpr ShadowLookup kLookup = {1, {"", kShaderHairShadowPlainGlsl}, {"hair_sh
 
 const ShadowLookup* choose_lookup(const ShadowDesc&) { return &kLookup; }
 bool make(ShadowState&) { return true; }
-float first_layer(const ShadowState&) { return 0; }
 std::uint64_t bytes(const ShadowState& shadow) { return texels_times(shadow.desc, 4); }
 
 }  // namespace
@@ -33,7 +32,6 @@ const ShadowTechnique kPlainShadow = {.name = "plain",
                                       .stages = {{kSolidFramebuffer, 1, false, plan}},
                                       .choose_lookup = choose_lookup,
                                       .make = make,
-                                      .first_layer = first_layer,
                                       .bytes = bytes};
 
 }  // namespace coif

@@ -80,8 +80,8 @@ struct ShadowTechnique {
   const ShadowLookup* (*choose_lookup)(const ShadowDesc& desc);
   /// Makes textures and framebuffers beside those of the solid depth, which are there. False where the driver cannot.
   bool (*make)(ShadowState& shadow);
-  /// Metres, of the map's last view; 0 without layers.
-  float (*first_layer)(const ShadowState& shadow);
+  /// Metres, of the map's last view. Null: without layers.
+  float (*first_layer)(const ShadowState& shadow) = nullptr;
   /// Of all textures.
   std::uint64_t (*bytes)(const ShadowState& shadow);
   /// Draws the stages, in other ways than one after the other. Null: so. kDriver where the driver refuses.

@@ -117,7 +117,8 @@ ShadowUniforms ShadowState::uniforms(const Vec3& origin) const {
   uniforms.depth[2] = static_cast<float>(is_directional ? 0.0 : -2 * r / (d + r));
   uniforms.depth[3] = static_cast<float>(double(desc.bias) + double(desc.technique->texel_bias) * texel);
   uniforms.map[0] = static_cast<float>(desc.size);
-  uniforms.map[1] = desc.technique->first_layer(*this);
+  const auto first_layer = desc.technique->first_layer;
+  uniforms.map[1] = first_layer == nullptr ? 0.0f : first_layer(*this);
   uniforms.map[2] = opacity_unit;
   uniforms.map[3] = static_cast<float>(texel);
   return uniforms;

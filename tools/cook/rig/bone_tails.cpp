@@ -45,14 +45,6 @@ std::optional<Eigen::Vector3d> end_marker(const SourceModel& source, std::uint32
   return std::nullopt;
 }
 
-/// The file's spring bones say how long those are that they turn.
-bool turns_with_a_spring(const SourceModel& source, std::uint32_t node) {
-  return std::ranges::any_of(source.springs, [&](const SourceSpring& spring) {
-    return std::ranges::any_of(spring.joints,
-                               [&](const SourceSpringJoint& joint) { return joint.node == node && joint.length > 0; });
-  });
-}
-
 /// Half, or half of what the bone's heaviest vertex has, where it shares all of them.
 float carrying_weight(const HairMesh& hair, std::uint32_t node) {
   float heaviest = 0;
@@ -86,21 +78,26 @@ std::optional<Eigen::Vector3d> end_of_vertices(const HairMesh& hair, std::uint32
   return start + direction * reach;
 }
 
+/// Its marker, unless that lies far before the end of its hair; the file's spring bones say how long those are that they turn.
+std::optional<Eigen::Vector3d> end_of_leaf(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
+                                           const Eigen::Vector3d& start, bool is_spring) {
+  const std::optional<Eigen::Vector3d> marker = end_marker(source, node);
+  if (marker && is_spring) return marker;
+  const std::optional<Eigen::Vector3d> end = end_of_vertices(hair, node, start);
+  const bool marks = marker && !(end && (*marker - start).norm() < kLeastOfHair * (*end - start).norm());
+  return marks ? marker : end;
+}
+
 }  // namespace
 
 Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
                                std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
-                               const SkeletonBone& parent) {
+                               const SkeletonBone& parent, bool is_spring) {
   std::optional<Eigen::Vector3d> tail;
   if (!hair_children.empty()) {
     tail = source.nodes[main_child(source, hair_children)].model_from_node.translation();
   } else {
-    tail = end_marker(source, node);
-    const auto end = end_of_vertices(hair, node, start);
-    if (end && (!tail || (!turns_with_a_spring(source, node) &&
-                          (*tail - start).norm() < kLeastOfHair * (*end - start).norm()))) {
-      tail = end;
-    }
+    tail = end_of_leaf(source, hair, node, start, is_spring);
   }
   if (tail && (*tail - start).norm() >= kShortestBone) return *tail;
   // Along a simulated parent, at whose tail this bone starts; a rigid one has no length, but a joint to lead away from.

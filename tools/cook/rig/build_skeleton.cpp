@@ -46,10 +46,9 @@ Children hair_children(const SourceModel& source, const NodeWeights& below) {
   return children;
 }
 
-/// Nodes that the file's spring bones turn, where the recipe heeds those: artists let hair swing from its first joint.
-std::vector<bool> turned_by_springs(const SourceModel& source, const Recipe& recipe) {
+/// Nodes that the file's spring bones turn.
+std::vector<bool> turned_by_springs(const SourceModel& source) {
   std::vector<bool> turned(source.nodes.size(), false);
-  if (recipe.dynamics_source == "curves") return turned;
   for (const SourceSpring& spring : source.springs) {
     for (const SourceSpringJoint& joint : spring.joints) turned[joint.node] = joint.length > 0;
   }
@@ -76,7 +75,7 @@ class SkeletonBuilder {
       : source_(source),
         hair_(hair),
         recipe_(recipe),
-        swings_(turned_by_springs(source, recipe)),
+        is_spring_(turned_by_springs(source)),
         children_(hair_children(source, weights_below(source, hair_weights(source, hair)))) {
     skeleton_ = only_head(source, head);
     if (head.node != kNoIndex) {
@@ -89,9 +88,12 @@ class SkeletonBuilder {
   Skeleton finish() && { return std::move(skeleton_); }
 
  private:
+  /// Where the recipe heeds spring bones: artists let hair swing from its first joint.
+  [[nodiscard]] bool swings(std::uint32_t node) const { return recipe_.dynamics_source != "curves" && is_spring_[node]; }
+
   [[nodiscard]] bool is_scalp(std::uint32_t node, std::uint32_t parent_bone) const {
     if (recipe_.scalp == "pattern") return matches_any(source_.nodes[node].name, recipe_.scalp_bones);
-    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty() && !swings_[node];
+    return recipe_.scalp == "thesis" && parent_bone == 0 && !children_[node].empty() && !swings(node);
   }
 
   /// Scalp bones depth first; remembers where chains start, since all rigid bones come before them.
@@ -129,7 +131,7 @@ class SkeletonBuilder {
     bone.kind = BoneKind::kSimulated;
     bone.chain = chain;
     bone.start = above.kind == BoneKind::kSimulated ? above.tail : source_.nodes[node].model_from_node.translation();
-    bone.tail = find_bone_tail(source_, hair_, node, children_[node], bone.start, above);
+    bone.tail = find_bone_tail(source_, hair_, node, children_[node], bone.start, above, is_spring_[node]);
     const auto index = std::uint32_t(skeleton_.bones.size());
     skeleton_.bone_of_node[node] = index;
     skeleton_.bones.push_back(bone);
@@ -139,7 +141,7 @@ class SkeletonBuilder {
   }
 
   [[nodiscard]] bool is_marker(std::uint32_t node, const SkeletonBone& above) const {
-    return children_[node].empty() && !swings_[node] &&
+    return children_[node].empty() && !swings(node) &&
            only_marks_an_end(hair_, node, above.tail, above.tail - above.start);
   }
 
@@ -169,7 +171,7 @@ class SkeletonBuilder {
   const SourceModel& source_;
   const HairMesh& hair_;
   const Recipe& recipe_;
-  std::vector<bool> swings_;
+  std::vector<bool> is_spring_;
   Children children_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> chain_roots_;  ///< Node, rigid bone that carries it.
   Skeleton skeleton_;

@@ -55,10 +55,11 @@ tl::expected<Skeleton, ToolError> build_skeleton(const SourceModel& source, cons
 [[nodiscard]] Skeleton head_alone(const SourceModel& source, const HeadBone& head);
 
 /// Where the bone of `node` ends, model space: at its heaviest hair child; without one at the last joint below it; without
-/// that where the vertices end that it carries; without those as far again as its parent. At least 1 mm from `start`.
+/// that, or where it lies far before them, where the vertices end that it carries; without those as far again as its parent.
+/// At least 1 mm from `start`. `is_spring`: the file's spring bones turn it, and its marker holds.
 [[nodiscard]] Eigen::Vector3d find_bone_tail(const SourceModel& source, const HairMesh& hair, std::uint32_t node,
                                              std::span<const std::uint32_t> hair_children, const Eigen::Vector3d& start,
-                                             const SkeletonBone& parent);
+                                             const SkeletonBone& parent, bool is_spring = false);
 
 /// True for a last joint that only says where the bone above it, which lies along `above`, ends, though smoothing has given it a
 /// little of the skin: no vertex is mostly its own, and what it shares lies behind it, along that bone.
