@@ -42,10 +42,12 @@ typedef struct coif_mat34 {
   float m[3][4];
 } coif_mat34;
 
-/* World from head space: metres; unit quaternion x, y, z, w. */
+/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20 (1: the asset's own size). */
 typedef struct coif_head_pose {
   double position[3];
   float rotation[4];
+  float scale;
+  float reserved; /* 0 */
 } coif_head_pose;
 
 /* World axes, m/s and rad/s. */

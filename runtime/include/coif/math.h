@@ -17,10 +17,15 @@ struct Mat34 {
   float m[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 };
 
-/// World from head space. Double precision, so that hair does not shake far from the world's origin.
+inline constexpr float kSmallestScale = 0.05f, kLargestScale = 20.0f;  ///< Of a head against its asset.
+
+/// World from head space: p' = position + rotation (scale p). Double precision, so that hair does not shake far from the
+/// world's origin.
 struct HeadPose {
   double position[3] = {0, 0, 0};  ///< Metres.
   Quat rotation;
+  float scale = 1;                 ///< Uniform, kSmallestScale..kLargestScale; may change while hair moves.
+  float reserved = 0;              ///< Zero.
 };
 
 /// How a head moves at an instant, world axes.
