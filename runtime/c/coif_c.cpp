@@ -50,6 +50,7 @@ coif::HeadPose pose_of(const coif_head_pose& from) {
   coif::HeadPose pose;
   for (int i = 0; i < 3; ++i) pose.position[i] = from.position[i];
   pose.rotation = {from.rotation[0], from.rotation[1], from.rotation[2], from.rotation[3]};
+  pose.scale = from.scale;
   return pose;
 }
 

@@ -45,7 +45,7 @@ static block read_file(const char* path) {
 
 static coif_head_pose head_at(double seconds) {
   double angle = 0.4 * sin(3.14159265 * seconds);
-  coif_head_pose pose = {{0, 1.7, 0}, {0, 0, 0, 1}};
+  coif_head_pose pose = {{0, 1.7, 0}, {0, 0, 0, 1}, 1, 0};
   pose.rotation[0] = (float)sin(angle / 2);
   pose.rotation[3] = (float)cos(angle / 2);
   return pose;

@@ -98,6 +98,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   for (Block& block : crowd.blocks) {
     for (float& w : block.heads.rotation.w.v) w = 1.0f;
     for (float& w : block.heads.next_rotation.w.v) w = 1.0f;
+    for (float& per_scale : block.heads.per_scale.v) per_scale = 1.0f;
   }
   for (const std::uint32_t slot : crowd.slots) put_to_rest(crowd, slot);
   put_idle_lanes_to_rest(crowd);

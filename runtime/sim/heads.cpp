@@ -32,11 +32,13 @@ void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
   if (!displacement(from, unit, way)) block.is_lost = std::uint16_t(block.is_lost | 1u << lane);
   set_lane(heads.way, lane, coif::lane(heads.way, lane) + way);
   set_lane(heads.next_rotation, lane, unit.rotation);
+  heads.per_scale.v[lane] = 1.0f / unit.scale;
   for (int axis = 0; axis < 3; ++axis) heads.next_position[axis][lane] = unit.position[axis];
 }
 
 bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
-  return coif::lane(heads.rotation, lane) == unit.rotation && heads.next_position[0][lane] == unit.position[0] &&
+  return coif::lane(heads.rotation, lane) == unit.rotation && heads.per_scale.v[lane] == 1.0f / unit.scale &&
+         heads.next_position[0][lane] == unit.position[0] &&
          heads.next_position[1][lane] == unit.position[1] && heads.next_position[2][lane] == unit.position[2];
 }
 

@@ -12,7 +12,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x7461'7473'6669'6F63;  // "coifstat", little-endian
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 struct SavedHeader {
   std::uint64_t magic;

@@ -67,7 +67,6 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.twist = crowd.twists_of(row, state);
   job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
   job.move = &move;
-  job.gravity = step.interval.parts.gravity;
   job.dt = step.interval.parts.part_dt();
   job.iterations = crowd.settings.iterations;
   job.level = level_of(crowd, crowd.treatments[step.index]);
@@ -139,7 +138,7 @@ void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
   const StepSettings& settings = step.crowd.settings;
   HeadLanes& heads = step.block.heads;
   constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
-  const Vec3 velocity = lane(heads.mean_velocity, i), turning = lane(heads.mean_angular_velocity, i);
+  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i], turning = lane(heads.mean_angular_velocity, i);
   const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
   const float still2 = settings.sleep_speed * settings.sleep_speed;
   const bool is_quiet = motion <= still2 && head <= still2;

@@ -77,6 +77,7 @@ Status normalise_pose(const HeadPose& pose, HeadPose& unit) {
     if (!std::isfinite(metres)) return Status::kBadPose;
   }
   if (!is_unit(pose.rotation)) return Status::kBadPose;
+  if (!(pose.scale >= kSmallestScale && pose.scale <= kLargestScale)) return Status::kBadPose;
   const double scale = 1.0 / norm(pose.rotation);
   const Quat& q = pose.rotation;
   unit = pose;

@@ -17,7 +17,9 @@ namespace coif::c_interface_test {
 
 coif_head_pose in_c(const HeadPose& pose) {
   return {{pose.position[0], pose.position[1], pose.position[2]},
-          {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w}};
+          {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w},
+          pose.scale,
+          0};
 }
 
 class CInterface : public testing::Test {

@@ -34,6 +34,7 @@ class HeadOnItsWay {
   HeadOnItsWay(InstructionSet set, const HeadPose& start) : code_(head_code(set)) {
     for (float& w : heads_.rotation.w.v) w = 1;
     for (float& w : heads_.next_rotation.w.v) w = 1;
+    for (float& per_scale : heads_.per_scale.v) per_scale = 1;
     set_lane(heads_.rotation, kLane, start.rotation);
     last_ = start;
   }

@@ -47,6 +47,7 @@ MoveLanes move_of(const ThesisStep& step) {
     set_lane(move.from_head.z, i, rotated(step.head_rotation, {0, 0, 1}));
     set_lane(move.way, i, step.head_displacement);
     set_lane(move.air, i, step.air_velocity);
+    set_lane(move.gravity, i, step.gravity);
   }
   return move;
 }
@@ -80,7 +81,6 @@ std::vector<Particle> ThesisStep::stepped(const Asset& asset, InstructionSet set
     job.state = state;
     job.lanes = kInUse;
     job.move = &move;
-    job.gravity = gravity;
     job.dt = dt;
     job.iterations = iterations;
     job.colliders = &colliders;

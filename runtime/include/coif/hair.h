@@ -151,8 +151,14 @@ class COIF_API Hair {
   [[nodiscard]] std::uint32_t bone_count() const;
 
   /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length
-  /// is off one by more than 1e-3; smaller errors are normalised away.
+  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity, a scale out of its
+  /// range or a rotation whose length is off one by more than 1e-3; smaller errors are normalised away.
+  ///
+  /// Scale: all that is in the asset, lengths and colliders, and all that comes out, matrices and bone ends, is in metres of the
+  /// hair itself, of which a metre is `scale` of the world's. What comes from the world (the head's way, gravity, wind, moving
+  /// colliders) is divided by the scale that the head has at the end of the step; time constants stay. So a head twice as large under
+  /// twice the gravity, on twice as long ways, moves alike to the bit, and one that grows takes its hair's shape and
+  /// motion along. Of the settings, teleport_distance is the world's, sleep_speed the hair's.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
   /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three

@@ -10,7 +10,7 @@ namespace coif {
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
     kBadTimeStep,     ///< dt is not a number, below zero or infinite.
-    kBadPose,         ///< A pose has a NaN, an infinity or a rotation that is not a unit quaternion.
+    kBadPose,         ///< A pose has a NaN, an infinity, a rotation that is not a unit quaternion or a scale out of range.
     kBadArgument,     ///< Another argument is not finite or outside its documented range.
     kBadIndex,        ///< No such instance or bone.
     kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.

@@ -222,14 +222,16 @@ HWY_INLINE void follow_path(D d, const HeadLanes& heads, const HeadStepLanes& st
   const Hermite before = values_at(from), after = values_at(to), slopes = slopes_at(to);
   const V3<D> start = scale(d, load(d, heads.velocity, lane), dt), way = load(d, heads.way, lane);
   const V3<D> end = scale(d, load(d, step.next_velocity, lane), dt);
-  store(d, sub(d, blend(d, after, start, way, end), blend(d, before, start, way, end)), move.way, lane);
+  const auto per_scale = load(d, heads.per_scale, lane);
+  const V3<D> part_way = sub(d, blend(d, after, start, way, end), blend(d, before, start, way, end));
+  store(d, scale(d, part_way, per_scale), move.way, lane);
   if (part + 1 == parts.count) {
     store(d, load(d, heads.next_rotation, lane), move.rotation, lane);
-    store(d, load(d, step.next_velocity, lane), move.velocity, lane);
+    store(d, scale(d, load(d, step.next_velocity, lane), per_scale), move.velocity, lane);
     store(d, load(d, step.next_angular_velocity, lane), move.angular_velocity, lane);
     return;
   }
-  store(d, scale(d, blend(d, slopes, start, way, end), per_second), move.velocity, lane);
+  store(d, scale(d, scale(d, blend(d, slopes, start, way, end), per_second), per_scale), move.velocity, lane);
   // In the frame of the step's start, where the path of the rotation vector begins at zero.
   const Q<D> now = load(d, heads.rotation, lane);
   const M3<D> from_start = matrix_of(d, now), from_end = matrix_of(d, load(d, heads.next_rotation, lane));
@@ -264,12 +266,14 @@ HWY_INLINE Q<D> share_motion(D d, float inertia, std::size_t lane, MoveLanes& mo
 
 /// What the bones need besides.
 template <class D>
-HWY_INLINE void complete_move(D d, const StepParts& parts, std::size_t lane, MoveLanes& move) {
+HWY_INLINE void complete_move(D d, const StepParts& parts, V<D> per_scale, std::size_t lane, MoveLanes& move) {
   const Q<D> before = load(d, move.rotation_before, lane), now = load(d, move.rotation, lane);
   store(d, matrix_of(d, before), move.from_head_before, lane);
   store(d, matrix_of(d, now), move.from_head, lane);
   const auto follow = hn::Set(d, parts.air_follow / parts.part_dt());
-  store(d, add_scaled(d, same(d, parts.wind), load(d, move.way, lane), follow), move.air, lane);
+  const V3<D> wind = scale(d, same(d, parts.wind), per_scale);
+  store(d, add_scaled(d, wind, load(d, move.way, lane), follow), move.air, lane);
+  store(d, scale(d, same(d, parts.gravity), per_scale), move.gravity, lane);
   // While the head turns by less than 8 degrees, a bone seen from it turned by at most that more than in the world.
   const auto half_turn = hn::Abs(hn::Add(dot(d, axis_of(before), axis_of(now)), hn::Mul(before.w, now.w)));
   const auto is_slow = hn::Gt(half_turn, hn::Set(d, 0.99757f));

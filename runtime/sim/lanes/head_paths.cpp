@@ -27,8 +27,9 @@ struct Heads {
                                MoveLanes& move) {
     if (part == 0) {
       const auto share = hn::Set(d, inertia);
+      const V3<D> velocity = scale(d, load(d, heads.velocity, i), load(d, heads.per_scale, i));
       store(d, load(d, heads.rotation, i), move.rotation_before, i);
-      store(d, scale(d, load(d, heads.velocity, i), share), move.velocity_before, i);
+      store(d, scale(d, velocity, share), move.velocity_before, i);
       store(d, scale(d, load(d, heads.angular_velocity, i), share), move.angular_velocity_before, i);
       return;
     }
@@ -44,7 +45,7 @@ struct Heads {
       go_on(d, heads, parts.inertia, part, i, move);
       follow_path(d, heads, step, parts, part, i, move);
       if (parts.inertia < 1.0f) store(d, share_motion(d, parts.inertia, i, move), carried, i);
-      complete_move(d, parts, i, move);
+      complete_move(d, parts, load(d, heads.per_scale, i), i, move);
     }
   }
 

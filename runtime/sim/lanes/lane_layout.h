@@ -128,7 +128,8 @@ struct ThesisState {
   Lanes3 velocity;  ///< m/s, world.
 };
 
-/// What the heads of one block do during one step or sub-step. World axes where not said otherwise.
+/// What the heads of one block do during one step or sub-step. World axes where not said otherwise; metres of the hair itself,
+/// of which the world has as many as the head's scale.
 struct MoveLanes {
   Lanes4 rotation_before;  ///< World from head space.
   Lanes4 rotation;
@@ -139,11 +140,12 @@ struct MoveLanes {
   Lanes3 velocity;
   Lanes3 angular_velocity_before;  ///< rad/s.
   Lanes3 angular_velocity;
+  Lanes3 gravity;     ///< m/s^2.
   Lanes3 air;         ///< Velocity of the air, m/s.
   Lanes near_cosine;  ///< A bone whose direction turned by less cannot have jumped through a collider; see kFarTurn.
 };
 
-/// The heads of one block: where each is, where it goes during the coming step, and how it has moved. World axes.
+/// The heads of one block: where each is, where it goes during the coming step, and how it has moved. World axes and metres.
 struct HeadLanes {
   Lanes4 rotation;       ///< World from head space, now.
   Lanes4 next_rotation;  ///< At the end of the coming step.
@@ -155,6 +157,7 @@ struct HeadLanes {
   Lanes is_told;                    ///< 1: the host said how fast the head arrives; or 0.
   Lanes last_dt;                    ///< Seconds; 0: there was no step yet.
   Lanes quiet;                      ///< Seconds for which head and hair have been at rest.
+  Lanes per_scale;                  ///< One by the head's scale at the end of the coming step.
   double next_position[3][kLanes];  ///< World, metres.
 };
 

@@ -132,7 +132,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   bone.tail.velocity = pace.velocity;
-  const V3<D> weight = scale(d_, same(d_, row_.gravity), load(d_, c.gravity_scale, lane_));
+  const V3<D> weight = scale(d_, load(d_, row_.move->gravity, lane_), load(d_, c.gravity_scale, lane_));
   const V3<D> wind = sub(d_, pace.velocity, load(d_, row_.move->air, lane_));
   bone.load = scale(d_, add_scaled(d_, sub(d_, pace.acceleration, weight), wind, friction), length);
   bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));

@@ -44,7 +44,6 @@ struct RowStep {
   void* scratch = nullptr;      ///< Solver::scratch_bytes for each bone.
   std::uint32_t lanes = 0;      ///< In use: 0..lanes-1.
   const MoveLanes* move = nullptr;
-  Vec3 gravity;
   float dt = 0;
   std::uint32_t iterations = 1;                ///< thesis
   std::uint32_t level = 0;                     ///< Of detail.

@@ -52,7 +52,7 @@ class ThesisChain {
     ThesisState& state = state_[i];
     const V3<D> air = load(d_, row_.move->air, lane_);
     const V3<D> falling =
-        add_scaled(d_, load(d_, state.velocity, lane_), same(d_, row_.gravity), load(d_, c.fall, lane_));
+        add_scaled(d_, load(d_, state.velocity, lane_), load(d_, row_.move->gravity, lane_), load(d_, c.fall, lane_));
     const V3<D> velocity = add_scaled(d_, air, sub(d_, falling, air), load(d_, c.kept_velocity, lane_));
     const V3<D> before = sub(d_, load(d_, state.position, lane_), load(d_, row_.move->way, lane_));
     V3<D> position = add_scaled(d_, before, velocity, hn::Set(d_, row_.dt));

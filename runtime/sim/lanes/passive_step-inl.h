@@ -1,0 +1,185 @@
+// The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_chain-inl.h what limits and contacts make
+// of it, and velocities that stretch nothing. Compiled once per instruction set.
+
+#include "palette-inl.h"
+#include "passive_chain-inl.h"
+#include "row.h"
+
+#if defined(COIF_SIM_LANES_PASSIVE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_PASSIVE_STEP_INL_H_
+#undef COIF_SIM_LANES_PASSIVE_STEP_INL_H_
+#else
+#define COIF_SIM_LANES_PASSIVE_STEP_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+/// What that makes of the bone's motion; limits and contacts.
+template <class D>
+HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  const Carrier<D>& from = carrier_of(i);
+  const RowBone& shape = row_.bones[i];
+  const BoneLanes& constants = row_.constants[i];
+  PassiveState& state = state_[i];
+  const auto length = load(d_, constants.length, lane_);
+  const V3<D> before = load(d_, state.direction, lane_), direction = bone.direction;
+  bone.tail.way = add_scaled(d_, from.way, sub(d_, direction, before), length);
+  const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
+                                           load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
+  const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
+  const V3<D> arm = rotate(d_, turn_, by_parent);
+  // Where what it hangs from was held, its own end still goes where it freely went, but for its length.
+  BoneMotion<D> now{direction, sub(d_, pace.velocity, from.velocity)};
+  if (!is_first(i)) {
+    const V3<D> end = sub(d_, scale(d_, direction, length), parent_of(i).shift);
+    now.direction = direction_or(d_, end, direction);
+  }
+  auto held = hn::Lt(length, hn::Zero(d_));
+  if (shape.features & kRowHasLimit) {
+    Target<D> target;
+    target.arm = arm;
+    target.velocity = scale(d_, cross(d_, from.angular_velocity, arm), length);
+    const auto cosine = load(d_, constants.limit_cosine, lane_);
+    held = hn::Lt(dot(d_, now.direction, arm), cosine);
+    keep_in_limit(d_, cosine, arm, target, now);
+  }
+  V3<D> in_head = rotate_back(d_, turn_, now.direction);
+  if (shape.features & kRowCollides) {
+    held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, in_head));
+  }
+  if (any_rigid(i)) {
+    const auto rigid = is_rigid(d_, row_, i, lane_);
+    stay_rigid(d_, rigid, from, by_parent, arm, length, now, in_head);
+    held = hn::Or(held, rigid);
+  }
+  const V3<D> end_velocity = add(d_, from.velocity, now.velocity);
+  V3<D> acceleration = pace.acceleration, lagged = pace.lagged;
+  if (HWY_UNLIKELY(!hn::AllFalse(d_, held))) {
+    // Forces go on, but for what of them leads where the bone was held. The blow itself is over.
+    const V3<D> push = sub(d_, end_velocity, pace.velocity);
+    const auto push2 = dot(d_, push, push), zero = hn::Zero(d_);
+    const auto is_pushed = hn::And(held, hn::Gt(push2, hn::Set(d_, 1e-18f)));
+    const auto per_push = hn::Div(hn::Set(d_, 1.0f), hn::IfThenElse(is_pushed, push2, hn::Set(d_, 1.0f)));
+    for (V3<D>* const vector : {&acceleration, &lagged}) {
+      const auto against = hn::Mul(hn::Min(dot(d_, *vector, push), zero), per_push);
+      set_where(d_, is_pushed, sub_scaled(d_, *vector, push, against), *vector);
+    }
+  }
+  store(d_, now.direction, state.direction, lane_);
+  store(d_, without_trace(d_, acceleration), state.acceleration, lane_);
+  store(d_, without_trace(d_, lagged), state.lagged, lane_);
+
+  const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
+  const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
+  const auto spin = spin_of_arc(d_, arm, now.direction, from.angular_velocity, swing, bent.per_fold);
+  if (row_.palette != nullptr) {
+    store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i, used_);
+  }
+  bone.shift = scale(d_, sub(d_, now.direction, direction), length);
+  if (!is_first(i)) bone.shift = add(d_, bone.shift, parent_of(i).shift);
+  bone.link(d_, length);
+  bone.links.start_velocity = from.velocity;
+  bone.direction = now.direction;
+  bone.load = scale(
+      d_, sub_scaled(d_, pace.acceleration, load(d_, row_.move->gravity, lane_), load(d_, coefficients_[i].gravity_scale, lane_)),
+      length);
+  bone.tail.velocity = end_velocity;
+  bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
+  bone.tail.position = add_scaled(d_, from.position, in_head, length);
+  copy(d_, bent.frame, bone.tail.frame);
+}
+
+/// Velocities that stretch no bone, as near as can be to those found, by mass: what hangs from each particle takes part of its
+/// push. And the tension.
+template <class D>
+HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  const auto length = load(d_, row_.constants[i].length, lane_);
+  const V3<D> wind = sub(d_, bone.tail.velocity, load(d_, row_.move->air, lane_));
+  bone.links.force = add(d_, bone.links.force,
+                         add_scaled(d_, bone.load, wind, hn::Mul(length, load(d_, coefficients_[i].friction, lane_))));
+  const auto tension = hn::Neg(dot(d_, bone.links.force, bone.direction));
+  store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
+  const Symmetric3<D> inverse = inverse_of(d_, bone.links.mass);
+  bone.links.by_pull = times(d_, inverse, bone.direction);
+  bone.links.by_push = times(d_, inverse, bone.links.push);
+  const auto yields = hn::Div(hn::Set(d_, 1.0f), dot(d_, bone.direction, bone.links.by_pull));
+  const auto opening = dot(d_, bone.direction, sub(d_, bone.tail.velocity, bone.links.start_velocity));
+  bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), yields);
+  bone.links.yields = yields;
+  if (is_first(i)) return;
+  PassiveLinks<D>& links = parent_of(i).links;
+  const V3<D> firm = scale(d_, bone.direction, yields);
+  links.mass = add_outer(d_, links.mass, firm, bone.direction);
+  links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
+  links.force = add(d_, links.force, bone.links.force);
+}
+
+template <class D>
+HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
+  PassiveBone<D>& bone = bones_[i];
+  auto pull = bone.links.pull;
+  if (!is_first(i)) {
+    const PassiveBone<D>& parent = parent_of(i);
+    pull = hn::Sub(pull, hn::Mul(dot(d_, bone.direction, parent.links.change), bone.links.yields));
+    bone.links.start_velocity = parent.tail.velocity;
+  }
+  bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
+  bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);
+  const V3<D> relative = across(d_, sub(d_, bone.tail.velocity, bone.links.start_velocity), bone.direction);
+  store(d_, without_trace(d_, relative), state_[i].velocity, lane_);
+  const auto per_length = load(d_, row_.constants[i].per_length, lane_);
+  const V3<D> turning = sub(d_, scale(d_, relative, per_length), with_head(bone.direction));
+  fastest2_ = hn::Max(fastest2_, dot(d_, turning, turning));
+  if (row_.bones[i].features & kRowHasChildren) return;
+  const V3<D> velocity = sub(d_, bone.tail.velocity, load(d_, row_.move->velocity, lane_));
+  motion_ = hn::Add(motion_, dot(d_, velocity, velocity));
+}
+
+/// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to rattle,
+/// however much is damped. All of its bones are slowed alike, which stretches none and takes energy only.
+template <class D>
+HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
+  const auto limit = hn::Set(d_, kMostTurn / row_.dt);
+  const auto is_wild = hn::Gt(fastest2_, hn::Mul(limit, limit));
+  if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
+  const auto kept = hn::Div(limit, hn::Sqrt(fastest2_)), zero = hn::Zero(d_);
+  const V3<D> none{zero, zero, zero};
+  for (std::size_t i = 0; i < row_.bones.size(); ++i) {
+    PassiveState& state = state_[i];
+    const V3<D> velocity = load(d_, state.velocity, lane_);
+    const V3<D> rigid = scale(d_, with_head(bones_[i].direction), load(d_, row_.constants[i].length, lane_));
+    const V3<D> calmer = add_scaled(d_, rigid, sub(d_, velocity, rigid), kept);
+    store(d_, choose<D>(is_wild, calmer, velocity), state.velocity, lane_);
+    store(d_, choose<D>(is_wild, none, load(d_, state.acceleration, lane_)), state.acceleration, lane_);
+    store(d_, choose<D>(is_wild, none, load(d_, state.lagged, lane_)), state.lagged, lane_);
+  }
+}
+
+template <class D>
+HWY_NOINLINE void step_passive_with(D d, const RowStep& row, PassiveBone<D>* bones) {
+  const PassiveMethod method{double(row.dt)};
+  for (std::size_t lane = 0; lane < row.lanes; lane += hn::Lanes(d)) PassiveChain<D>(d, method, row, lane, bones).run();
+}
+
+template <class D>
+HWY_NOINLINE void step_passive_on_stack(D d, const RowStep& row) {
+  PassiveBone<D> bones[kPassiveBonesOnStack];
+  step_passive_with(d, row, bones);
+}
+
+template <class D>
+HWY_INLINE void step_passive_by(D d, const RowStep& row) {
+  static_assert(sizeof(PassiveBone<D>) <= kPassiveScratch);
+  if (row.bones.size() <= kPassiveBonesOnStack) return step_passive_on_stack(d, row);
+  step_passive_with(d, row, static_cast<PassiveBone<D>*>(row.scratch));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif
