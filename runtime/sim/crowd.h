@@ -1,7 +1,9 @@
 #pragma once
 // What create() makes of an asset in the caller's memory.
 
+#include "lanes/character_row.h"
 #include "lanes/lane_layout.h"
+#include "moving_colliders.h"
 #include "placed_colliders.h"
 #include "rows.h"
 #include "solver.h"
@@ -46,6 +48,22 @@ struct IntervalStep {
   bool is_due = false;
 };
 
+/// What a character brings along, as far as the hair was asked to know it. Empty under other solvers.
+struct CharacterState {
+  const CharacterCode* code = nullptr;
+  std::uint32_t places = 0;           ///< For colliders of each head: of the body first, then the game's.
+  std::uint32_t body_colliders = 0;
+  float reach = 0;                    ///< No bone is further from its head's position, hair's metres.
+  std::span<ToldCollider> told;       ///< Per instance, per place.
+  std::span<ColliderWay> ways;        ///< Per instance, per place: of those within reach. During a step.
+  std::span<std::uint32_t> way_counts;  ///< Per instance.
+  std::span<std::uint32_t> most_ways;   ///< Per block.
+  std::span<ColliderBounds> bounds;     ///< Per block, per place.
+  std::span<std::uint32_t> body_sets;   ///< Per bone of the rows, per lane.
+  std::span<PoseLanes> poses;           ///< As CrowdState::states.
+  std::span<std::uint8_t> is_posed;     ///< Per instance.
+};
+
 /// Arrays "per block" or "per instance" hold one value for each.
 struct CrowdState {
   Asset asset;  ///< A view.
@@ -63,6 +81,7 @@ struct CrowdState {
   std::span<std::byte> states;        ///< Per block, or per instance for kChains; per bone of the rows.
   std::span<std::byte> scratch;       ///< Per block.
   std::span<TwistState> twists;       ///< As states; empty where nothing twists.
+  CharacterState character;
   std::span<Mat34> palettes;          ///< Per instance, per bone.
   std::span<Block> blocks;
   std::span<std::uint32_t> treatments;  ///< Per block; apart, as a step looks at all of them. kIdle: free, or idle.

@@ -18,6 +18,9 @@ Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (desc.instances < 1 || desc.instances > kMaxInstances || desc.solver == nullptr) return Status::kBadArgument;
   if (!is_interval(desc.longest_interval) || !can_run(desc.instruction_set)) return Status::kBadArgument;
+  const bool asks = desc.moving_colliders != 0 || desc.follows_body || desc.follows_poses;
+  if (asks && desc.solver->character == nullptr) return Status::kBadArgument;
+  if (desc.moving_colliders > kMaxMovingColliders) return Status::kBadArgument;
   return Status::kOk;
 }
 
@@ -55,6 +58,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.states = carver.take<std::byte>(states * rows.state_bytes);
   crowd.scratch = carver.take<std::byte>(std::uint64_t(blocks) * rows.scratch_bytes);
   if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
+  if (desc.solver->character != nullptr) desc.solver->character->carve(carver, asset, desc, states, blocks, crowd.character);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
   crowd.treatments = carver.take<std::uint32_t>(blocks);
@@ -94,6 +98,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   crowd.colliders = PlacedColliders(asset.colliders());
   make_rows(asset, *desc.solver, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
   for (Row& row : crowd.rows) row.step = row.solver->row_code(set);
+  if (desc.solver->character != nullptr) desc.solver->character->create(crowd);
   fill_blocks(crowd);
   for (Block& block : crowd.blocks) {
     for (float& w : block.heads.rotation.w.v) w = 1.0f;

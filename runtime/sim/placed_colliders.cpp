@@ -11,12 +11,6 @@ bool is_capsule(ColliderShape shape) {
   return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
 }
 
-Vec3 way_out_of(const ColliderRecord& record) {
-  if (!is_capsule(record.shape)) return rotate(to_quat(record.rotation), {0, 1, 0});
-  const Vec3 axis = to_vec3(record.axis);
-  return any_perpendicular(axis * (1.0f / length(axis)));
-}
-
 float largest(const Vec3& radii) {
   const float side = radii.x > radii.y ? radii.x : radii.y;
   return side > radii.z ? side : radii.z;
@@ -43,10 +37,11 @@ void place_capsule(PlacedCollider& placed) {
 
 /// By a ball around the collider.
 void bound(PlacedCollider& placed) {
-  const bool is_plane = placed.shape == ColliderShape::kPlane;
+  const bool is_plane = placed.shape == ColliderShape::kPlane, is_box = placed.shape == ColliderShape::kBox;
+  const float thickness = is_box ? length(placed.radii) + placed.rounding : largest(placed.radii);
   const Vec3 half = is_plane ? Vec3{} : placed.axis * 0.5f;  // the axis of round shapes is zero
   placed.bound_center = placed.center + half;
-  placed.bound_radius = is_plane ? 0.0f : (largest(placed.radii) + length(half)) * kBoundMargin;
+  placed.bound_radius = is_plane ? 0.0f : (thickness + length(half)) * kBoundMargin;
   const bool is_endless = is_plane || placed.keeps_inside;
   placed.farthest = is_endless ? 3e18f : (length(placed.bound_center) + placed.bound_radius) * kBoundMargin;
 }
@@ -58,15 +53,22 @@ PlacedCollider place(const ColliderRecord& record) {
   placed.center = to_vec3(record.center);
   placed.axis = to_vec3(record.axis);
   placed.radii = to_vec3(record.radii);
-  placed.way_out = way_out_of(record);
-  placed.size = smallest(placed.radii);
+  placed.way_out = rotate(to_quat(record.rotation), {0, 1, 0});
   if (placed.shape == ColliderShape::kEllipsoid) place_ellipsoid(placed, to_quat(record.rotation));
-  if (is_capsule(placed.shape)) place_capsule(placed);
-  bound(placed);
+  complete(placed);
   return placed;
 }
 
 }  // namespace
+
+void complete(PlacedCollider& placed) {
+  placed.size = smallest(placed.radii);
+  if (is_capsule(placed.shape)) {
+    placed.way_out = any_perpendicular(placed.axis * (1.0f / length(placed.axis)));
+    place_capsule(placed);
+  }
+  bound(placed);
+}
 
 PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders) {
   for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {

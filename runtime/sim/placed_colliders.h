@@ -23,9 +23,10 @@ struct PlacedCollider {
   bool keeps_inside = false;
   Vec3 center;
   Vec3 axis;  ///< Capsules: to the segment's other end. Plane: unit normal.
-  Vec3 radii;
+  Vec3 radii;           ///< Box: half extents.
+  float rounding = 0;   ///< Box: of its edges, outwards.
   Vec3 way_out;       ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
-  OwnAxes axes;       ///< Of an ellipsoid; unit.
+  OwnAxes axes;       ///< Of an ellipsoid or box; unit.
   OwnAxes unit_axes;  ///< By the semi-axes, 1/m: into the space where the ellipsoid is the unit sphere.
   float size = 0;     ///< The smallest radius: what depths are compared with.
 
@@ -38,6 +39,9 @@ struct PlacedCollider {
   float bound_radius = 0;
   float farthest = 0;  ///< See PlacedColliders::farthest().
 };
+
+/// Fills in of a sphere, capsule, plane or box what follows from its shape, centre, axis and radii.
+void complete(PlacedCollider& placed);
 
 /// The colliders of an asset. Small enough for the stack.
 class PlacedColliders {

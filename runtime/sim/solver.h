@@ -37,6 +37,31 @@ inline void fill(const CoefficientLanes& to, Lanes& lanes, double value) {
   for (std::uint32_t i = to.begin; i < to.end; ++i) lanes.v[i] = float(value);
 }
 
+struct CharacterState;
+struct CrowdState;
+struct HeadStepLanes;
+struct RowCharacter;
+class MemoryCarver;
+
+/// What is done for hair on a character; behind pointers, so that programs that name no such solver hold nothing of it.
+struct CharacterCode {
+  /// Takes the arrays; `states` as CrowdState::states has bones.
+  void (*carve)(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::uint64_t states, std::uint32_t blocks,
+                CharacterState& character) = nullptr;
+  /// Fills them.
+  void (*create)(CrowdState& crowd) = nullptr;
+  /// Before a block's bones move: `put` has a bit for each head that was put somewhere.
+  void (*begin)(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
+                const StepParts& parts) = nullptr;
+  /// Of one part of the step, for a row of the block, or of the head in its lane `only_head` where that is not -1. `state` is where the
+  /// row's numbers begin, in bones.
+  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row, std::size_t state,
+                 RowCharacter& character) = nullptr;
+  void (*finish)(CrowdState& crowd, std::uint32_t block) = nullptr;
+};
+
+extern const CharacterCode kCharacterCode;
+
 struct Solver {
   /// Set where each chain says which solver moves it; then nothing else is.
   const Solver* (*for_model)(ChainModel model) = nullptr;
@@ -47,6 +72,7 @@ struct Solver {
   std::uint32_t scratch_from = 0;     ///< if that has more bones than this.
   bool carries_frames = false;        ///< Bones may twist.
   bool has_substeps = false;
+  const CharacterCode* character = nullptr;  ///< Null: not for hair on a character.
   bool reads_asked = false;  ///< Friction as the artist asked for, whatever the chain was given to have one motion.
 
   RowFunction* (*row_code)(InstructionSet set) = nullptr;

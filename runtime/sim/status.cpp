@@ -14,6 +14,7 @@ const char* describe(Status status) {
     case Status::kAssetLacksData: return "the asset is not open or has no chunk that this call needs";
     case Status::kSizeMismatch: return "the spans of a job do not belong together";
     case Status::kForeignState: return "the saved state is of another asset, solver, number of heads or version";
+    case Status::kNotAsked: return "the hair was created without what this call needs; see HairDesc";
     case Status::kDamagedState: return "the saved state is none, or was changed or cut after it was saved";
     case Status::kDriver: return "OpenGL ES refused: function missing, shader not compiled, or out of memory";
   }

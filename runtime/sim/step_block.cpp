@@ -15,6 +15,7 @@ struct BlockStep {
   const IntervalStep& interval;
   const std::byte* coefficients;
   HeadStepLanes heads;
+  std::uint16_t put = 0;  ///< A bit for each head that was put somewhere.
   Lanes motion;  ///< See RowStep; of each head.
 };
 
@@ -49,6 +50,7 @@ void look_ahead(BlockStep& step) {
     const bool is_put = ((step.block.teleports >> i) & 1u) != 0 || step.heads.is_far.v[i] != 0.0f;
     if (!(is_put || carries) || ((step.block.is_lost >> i) & 1u) != 0) continue;
     if (is_put) jump(crowd, step.index * kLanes + i, step.interval.parts.dt);
+    if (is_put) step.put = std::uint16_t(step.put | 1u << i);
     if (!is_put) carry_along(step, i);
     moved = true;
   }
@@ -74,14 +76,31 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   return job;
 }
 
-/// The same chain of every head of the block.
-void step_heads(BlockStep& step, const MoveLanes& move, bool is_last) {
+/// `only_head`: of the block's, where the row's lanes are its chains; else -1.
+void set_up_character(const BlockStep& step, const Row& row, std::int32_t only_head, std::uint32_t part,
+                      RowCharacter& character, RowStep& job) {
   const CrowdState& crowd = step.crowd;
+  if (crowd.character.code == nullptr) return;
+  const StepParts& parts = step.interval.parts;
+  const std::uint32_t slot = step.index * kLanes + (only_head < 0 ? 0 : std::uint32_t(only_head));
+  character.from = float(part) / float(parts.count);
+  character.to = float(part + 1) / float(parts.count);
+  character.per_dt = 1.0f / parts.dt;
+  crowd.character.code->set_up(crowd, step.index, only_head, row, crowd.first_state(slot) + row.first_bone, character);
+  job.character = &character;
+}
+
+/// The same chain of every head of the block.
+void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
+  const CrowdState& crowd = step.crowd;
+  const bool is_last = part + 1 == step.interval.parts.count;
+  RowCharacter character;
   Mat34* palettes[kLanes] = {};
   for (const Row& row : crowd.rows) {
     const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
     for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
     RowStep job = row_step(step, row, step.index * kLanes, move);
+    set_up_character(step, row, -1, part, character, job);
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
     job.motion = &step.motion;
@@ -90,8 +109,10 @@ void step_heads(BlockStep& step, const MoveLanes& move, bool is_last) {
 }
 
 /// The chains of one head, row by row.
-void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, bool is_last) {
+void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
+  const bool is_last = part + 1 == step.interval.parts.count;
+  RowCharacter character;
   const std::span<Mat34> palette = crowd.palette(step.block.instance[head]);
   MoveLanes move;
   spread(moves, head, move);
@@ -101,6 +122,7 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, bo
       palettes[i] = &palette[crowd.asset.chains()[row.first_chain + i].first_bone];
     }
     RowStep job = row_step(step, row, step.index * kLanes + head, move);
+    set_up_character(step, row, std::int32_t(head), part, character, job);
     job.lanes = row.chain_count;
     job.palette = is_last ? palettes : nullptr;
     Lanes motion{};
@@ -121,14 +143,13 @@ void run_parts(BlockStep& step) {
   MoveLanes move;
   Lanes4 carried;
   for (std::uint32_t part = 0; part < parts.count; ++part) {
-    const bool is_last = part + 1 == parts.count;
     crowd.heads.move(step.block.heads, step.heads, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_heads(step, carried);
     step.motion = Lanes{};
     if (crowd.order == LaneOrder::kHeads) {
-      step_heads(step, move, is_last);
+      step_heads(step, move, part);
     } else {
-      for (std::uint32_t i = 0; i < step.block.count; ++i) step_chains(step, i, move, is_last);
+      for (std::uint32_t i = 0; i < step.block.count; ++i) step_chains(step, i, move, part);
     }
   }
 }
@@ -152,10 +173,13 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
   Block& block = crowd.blocks[index];
   const std::uint32_t power = interval_power_of(crowd, crowd.treatments[index]);
   const std::size_t stride = crowd.row_bone_count() * crowd.coefficient_bytes;
-  BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, {}};
+  BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, 0, {}};
   look_ahead(step);
   crowd.heads.begin(block.heads, step.interval.parts, step.heads);
+  const CharacterCode* const character = crowd.character.code;
+  if (character != nullptr) character->begin(crowd, index, step.heads, step.put, step.interval.parts);
   run_parts(step);
+  if (character != nullptr) character->finish(crowd, index);
   crowd.heads.finish(block.heads, step.heads);
   for (std::uint32_t i = 0; i < block.count; ++i) {
     const float motion = step.motion.v[i];

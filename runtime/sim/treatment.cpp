@@ -35,6 +35,10 @@ void swap_states(CrowdState& crowd, std::uint32_t a, std::uint32_t b) {
   if (crowd.order == LaneOrder::kChains || bones == 0) return;
   const std::size_t bytes = crowd.state_bytes, from = crowd.first_state(a), to = crowd.first_state(b);
   swap_lanes(&crowd.states[from * bytes], a % kLanes, &crowd.states[to * bytes], b % kLanes, bones * bytes);
+  if (!crowd.character.poses.empty()) {
+    PoseLanes* const poses = crowd.character.poses.data();
+    swap_lanes(poses + from, a % kLanes, poses + to, b % kLanes, bones * sizeof(PoseLanes));
+  }
   if (crowd.twists.empty()) return;
   swap_lanes(&crowd.twists[from], a % kLanes, &crowd.twists[to], b % kLanes, bones * sizeof(TwistState));
 }

@@ -132,6 +132,7 @@ enum class ColliderShape : std::uint32_t {
   kPlane = 3,    ///< All points behind the plane through `center` with the normal `axis`.
   /// The convex hull of two balls: radii[0] around `center`, radii[1] around `center + axis`, neither inside the other.
   kTaperedCapsule = 4,
+  kBox = 5,  ///< Never in a file: what a game may add (coif/character.h).
 };
 
 /// Hair stays inside the shape instead of outside of it. Spheres and capsules only.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <coif/asset.h>
+#include <coif/character.h>
 #include <coif/export.h>
 #include <coif/instruction_set.h>
 #include <coif/math.h>
@@ -33,6 +34,9 @@ extern COIF_API const Solver kCoifSolver;
 extern COIF_API const Solver kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
 /// Bones hold back their parents, so that soft hair swings and comes to rest. Two to three times the work. Bones never twist.
 extern COIF_API const Solver kPassiveSolver;
+/// kCoifSolver for hair on a character: with what HairDesc asks for of colliders that move, a body and poses to follow. What it was not
+/// asked for is not stored; a program that does not name it holds nothing of all that.
+extern COIF_API const Solver kCharacterSolver;
 
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
@@ -40,6 +44,10 @@ struct HairDesc {
   /// Changes the speed and nothing else. kBadArgument for one that can_run() denies.
   InstructionSet instruction_set = InstructionSet::kBest;
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
+  // Of kCharacterSolver; for others kBadArgument.
+  std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
+  bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.
+  bool follows_poses = false;          ///< set_pose() will be called; 60 bytes for each simulated bone.
 };
 
 /// What acts on all instances during a step.
@@ -196,6 +204,29 @@ class COIF_API Hair {
   [[nodiscard]] std::uint32_t job_count() const;
   void run_job(std::uint32_t job);
   void finish_step();
+
+  // On a character (kCharacterSolver). Each may be called between any two steps, holds until it is called again, and costs nothing where
+  // it says again, to the bit, what it said before. A sleeping head wakes when what it says is another and near enough to matter.
+
+  /// What the hair of this head has to keep out of besides its asset's own colliders, in place of what was said before: the game's
+  /// hands, shoulders, chairs. Those are the same in two steps that have the same place in `colliders`; see MovingCollider on how they get
+  /// from one pose to the next. However fast they go through hair within that bound, hair stays on the side that they come to.
+  /// No bone is deeper in than a ten-thousandth of the radius where it can help it: one that starts inside has its
+  /// end outside, and between two that leave it no room it goes out sideways.
+  /// kNotAsked for more than HairDesc::moving_colliders, kBadArgument for numbers that are not finite or out of their range.
+  Status set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders);
+
+  /// Where the body's bones are, as many as Asset::body_bones() and in their order, at the end of the coming step; to be said after the
+  /// head's pose, whose scale is theirs. kNotAsked without HairDesc::follows_body, kSizeMismatch, kBadPose.
+  Status set_body(std::uint32_t instance, std::span<const BodyPose> bones);
+
+  /// The pose that the hair follows, in place of the rest pose: for each bone how it is turned in its parent's frame, from rest (rigid
+  /// bones' are not read). `weights`, one for each chain or one for all: at 1 the pose is what pulls, at 0 the hair is the
+  /// pose and nothing else moves it, in between it is in between; let them fade, as a weight that falls at once puts hair where the pose
+  /// is. Back at 1 the hair goes on as fast as the pose went. A pose gets from one step's to the next at an even rate; the
+  /// first one is there at once. No rotations and no weights: the rest pose again.
+  /// kNotAsked without HairDesc::follows_poses, kSizeMismatch, kBadPose for what is no rotation, kBadArgument for weights beyond 0..1.
+  Status set_pose(std::uint32_t instance, std::span<const Quat> rotations, std::span<const float> weights);
 
   /// The whole crowd's state as bytes, to go back to: for rollback and replays. Two crowds of the same asset, solver and number of
   /// heads that are in the same state save the same bytes, and go on to the same bits after restore(), whatever the

@@ -20,6 +20,7 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kDriver,          ///< OpenGL ES refused: function missing, shader not compiled, out of memory.
     kForeignState,    ///< The saved state is that of another asset, solver or number of heads, or of another version.
     kDamagedState,    ///< The saved state is none, or was changed or cut after it was saved.
+    kNotAsked,        ///< The hair was created without what this call needs: see HairDesc.
 };
 
 /// One sentence, static storage, never null.

@@ -28,6 +28,18 @@ struct Carrier {
   V3<D> position;  ///< At the end, head space.
 };
 
+/// As copy() of lane_math-inl.h.
+template <class D>
+HWY_INLINE void copy_carrier(D d, const Carrier<D>& from, Carrier<D>& to) {
+  copy(d, from.way, to.way);
+  copy(d, from.velocity_before, to.velocity_before);
+  copy(d, from.angular_velocity_before, to.angular_velocity_before);
+  copy(d, from.velocity, to.velocity);
+  copy(d, from.angular_velocity, to.angular_velocity);
+  copy(d, from.frame, to.frame);
+  copy(d, from.position, to.position);
+}
+
 /// The default position: where it goes, as directions and velocities seen from the carrier.
 template <class D>
 struct Target {

@@ -5,7 +5,9 @@
 #include "coif_bone-inl.h"
 #include "contact-inl.h"
 #include "lane_math-inl.h"
+#include "moving_contact-inl.h"
 #include "palette-inl.h"
+#include "pose-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_COIF_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -59,7 +61,7 @@ class CoifChain {
   }
 
   /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion then.
-  HWY_INLINE Target<D> target_of(const RowBone& shape, bool leans, const BoneLanes& bone, const Carrier<D>& from,
+  HWY_INLINE Target<D> target_of(const RowBone& shape, const PoseLanes* pose, bool leans, const BoneLanes& bone, const Carrier<D>& from,
                                  const V3<D>& arm_before, V<D> length) const {
     const V3<D> rest = load(d_, bone.rest, lane_), pull = leans ? load(d_, bone.pull, lane_) : rest;
     Target<D> target;
@@ -70,12 +72,17 @@ class CoifChain {
     if (shape.features & kRowSharesPull) {
       const MoveLanes& move = *row_.move;
       const auto share = load(d_, bone.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
-      const V3<D> by_head = rotate(d_, turn_, pull);
+      V3<D> asked = pull, asked_before = pull;
+      if (pose != nullptr) {
+        asked = mixed(d_, pose->pull_before, pose->pull_now, row_.character->to, lane_);
+        asked_before = mixed(d_, pose->pull_before, pose->pull_now, row_.character->from, lane_);
+      }
+      const V3<D> by_head = rotate(d_, turn_, asked);
       const V3<D> with_head = cross(d_, load(d_, move.angular_velocity, lane_), by_head);
       turning = add_scaled(d_, scale(d_, turning, share), with_head, rest_share);
       target.arm = add_scaled(d_, scale(d_, target.arm, share), by_head, rest_share);
       // What was stored is the blend; its head's part turned with the head, and the rest of it with the parent.
-      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), pull), rest_share);
+      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), asked_before), rest_share);
       const V3<D> by_parent_before = sub(d_, arm_before, by_head_before);
       turning_before = add(d_, cross(d_, from.angular_velocity_before, by_parent_before),
                            cross(d_, load(d_, move.angular_velocity_before, lane_), by_head_before));
@@ -123,6 +130,20 @@ class CoifChain {
     return keep_length(d_, free, velocity, before, load(d_, c.velocity_from_constraint, lane_));
   }
 
+  /// What a bone hangs from, its frame turned by the pose.
+  HWY_INLINE const Carrier<D>& posed(const Carrier<D>& hung, const PoseLanes& pose) {
+    copy_carrier(d_, hung, posed_);
+    if constexpr (kOnCharacter<D>) follow_pose(d_, *row_.character, pose, lane_, turn_, posed_);
+    return posed_;
+  }
+
+  /// A pose has no twist against its own frame.
+  HWY_INLINE void untwist(hn::Mask<D> where, const M3<D>& frame, TwistState& state, Bent<D>& bent) const {
+    bent.frame = choose<D>(where, frame, bent.frame);
+    store(d_, hn::IfThenElse(where, hn::Set(d_, 1.0f), load(d_, state.cosine, lane_)), state.cosine, lane_);
+    store(d_, hn::IfThenElse(where, hn::Zero(d_), load(d_, state.sine, lane_)), state.sine, lane_);
+  }
+
   /// The rest direction in the parent's frame, world axes.
   HWY_INLINE V3<D> arm_at_rest(const RowBone& shape, const Target<D>& target) const {
     const bool is_target = (shape.features & (kRowSharesPull | kRowLeans)) == 0;
@@ -138,6 +159,7 @@ class CoifChain {
   const M3<D> turn_;      ///< World from head space, at the end of the step.
   V<D> motion_;
   Carrier<D> joint_;
+  Carrier<D> posed_;
   Carrier<D> carriers_[kMaxOpenBones];
 };
 
@@ -147,12 +169,14 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   const BoneLanes& bone = row_.constants[i];
   CoifState& state = state_[i];
   if (shape.features & kRowHangsFromHead) joint_on_head(d_, row_, lane_, turn_, load(d_, bone.joint, lane_), joint_);
-  const Carrier<D>& from = (shape.features & kRowHangsFromHead) ? joint_ : carriers_[shape.parent_slot];
+  const Carrier<D>& hung = (shape.features & kRowHangsFromHead) ? joint_ : carriers_[shape.parent_slot];
+  const PoseLanes* const pose = pose_of(d_, row_, i);
+  const Carrier<D>& from = pose == nullptr ? hung : posed(hung, *pose);
   const auto length = load(d_, bone.length, lane_), per_length = load(d_, bone.per_length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), arm_before = load(d_, state.arm, lane_);
   const V3<D> speed_before = load(d_, state.velocity, lane_);
   const bool leans = (shape.features & kRowLeans) != 0;
-  const Target<D> target = target_of(shape, leans, bone, from, arm_before, length);
+  const Target<D> target = target_of(shape, pose, leans, bone, from, arm_before, length);
 
   BoneMotion<D> now{target.arm, target.velocity};
   if (row_.level < shape.most_levels) {
@@ -160,13 +184,23 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     if (shape.features & kRowHasLimit) {
       const auto cosine = load(d_, bone.limit_cosine, lane_);
       const V3<D> by_parent = rotate(d_, turn_, target.by_parent);
-      keep_in_limit(d_, cosine, by_parent, leans ? target_of(shape, false, bone, from, arm_before, length) : target,
+      keep_in_limit(d_, cosine, by_parent, leans ? target_of(shape, pose, false, bone, from, arm_before, length) : target,
                     now);
     }
+  }
+  if (pose != nullptr) {
+    blend_with_pose(d_, load(d_, pose->weight, lane_), from, rotate(d_, turn_, target.by_parent), length, now);
   }
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
   if (shape.features & kRowCollides)
     keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
+  if constexpr (kOnCharacter<D>) {
+    if (row_.character->collider_count != 0) keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, now, direction);
+  }
+  if (pose != nullptr) {
+    const V3<D> arm = rotate(d_, turn_, target.by_parent);
+    stay_rigid(d_, is_posed(d_, *pose, lane_), from, target.by_parent, arm, length, now, direction);
+  }
   if (row_.level >= shape.fewest_levels) {
     const V3<D> arm = rotate(d_, turn_, target.by_parent);
     stay_rigid(d_, is_rigid(d_, row_, i, lane_), from, target.by_parent, arm, length, now, direction);
@@ -179,6 +213,7 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   if (shape.features & kRowTwists) {
     const auto unwinding =
         twist(d_, rest, direction, load(d_, bone.torsion, lane_), row_.dt, row_.twist[i], lane_, bent);
+    if (pose != nullptr) untwist(is_posed(d_, *pose, lane_), from.frame, row_.twist[i], bent);
     spin = hn::Sub(dot(d_, now.direction, from.angular_velocity), unwinding);
   } else if (shape.features & kRowHasChildren) {
     // Section 5, without memory.

@@ -71,7 +71,7 @@ HWY_INLINE hn::Mask<D> reaches(D d, const PlacedCollider& collider, const V3<D>&
   return hn::And(in_bound, hn::Lt(at.gap, hn::Set(d, (kBoundMargin - 1.0f) * collider.bound_radius)));
 }
 
-/// The velocity of the contact's point into the collider is lost.
+/// The velocity of the contact's point into the collider is lost. The collider stands still against the head.
 template <class D>
 HWY_INLINE void stop_at_contact(D d, hn::Mask<D> touches, const Contact<D>& contact, TouchingBone<D>& bone) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
@@ -106,7 +106,7 @@ HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollide
   return clear_of_solid(d, takes_part, crossed, collider, bone, contact);
 }
 
-/// Turns the bones in the lanes of `reached` until they are clear of their colliders and takes from their velocities
+/// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the head, and takes from their velocities
 /// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
 /// bone is another.
 template <class D>

@@ -13,6 +13,8 @@ using RowFunction = void(const RowStep& row);
 RowFunction* coif_row_code(InstructionSet set);
 RowFunction* thesis_row_code(InstructionSet set);
 RowFunction* passive_row_code(InstructionSet set);
+RowFunction* character_cascade_code(InstructionSet set);
+RowFunction* character_passive_code(InstructionSet set);
 
 /// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish.
 struct HeadCode {

@@ -27,6 +27,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;
 
+/// The same vectors, for the code of hair on a character (kCharacterSolver): by this type its functions know that they may meet
+/// colliders that move, poses to follow and gusts. Code for other hair holds nothing of that.
+template <class D>
+struct OnCharacter : D {};
+template <class D>
+inline constexpr bool kOnCharacter = false;
+template <class D>
+inline constexpr bool kOnCharacter<OnCharacter<D>> = true;
+
 template <class D>
 using V = hn::Vec<D>;
 

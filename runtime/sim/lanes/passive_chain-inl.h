@@ -5,6 +5,7 @@
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
 #include "passive_bone-inl.h"
+#include "pose-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_PASSIVE_CHAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -56,15 +57,33 @@ class PassiveChain {
   [[nodiscard]] HWY_INLINE bool is_first(std::size_t i) const { return row_.bones[i].parent < 0; }
   [[nodiscard]] HWY_INLINE PassiveBone<D>& parent_of(std::size_t i) const { return bones_[row_.bones[i].parent]; }
 
-  /// What the bone hangs from.
-  HWY_INLINE const Carrier<D>& carrier_of(std::size_t i) {
+  HWY_INLINE const Carrier<D>& unposed_carrier_of(std::size_t i) {
     if (!is_first(i)) return parent_of(i).tail;
     if (i != joint_of_) joint_on_head(d_, row_, lane_, turn_, load(d_, row_.constants[i].joint, lane_), joint_);
     joint_of_ = i;
     return joint_;
   }
 
-  [[nodiscard]] HWY_INLINE bool any_rigid(std::size_t i) const { return row_.level >= row_.bones[i].fewest_levels; }
+  /// What the bone hangs from.
+  HWY_INLINE const Carrier<D>& carrier_of(std::size_t i) {
+    const Carrier<D>& hung = unposed_carrier_of(i);
+    const PoseLanes* const pose = pose_of(d_, row_, i);
+    if (pose == nullptr) return hung;
+    copy_carrier(d_, hung, posed_);
+    if constexpr (kOnCharacter<D>) follow_pose(d_, *row_.character, *pose, lane_, turn_, posed_);
+    return posed_;
+  }
+
+  [[nodiscard]] HWY_INLINE bool any_rigid(std::size_t i) const {
+    return row_.level >= row_.bones[i].fewest_levels || pose_of(d_, row_, i) != nullptr;
+  }
+
+  /// Where nothing moves the bone but its parent and its pose.
+  [[nodiscard]] HWY_INLINE hn::Mask<D> rigid_lanes(std::size_t i) const {
+    const auto rigid = is_rigid(d_, row_, i, lane_);
+    const PoseLanes* const pose = pose_of(d_, row_, i);
+    return pose == nullptr ? rigid : hn::Or(rigid, is_posed(d_, *pose, lane_));
+  }
 
   HWY_INLINE void guess(std::size_t i);
   HWY_INLINE void find_forces(std::size_t i);
@@ -96,6 +115,7 @@ class PassiveChain {
   V<D> farthest2_;  ///< Square of the last round's largest turn.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
+  Carrier<D> posed_;
 };
 
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
@@ -138,7 +158,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
   bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));
   bone.find_sides(d_);
   bend_towards_rest(i, from, bone);
-  if (any_rigid(i)) bone.be_rigid(d_, is_rigid(d_, row_, i, lane_));
+  if (any_rigid(i)) bone.be_rigid(d_, rigid_lanes(i));
 }
 
 /// The torque of the bending between the bone and what it hangs from, which is that of a potential, and of its damping.
@@ -168,7 +188,10 @@ HWY_INLINE void PassiveChain<D>::bend_towards_rest(std::size_t i, const Carrier<
   bone.coupled = bone.firm;
   if (row_.bones[i].features & kRowSharesPull) {
     const auto share = load(d_, constants.parent_share, lane_), rest_share = hn::Sub(hn::Set(d_, 1.0f), share);
-    const V3<D> by_head = rotate(d_, turn_, unbent);
+    const PoseLanes* const pose = pose_of(d_, row_, i);
+    const V3<D> asked =
+        pose == nullptr ? unbent : mixed(d_, pose->pull_before, pose->pull_now, row_.character->to, lane_);
+    const V3<D> by_head = rotate(d_, turn_, asked);
     const V3<D> base = add_scaled(d_, scale(d_, from.angular_velocity, share),
                                   load(d_, row_.move->angular_velocity, lane_), rest_share);
     const V3<D> drag = scale(d_, across(d_, sub(d_, bone.tail.angular_velocity, base), bone.direction), damping);

@@ -1,6 +1,7 @@
 // The step of the passive model in runtime/docs/MODEL.md for one chain: after passive_chain-inl.h what limits and contacts make
 // of it, and velocities that stretch nothing. Compiled once per instruction set.
 
+#include "moving_contact-inl.h"
 #include "palette-inl.h"
 #include "passive_chain-inl.h"
 #include "row.h"
@@ -46,12 +47,22 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     held = hn::Lt(dot(d_, now.direction, arm), cosine);
     keep_in_limit(d_, cosine, arm, target, now);
   }
+  if (const PoseLanes* const pose = pose_of(d_, row_, i); pose != nullptr) {
+    const auto weight = load(d_, pose->weight, lane_);
+    blend_with_pose(d_, weight, from, arm, length, now);
+    held = hn::Or(held, hn::Lt(weight, hn::Set(d_, 1.0f)));
+  }
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
   if (shape.features & kRowCollides) {
     held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, in_head));
   }
+  if constexpr (kOnCharacter<D>) {
+    if (row_.character->collider_count != 0) {
+      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, now, in_head));
+    }
+  }
   if (any_rigid(i)) {
-    const auto rigid = is_rigid(d_, row_, i, lane_);
+    const auto rigid = rigid_lanes(i);
     stay_rigid(d_, rigid, from, by_parent, arm, length, now, in_head);
     held = hn::Or(held, rigid);
   }

@@ -33,6 +33,8 @@ struct RowBone {
   std::uint16_t children = 0;      ///< Bones that hang from it.
 };
 
+struct RowCharacter;
+
 /// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry for
 /// each. The state is of the solver that runs: CoifState and CoifCoefficients, or ThesisState and ThesisCoefficients.
 struct RowStep {
@@ -48,6 +50,7 @@ struct RowStep {
   std::uint32_t iterations = 1;                ///< thesis
   std::uint32_t level = 0;                     ///< Of detail.
   const PlacedColliders* colliders = nullptr;  ///< In head space.
+  const RowCharacter* character = nullptr;     ///< For code of hair on a character; else null.
   /// For each lane, the matrix of its chain's first bone; null where no output is wanted, since more sub-steps follow.
   Mat34* const* palette = nullptr;
   Lanes* motion = nullptr;  ///< Added to: the squared speeds of the bones against their starts, (m/s)^2.

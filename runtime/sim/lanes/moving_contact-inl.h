@@ -1,0 +1,277 @@
+// Bones against colliders that move, and against those of their head at the same time. Compiled once per instruction set. What a
+// lane comes to depends on its own numbers, never on its neighbours'.
+
+#include <new>
+
+#include "character_row.h"
+#include "coif_bone-inl.h"
+#include "contact-inl.h"
+#include "escape-inl.h"
+
+#if defined(COIF_SIM_LANES_MOVING_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COIF_SIM_LANES_MOVING_CONTACT_INL_H_
+#undef COIF_SIM_LANES_MOVING_CONTACT_INL_H_
+#else
+#define COIF_SIM_LANES_MOVING_CONTACT_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+
+/// A bit for each lane, the first lowest.
+template <class D>
+HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
+  alignas(64) float lanes[kLanes];
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0f)), d, lanes);
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) bits |= lanes[i] > 0.0f ? 1u << i : 0u;
+  return bits;
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> lanes_of(D d, std::uint32_t bits) {
+  alignas(64) float lanes[kLanes];
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) lanes[i] = ((bits >> i) & 1u) != 0 ? 1.0f : 0.0f;
+  return hn::Gt(hn::Load(d, lanes), hn::Zero(d));
+}
+
+/// How a bone goes through a part of a step as its colliders see it, head space.
+template <class D>
+struct BoneWay {
+  V3<D> start[2];      ///< At the part's start and end.
+  V3<D> direction[2];  ///< Unit; freely.
+};
+
+/// The moving colliders of one head that a bone may meet, as they are at one moment.
+template <class D>
+struct Met {
+  Met() {}  ///< Clearing room for all would cost more than the one collider that is mostly met.
+
+  std::uint32_t count = 0;
+  const ColliderWay* ways[kMaxPlaces];
+  hn::Mask<D> lanes[kMaxPlaces];  ///< Of those chains of the head that may touch it.
+  union {
+    PlacedCollider placed[kMaxPlaces];
+  };
+};
+
+/// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws what it
+/// meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
+template <class D>
+HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, const ColliderWay& way, const Vec3& center,
+                         TouchingBone<D>& bone) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const auto share = hn::Max(hn::Div(contact.along, bone.length), hn::Set(d, 0.25f));
+  const V3<D> side = across(d, contact.normal, bone.direction);
+  const auto size2 = dot(d, side, side);
+  const V3<D> point = add_scaled(d, bone.start, bone.direction, contact.along);
+  const V3<D> turned = cross(d, same(d, way.turning), sub(d, point, same(d, center)));
+  const V3<D> surface = add(d, cross(d, bone.head_turning, point), add(d, same(d, way.velocity), turned));
+  const V3<D> velocity = add_scaled(d, sub(d, bone.start_velocity, surface), bone.velocity, share);
+  const auto approach = dot(d, velocity, contact.normal);
+  const auto stops = hn::And(touches, hn::And(hn::Gt(size2, hn::Set(d, 1e-3f)), hn::Lt(approach, zero)));
+  const auto taken = hn::Div(approach, hn::Mul(share, hn::IfThenElse(stops, size2, one)));
+  set_where(d, stops, sub_scaled(d, bone.velocity, side, taken), bone.velocity);
+}
+
+/// What a bone of one head may touch, of its asset's colliders and of those that move.
+template <class D>
+struct Obstacles {
+  const PlacedColliders& fixed;
+  std::uint32_t fixed_set;
+  const BoneLanes& constants;
+  std::size_t lane;
+  const Met<D>& moving;
+};
+
+/// Turns bones out of one collider after the other until none touches more than one. Returns the lanes that touched any.
+template <class D>
+HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, TouchingBone<D>& bone) {
+  const auto one = hn::Set(d, 1.0f);
+  auto takes_part = here, moved = hn::AndNot(here, here);
+  for (int round = 0; round < 2 * kContactRounds; ++round) {
+    auto touched = hn::Zero(d);
+    const auto count = [&](hn::Mask<D> touches) {
+      moved = hn::Or(moved, touches);
+      touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
+      set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
+    };
+    Contact<D> contact;
+    for (std::uint32_t left = obstacles.fixed_set; left != 0; left &= left - 1) {
+      const std::uint32_t i = std::uint32_t(std::countr_zero(left));
+      const auto those = hn::And(takes_part, lanes_with(d, obstacles.constants, obstacles.lane, i));
+      const auto touches = clear_of(d, those, obstacles.fixed[i], bone, contact);
+      if (hn::AllFalse(d, touches)) continue;
+      count(touches);
+      stop_at_contact(d, touches, contact, bone);
+    }
+    for (std::uint32_t k = 0; k < obstacles.moving.count; ++k) {
+      const auto those = hn::And(takes_part, obstacles.moving.lanes[k]);
+      const auto touches = clear_of(d, those, obstacles.moving.placed[k], bone, contact);
+      if (hn::AllFalse(d, touches)) continue;
+      count(touches);
+      go_along(d, touches, contact, *obstacles.moving.ways[k], obstacles.moving.placed[k].center, bone);
+    }
+    takes_part = hn::And(takes_part, hn::Gt(touched, one));
+    if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;
+  }
+  return moved;
+}
+
+/// Where a bone still lies in something: the nearest direction of those looked at in which it does not.
+template <class D>
+HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, TouchingBone<D>& bone) {
+  const auto is_blocked = [&](hn::Mask<D> asked, const V3<D>& direction) {
+    auto blocked = hn::AndNot(asked, asked);
+    for (std::uint32_t left = obstacles.fixed_set; left != 0; left &= left - 1) {
+      const std::uint32_t i = std::uint32_t(std::countr_zero(left));
+      const auto those = hn::And(asked, lanes_with(d, obstacles.constants, obstacles.lane, i));
+      blocked = hn::Or(blocked, lies_in(d, those, obstacles.fixed[i], bone, direction));
+    }
+    for (std::uint32_t k = 0; k < obstacles.moving.count; ++k) {
+      const auto those = hn::And(asked, obstacles.moving.lanes[k]);
+      blocked = hn::Or(blocked, lies_in(d, those, obstacles.moving.placed[k], bone, direction));
+    }
+    return blocked;
+  };
+  const auto stuck = is_blocked(moved, bone.direction);
+  if (HWY_LIKELY(hn::AllFalse(d, stuck))) return;
+  escape(d, stuck, is_blocked, bone.direction);
+  set_where(d, stuck, across(d, bone.velocity, bone.direction), bone.velocity);
+}
+
+/// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
+template <class D>
+HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index, const BoneWay<D>& way,
+                                      hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone) {
+  const RowCharacter& character = *row.character;
+  std::uint32_t looks = 1;
+  const float share = character.to - character.from;
+  for (std::uint32_t k = 0; k < met.count; ++k) {
+    const auto needed = std::uint32_t(float(met.ways[k]->looks) * share + 0.999f);
+    looks = needed > looks ? needed : looks;
+  }
+  const Obstacles<D> obstacles{*row.colliders, row.bones[index].colliders, row.constants[index], lane, met};
+  auto moved = hn::AndNot(own, own);
+  V3<D> free = way.direction[0], last = way.direction[0];
+  for (std::uint32_t look = 1; look <= looks; ++look) {
+    const float s = float(look) / float(looks);
+    const auto ahead = hn::Set(d, s);
+    for (std::uint32_t k = 0; k < met.count; ++k) {
+      place_at(*met.ways[k], character.from + s * share, *new (static_cast<void*>(&met.placed[k])) PlacedCollider);
+    }
+    copy(d, add_scaled(d, way.start[0], sub(d, way.start[1], way.start[0]), ahead), bone.start);
+    const V3<D> aim = add_scaled(d, way.direction[0], sub(d, way.direction[1], way.direction[0]), ahead);
+    const V3<D> next = look == looks ? way.direction[1] : direction_or(d, aim, way.direction[1]);
+    // From where the bone was pushed to it goes on as it freely would.
+    const V3<D> pushed = direction_or(d, add(d, last, sub(d, next, free)), next);
+    copy(d, choose<D>(moved, pushed, next), bone.direction);
+    copy(d, last, bone.before);
+    const auto touched = keep_clear_of_all(d, obstacles, own, bone);
+    moved = hn::Or(moved, touched);
+    if (!hn::AllFalse(d, touched)) leave_gap(d, obstacles, touched, bone);
+    copy(d, next, free);
+    copy(d, bone.direction, last);
+  }
+  return moved;
+}
+
+/// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider near.
+template <class D>
+HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t index, const ColliderWay* ways,
+                     const std::uint32_t* bits, std::uint32_t count, hn::Mask<D> own, std::uint32_t own_bits, Met<D>& met) {
+  const RowCharacter& character = *row.character;
+  met.count = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if ((bits[k] & own_bits) == 0) continue;
+    auto may_touch = hn::And(own, lanes_of(d, bits[k]));
+    if (ways[k].place < character.body_colliders) {
+      const hn::RebindToUnsigned<D> du;
+      const auto sets = hn::Load(du, character.body_sets + index * kLanes + lane);
+      may_touch = hn::And(may_touch, hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << ways[k].place))));
+      if (hn::AllFalse(d, may_touch)) continue;
+    }
+    met.ways[met.count] = &ways[k];
+    met.lanes[met.count] = may_touch;
+    ++met.count;
+  }
+}
+
+/// Where the bone comes near the moving collider `k` of its head, whatever its direction.
+template <class D>
+HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t lane, std::uint32_t k, const V3<D>& start,
+                               V<D> reach) {
+  const ColliderBounds& bounds = character.bounds[k];
+  V3<D> center;
+  auto radius = hn::Zero(d);
+  if (character.only_head >= 0) {
+    const auto i = std::uint32_t(character.only_head);
+    copy(d, same(d, coif::lane(bounds.center, i)), center);
+    radius = hn::Set(d, bounds.radius.v[i]);
+  } else {
+    copy(d, load(d, bounds.center, lane), center);
+    radius = load(d, bounds.radius, lane);
+  }
+  const V3<D> offset = sub(d, start, center);
+  const auto farthest = hn::Add(radius, reach);
+  return hn::Lt(dot(d, offset, offset), hn::Mul(farthest, farthest));
+}
+
+/// keep_clear_of() for hair on a character. `way` is the start's, world, from where the head was to where it is.
+template <class D>
+HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
+                                              std::size_t index, const Carrier<D>& from, const V3<D>& before,
+                                              BoneMotion<D>& now, V3<D>& direction) {
+  const RowCharacter& character = *row.character;
+  const MoveLanes& move = *row.move;
+  const BoneLanes& constants = row.constants[index];
+  const M3<D> turn_before = load(d, move.from_head_before, lane);
+  BoneWay<D> way;
+  const V3<D> went = sub(d, from.way, load(d, move.way, lane));
+  copy(d, rotate_back(d, turn_before, sub(d, rotate(d, turn, from.position), went)), way.start[0]);
+  copy(d, from.position, way.start[1]);
+  copy(d, rotate_back(d, turn_before, before), way.direction[0]);
+  copy(d, direction, way.direction[1]);
+  TouchingBone<D> bone;
+  bone.length = load(d, constants.length, lane);
+  bone.hit_radius = load(d, constants.hit_radius, lane);
+  copy(d, rotate_back(d, turn, now.velocity), bone.velocity);
+  copy(d, rotate_back(d, turn, sub(d, from.velocity, load(d, move.velocity, lane))), bone.start_velocity);
+  copy(d, rotate_back(d, turn, load(d, move.angular_velocity, lane)), bone.head_turning);
+
+  const V3<D> start_way = sub(d, way.start[1], way.start[0]);
+  const auto travel = hn::Sqrt(dot(d, start_way, start_way));
+  const auto reach = hn::Add(hn::Add(bone.length, bone.hit_radius), travel);
+  const std::uint32_t used = (1u << row.lanes) - 1u;
+  std::uint32_t bits[kMaxPlaces], all = 0;
+  for (std::uint32_t k = 0; k < character.collider_count; ++k) {
+    bits[k] = bits_of(d, is_near(d, character, lane, k, from.position, reach)) & (used >> lane);
+    all |= bits[k];
+  }
+  auto moved = hn::Lt(bone.length, hn::Zero(d));
+  const V3<D> velocity = bone.velocity;
+  Met<D> met;
+  while (all != 0) {
+    const std::uint32_t own_bits = character.only_head >= 0 ? all : all & (0u - all);
+    const std::size_t first = lane + std::size_t(std::countr_zero(own_bits));
+    all &= ~own_bits;
+    const auto own = lanes_of(d, own_bits);
+    meet(d, row, lane, index, character.of_lane[first], bits, character.counts[first], own, own_bits, met);
+    if (met.count == 0) continue;
+    copy(d, velocity, bone.velocity);
+    const auto touched = pass_through(d, row, lane, index, way, own, met, bone);
+    const auto here = hn::And(own, touched);
+    moved = hn::Or(moved, here);
+    set_where(d, here, bone.direction, direction);
+    set_where(d, here, rotate(d, turn, bone.direction), now.direction);
+    set_where(d, here, rotate(d, turn, bone.velocity), now.velocity);
+  }
+  return moved;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#endif

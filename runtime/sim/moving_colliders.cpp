@@ -1,0 +1,297 @@
+#include "moving_colliders.h"
+
+#include "crowd.h"
+#include "vector_math.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace coif {
+namespace {
+
+bool is_capsule(ColliderShape shape) {
+  return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
+}
+
+Vec3 mix(const Vec3& a, const Vec3& b, float s) { return a + (b - a) * s; }
+
+Vec3 unit(const Vec3& v) { return v * (1.0f / length(v)); }
+
+/// The nearest axes at right angles, x first.
+OwnAxes straightened(const OwnAxes& axes) {
+  const Vec3 x = unit(axes.x), y = unit(axes.y - x * dot(axes.y, x));
+  return {x, y, cross(x, y)};
+}
+
+bool has_axes(ColliderShape shape) { return shape == ColliderShape::kBox || shape == ColliderShape::kEllipsoid; }
+
+OwnAxes axes_of(const Quat& q) { return {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})}; }
+
+/// Where the head is at one end of the step.
+struct HeadAt {
+  double position[3];
+  Quat rotation;
+  float per_scale;
+};
+
+/// Head space, metres of the hair.
+Vec3 seen_from(const HeadAt& head, const double (&place)[3]) {
+  Vec3 offset;
+  offset.x = float((place[0] - head.position[0]) * double(head.per_scale));
+  offset.y = float((place[1] - head.position[1]) * double(head.per_scale));
+  offset.z = float((place[2] - head.position[2]) * double(head.per_scale));
+  return rotate(conjugate(head.rotation), offset);
+}
+
+constexpr std::uint32_t kMostLooks = 64;
+constexpr float kLargestCollider = 1e6f;  ///< Metres.
+
+/// The shape in metres of the hair, and what is degenerate of it as what it is.
+void set_shape(const ToldCollider& told, float per_scale, ColliderWay& way) {
+  const MovingCollider& now = told.now;
+  const float scale = told.is_of_body ? 1.0f : per_scale;
+  const float first = now.radius * scale, last = now.end_radius * scale, apart = length(now.axis) * scale;
+  way.shape = now.shape;
+  way.keeps_inside = told.keeps_inside;
+  way.radii = {first, first, first};
+  way.rounding = 0;
+  if (now.shape == ColliderShape::kTaperedCapsule) way.radii = {first, last, 0};
+  if (has_axes(now.shape)) way.radii = now.half_extents * scale;
+  if (now.shape == ColliderShape::kBox) way.rounding = first;
+  const bool is_ball = is_capsule(now.shape) && !(apart > 1e-5f);
+  const bool has_swallowed = now.shape == ColliderShape::kTaperedCapsule && std::fabs(first - last) >= 0.9999f * apart;
+  if (!is_ball && !has_swallowed) return;
+  const float radius = now.shape == ColliderShape::kTaperedCapsule && last > first ? last : first;
+  way.shape = ColliderShape::kSphere;
+  way.radii = {radius, radius, radius};
+}
+
+Vec3 own_axis(const ToldCollider& told, const Quat& rotation, const Quat& head, float scale) {
+  if (told.now.shape == ColliderShape::kPlane) return rotate(conjugate(head), unit(rotate(rotation, told.now.axis)));
+  return rotate(conjugate(head), rotate(rotation, told.now.axis)) * scale;
+}
+
+/// The place of a shape of which one ball swallows the other is that ball's.
+bool takes_end(const ToldCollider& told, const ColliderWay& way) {
+  return told.now.shape == ColliderShape::kTaperedCapsule && way.shape == ColliderShape::kSphere &&
+         told.now.end_radius > told.now.radius;
+}
+
+void set_end(const ToldCollider& told, const HeadAt& head, const double (&center)[3], const Quat& rotation, int end,
+             ColliderWay& way) {
+  const float scale = told.is_of_body ? 1.0f : head.per_scale;
+  const bool has_axis = is_capsule(told.now.shape) || told.now.shape == ColliderShape::kPlane;
+  const Vec3 axis = has_axis ? own_axis(told, rotation, head.rotation, scale) : Vec3{};
+  way.center[end] = seen_from(head, center);
+  if (takes_end(told, way)) way.center[end] = way.center[end] + axis;
+  way.axis[end] = way.shape == ColliderShape::kSphere ? Vec3{} : axis;
+  if (has_axes(way.shape)) way.axes[end] = axes_of(conjugate(head.rotation) * rotation);
+}
+
+/// Seconds, of the whole step; of the head at its end, metres of the hair and world axes.
+struct HeadPace {
+  float dt;
+  Vec3 velocity, turning;
+};
+
+void set_velocity(const ToldCollider& told, const HeadAt& before, const HeadAt& after, const HeadPace& pace,
+                  ColliderWay& way) {
+  if (told.now.is_velocity_known) {
+    const Quat back = conjugate(after.rotation);
+    const Vec3 head_turning = rotate(back, pace.turning);
+    const Vec3 velocity = told.now.velocity.linear * after.per_scale - pace.velocity;
+    way.velocity = rotate(back, velocity) - cross(head_turning, way.center[1]);
+    way.turning = rotate(back, told.now.velocity.angular) - head_turning;
+    return;
+  }
+  const float per_second = 1.0f / pace.dt;
+  way.velocity = (way.center[1] - way.center[0]) * per_second;
+  const Quat from = conjugate(before.rotation) * told.rotation_before, to = conjugate(after.rotation) * told.now.rotation;
+  const Quat turn = to * conjugate(from);
+  way.turning = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0.0f ? -2.0f * per_second : 2.0f * per_second);
+}
+
+float distance_of(const Vec3& a, const Vec3& b) { return length(b - a); }
+
+/// How far any of its surface goes, at most.
+float longest_way(const ColliderWay& way) {
+  const float straight = distance_of(way.center[0], way.center[1]);
+  if (has_axes(way.shape)) {
+    const Vec3 corner0 = way.axes[0].x * way.radii.x + way.axes[0].y * way.radii.y + way.axes[0].z * way.radii.z;
+    const Vec3 corner1 = way.axes[1].x * way.radii.x + way.axes[1].y * way.radii.y + way.axes[1].z * way.radii.z;
+    return straight + distance_of(corner0, corner1) + distance_of(way.axes[0].x, way.axes[1].x) * length(way.radii);
+  }
+  return straight + distance_of(way.axis[0], way.axis[1]);
+}
+
+float thickness_of(const ColliderWay& way) {
+  if (way.shape == ColliderShape::kPlane) return 1.0f;
+  float least = way.radii.x < way.radii.y ? way.radii.x : way.radii.y;
+  if (has_axes(way.shape)) least = (way.radii.z < least ? way.radii.z : least) + way.rounding;
+  constexpr float kThinnest = 0.005f;  // metres: hair itself has some thickness
+  return least < kThinnest ? kThinnest : least;
+}
+
+/// By a right angle or more: on the straight way between there would be nothing of it.
+bool turns_over(const ColliderWay& way) {
+  if (way.shape == ColliderShape::kSphere) return false;
+  if (!has_axes(way.shape)) return !(dot(way.axis[0], way.axis[1]) > 0.0f);
+  return !(dot(way.axes[0].x, way.axes[1].x) > 0.0f && dot(way.axes[0].y, way.axes[1].y) > 0.0f);
+}
+
+/// Half a thickness from look to look: then what is in front of it stays in front. Further than so many looks show it has been
+/// put there.
+void find_looks(ColliderWay& way, bool& has_way) {
+  const float looks = std::ceil(longest_way(way) / (0.5f * thickness_of(way)));
+  has_way = has_way && looks <= float(kMostLooks) && !turns_over(way);
+  way.looks = has_way && looks > 1.0f ? std::uint32_t(looks) : 1;
+  if (has_way) return;
+  way.center[0] = way.center[1];
+  way.axis[0] = way.axis[1];
+  way.axes[0] = way.axes[1];
+}
+
+}  // namespace
+
+void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
+  placed.shape = way.shape;
+  placed.keeps_inside = way.keeps_inside;
+  placed.center = mix(way.center[0], way.center[1], s);
+  placed.radii = way.radii;
+  placed.rounding = way.rounding;
+  placed.way_out = {0, 1, 0};
+  placed.axis = mix(way.axis[0], way.axis[1], s);
+  if (way.shape == ColliderShape::kPlane) placed.axis = unit(placed.axis);
+  if (has_axes(way.shape)) {
+    const OwnAxes &a = way.axes[0], &b = way.axes[1];
+    placed.axes = straightened({mix(a.x, b.x, s), mix(a.y, b.y, s), mix(a.z, b.z, s)});
+    const Vec3& radii = way.radii;
+    if (way.shape == ColliderShape::kEllipsoid) {
+      placed.unit_axes = {placed.axes.x * (1.0f / radii.x), placed.axes.y * (1.0f / radii.y), placed.axes.z * (1.0f / radii.z)};
+    }
+  }
+  complete(placed);
+  constexpr float kLeastSize = 1e-3f;  // metres; what is thinner is not felt more exactly
+  if (placed.size < kLeastSize) placed.size = kLeastSize;
+}
+
+Status check_collider(const MovingCollider& c) {
+  const bool fits = c.shape <= ColliderShape::kBox;
+  const HeadPose pose{{c.center[0], c.center[1], c.center[2]}, c.rotation};
+  HeadPose unit_pose;
+  if (!fits || normalise_pose(pose, unit_pose) != Status::kOk) return Status::kBadArgument;
+  if (!is_finite(c.axis) || !is_finite(c.half_extents)) return Status::kBadArgument;
+  const auto is_length = [](float metres) { return metres >= 0.0f && metres <= kLargestCollider; };
+  const Vec3& half = c.half_extents;
+  if (!is_length(c.radius) || !is_length(c.end_radius) || !is_length(length(c.axis))) return Status::kBadArgument;
+  if (!is_length(half.x) || !is_length(half.y) || !is_length(half.z)) return Status::kBadArgument;
+  const bool has_volume = half.x > 0.0f && half.y > 0.0f && half.z > 0.0f;
+  if (c.shape == ColliderShape::kEllipsoid && !has_volume) return Status::kBadArgument;
+  if (c.shape == ColliderShape::kPlane && !(length(c.axis) > 1e-6f)) return Status::kBadArgument;
+  if (!c.is_velocity_known) return Status::kOk;
+  return is_finite(c.velocity.linear) && is_finite(c.velocity.angular) ? Status::kOk : Status::kBadArgument;
+}
+
+namespace {
+
+/// What is told of a collider, at the step's ends. False where hair cannot reach it.
+bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& after, const HeadPace& pace, bool is_put,
+              float reach, ColliderWay& way) {
+  set_shape(told, after.per_scale, way);
+  set_end(told, after, told.now.center, told.now.rotation, 1, way);
+  bool has_way = told.has_way && !is_put;
+  if (has_way) set_end(told, before, told.center_before, told.rotation_before, 0, way);
+  if (!has_way) {
+    way.center[0] = way.center[1];
+    way.axis[0] = way.axis[1];
+    way.axes[0] = way.axes[1];
+  }
+  find_looks(way, has_way);
+  way.velocity = way.turning = {};
+  if (has_way || told.now.is_velocity_known) set_velocity(told, before, after, pace, way);
+  if (!is_finite(way.center[0]) || !is_finite(way.center[1]) || !is_finite(way.velocity)) return false;
+  if (way.keeps_inside || way.shape == ColliderShape::kPlane) return true;
+  PlacedCollider ends[2];
+  for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
+  const float nearest0 = length(ends[0].bound_center) - ends[0].bound_radius;
+  const float nearest1 = length(ends[1].bound_center) - ends[1].bound_radius;
+  const float travel = distance_of(ends[0].bound_center, ends[1].bound_center);
+  return nearest0 <= reach + travel && nearest1 <= reach + travel;
+}
+
+void set_bounds(const ColliderWay& way, std::uint32_t lane, ColliderBounds& bounds) {
+  PlacedCollider ends[2];
+  for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
+  const bool is_endless = way.keeps_inside || way.shape == ColliderShape::kPlane;
+  const float larger = ends[0].bound_radius > ends[1].bound_radius ? ends[0].bound_radius : ends[1].bound_radius;
+  const float around = larger + 0.5f * distance_of(ends[0].bound_center, ends[1].bound_center) * kBoundMargin;
+  set_lane(bounds.center, lane, mix(ends[0].bound_center, ends[1].bound_center, 0.5f));
+  bounds.radius.v[lane] = is_endless ? 1e15f : around;
+}
+
+/// Nothing comes near it.
+void set_no_bounds(std::uint32_t lane, ColliderBounds& bounds) {
+  set_lane(bounds.center, lane, {1e15f, 1e15f, 1e15f});
+  bounds.radius.v[lane] = 0.0f;
+}
+
+/// The colliders of the head in lane `i`, of which the last step's places are now forgotten.
+std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const HeadStepLanes& step, bool is_put,
+                        const StepParts& parts) {
+  CharacterState& character = crowd.character;
+  const HeadLanes& heads = block.heads;
+  const Vec3 way = lane(heads.way, i);
+  const float per_scale = heads.per_scale.v[i];
+  HeadAt after{{heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]},
+               lane(heads.next_rotation, i), per_scale};
+  HeadAt before{{after.position[0] - double(way.x), after.position[1] - double(way.y), after.position[2] - double(way.z)},
+                lane(heads.rotation, i), per_scale};
+  const HeadPace pace{parts.dt, lane(step.next_velocity, i) * per_scale, lane(step.next_angular_velocity, i)};
+  const std::size_t first = std::size_t(block.instance[i]) * character.places;
+  std::uint32_t count = 0;
+  for (std::uint32_t place = 0; place < character.places; ++place) {
+    ToldCollider& told = character.told[first + place];
+    if (!told.is_there) continue;
+    ColliderWay& to = character.ways[first + count];
+    // Hair was carried along through a share of a frame that took too long.
+    for (int axis = 0; axis < 3; ++axis) {
+      told.center_before[axis] += (told.now.center[axis] - told.center_before[axis]) * double(parts.carried);
+    }
+    if (find_way(told, before, after, pace, is_put, character.reach, to)) {
+      to.place = place;
+      ++count;
+    }
+    for (int axis = 0; axis < 3; ++axis) told.center_before[axis] = told.now.center[axis];
+    told.rotation_before = told.now.rotation;
+    told.has_way = true;
+  }
+  return count;
+}
+
+}  // namespace
+
+void begin_colliders(CrowdState& crowd, std::uint32_t index, const HeadStepLanes& step, std::uint16_t put,
+                     const StepParts& parts) {
+  CharacterState& character = crowd.character;
+  if (character.places == 0) return;
+  Block& block = crowd.blocks[index];
+  std::uint32_t most = 0;
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    const std::uint32_t count = find_ways(crowd, block, i, step, ((put >> i) & 1u) != 0, parts);
+    character.way_counts[block.instance[i]] = count;
+    most = count > most ? count : most;
+  }
+  character.most_ways[index] = most;
+  ColliderBounds* const bounds = &character.bounds[std::size_t(index) * character.places];
+  for (std::uint32_t i = 0; i < kLanes; ++i) {
+    const std::uint32_t instance = i < block.count ? block.instance[i] : 0;
+    const std::uint32_t count = i < block.count ? character.way_counts[instance] : 0;
+    const std::size_t first = std::size_t(instance) * character.places;
+    for (std::uint32_t k = 0; k < most; ++k) {
+      if (k < count) set_bounds(character.ways[first + k], i, bounds[k]);
+      if (k >= count) set_no_bounds(i, bounds[k]);
+    }
+  }
+}
+
+}  // namespace coif
