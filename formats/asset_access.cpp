@@ -9,6 +9,10 @@ const char* Asset::bone_name(std::uint32_t bone) const {
   return records<chunk::kNames>().data() + bones()[bone].name;
 }
 
+const char* Asset::body_bone_name(std::uint32_t body_bone) const {
+  return body_bone < body_bones().size() ? records<chunk::kNames>().data() + body_bones()[body_bone].name : "";
+}
+
 std::uint32_t Asset::lod_count() const {
   if (!stored_lods().empty()) return std::uint32_t(stored_lods().size());
   return patches().empty() ? 0 : 1;

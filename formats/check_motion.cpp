@@ -3,75 +3,6 @@
 namespace coif {
 namespace {
 
-constexpr float kShortest = 1.0e-6f;  ///< Metres: below it a radius or an axis has no direction to push along.
-
-bool reserved_is_zero(const ColliderRecord& c) {
-  // -0.0 passes as zero, NaN does not.
-  return c.reserved == 0 && c.reserved_center == 0.0f && c.reserved_radii == 0.0f && c.reserved_axis == 0.0f;
-}
-
-bool flags_fit(const ColliderRecord& c) {
-  const bool round = c.shape == ColliderShape::kSphere || c.shape == ColliderShape::kCapsule;
-  return (c.flags & ~(round ? kColliderKeepsInside : 0u)) == 0;
-}
-
-/// A ball inside the other would leave no hull to speak of: that is a sphere.
-bool tapered_radii_fit(const ColliderRecord& c) {
-  const bool good = in_range(c.radii[0], kShortest, kMaxCoordinate) && in_range(c.radii[1], kShortest, kMaxCoordinate);
-  const float difference = c.radii[0] - c.radii[1];
-  const float square = c.axis[0] * c.axis[0] + c.axis[1] * c.axis[1] + c.axis[2] * c.axis[2];
-  return good && c.radii[2] == 0.0f && difference * difference < square;
-}
-
-bool radii_fit(const ColliderRecord& c) {
-  if (c.shape == ColliderShape::kPlane) return all_zero(c.radii);
-  if (c.shape == ColliderShape::kTaperedCapsule) return tapered_radii_fit(c);
-  const bool equal = c.radii[0] == c.radii[1] && c.radii[1] == c.radii[2];
-  return all_in_range(c.radii, kShortest, kMaxCoordinate) && (equal || c.shape == ColliderShape::kEllipsoid);
-}
-
-bool axis_fits(const ColliderRecord& c) {
-  if (c.shape == ColliderShape::kPlane) return is_unit(c.axis);
-  if (c.shape != ColliderShape::kCapsule && c.shape != ColliderShape::kTaperedCapsule) return all_zero(c.axis);
-  const float square = c.axis[0] * c.axis[0] + c.axis[1] * c.axis[1] + c.axis[2] * c.axis[2];
-  return all_finite(c.axis) && square >= kShortest * kShortest;
-}
-
-/// A set names only colliders that exist, and only a bone that moves has one.
-LoadStatus check_collider_sets(const Asset& asset) {
-  const std::size_t count = asset.colliders().size();
-  const std::uint32_t all = count == kMaxColliders ? ~0u : (1u << count) - 1;
-  for (std::size_t i = 0; i < asset.bones().size(); ++i) {
-    const BoneRecord& bone = asset.bones()[i];
-    const std::uint32_t allowed = is_rigid(bone) ? 0 : all;
-    if ((bone.colliders & ~allowed) != 0) {
-      return {LoadCode::kColliderSet, chunk::kBones, i, allowed, bone.colliders};
-    }
-  }
-  return {};
-}
-
-}  // namespace
-
-LoadStatus check_colliders(const Asset& asset) {
-  const auto colliders = asset.colliders();
-  if (colliders.size() > kMaxColliders) {
-    return {LoadCode::kChunkSize, chunk::kColliders, 0, kMaxColliders, colliders.size()};
-  }
-  for (std::size_t i = 0; i < colliders.size(); ++i) {
-    const ColliderRecord& c = colliders[i];
-    const auto fail = [&](LoadCode code) { return LoadStatus{code, chunk::kColliders, i}; };
-    if (c.shape > ColliderShape::kTaperedCapsule) return fail(LoadCode::kEnumerator);
-    if (!reserved_is_zero(c) || !flags_fit(c)) return fail(LoadCode::kReserved);
-    if (c.bone >= asset.bones().size() || !is_rigid(asset.bones()[c.bone])) return fail(LoadCode::kReference);
-    const bool good = all_finite(c.center) && radii_fit(c) && is_unit(c.rotation) && axis_fits(c);
-    if (!good) return fail(LoadCode::kNotFinite);
-  }
-  return check_collider_sets(asset);
-}
-
-namespace {
-
 constexpr float kMostFriction = 1.0e6f;  ///< Per second; of damping too.
 
 LoadStatus check_asked(const Asset& asset) {
@@ -88,10 +19,33 @@ LoadStatus check_asked(const Asset& asset) {
   return {};
 }
 
+/// Angles that belong to the kind and no others.
+bool angles_fit(const LimitRecord& limit) {
+  const float most_first = limit.kind == LimitKind::kUnlimited ? 0.0f : kNoAngleLimit;
+  const float most_second = limit.kind == LimitKind::kSpherical ? kMostYaw : 0.0f;
+  return in_range(limit.angles[0], 0.0f, most_first) && in_range(limit.angles[1], 0.0f, most_second);
+}
+
+LoadStatus check_limits(const Asset& asset) {
+  const auto limits = asset.limits();
+  if (!limits.empty() && limits.size() != asset.bones().size()) {
+    return {LoadCode::kChunkSize, chunk::kLimits, 0, asset.bones().size(), limits.size()};
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const LimitRecord& limit = limits[i];
+    const LimitKind last = is_rigid(asset.bones()[i]) ? LimitKind::kUnlimited : LimitKind::kSpherical;
+    if (limit.kind > last) return {LoadCode::kEnumerator, chunk::kLimits, i, std::uint64_t(last), std::uint64_t(limit.kind)};
+    if (limit.reserved != 0.0f) return {LoadCode::kReserved, chunk::kLimits, i};
+    if (!angles_fit(limit) || !is_unit(limit.rotation)) return {LoadCode::kNotFinite, chunk::kLimits, i};
+  }
+  return {};
+}
+
 }  // namespace
 
 LoadStatus check_dynamics(const Asset& asset) {
   const auto dynamics = asset.dynamics();
+  if (const LoadStatus status = check_limits(asset); !status) return status;
   if (dynamics.empty() && asset.skeleton().simulated_count == 0) return {};
   if (dynamics.empty()) return {LoadCode::kChunkMissing, chunk::kDynamics};
   if (dynamics.size() != asset.bones().size()) {

@@ -17,17 +17,24 @@ std::span<const std::byte> bytes_of(const std::vector<Record>& records) {
 
 std::span<const std::byte> bytes_of(const SkeletonRecord& skeleton) { return std::as_bytes(std::span(&skeleton, 1)); }
 
+/// Adds names[i] to `packed`; its offset there, kNone without a name.
+std::uint32_t pack_name(const std::vector<std::string>& names, std::size_t i, std::vector<char>& packed) {
+  if (i >= names.size() || names[i].empty()) return kNone;
+  const auto offset = std::uint32_t(packed.size());
+  const std::size_t length = std::min(names[i].find('\0'), names[i].size());
+  packed.insert(packed.end(), names[i].begin(), names[i].begin() + std::ptrdiff_t(length));
+  packed.push_back(0);
+  return offset;
+}
+
 /// Joins the names and points each bone at its own.
 void pack_names(AssetContents& contents) {
-  const std::vector<std::string>& names = contents.bone_names;
   contents.names.clear();
   for (std::size_t i = 0; i < contents.bones.size(); ++i) {
-    contents.bones[i].name = kNone;
-    if (i >= names.size() || names[i].empty()) continue;
-    contents.bones[i].name = std::uint32_t(contents.names.size());
-    const std::size_t length = std::min(names[i].find('\0'), names[i].size());
-    contents.names.insert(contents.names.end(), names[i].begin(), names[i].begin() + std::ptrdiff_t(length));
-    contents.names.push_back(0);
+    contents.bones[i].name = pack_name(contents.bone_names, i, contents.names);
+  }
+  for (std::size_t i = 0; i < contents.body_bones.size(); ++i) {
+    contents.body_bones[i].name = pack_name(contents.body_bone_names, i, contents.names);
   }
 }
 
@@ -74,8 +81,10 @@ std::uint64_t clear_group(std::string_view group, AssetContents& contents) {
   if (is_in_group(chunk::constant, group)) bytes += clear(contents.name);
   COIF_CHUNKS(COIF_CLEAR)
 #undef COIF_CLEAR
-  if (contents.names.empty()) contents.bone_names.clear();
-  return bytes;
+  if (!contents.names.empty()) return bytes;
+  contents.bone_names.clear();
+  pack_names(contents);
+  return bytes - contents.names.size();
 }
 
 namespace {

@@ -28,13 +28,16 @@ struct AssetContents {
 #undef COIF_FIELD
   /// One per bone, or empty. write_asset() makes `names` of them, sets BoneRecord::name and counts in `skeleton`.
   std::vector<std::string> bone_names;
+  /// One per body bone. write_asset() puts them behind those of the bones, and sets BodyBoneRecord::name.
+  std::vector<std::string> body_bone_names;
 };
 
 /// The file's bytes. Deterministic: equal contents give equal bytes. Contents that the reader would refuse are
 /// the caller's bug; open the result to find out.
 [[nodiscard]] std::vector<std::byte> write_asset(AssetContents contents);
 
-/// Empties the chunks that `coif strip` knows by this word; returns how many bytes of records they were.
+/// Empties the chunks that `coif strip` knows by this word; returns how many bytes of records they were. Names of body bones
+/// stay as long as these do.
 std::uint64_t clear_group(std::string_view group, AssetContents& contents);
 
 // A file from its chunks, whatever they mean.

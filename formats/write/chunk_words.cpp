@@ -15,12 +15,14 @@ constexpr ChunkWords kWords[] = {
 };
 
 constexpr ChunkGroup kGroups[] = {
-    {"names", "bones cannot be found by name"},
+    {"names", "bones cannot be found by name, nor those of the body, so that hair passes through it"},
     {"provenance", "nothing says what it was made from"},
     {"quality", "nothing says what other settings would cost"},
     {"asked", "Algorithm 1 reads the friction that chains were given so that they have one motion"},
     {"tuning", "it is simulated with the host's sub-steps"},
-    {"colliders", "hair passes through the head"},
+    {"limits", "bones swing as far as they are pulled"},
+    {"body", "hair passes through the body"},
+    {"colliders", "hair passes through the head and the body"},
     {"motion", "hair is rigid with the head"},
     {"lods", "the finest level of detail alone"},
     {"orders", "one draw order for all directions"},

@@ -70,6 +70,7 @@ class Stripper {
       case chunk::kSkeleton: rewrite<SkeletonRecord>(out, [this](auto& record) { change(record); }); break;
       case chunk::kBones: rewrite<BoneRecord>(out, [this](auto& record) { change(record); }); break;
       case chunk::kLodBones:
+      case chunk::kBodySets:
         if (loses(chunk::kDynamics)) std::ranges::fill(out, std::byte{0});
         break;
       case chunk::kPatches: out.resize(loses(chunk::kLods) ? asset_.lod_patches(0).size_bytes() : out.size()); break;

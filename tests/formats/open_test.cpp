@@ -85,6 +85,8 @@ AssetContents with_bones(std::uint32_t count) {
   for (ChainRecord& chain : contents.chains) chain.first_bone += added;
   contents.dynamics.resize(count, contents.dynamics.front());
   contents.asked.resize(count, contents.asked.front());
+  contents.limits.clear();
+  clear_group("body", contents);
   for (SkinRecord& skin : contents.skin) skin.bone[0] = std::uint16_t(count - 1);
   return contents;
 }

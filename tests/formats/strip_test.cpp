@@ -115,6 +115,7 @@ TEST(Strip, WritingWithoutAChunkGivesTheSameBytesAsStrippingIt) {
   contents.textures.clear();
   contents.texels.clear();
   contents.bone_names.clear();
+  clear_group("body", contents);
   EXPECT_EQ(whole.without({chunk::kTexels, chunk::kNames}).file, write_asset(contents));
 }
 
@@ -145,6 +146,36 @@ TEST(Strip, WithoutMotionEveryBoneIsRigidWhereItWas) {
     }
     EXPECT_EQ(left.asset.stored_lods().size(), 2u) << "rigid hair has levels of detail as well";
   }
+}
+
+TEST(Strip, WithoutMotionNothingTouchesTheBodyAndNothingIsLimited) {
+  OpenFile whole(write_asset(small_asset()));
+  OpenFile left(whole.without({chunk::kDynamics}).file);
+  ASSERT_TRUE(left.status);
+  EXPECT_TRUE(left.asset.limits().empty());
+  ASSERT_EQ(left.asset.body_sets().size(), left.asset.bones().size());
+  for (const std::uint32_t set : left.asset.body_sets()) EXPECT_EQ(set, 0u);
+}
+
+TEST(Strip, TheBodyGoesWithAnyPartOfItAndWithItsNames) {
+  OpenFile whole(write_asset(small_asset()));
+  for (const std::uint32_t id : {chunk::kNames, chunk::kBodyBones, chunk::kBodyColliders, chunk::kBodySets}) {
+    OpenFile left(whole.without({id}).file);
+    ASSERT_TRUE(left.status);
+    EXPECT_TRUE(left.asset.body_bones().empty() && left.asset.body_colliders().empty() &&
+                left.asset.body_sets().empty());
+    EXPECT_STREQ(left.asset.body_bone_name(0), "");
+    EXPECT_EQ(left.asset.colliders().size(), whole.asset.colliders().size()) << "the head keeps its own";
+  }
+}
+
+TEST(Strip, ContentsWithoutNamesKeepThoseOfTheBody) {
+  AssetContents contents = small_asset();
+  EXPECT_EQ(clear_group("names", contents), sizeof "Head" + sizeof "scalp" + 2 * sizeof "hair_1" + sizeof "fringe");
+  OpenFile left(write_asset(contents));
+  ASSERT_TRUE(left.status);
+  EXPECT_STREQ(left.asset.bone_name(2), "");
+  EXPECT_STREQ(left.asset.body_bone_name(1), "Chest");
 }
 
 /// small_asset() as a later minor version might write it: a chunk after each of its own that nobody here knows.

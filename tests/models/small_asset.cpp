@@ -75,6 +75,28 @@ void add_colliders(AssetContents& asset) {
   asset.bones[3].colliders = 0b010;
 }
 
+/// A sphere that keeps hair out and a capsule, on two bones of the body.
+void add_body(AssetContents& asset) {
+  asset.body_bone_names = {"LeftShoulder", "Chest"};
+  asset.body_bones = {{kNone, {0.1f, -0.2f, 0.0f}, {0.0f, 0.0f, 0.70710678f, 0.70710678f}},
+                      {kNone, {0.0f, -0.4f, 0.02f}, {0.0f, 0.0f, 0.0f, 1.0f}}};
+  asset.body_colliders = {collider(ColliderShape::kSphere, {0.06f, 0.06f, 0.06f}, {}),
+                          collider(ColliderShape::kCapsule, {0.1f, 0.1f, 0.1f}, {0.0f, -0.1f, 0.0f}),
+                          collider(ColliderShape::kPlane, {}, {0.0f, 0.0f, 1.0f})};
+  asset.body_colliders[0].center[0] = 0.2f;
+  asset.body_colliders[1].center[1] = -0.5f;
+  asset.body_colliders[1].bone = asset.body_colliders[2].bone = 1;
+  asset.body_colliders[2].center[2] = -0.4f;
+  asset.body_sets = {0, 0, 0b101, 0b010, 0};
+}
+
+/// Limits that hair in motion does not come to.
+void add_limits(AssetContents& asset) {
+  asset.limits.assign(asset.bones.size(), {LimitKind::kUnlimited, {}, 0, {0.0f, 0.0f, 0.0f, 1.0f}});
+  asset.limits[3] = {LimitKind::kCone, {3.0f, 0.0f}, 0, {1.0f, 0.0f, 0.0f, 0.0f}};
+  asset.limits[4] = {LimitKind::kSpherical, {3.1f, 1.5f}, 0, {1.0f, 0.0f, 0.0f, 0.0f}};
+}
+
 void add_tuning(AssetContents& asset) {
   asset.tuning = {{60.0f, 0.007f, 0.005f, 2000.0f, 1315.0f, 30.0f, 120.0f, 1}};
   asset.quality = {{30.0f, 2, 0.005f, 0.012f, 1.0e-6f, 0.0f, 1315.0f, 6}, {120.0f, 1, 0.001f, 0.003f, 0, 0, 875.0f, 4}};
@@ -111,6 +133,8 @@ AssetContents small_asset() {
   }
   for (std::size_t i = 0; i < asset.bones.size(); ++i) asset.asked.push_back({1.5f, 10.7f, 0.9f});
   add_colliders(asset);
+  add_body(asset);
+  add_limits(asset);
   add_tuning(asset);
   add_mesh(asset);
   MaterialRecord material{};
@@ -145,6 +169,18 @@ double touch_asset(const Asset& asset) {
   for (const AskedRecord& a : asset.asked()) sum += a.friction + a.damping + a.parent_share;
   for (const ColliderRecord& c : asset.colliders())
     sum += asset.bones()[c.bone].joint[2] + c.radii[0] + c.rotation[3] + c.axis[1];
+  for (std::uint32_t i = 0; i < asset.body_bones().size(); ++i) {
+    for (const char* c = asset.body_bone_name(i); *c != 0; ++c) sum += *c;
+    sum += asset.body_bones()[i].joint[0] + asset.body_bones()[i].rotation[3];
+  }
+  for (const ColliderRecord& c : asset.body_colliders())
+    sum += asset.body_bones()[c.bone].joint[2] + c.radii[0] + c.axis[1];
+  for (const std::uint32_t set : asset.body_sets()) {
+    for (std::uint32_t k = 0; k < kMaxBodyColliders; ++k) {
+      if ((set >> k & 1) != 0) sum += asset.body_colliders()[k].center[0];
+    }
+  }
+  for (const LimitRecord& limit : asset.limits()) sum += limit.angles[0] + limit.angles[1] + limit.rotation[3];
   if (const TuningRecord* t = asset.tuning(); t != nullptr) sum += t->substep_rate + t->reached_error + t->cost;
   for (const QualityRecord& q : asset.quality()) {
     sum += q.frame_rate + q.rms_error + q.max_error + q.stretch + q.penetration + q.cost + float(q.worst_motion);

@@ -35,7 +35,8 @@ class AlignedBytes {
 };
 
 /// An asset of about 3 KiB that uses every chunk: a head, one scalp bone, a chain of two bones and one of one bone
-/// that branches off the head, four shapes of collider, two patches of one triangle each, both textures, a tuning.
+/// that branches off the head, four shapes of collider, three more on two bones of the body, two limits, patches of one
+/// triangle each, all textures, a tuning.
 [[nodiscard]] AssetContents small_asset();
 
 /// A head and `count` - 1 scalp bones on it, all where the head is.

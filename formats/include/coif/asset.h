@@ -65,7 +65,18 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const DynamicsRecord> dynamics() const { return records<chunk::kDynamics>(); }
   /// One per bone, or empty where dynamics() are the artist's own numbers.
   [[nodiscard]] std::span<const AskedRecord> asked() const { return records<chunk::kAsked>(); }
+  /// One per bone, or empty where no bone has one.
+  [[nodiscard]] std::span<const LimitRecord> limits() const { return records<chunk::kLimits>(); }
   [[nodiscard]] std::span<const ColliderRecord> colliders() const { return records<chunk::kColliders>(); }
+
+  /// Bones of the body that body_colliders() hang from, at most kMaxBodyColliders; their poses are the host's.
+  [[nodiscard]] std::span<const BodyBoneRecord> body_bones() const { return records<chunk::kBodyBones>(); }
+  /// As in the source; never null, empty where there is no such body bone.
+  [[nodiscard]] const char* body_bone_name(std::uint32_t body_bone) const;
+  /// As colliders(), in head space in the rest pose, but for `bone`, which is an index into body_bones().
+  [[nodiscard]] std::span<const ColliderRecord> body_colliders() const { return records<chunk::kBodyColliders>(); }
+  /// Which of them each of bones() may touch, bit i: body_colliders()[i]. Empty where there are none.
+  [[nodiscard]] std::span<const std::uint32_t> body_sets() const { return records<chunk::kBodySets>(); }
 
   [[nodiscard]] std::span<const VertexRecord> vertices() const { return records<chunk::kVertices>(); }
   [[nodiscard]] std::span<const SkinRecord> skin() const { return records<chunk::kSkin>(); }

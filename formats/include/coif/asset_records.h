@@ -19,6 +19,7 @@ static_assert(std::endian::native == std::endian::little, "a .coif is used in pl
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< "No such bone, chain or name".
 inline constexpr std::uint32_t kMaxBones = 4096;     ///< So that whatever has one value per bone stays small.
 inline constexpr std::uint32_t kMaxColliders = 32;  ///< A bone's set of colliders is one word.
+inline constexpr std::uint32_t kMaxBodyColliders = 32;  ///< As kMaxColliders, of those that hang from the body's bones.
 inline constexpr std::uint32_t kMaxLods = 8;
 inline constexpr std::uint32_t kMaxOrders = 32;  ///< Draw orders of one asset, the stored one included.
 inline constexpr std::uint32_t kViewCells = 96;  ///< Directions to look from that may have an order each: view_cells.h.
@@ -112,6 +113,28 @@ struct AskedRecord {
 };
 static_assert(sizeof(AskedRecord) == 12);
 
+/// What bounds a bone's direction, as VRMC_springBone_limit 1.0 defines it.
+enum class LimitKind : std::uint32_t {
+  kUnlimited = 0,
+  kCone = 1,       ///< At most angles[0] from the middle direction.
+  kHinge = 2,      ///< In the plane at right angles to the limit's x, and at most angles[0] from the middle direction.
+  kSpherical = 3,  ///< Pitch, about x, at most angles[0] to either side; yaw, towards x, at most angles[1].
+};
+
+/// Largest yaw of a spherical limit: a quarter of a turn.
+inline constexpr float kMostYaw = kNoAngleLimit / 2;
+
+/// Where a bone's particle may be, seen from its joint: d is the unit direction in the limit's own axes, whose y is the middle
+/// direction. Cone: d.y >= cos(angles[0]). Hinge: d.x = 0, and that. Spherical: d = (sin(yaw), cos(yaw) cos(pitch), cos(yaw)
+/// sin(pitch)) with |pitch| <= angles[0] and |yaw| <= angles[1].
+struct LimitRecord {
+  LimitKind kind;
+  float angles[2];    ///< Radians, 0..kNoAngleLimit; the second, of a spherical limit alone, 0..kMostYaw. 0 without meaning.
+  float reserved;
+  float rotation[4];  ///< Unit quaternion (x, y, z, w) from the limit's own axes to the parent's frame.
+};
+static_assert(sizeof(LimitRecord) == 32);
+
 /// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most 1) goes
 /// along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"), what is left of a
 /// unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.
@@ -140,7 +163,7 @@ inline constexpr std::uint32_t kColliderKeepsInside = 1u << 0;
 
 struct ColliderRecord {
   ColliderShape shape;
-  std::uint32_t bone;  ///< A rigid bone.
+  std::uint32_t bone;  ///< A rigid bone; in BODC the number of a BodyBoneRecord.
   std::uint32_t flags;
   std::uint32_t reserved;
   float center[3];  ///< Head space, metres. Capsule: one end of its segment. Plane: a point on it.
@@ -153,6 +176,15 @@ struct ColliderRecord {
   float reserved_axis;
 };
 static_assert(sizeof(ColliderRecord) == 80);
+
+/// A bone of the body that wears the hair, by its name in the source: what body colliders hang from. Where it is in each step
+/// the host says: what is at x in head space at rest is at pose * rest^-1 * x, both of them poses of this bone.
+struct BodyBoneRecord {
+  std::uint32_t name;  ///< Byte offset into NAME; never kNone.
+  float joint[3];      ///< Rest pose, head space, metres.
+  float rotation[4];   ///< Rest pose: unit quaternion (x, y, z, w) from the bone's own axes to head space.
+};
+static_assert(sizeof(BodyBoneRecord) == 32);
 
 struct VertexRecord {
   float position[3];        ///< Rest pose, head space, metres.

@@ -60,8 +60,18 @@ static_assert(sizeof(ChunkEntry) == 32);
       "motion", "how each bone moves")                                                                                   \
   ROW(kAsked, "ASKD", AskedRecord, kMany, asked, 16, kSimulation, idle_without(chunk::kDynamics),                        \
       "asked motion", "how each bone moves by the artist's own numbers")                                                 \
+  ROW(kLimits, "LIMT", LimitRecord, kMany, limits, 16, kSimulation, idle_without(chunk::kDynamics),                      \
+      "limits motion", "which directions each bone may have")                                                            \
   ROW(kColliders, "COLL", ColliderRecord, kMany, colliders, 16, kSimulation, needs_nothing(),                            \
       "colliders motion", "colliders")                                                                                   \
+  ROW(kBodyBones, "BODB", BodyBoneRecord, kMany, body_bones, 16, kSimulation,                                            \
+      refused_without(chunk::kNames, chunk::kBodyColliders),                                                             \
+      "body colliders motion", "bones of the body that carry colliders")                                                 \
+  ROW(kBodyColliders, "BODC", ColliderRecord, kMany, body_colliders, 16, kSimulation,                                    \
+      refused_without(chunk::kBodyBones, chunk::kBodySets),                                                              \
+      "body colliders motion", "colliders on bones of the body")                                                         \
+  ROW(kBodySets, "BODS", std::uint32_t, kMany, body_sets, 16, kSimulation, refused_without(chunk::kBodyColliders),       \
+      "body colliders motion", "which of them each bone may touch")                                                      \
   ROW(kVertices, "VERT", VertexRecord, kMany, vertices, 16, kDrawData, refused_without(chunk::kIndices, chunk::kPatches), \
       "mesh", "vertices")                                                                                                \
   ROW(kSkin, "SKIN", SkinRecord, kMany, skin, 16, kDrawData, refused_without(chunk::kVertices),                          \
