@@ -130,7 +130,7 @@ AssetContents TestRig::contents() const {
   if (substep_rate > 0) contents.tuning = {{substep_rate, 0, 0, 0, 0, 30, 120, 1}};
   if (!levels.empty()) add_levels(contents, levels);
   for (std::uint32_t i = 1; i < bones.size(); ++i) {
-    if (bones[i].chain == contents.chains.size()) contents.chains.push_back({i, 0, 0, {}});
+    if (bones[i].chain == contents.chains.size()) contents.chains.push_back({i, 0, 0, model});
     ++contents.chains.back().bone_count;
   }
   return contents;

@@ -47,6 +47,7 @@ class TestRig {
   [[nodiscard]] std::vector<Vec3> rest_ends() const;
   [[nodiscard]] AssetContents contents() const;
 
+  ChainModel model = ChainModel::kCascade;  ///< Of all chains.
   std::vector<BoneRecord> bones;
   std::vector<DynamicsRecord> dynamics;
   std::vector<ColliderRecord> colliders;

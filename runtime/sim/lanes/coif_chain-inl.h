@@ -160,6 +160,7 @@ class CoifChain {
   V<D> motion_;
   Carrier<D> joint_;
   Carrier<D> posed_;
+  [[no_unique_address]] PathsOf<D> paths_;
   Carrier<D> carriers_[kMaxOpenBones];
 };
 
@@ -195,7 +196,9 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   if (shape.features & kRowCollides)
     keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
   if constexpr (kOnCharacter<D>) {
-    if (row_.character->collider_count != 0) keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, now, direction);
+    if (row_.character->collider_count != 0) {
+      keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now, direction);
+    }
   }
   if (pose != nullptr) {
     const V3<D> arm = rotate(d_, turn_, target.by_parent);

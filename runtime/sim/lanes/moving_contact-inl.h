@@ -2,6 +2,7 @@
 // lane comes to depends on its own numbers, never on its neighbours'.
 
 #include <new>
+#include <type_traits>
 
 #include "character_row.h"
 #include "coif_bone-inl.h"
@@ -36,12 +37,42 @@ HWY_INLINE hn::Mask<D> lanes_of(D d, std::uint32_t bits) {
   return hn::Gt(hn::Load(d, lanes), hn::Zero(d));
 }
 
+/// Where the end of a bone that was pushed about went during a part of a step, head space: after each eighth of it. Its children follow
+/// it there, as on the straight way they would pass through what it went round.
+template <class D>
+struct TailPath {
+  static constexpr int kEighths = 8;
+  V3<D> at[kEighths];
+  bool is_bent = false;  ///< Else it went straight, and `at` is not set.
+};
+
 /// How a bone goes through a part of a step as its colliders see it, head space.
 template <class D>
 struct BoneWay {
   V3<D> start[2];      ///< At the part's start and end.
   V3<D> direction[2];  ///< Unit; freely.
+  const TailPath<D>* start_path = nullptr;  ///< The start's between the two; null: straight.
+
+  HWY_INLINE V3<D> start_at(D d, float s) const {
+    const float eighths = s * float(TailPath<D>::kEighths);
+    if (start_path == nullptr) return add_scaled(d, start[0], sub(d, start[1], start[0]), hn::Set(d, s));
+    const int next = eighths < 7.0f ? int(eighths) : 7;
+    const V3<D> from = next == 0 ? start[0] : start_path->at[next - 1];
+    return add_scaled(d, from, sub(d, start_path->at[next], from), hn::Set(d, eighths - float(next)));
+  }
 };
+
+/// Fills the eighths from the share `from` of the part to `to`, between which the tail went straight.
+template <class D>
+HWY_INLINE void draw_path(D d, hn::Mask<D> own, const V3<D>& before, const V3<D>& now, float from, float to,
+                          TailPath<D>& path) {
+  for (int i = 0; i < TailPath<D>::kEighths; ++i) {
+    const float s = float(i + 1) / float(TailPath<D>::kEighths);
+    if (!(s > from && s <= to)) continue;
+    const V3<D> place = add_scaled(d, before, sub(d, now, before), hn::Set(d, (s - from) / (to - from)));
+    set_where(d, own, place, path.at[i]);
+  }
+}
 
 /// The moving colliders of one head that a bone may meet, as they are at one moment.
 template <class D>
@@ -55,6 +86,20 @@ struct Met {
     PlacedCollider placed[kMaxPlaces];
   };
 };
+
+/// The paths of the bones of a chain whose children are still to come.
+template <class D>
+struct TailPaths {
+  TailPath<D> of_slot[kMaxOpenBones];
+
+  HWY_INLINE const TailPath<D>* from(const RowBone& bone) const { return bone.parent < 0 ? nullptr : &of_slot[bone.parent_slot]; }
+  HWY_INLINE TailPath<D>* own(const RowBone& bone) {
+    return (bone.features & kRowHasChildren) != 0 ? &of_slot[bone.slot] : nullptr;
+  }
+};
+struct NoPaths {};
+template <class D>
+using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 
 /// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws what it
 /// meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
@@ -144,7 +189,7 @@ HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> move
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
 template <class D>
 HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index, const BoneWay<D>& way,
-                                      hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone) {
+                                      hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone, TailPath<D>* path) {
   const RowCharacter& character = *row.character;
   std::uint32_t looks = 1;
   const float share = character.to - character.from;
@@ -155,13 +200,14 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
   const Obstacles<D> obstacles{*row.colliders, row.bones[index].colliders, row.constants[index], lane, met};
   auto moved = hn::AndNot(own, own);
   V3<D> free = way.direction[0], last = way.direction[0];
+  V3<D> tail = add_scaled(d, way.start[0], last, bone.length);
   for (std::uint32_t look = 1; look <= looks; ++look) {
     const float s = float(look) / float(looks);
     const auto ahead = hn::Set(d, s);
     for (std::uint32_t k = 0; k < met.count; ++k) {
       place_at(*met.ways[k], character.from + s * share, *new (static_cast<void*>(&met.placed[k])) PlacedCollider);
     }
-    copy(d, add_scaled(d, way.start[0], sub(d, way.start[1], way.start[0]), ahead), bone.start);
+    copy(d, look == looks ? way.start[1] : way.start_at(d, s), bone.start);
     const V3<D> aim = add_scaled(d, way.direction[0], sub(d, way.direction[1], way.direction[0]), ahead);
     const V3<D> next = look == looks ? way.direction[1] : direction_or(d, aim, way.direction[1]);
     // From where the bone was pushed to it goes on as it freely would.
@@ -173,6 +219,9 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
     if (!hn::AllFalse(d, touched)) leave_gap(d, obstacles, touched, bone);
     copy(d, next, free);
     copy(d, bone.direction, last);
+    const V3<D> now = add_scaled(d, bone.start, last, bone.length);
+    if (path != nullptr) draw_path(d, own, tail, now, float(look - 1) / float(looks), s, *path);
+    copy(d, now, tail);
   }
   return moved;
 }
@@ -218,11 +267,13 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
   return hn::Lt(dot(d, offset, offset), hn::Mul(farthest, farthest));
 }
 
-/// keep_clear_of() for hair on a character. `way` is the start's, world, from where the head was to where it is.
+/// keep_clear_of() for the colliders that move. `from_path` is that of what the bone hangs from, `own_path` for its children; both may
+/// be null.
 template <class D>
 HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
                                               std::size_t index, const Carrier<D>& from, const V3<D>& before,
-                                              BoneMotion<D>& now, V3<D>& direction) {
+                                              const TailPath<D>* from_path, TailPath<D>* own_path, BoneMotion<D>& now,
+                                              V3<D>& direction) {
   const RowCharacter& character = *row.character;
   const MoveLanes& move = *row.move;
   const BoneLanes& constants = row.constants[index];
@@ -233,6 +284,8 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
   copy(d, from.position, way.start[1]);
   copy(d, rotate_back(d, turn_before, before), way.direction[0]);
   copy(d, direction, way.direction[1]);
+  if (from_path != nullptr && from_path->is_bent) way.start_path = from_path;
+  if (own_path != nullptr) own_path->is_bent = false;
   TouchingBone<D> bone;
   bone.length = load(d, constants.length, lane);
   bone.hit_radius = load(d, constants.hit_radius, lane);
@@ -241,7 +294,8 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
   copy(d, rotate_back(d, turn, load(d, move.angular_velocity, lane)), bone.head_turning);
 
   const V3<D> start_way = sub(d, way.start[1], way.start[0]);
-  const auto travel = hn::Sqrt(dot(d, start_way, start_way));
+  auto travel = hn::Sqrt(dot(d, start_way, start_way));
+  if (way.start_path != nullptr) travel = hn::Add(travel, travel);
   const auto reach = hn::Add(hn::Add(bone.length, bone.hit_radius), travel);
   const std::uint32_t used = (1u << row.lanes) - 1u;
   std::uint32_t bits[kMaxPlaces], all = 0;
@@ -260,7 +314,13 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
     meet(d, row, lane, index, character.of_lane[first], bits, character.counts[first], own, own_bits, met);
     if (met.count == 0) continue;
     copy(d, velocity, bone.velocity);
-    const auto touched = pass_through(d, row, lane, index, way, own, met, bone);
+    if (own_path != nullptr && !own_path->is_bent) {
+      own_path->is_bent = true;
+      const V3<D> tail_before = add_scaled(d, way.start[0], way.direction[0], bone.length);
+      const V3<D> tail = add_scaled(d, way.start[1], way.direction[1], bone.length);
+      draw_path(d, hn::Ge(bone.length, hn::Zero(d)), tail_before, tail, 0.0f, 1.0f, *own_path);
+    }
+    const auto touched = pass_through(d, row, lane, index, way, own, met, bone, own_path);
     const auto here = hn::And(own, touched);
     moved = hn::Or(moved, here);
     set_where(d, here, bone.direction, direction);

@@ -4,6 +4,7 @@
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
+#include "moving_contact-inl.h"
 #include "passive_bone-inl.h"
 #include "pose-inl.h"
 #include "row.h"
@@ -116,6 +117,7 @@ class PassiveChain {
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;
+  [[no_unique_address]] PathsOf<D> paths_;
 };
 
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.

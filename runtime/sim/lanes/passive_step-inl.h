@@ -58,7 +58,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
-      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, now, in_head));
+      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now, in_head));
     }
   }
   if (any_rigid(i)) {
