@@ -123,7 +123,8 @@ void for_each_pose(CrowdState& crowd, std::uint32_t slot, const Visit& visit) {
       for (std::uint32_t i = 0; i < row.bone_count; ++i) {
         const std::uint32_t bone = bone_in_lane(crowd.asset, row, i, chain);
         const std::size_t at = row.first_bone + i;
-        visit(bone, row.first_chain + chain, crowd.character.poses[first + at], lane, coif::lane(crowd.constants[at].pull, chain));
+        visit(bone, row.first_chain + chain, crowd.character.poses[first + at], lane,
+              coif::lane(crowd.constants[at].pull, chain));
       }
     }
   }
@@ -135,9 +136,9 @@ void finish(CrowdState& crowd, std::uint32_t index) {
   if (!any_posed(crowd, block)) return;
   for (std::uint32_t i = 0; i < block.count; ++i) {
     if (crowd.character.is_posed[block.instance[i]] == 0) continue;
-    for_each_pose(crowd, index * kLanes + i, [](std::uint32_t, std::uint32_t, PoseLanes& pose, std::uint32_t lane, const Vec3&) {
-      arrive(pose, lane);
-    });
+    for_each_pose(
+        crowd, index * kLanes + i,
+        [](std::uint32_t, std::uint32_t, PoseLanes& pose, std::uint32_t lane, const Vec3&) { arrive(pose, lane); });
   }
 }
 
@@ -187,8 +188,8 @@ bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldColl
 void tell(CrowdState& crowd, std::uint32_t instance, std::uint32_t place, const ToldCollider& next) {
   ToldCollider& told = crowd.character.told[std::size_t(instance) * crowd.character.places + place];
   if (told.is_there == next.is_there && (!next.is_there || same_collider(told.now, next.now))) return;
-  const bool matters = (told.is_there && is_in_reach(crowd, instance, told)) ||
-                       (next.is_there && is_in_reach(crowd, instance, next));
+  const bool matters =
+      (told.is_there && is_in_reach(crowd, instance, told)) || (next.is_there && is_in_reach(crowd, instance, next));
   const bool has_way = told.has_way && next.is_there && told.now.shape == next.now.shape;
   told.now = next.now;
   told.is_there = next.is_there;
@@ -304,15 +305,15 @@ Status Hair::set_pose(std::uint32_t instance, std::span<const Quat> rotations, s
   bool changes = is_first != is_rest;
   for_each_pose(*crowd_, crowd_->slots[instance],
                 [&](std::uint32_t bone, std::uint32_t chain, PoseLanes& pose, std::uint32_t lane, const Vec3& pull) {
-    if (is_rest) return set_rest_pose(pose, lane, pull);
-    const float weight = weights[weights.size() == 1 ? 0 : chain];
-    const Quat next = towards(coif::lane(pose.before, lane), unit_of(rotations[bone]));
-    changes = changes || !(coif::lane(pose.now, lane) == next) || pose.weight.v[lane] != weight;
-    set_lane(pose.now, lane, next);
-    set_lane(pose.pull_now, lane, rotate(posed_rotation(crowd_->asset, rotations, bone), pull));
-    pose.weight.v[lane] = weight;
-    if (is_first) arrive(pose, lane);
-  });
+                  if (is_rest) return set_rest_pose(pose, lane, pull);
+                  const float weight = weights[weights.size() == 1 ? 0 : chain];
+                  const Quat next = towards(coif::lane(pose.before, lane), unit_of(rotations[bone]));
+                  changes = changes || !(coif::lane(pose.now, lane) == next) || pose.weight.v[lane] != weight;
+                  set_lane(pose.now, lane, next);
+                  set_lane(pose.pull_now, lane, rotate(posed_rotation(crowd_->asset, rotations, bone), pull));
+                  pose.weight.v[lane] = weight;
+                  if (is_first) arrive(pose, lane);
+                });
   crowd_->character.is_posed[instance] = is_rest ? 0 : 1;
   if (changes && crowd_->details[instance].asleep) wake(*crowd_, instance);
   return Status::kOk;

@@ -51,11 +51,11 @@ struct IntervalStep {
 /// What a character brings along, as far as the hair was asked to know it. Empty under other solvers.
 struct CharacterState {
   const CharacterCode* code = nullptr;
-  std::uint32_t places = 0;           ///< For colliders of each head: of the body first, then the game's.
+  std::uint32_t places = 0;  ///< For colliders of each head: of the body first, then the game's.
   std::uint32_t body_colliders = 0;
-  float reach = 0;                    ///< No bone is further from its head's position, hair's metres.
-  std::span<ToldCollider> told;       ///< Per instance, per place.
-  std::span<ColliderWay> ways;        ///< Per instance, per place: of those within reach. During a step.
+  float reach = 0;                      ///< No bone is further from its head's position, hair's metres.
+  std::span<ToldCollider> told;         ///< Per instance, per place.
+  std::span<ColliderWay> ways;          ///< Per instance, per place: of those within reach. During a step.
   std::span<std::uint32_t> way_counts;  ///< Per instance.
   std::span<std::uint32_t> most_ways;   ///< Per block.
   std::span<ColliderBounds> bounds;     ///< Per block, per place.
@@ -66,7 +66,7 @@ struct CharacterState {
 
 /// Arrays "per block" or "per instance" hold one value for each.
 struct CrowdState {
-  Asset asset;  ///< A view.
+  Asset asset;                                         ///< A view.
   std::size_t state_bytes = 0, coefficient_bytes = 0;  ///< As RowCount has them.
   bool has_substeps = false;
   HeadCode heads;
@@ -82,7 +82,7 @@ struct CrowdState {
   std::span<std::byte> scratch;       ///< Per block.
   std::span<TwistState> twists;       ///< As states; empty where nothing twists.
   CharacterState character;
-  std::span<Mat34> palettes;          ///< Per instance, per bone.
+  std::span<Mat34> palettes;  ///< Per instance, per bone.
   std::span<Block> blocks;
   std::span<std::uint32_t> treatments;  ///< Per block; apart, as a step looks at all of them. kIdle: free, or idle.
   std::span<std::uint32_t> slots;       ///< Per instance: block * kLanes + lane.

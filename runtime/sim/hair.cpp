@@ -58,7 +58,8 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.states = carver.take<std::byte>(states * rows.state_bytes);
   crowd.scratch = carver.take<std::byte>(std::uint64_t(blocks) * rows.scratch_bytes);
   if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
-  if (desc.solver->character != nullptr) desc.solver->character->carve(carver, asset, desc, states, blocks, crowd.character);
+  if (desc.solver->character != nullptr)
+    desc.solver->character->carve(carver, asset, desc, states, blocks, crowd.character);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
   crowd.treatments = carver.take<std::uint32_t>(blocks);

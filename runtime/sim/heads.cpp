@@ -38,8 +38,8 @@ void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {
 
 bool stays(const HeadLanes& heads, std::uint32_t lane, const HeadPose& unit) {
   return coif::lane(heads.rotation, lane) == unit.rotation && heads.per_scale.v[lane] == 1.0f / unit.scale &&
-         heads.next_position[0][lane] == unit.position[0] &&
-         heads.next_position[1][lane] == unit.position[1] && heads.next_position[2][lane] == unit.position[2];
+         heads.next_position[0][lane] == unit.position[0] && heads.next_position[1][lane] == unit.position[1] &&
+         heads.next_position[2][lane] == unit.position[2];
 }
 
 void tell_velocity(HeadLanes& heads, std::uint32_t lane, const HeadVelocity* velocity) {

@@ -106,7 +106,8 @@ void set_velocity(const ToldCollider& told, const HeadAt& before, const HeadAt& 
   }
   const float per_second = 1.0f / pace.dt;
   way.velocity = (way.center[1] - way.center[0]) * per_second;
-  const Quat from = conjugate(before.rotation) * told.rotation_before, to = conjugate(after.rotation) * told.now.rotation;
+  const Quat from = conjugate(before.rotation) * told.rotation_before,
+             to = conjugate(after.rotation) * told.now.rotation;
   const Quat turn = to * conjugate(from);
   way.turning = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0.0f ? -2.0f * per_second : 2.0f * per_second);
 }
@@ -167,7 +168,8 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
     placed.axes = straightened({mix(a.x, b.x, s), mix(a.y, b.y, s), mix(a.z, b.z, s)});
     const Vec3& radii = way.radii;
     if (way.shape == ColliderShape::kEllipsoid) {
-      placed.unit_axes = {placed.axes.x * (1.0f / radii.x), placed.axes.y * (1.0f / radii.y), placed.axes.z * (1.0f / radii.z)};
+      placed.unit_axes = {placed.axes.x * (1.0f / radii.x), placed.axes.y * (1.0f / radii.y),
+                          placed.axes.z * (1.0f / radii.z)};
     }
   }
   complete(placed);
@@ -243,9 +245,12 @@ std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const 
   const Vec3 way = lane(heads.way, i);
   const float per_scale = heads.per_scale.v[i];
   HeadAt after{{heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]},
-               lane(heads.next_rotation, i), per_scale};
-  HeadAt before{{after.position[0] - double(way.x), after.position[1] - double(way.y), after.position[2] - double(way.z)},
-                lane(heads.rotation, i), per_scale};
+               lane(heads.next_rotation, i),
+               per_scale};
+  HeadAt before{
+      {after.position[0] - double(way.x), after.position[1] - double(way.y), after.position[2] - double(way.z)},
+      lane(heads.rotation, i),
+      per_scale};
   const HeadPace pace{parts.dt, lane(step.next_velocity, i) * per_scale, lane(step.next_angular_velocity, i)};
   const std::size_t first = std::size_t(block.instance[i]) * character.places;
   std::uint32_t count = 0;

@@ -25,7 +25,7 @@ struct ToldCollider {
   double center_before[3] = {};  ///< At the end of the head's last step.
   Quat rotation_before;
   bool is_there = false;
-  bool has_way = false;  ///< It was there at the end of the last step too.
+  bool has_way = false;     ///< It was there at the end of the last step too.
   bool is_of_body = false;  ///< Its lengths are the hair's, not the world's.
   bool keeps_inside = false;
 };

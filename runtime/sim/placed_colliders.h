@@ -22,13 +22,13 @@ struct PlacedCollider {
   ColliderShape shape = ColliderShape::kSphere;
   bool keeps_inside = false;
   Vec3 center;
-  Vec3 axis;  ///< Capsules: to the segment's other end. Plane: unit normal.
-  Vec3 radii;           ///< Box: half extents.
-  float rounding = 0;   ///< Box: of its edges, outwards.
-  Vec3 way_out;       ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
-  OwnAxes axes;       ///< Of an ellipsoid or box; unit.
-  OwnAxes unit_axes;  ///< By the semi-axes, 1/m: into the space where the ellipsoid is the unit sphere.
-  float size = 0;     ///< The smallest radius: what depths are compared with.
+  Vec3 axis;           ///< Capsules: to the segment's other end. Plane: unit normal.
+  Vec3 radii;          ///< Box: half extents.
+  float rounding = 0;  ///< Box: of its edges, outwards.
+  Vec3 way_out;        ///< Unit. Where a particle at the very centre, or on a capsule's segment, leaves.
+  OwnAxes axes;        ///< Of an ellipsoid or box; unit.
+  OwnAxes unit_axes;   ///< By the semi-axes, 1/m: into the space where the ellipsoid is the unit sphere.
+  float size = 0;      ///< The smallest radius: what depths are compared with.
 
   float taper = 0;  ///< Capsules: how much thinner the other end is; negative: thicker.
   float axis2 = 0;  ///< Capsules: the axis's length squared, and one by it.

@@ -46,8 +46,8 @@ class MemoryCarver;
 /// What is done for hair on a character; behind pointers, so that programs that name no such solver hold nothing of it.
 struct CharacterCode {
   /// Takes the arrays; `states` as CrowdState::states has bones.
-  void (*carve)(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::uint64_t states, std::uint32_t blocks,
-                CharacterState& character) = nullptr;
+  void (*carve)(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::uint64_t states,
+                std::uint32_t blocks, CharacterState& character) = nullptr;
   /// Fills them.
   void (*create)(CrowdState& crowd) = nullptr;
   /// Before a block's bones move: `put` has a bit for each head that was put somewhere.
@@ -55,8 +55,8 @@ struct CharacterCode {
                 const StepParts& parts) = nullptr;
   /// Of one part of the step, for a row of the block, or of the head in its lane `only_head` where that is not -1. `state` is where the
   /// row's numbers begin, in bones.
-  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row, std::size_t state,
-                 RowCharacter& character) = nullptr;
+  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row,
+                 std::size_t state, RowCharacter& character) = nullptr;
   void (*finish)(CrowdState& crowd, std::uint32_t block) = nullptr;
 };
 

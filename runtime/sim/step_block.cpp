@@ -16,7 +16,7 @@ struct BlockStep {
   const std::byte* coefficients;
   HeadStepLanes heads;
   std::uint16_t put = 0;  ///< A bit for each head that was put somewhere.
-  Lanes motion;  ///< See RowStep; of each head.
+  Lanes motion;           ///< See RowStep; of each head.
 };
 
 /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
@@ -159,7 +159,8 @@ void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
   const StepSettings& settings = step.crowd.settings;
   HeadLanes& heads = step.block.heads;
   constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
-  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i], turning = lane(heads.mean_angular_velocity, i);
+  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i],
+             turning = lane(heads.mean_angular_velocity, i);
   const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
   const float still2 = settings.sleep_speed * settings.sleep_speed;
   const bool is_quiet = motion <= still2 && head <= still2;

@@ -8,15 +8,16 @@
 
 namespace coif {
 
-inline constexpr std::uint32_t kMaxMovingColliders = 16;  ///< That a game gives one head at once; an asset's own come on top.
+inline constexpr std::uint32_t kMaxMovingColliders =
+    16;  ///< That a game gives one head at once; an asset's own come on top.
 
 /// Something of the game that hair stays out of. World space, metres.
 struct MovingCollider {
   ColliderShape shape = ColliderShape::kSphere;
   /// At the end of the coming step: the centre of a sphere, ellipsoid or box, one end of a capsule's segment, a point on a plane.
   double center[3] = {0, 0, 0};
-  Quat rotation{};      ///< World from the collider's own axes, in which the next ones are.
-  Vec3 axis{0, 1, 0};   ///< Capsules: to the segment's other end, metres. Plane: normal, any length > 0.
+  Quat rotation{};       ///< World from the collider's own axes, in which the next ones are.
+  Vec3 axis{0, 1, 0};    ///< Capsules: to the segment's other end, metres. Plane: normal, any length > 0.
   float radius = 0;      ///< Sphere and capsules, >= 0; boxes: by how much their edges and faces are rounded outwards.
   float end_radius = 0;  ///< Tapered capsule: at the segment's other end.
   Vec3 half_extents{};   ///< Box, >= 0; ellipsoid: its semi-axes, > 0.

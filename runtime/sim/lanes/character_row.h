@@ -21,8 +21,8 @@ struct RowCharacter {
   const ColliderBounds* bounds = nullptr;   ///< For each, one lane for each head of the block.
   const ColliderWay* of_lane[kLanes] = {};  ///< The first of each head's.
   std::uint32_t counts[kLanes] = {};
-  std::int32_t only_head = -1;  ///< Lane in the block of the head that all lanes are of; -1: lanes are heads.
-  std::uint32_t body_colliders = 0;          ///< ColliderWay::place below this: one of the asset's.
+  std::int32_t only_head = -1;       ///< Lane in the block of the head that all lanes are of; -1: lanes are heads.
+  std::uint32_t body_colliders = 0;  ///< ColliderWay::place below this: one of the asset's.
   const std::uint32_t* body_sets = nullptr;  ///< For each bone, for each lane: which of the asset's it may touch.
   const PoseLanes* poses = nullptr;          ///< For each bone; null: no pose.
   float from = 0, to = 1;                    ///< Shares of the step at which the part begins and ends.

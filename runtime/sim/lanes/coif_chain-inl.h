@@ -61,8 +61,8 @@ class CoifChain {
   }
 
   /// Section 2. The velocity before is that of the direction stored after the last step, under its parent's motion then.
-  HWY_INLINE Target<D> target_of(const RowBone& shape, const PoseLanes* pose, bool leans, const BoneLanes& bone, const Carrier<D>& from,
-                                 const V3<D>& arm_before, V<D> length) const {
+  HWY_INLINE Target<D> target_of(const RowBone& shape, const PoseLanes* pose, bool leans, const BoneLanes& bone,
+                                 const Carrier<D>& from, const V3<D>& arm_before, V<D> length) const {
     const V3<D> rest = load(d_, bone.rest, lane_), pull = leans ? load(d_, bone.pull, lane_) : rest;
     Target<D> target;
     target.by_parent = rotate(d_, from.frame, rest);
@@ -82,7 +82,8 @@ class CoifChain {
       turning = add_scaled(d_, scale(d_, turning, share), with_head, rest_share);
       target.arm = add_scaled(d_, scale(d_, target.arm, share), by_head, rest_share);
       // What was stored is the blend; its head's part turned with the head, and the rest of it with the parent.
-      const V3<D> by_head_before = scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), asked_before), rest_share);
+      const V3<D> by_head_before =
+          scale(d_, rotate(d_, load(d_, move.from_head_before, lane_), asked_before), rest_share);
       const V3<D> by_parent_before = sub(d_, arm_before, by_head_before);
       turning_before = add(d_, cross(d_, from.angular_velocity_before, by_parent_before),
                            cross(d_, load(d_, move.angular_velocity_before, lane_), by_head_before));
@@ -185,8 +186,8 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     if (shape.features & kRowHasLimit) {
       const auto cosine = load(d_, bone.limit_cosine, lane_);
       const V3<D> by_parent = rotate(d_, turn_, target.by_parent);
-      keep_in_limit(d_, cosine, by_parent, leans ? target_of(shape, pose, false, bone, from, arm_before, length) : target,
-                    now);
+      keep_in_limit(d_, cosine, by_parent,
+                    leans ? target_of(shape, pose, false, bone, from, arm_before, length) : target, now);
     }
   }
   if (pose != nullptr) {
@@ -197,7 +198,8 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
-      keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now, direction);
+      keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now,
+                           direction);
     }
   }
   if (pose != nullptr) {

@@ -50,8 +50,13 @@ inline constexpr int kEscapeHalvings = 10;
 template <class D, class Blocked>
 HWY_INLINE void escape(D d, hn::Mask<D> stuck, const Blocked& is_blocked, V3<D>& direction) {
   const V3<D> middle = direction, u = any_perpendicular(d, middle), v = cross(d, middle, u);
-  const float eighths[kEscapeSides][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.70710678f, 0.70710678f},
-                                          {-0.70710678f, -0.70710678f}, {0.70710678f, -0.70710678f},
+  const float eighths[kEscapeSides][2] = {{1, 0},
+                                          {-1, 0},
+                                          {0, 1},
+                                          {0, -1},
+                                          {0.70710678f, 0.70710678f},
+                                          {-0.70710678f, -0.70710678f},
+                                          {0.70710678f, -0.70710678f},
                                           {-0.70710678f, 0.70710678f}};
   V3<D> free = middle, blocked = middle;
   auto left = stuck;

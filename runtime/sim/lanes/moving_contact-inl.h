@@ -49,8 +49,8 @@ struct TailPath {
 /// How a bone goes through a part of a step as its colliders see it, head space.
 template <class D>
 struct BoneWay {
-  V3<D> start[2];      ///< At the part's start and end.
-  V3<D> direction[2];  ///< Unit; freely.
+  V3<D> start[2];                           ///< At the part's start and end.
+  V3<D> direction[2];                       ///< Unit; freely.
   const TailPath<D>* start_path = nullptr;  ///< The start's between the two; null: straight.
 
   HWY_INLINE V3<D> start_at(D d, float s) const {
@@ -92,7 +92,9 @@ template <class D>
 struct TailPaths {
   TailPath<D> of_slot[kMaxOpenBones];
 
-  HWY_INLINE const TailPath<D>* from(const RowBone& bone) const { return bone.parent < 0 ? nullptr : &of_slot[bone.parent_slot]; }
+  HWY_INLINE const TailPath<D>* from(const RowBone& bone) const {
+    return bone.parent < 0 ? nullptr : &of_slot[bone.parent_slot];
+  }
   HWY_INLINE TailPath<D>* own(const RowBone& bone) {
     return (bone.features & kRowHasChildren) != 0 ? &of_slot[bone.slot] : nullptr;
   }
@@ -104,8 +106,8 @@ using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 /// The velocity of the contact's point into a surface that moves is lost, and it goes along with that. A surface throws what it
 /// meets over a lever of a quarter of the bone at least, so that no speed is more than four times as fast.
 template <class D>
-HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, const ColliderWay& way, const Vec3& center,
-                         TouchingBone<D>& bone) {
+HWY_INLINE void go_along(D d, hn::Mask<D> touches, const Contact<D>& contact, const ColliderWay& way,
+                         const Vec3& center, TouchingBone<D>& bone) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const auto share = hn::Max(hn::Div(contact.along, bone.length), hn::Set(d, 0.25f));
   const V3<D> side = across(d, contact.normal, bone.direction);
@@ -132,7 +134,8 @@ struct Obstacles {
 
 /// Turns bones out of one collider after the other until none touches more than one. Returns the lanes that touched any.
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, TouchingBone<D>& bone) {
+HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here,
+                                           TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = here, moved = hn::AndNot(here, here);
   for (int round = 0; round < 2 * kContactRounds; ++round) {
@@ -188,8 +191,9 @@ HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> move
 
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
 template <class D>
-HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index, const BoneWay<D>& way,
-                                      hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone, TailPath<D>* path) {
+HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index,
+                                      const BoneWay<D>& way, hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone,
+                                      TailPath<D>& path) {
   const RowCharacter& character = *row.character;
   std::uint32_t looks = 1;
   const float share = character.to - character.from;
@@ -220,7 +224,7 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
     copy(d, next, free);
     copy(d, bone.direction, last);
     const V3<D> now = add_scaled(d, bone.start, last, bone.length);
-    if (path != nullptr) draw_path(d, own, tail, now, float(look - 1) / float(looks), s, *path);
+    draw_path(d, own, tail, now, float(look - 1) / float(looks), s, path);
     copy(d, now, tail);
   }
   return moved;
@@ -229,7 +233,8 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
 /// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider near.
 template <class D>
 HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t index, const ColliderWay* ways,
-                     const std::uint32_t* bits, std::uint32_t count, hn::Mask<D> own, std::uint32_t own_bits, Met<D>& met) {
+                     const std::uint32_t* bits, std::uint32_t count, hn::Mask<D> own, std::uint32_t own_bits,
+                     Met<D>& met) {
   const RowCharacter& character = *row.character;
   met.count = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -249,8 +254,8 @@ HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t inde
 
 /// Where the bone comes near the moving collider `k` of its head, whatever its direction.
 template <class D>
-HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t lane, std::uint32_t k, const V3<D>& start,
-                               V<D> reach) {
+HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t lane, std::uint32_t k,
+                               const V3<D>& start, V<D> reach) {
   const ColliderBounds& bounds = character.bounds[k];
   V3<D> center;
   auto radius = hn::Zero(d);
@@ -285,7 +290,7 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
   copy(d, rotate_back(d, turn_before, before), way.direction[0]);
   copy(d, direction, way.direction[1]);
   if (from_path != nullptr && from_path->is_bent) way.start_path = from_path;
-  if (own_path != nullptr) own_path->is_bent = false;
+  TailPath<D> path;
   TouchingBone<D> bone;
   bone.length = load(d, constants.length, lane);
   bone.hit_radius = load(d, constants.hit_radius, lane);
@@ -314,19 +319,23 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
     meet(d, row, lane, index, character.of_lane[first], bits, character.counts[first], own, own_bits, met);
     if (met.count == 0) continue;
     copy(d, velocity, bone.velocity);
-    if (own_path != nullptr && !own_path->is_bent) {
-      own_path->is_bent = true;
+    if (!path.is_bent) {
+      path.is_bent = true;
       const V3<D> tail_before = add_scaled(d, way.start[0], way.direction[0], bone.length);
       const V3<D> tail = add_scaled(d, way.start[1], way.direction[1], bone.length);
-      draw_path(d, hn::Ge(bone.length, hn::Zero(d)), tail_before, tail, 0.0f, 1.0f, *own_path);
+      draw_path(d, hn::Ge(bone.length, hn::Zero(d)), tail_before, tail, 0.0f, 1.0f, path);
     }
-    const auto touched = pass_through(d, row, lane, index, way, own, met, bone, own_path);
+    const auto touched = pass_through(d, row, lane, index, way, own, met, bone, path);
     const auto here = hn::And(own, touched);
     moved = hn::Or(moved, here);
     set_where(d, here, bone.direction, direction);
     set_where(d, here, rotate(d, turn, bone.direction), now.direction);
     set_where(d, here, rotate(d, turn, bone.velocity), now.velocity);
   }
+  if (own_path == nullptr) return moved;
+  // Last, since it may take the place of the other.
+  own_path->is_bent = path.is_bent;
+  for (int i = 0; path.is_bent && i < TailPath<D>::kEighths; ++i) copy(d, path.at[i], own_path->at[i]);
   return moved;
 }
 

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 
 /// Where what eliminate() leaves out is more than this share of what holds a bone, one round of it is not enough.
 constexpr float kLeastTwisting = 0.002f;
-constexpr int kMostRounds = 4;     ///< After the first.
+constexpr int kMostRounds = 4;      ///< After the first.
 constexpr float kSettled2 = 1e-8f;  ///< Radians squared, of a round's largest turn.
 
 template <class D>
@@ -112,8 +112,8 @@ class PassiveChain {
   std::size_t used_ = 0;  ///< Lanes of this part that are in use.
   const M3<D> turn_;      ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
-  V<D> most_twisting_;  ///< Of what the bones are held by.
-  V<D> farthest2_;  ///< Square of the last round's largest turn.
+  V<D> most_twisting_;                      ///< Of what the bones are held by.
+  V<D> farthest2_;                          ///< Square of the last round's largest turn.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;

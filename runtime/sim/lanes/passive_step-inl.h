@@ -58,7 +58,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
-      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now, in_head));
+      held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape),
+                                               paths_.own(shape), now, in_head));
     }
   }
   if (any_rigid(i)) {
@@ -94,9 +95,10 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   bone.link(d_, length);
   bone.links.start_velocity = from.velocity;
   bone.direction = now.direction;
-  bone.load = scale(
-      d_, sub_scaled(d_, pace.acceleration, load(d_, row_.move->gravity, lane_), load(d_, coefficients_[i].gravity_scale, lane_)),
-      length);
+  bone.load = scale(d_,
+                    sub_scaled(d_, pace.acceleration, load(d_, row_.move->gravity, lane_),
+                               load(d_, coefficients_[i].gravity_scale, lane_)),
+                    length);
   bone.tail.velocity = end_velocity;
   bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
   bone.tail.position = add_scaled(d_, from.position, in_head, length);

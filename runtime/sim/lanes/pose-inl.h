@@ -18,8 +18,10 @@ namespace HWY_NAMESPACE {
 /// Null where the bone follows no pose, and always for hair that is not on a character.
 template <class D>
 HWY_INLINE const PoseLanes* pose_of(D, const RowStep& row, std::size_t bone) {
-  if constexpr (!kOnCharacter<D>) return nullptr;
-  else return row.character->poses != nullptr ? &row.character->poses[bone] : nullptr;
+  if constexpr (!kOnCharacter<D>)
+    return nullptr;
+  else
+    return row.character->poses != nullptr ? &row.character->poses[bone] : nullptr;
 }
 
 template <class D>
@@ -44,14 +46,16 @@ HWY_INLINE M3<D> columns_of(D d, V<D> x, V<D> y, V<D> z, V<D> w) {
 /// Turns the frame of what a bone hangs from as the pose says, and tells how fast that goes: then the bone's rest direction in it
 /// is the pose's. `turn` is the head's rotation.
 template <class D>
-HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLanes& pose, std::size_t lane, const M3<D>& turn,
-                              Carrier<D>& carrier) {
+HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLanes& pose, std::size_t lane,
+                              const M3<D>& turn, Carrier<D>& carrier) {
   const auto s = hn::Set(d, character.to);
   const auto mix = [&](const Lanes& from, const Lanes& to) {
     const auto before = load(d, from, lane);
     return hn::Add(before, hn::Mul(hn::Sub(load(d, to, lane), before), s));
   };
-  const auto change = [&](const Lanes& from, const Lanes& to) { return hn::Sub(load(d, to, lane), load(d, from, lane)); };
+  const auto change = [&](const Lanes& from, const Lanes& to) {
+    return hn::Sub(load(d, to, lane), load(d, from, lane));
+  };
   const Lanes4 &before = pose.before, &now = pose.now;
   const auto x0 = mix(before.x, now.x), y0 = mix(before.y, now.y), z0 = mix(before.z, now.z), w0 = mix(before.w, now.w);
   const auto size2 = hn::Add(hn::Add(hn::Mul(x0, x0), hn::Mul(y0, y0)), hn::Add(hn::Mul(z0, z0), hn::Mul(w0, w0)));
