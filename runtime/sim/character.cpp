@@ -142,6 +142,18 @@ void finish(CrowdState& crowd, std::uint32_t index) {
   }
 }
 
+void appear(CrowdState& crowd, std::uint32_t slot) {
+  CharacterState& character = crowd.character;
+  const std::uint32_t instance = crowd.blocks[slot / kLanes].instance[slot % kLanes];
+  for (std::uint32_t place = 0; place < character.places; ++place) {
+    character.told[std::size_t(instance) * character.places + place].has_way = false;
+  }
+  if (character.is_posed.empty() || character.is_posed[instance] == 0) return;
+  for_each_pose(crowd, slot, [](std::uint32_t, std::uint32_t, PoseLanes& pose, std::uint32_t lane, const Vec3&) {
+    arrive(pose, lane);
+  });
+}
+
 Quat unit_of(const Quat& q) { return renormalised(q); }
 
 Quat towards(const Quat& near, const Quat& q) {
@@ -220,7 +232,7 @@ MovingCollider carried_by(const ColliderRecord& record, const BodyBoneRecord& re
 }  // namespace
 
 const CharacterCode kCharacterCode{
-    .carve = &carve, .create = &create, .begin = &begin_colliders, .set_up = &set_up, .finish = &finish};
+    .carve = &carve, .create = &create, .begin = &begin_colliders, .set_up = &set_up, .finish = &finish, .appear = &appear};
 
 Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders) {
   if (block_of(crowd_, instance) == nullptr) return missing(crowd_);

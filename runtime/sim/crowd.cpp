@@ -5,7 +5,11 @@
 namespace coif {
 namespace {
 
-void stand_still(HeadLanes& heads, std::uint32_t i) {
+/// And all around the head with it.
+void stand_still(CrowdState& crowd, std::uint32_t slot) {
+  if (crowd.character.code != nullptr) crowd.character.code->appear(crowd, slot);
+  HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
+  const std::uint32_t i = slot % kLanes;
   set_lane(heads.rotation, i, lane(heads.next_rotation, i));
   for (Lanes3* const vector :
        {&heads.way, &heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
@@ -25,7 +29,7 @@ void put_to_rest(CrowdState& crowd, std::uint32_t slot) {
   block.teleports &= keep;
   block.is_lost &= keep;
   block.may_sleep &= keep;
-  stand_still(block.heads, i);
+  stand_still(crowd, slot);
   const Quat rotation = lane(block.heads.rotation, i);
   for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
     solver.put_to_rest(chain, rotation);
@@ -55,7 +59,7 @@ void come_into_view(CrowdState& crowd, std::uint32_t slot) {
   turn_hair(crowd, slot, turn);
   for_each_chain(crowd, slot,
                  [](const Solver& solver, const ChainRecord&, const ChainLane& chain) { solver.calm(chain); });
-  stand_still(block.heads, i);
+  stand_still(crowd, slot);
   block.is_lost = std::uint16_t(block.is_lost & ~(1u << i));
 }
 

@@ -12,7 +12,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x7461'7473'6669'6F63;  // "coifstat", little-endian
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 struct SavedHeader {
   std::uint64_t magic;
@@ -60,6 +60,10 @@ std::uint64_t signature_of(const CrowdState& crowd) {
   mixer.add(asset.asked());
   mixer.add(asset.colliders());
   mixer.add(asset.lod_bones());
+  const CharacterState& character = crowd.character;
+  const std::uint64_t worn[] = {character.places, character.body_colliders, std::uint64_t{!character.poses.empty()}};
+  mixer.add(worn, sizeof worn);
+  if (character.body_colliders != 0) mixer.add(asset.body_colliders());
   for (const Row& row : crowd.rows) {
     const Solver& solver = *row.solver;
     const std::uint64_t kind[] = {solver.state_bytes,   solver.coefficient_bytes,
@@ -120,6 +124,73 @@ void pass_details(CrowdState& crowd, Tape& tape) {
   tape.pass(crowd.details.data(), crowd.details.size_bytes());
 }
 
+/// A collider that was told, with nothing between its members; zero where none is there.
+struct SavedCollider {
+  double center[3], center_before[3];
+  Quat rotation, rotation_before;
+  Vec3 axis, half_extents, velocity, turning;
+  float radius, end_radius;
+  std::uint32_t shape, flags;
+};
+static_assert(sizeof(SavedCollider) == 6 * sizeof(double) + 24 * sizeof(float));
+
+SavedCollider packed(const ToldCollider& told) {
+  SavedCollider saved{};
+  if (!told.is_there) return saved;
+  const MovingCollider& now = told.now;
+  for (int axis = 0; axis < 3; ++axis) saved.center[axis] = now.center[axis];
+  for (int axis = 0; told.has_way && axis < 3; ++axis) saved.center_before[axis] = told.center_before[axis];
+  saved.rotation = now.rotation;
+  saved.rotation_before = told.has_way ? told.rotation_before : Quat{};
+  saved.axis = now.axis;
+  saved.half_extents = now.half_extents;
+  saved.velocity = now.velocity.linear;
+  saved.turning = now.velocity.angular;
+  saved.radius = now.radius;
+  saved.end_radius = now.end_radius;
+  saved.shape = std::uint32_t(now.shape);
+  saved.flags = 1u | (told.has_way ? 2u : 0u) | (told.is_of_body ? 4u : 0u) | (told.keeps_inside ? 8u : 0u) |
+                (now.is_velocity_known ? 16u : 0u);
+  return saved;
+}
+
+ToldCollider unpacked(const SavedCollider& saved) {
+  ToldCollider told;
+  for (int axis = 0; axis < 3; ++axis) told.now.center[axis] = saved.center[axis];
+  for (int axis = 0; axis < 3; ++axis) told.center_before[axis] = saved.center_before[axis];
+  told.now.rotation = saved.rotation;
+  told.rotation_before = saved.rotation_before;
+  told.now.axis = saved.axis;
+  told.now.half_extents = saved.half_extents;
+  told.now.velocity = {saved.velocity, saved.turning};
+  told.now.radius = saved.radius;
+  told.now.end_radius = saved.end_radius;
+  told.now.shape = ColliderShape(saved.shape);
+  told.is_there = (saved.flags & 1u) != 0;
+  told.has_way = (saved.flags & 2u) != 0;
+  told.is_of_body = (saved.flags & 4u) != 0;
+  told.keeps_inside = (saved.flags & 8u) != 0;
+  told.now.is_velocity_known = (saved.flags & 16u) != 0;
+  // What is no collider was never told.
+  told.is_there = told.is_there && check_collider(told.now) == Status::kOk;
+  return told;
+}
+
+template <typename Tape>
+void pass_character(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
+  CharacterState& character = crowd.character;
+  for (std::uint32_t place = 0; place < character.places; ++place) {
+    ToldCollider& told = character.told[std::size_t(instance) * character.places + place];
+    SavedCollider saved = packed(told);
+    tape.pass(&saved, sizeof saved);
+    told = unpacked(saved);
+  }
+  if (character.is_posed.empty()) return;
+  std::uint8_t posed = character.is_posed[instance];
+  tape.pass(&posed, sizeof posed);
+  character.is_posed[instance] = posed == 0 ? std::uint8_t{0} : std::uint8_t{1};
+}
+
 template <typename Tape>
 void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
   const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
@@ -129,6 +200,8 @@ void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
   for (std::uint16_t* const bits : {&block.teleports, &block.is_lost, &block.may_sleep}) pass_bit(tape, *bits, i);
   tape.pass(&crowd.told[instance], sizeof(HeadPose));
   tape.pass(crowd.palette(instance).data(), crowd.palette(instance).size_bytes());
+  pass_character(crowd, instance, tape);
+  PoseLanes* const poses = crowd.character.poses.data();
   const std::size_t first = crowd.first_state(slot);
   for (const Row& row : crowd.rows) {
     const std::size_t bone = first + row.first_bone;
@@ -137,6 +210,7 @@ void pass_head(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
     const std::uint32_t begin = by_heads ? i : 0, end = by_heads ? i + 1 : row.chain_count;
     for (std::uint32_t k = begin; k < end; ++k) {
       pass_lane(tape, &crowd.states[bone * crowd.state_bytes], k, row.bone_count * crowd.state_bytes);
+      if (poses != nullptr) pass_lane(tape, poses + bone, k, row.bone_count * sizeof(PoseLanes));
       if (!crowd.twists.empty()) pass_lane(tape, &crowd.twists[bone], k, row.bone_count * sizeof(TwistState));
     }
   }

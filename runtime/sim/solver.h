@@ -58,6 +58,8 @@ struct CharacterCode {
   void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row,
                  std::size_t state, RowCharacter& character) = nullptr;
   void (*finish)(CrowdState& crowd, std::uint32_t block) = nullptr;
+  /// The head of `slot` is where it is without having got there: nor have its colliders and its pose.
+  void (*appear)(CrowdState& crowd, std::uint32_t slot) = nullptr;
 };
 
 extern const CharacterCode kCharacterCode;

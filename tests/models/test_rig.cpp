@@ -119,6 +119,19 @@ std::vector<Vec3> TestRig::rest_ends() const {
   return ends;
 }
 
+namespace {
+
+void add_body(AssetContents& contents, const TestRig& rig) {
+  if (rig.body_colliders.empty()) return;
+  contents.body_bones = rig.body_bones;
+  contents.body_colliders = rig.body_colliders;
+  contents.body_sets.assign(rig.bones.size(), (1u << rig.body_colliders.size()) - 1u);
+  contents.body_sets[0] = 0;
+  contents.body_bone_names.assign(rig.body_bones.size(), "arm");
+}
+
+}  // namespace
+
 AssetContents TestRig::contents() const {
   AssetContents contents;
   contents.skeleton.head_rotation[3] = 1;
@@ -127,6 +140,7 @@ AssetContents TestRig::contents() const {
   for (BoneRecord& bone : contents.bones) bone.colliders &= existing;
   contents.dynamics = dynamics;
   contents.colliders = colliders;
+  add_body(contents, *this);
   if (substep_rate > 0) contents.tuning = {{substep_rate, 0, 0, 0, 0, 30, 120, 1}};
   if (!levels.empty()) add_levels(contents, levels);
   for (std::uint32_t i = 1; i < bones.size(); ++i) {

@@ -51,6 +51,9 @@ class TestRig {
   std::vector<BoneRecord> bones;
   std::vector<DynamicsRecord> dynamics;
   std::vector<ColliderRecord> colliders;
+  /// As colliders, but on the bones of a body, of which every simulated bone may touch all; names are made up.
+  std::vector<BodyBoneRecord> body_bones;
+  std::vector<ColliderRecord> body_colliders;
   float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
   /// In how many levels of detail each bone is simulated, bone 0's 0; empty for an asset with one level.
   std::vector<std::uint8_t> levels;

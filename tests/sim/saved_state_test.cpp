@@ -169,4 +169,46 @@ TEST(SavedState, NeedsExactlyItsRoom) {
   EXPECT_EQ(Hair().restore({}), Status::kNotCreated);
 }
 
+/// Hair on a character: a hand strokes it, a pose fades in and out.
+void act(TestHair& test, int first, int count) {
+  for (int frame = first; frame < first + count; ++frame) {
+    for (std::uint32_t i = 0; i < test.hair.instance_count(); ++i) {
+      const double t = frame / 60.0 + 0.3 * i;
+      MovingCollider hand{.center = {0.15 * std::sin(4 * t), -0.05, -0.13}};
+      hand.radius = 0.03f;
+      const MovingCollider two[] = {hand, hand};
+      ASSERT_EQ(test.hair.set_colliders(i, std::span(two).first(std::size_t(frame / 20) % 3)), Status::kOk);
+      const std::vector<Quat> pose(test.hair.bone_count(), turned_about({1, 0, 0}, 0.3 * std::sin(t)));
+      const float weight[] = {frame % 40 < 20 ? 0.5f : 1.0f};
+      const bool follows = frame % 60 < 50;
+      const Status told = follows ? test.hair.set_pose(i, pose, weight) : test.hair.set_pose(i, {}, {});
+      ASSERT_EQ(told, Status::kOk);
+    }
+    ASSERT_EQ(test.hair.step({}), Status::kOk);
+  }
+}
+
+TEST(SavedState, OfHairOnACharacterHoldsItsCollidersAndPoses) {
+  HairDesc desc{.instances = 5, .solver = &kCharacterSolver, .moving_colliders = 2, .follows_poses = true};
+  for (const int until : {30, 55, 71}) {
+    desc.instruction_set = plainest_set();
+    TestHair test(nine_bone_rig(), desc);
+    act(test, 0, until);
+    const Bytes state = saved(test);
+    for (const InstructionSet set : runnable_sets()) {
+      desc.instruction_set = set;
+      TestHair other(nine_bone_rig(), desc);
+      act(other, 3, 10);  // whatever it was before
+      ASSERT_EQ(other.hair.restore(state), Status::kOk);
+      EXPECT_EQ(saved(other), state) << name_of(set);
+      TestHair straight(nine_bone_rig(), desc);
+      act(straight, 0, until + 40);
+      act(other, until, 40);
+      EXPECT_TRUE(same(palettes_of(other), palettes_of(straight))) << name_of(set) << ' ' << until;
+    }
+  }
+  TestHair plain(nine_bone_rig(), HairDesc{.instances = 5});
+  EXPECT_EQ(plain.hair.restore(saved(TestHair(nine_bone_rig(), desc))), Status::kForeignState);
+}
+
 }  // namespace coif::saved_state_test

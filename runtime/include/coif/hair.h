@@ -31,8 +31,7 @@ extern COIF_API const Solver kThesisSolver;
 /// Which of the next two moves a chain, the asset says. The models are in runtime/docs/MODEL.md: the same at every frame rate,
 /// no stretch, no penetration.
 extern COIF_API const Solver kCoifSolver;
-extern COIF_API const Solver
-    kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
+extern COIF_API const Solver kCascadeSolver;  ///< Bones do not hold back their parents: cheap, for stiff and well damped hair.
 /// Bones hold back their parents, so that soft hair swings and comes to rest. Two to three times the work. Bones never twist.
 extern COIF_API const Solver kPassiveSolver;
 /// kCoifSolver for hair on a character: with what HairDesc asks for of colliders that move, a body and poses to follow. What it was not
@@ -46,10 +45,9 @@ struct HairDesc {
   InstructionSet instruction_set = InstructionSet::kBest;
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
   // Of kCharacterSolver; for others kBadArgument.
-  std::uint32_t moving_colliders =
-      0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
-  bool follows_body = false;   ///< The asset's body colliders take part, as set_body() moves them.
-  bool follows_poses = false;  ///< set_pose() will be called; 60 bytes for each simulated bone.
+  std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
+  bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.
+  bool follows_poses = false;          ///< set_pose() will be called; 60 bytes for each simulated bone.
 };
 
 /// What acts on all instances during a step.
@@ -80,8 +78,7 @@ struct StepSettings {
   /// Not kThesisSolver: equal parts that the step is made of, 1..kMaxSubsteps; 0: as many as the asset was tuned for at this dt.
   /// A step above kMaxTimeStep has as many as one of kMaxTimeStep, or more where they would be longer than that.
   std::uint32_t substeps = 0;
-  std::uint32_t iterations =
-      1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
+  std::uint32_t iterations = 1;  ///< kThesisSolver: passes over the length and collision constraints, 1..kMaxIterations.
   Environment environment{};
   DynamicsScale dynamics{};  ///< Not kThesisSolver: may change from step to step; the hair goes on from where it is.
   /// Share of the head's motion that the hair feels, 0..1. At 0 hair is carried along rigidly and only gravity, wind and

@@ -9,10 +9,10 @@ namespace coif {
 /// Result of a runtime call. Anything but kOk leaves the state and every output as they were, where a call does not say otherwise.
 enum class [[nodiscard]] Status : std::uint8_t{
     kOk = 0,
-    kBadTimeStep,  ///< dt is not a number, below zero or infinite.
-    kBadPose,      ///< A pose has a NaN, an infinity, a rotation that is not a unit quaternion or a scale out of range.
-    kBadArgument,  ///< Another argument is not finite or outside its documented range.
-    kBadIndex,     ///< No such instance or bone.
+    kBadTimeStep,     ///< dt is not a number, below zero or infinite.
+    kBadPose,         ///< A pose has a NaN, an infinity, a rotation that is not a unit quaternion or a scale out of range.
+    kBadArgument,     ///< Another argument is not finite or outside its documented range.
+    kBadIndex,        ///< No such instance or bone.
     kMemoryTooSmall,  ///< The memory given is smaller than memory_need() says, or not aligned.
     kNotCreated,      ///< The object has not been created, or its creation failed.
     kAssetLacksData,  ///< The asset has no chunk that this call needs (for example no mesh to draw).

@@ -9,10 +9,10 @@ namespace coif {
 
 /// One step, and the equal parts that it is made of. SI units, world axes.
 struct StepParts {
-  float dt = 0;              ///< Seconds, of the whole step, at most kLongestStep.
-  float carried = 0;         ///< Share of the heads' ways through which the hair was carried before the step began.
+  float dt = 0;             ///< Seconds, of the whole step, at most kLongestStep.
+  float carried = 0;        ///< Share of the heads' ways through which the hair was carried before the step began.
   bool has_stalled = false;  ///< One frame of it took longer than kMaxTimeStep.
-  std::uint32_t count = 1;   ///< Sub-steps.
+  std::uint32_t count = 1;  ///< Sub-steps.
   Vec3 gravity;
   Vec3 wind;
   float air_follow = 1;
