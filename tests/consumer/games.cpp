@@ -42,6 +42,19 @@ int main() {
   return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && hair.step({}) != coif::Status::kOk ? 0 : 1;
 }
 
+#elif defined GAME_step_character
+// A game whose hair, all of one model, is on characters.
+#include <coif/hair.h>
+
+int main() {
+  coif::Hair hair;
+  const coif::Asset asset;
+  const coif::HairDesc desc{.solver = &coif::kCharacterCascadeSolver, .moving_colliders = 4, .follows_poses = true};
+  const bool refuses = hair.set_colliders(0, {}) != coif::Status::kOk && hair.set_pose(0, {}, {}) != coif::Status::kOk &&
+                       hair.set_body(0, {}) != coif::Status::kOk;
+  return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && refuses ? 0 : 1;
+}
+
 #elif defined GAME_only_skin
 // A game that skins on the processor and simulates elsewhere.
 #include <coif/skinning.h>

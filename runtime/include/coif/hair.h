@@ -37,6 +37,7 @@ extern COIF_API const Solver kPassiveSolver;
 /// kCoifSolver for hair on a character: with what HairDesc asks for of colliders that move, a body and poses to follow. What it was not
 /// asked for is not stored; a program that does not name it holds nothing of all that.
 extern COIF_API const Solver kCharacterSolver;
+extern COIF_API const Solver kCharacterCascadeSolver;  ///< The same for kCascadeSolver.
 
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.

@@ -129,37 +129,34 @@ struct Obstacles {
   std::uint32_t fixed_set;
   const BoneLanes& constants;
   std::size_t lane;
-  const Met<D>& moving;
+  const Met<D>* moving;  ///< Null: none.
+  std::uint32_t moving_count;
 };
 
-/// Turns bones out of one collider after the other until none touches more than one. Returns the lanes that touched any.
+/// Turns bones out of one collider after the other until none touches more than one, or for so many rounds. Returns the lanes that
+/// touched any. (One loop for both kinds, so that the code is there once.)
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here,
+HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
                                            TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = here, moved = hn::AndNot(here, here);
-  for (int round = 0; round < 2 * kContactRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     auto touched = hn::Zero(d);
-    const auto count = [&](hn::Mask<D> touches) {
+    std::uint32_t left = obstacles.fixed_set;
+    for (std::uint32_t k = 0; left != 0 || k < obstacles.moving_count;) {
+      const bool is_fixed = left != 0;
+      const std::uint32_t i = is_fixed ? std::uint32_t(std::countr_zero(left)) : k++;
+      if (is_fixed) left &= left - 1u;
+      const PlacedCollider& collider = is_fixed ? obstacles.fixed[i] : obstacles.moving->placed[i];
+      const auto may_touch = is_fixed ? lanes_with(d, obstacles.constants, obstacles.lane, i) : obstacles.moving->lanes[i];
+      Contact<D> contact;
+      const auto touches = clear_of(d, hn::And(takes_part, may_touch), collider, bone, contact);
+      if (hn::AllFalse(d, touches)) continue;
       moved = hn::Or(moved, touches);
       touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
       set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
-    };
-    Contact<D> contact;
-    for (std::uint32_t left = obstacles.fixed_set; left != 0; left &= left - 1) {
-      const std::uint32_t i = std::uint32_t(std::countr_zero(left));
-      const auto those = hn::And(takes_part, lanes_with(d, obstacles.constants, obstacles.lane, i));
-      const auto touches = clear_of(d, those, obstacles.fixed[i], bone, contact);
-      if (hn::AllFalse(d, touches)) continue;
-      count(touches);
-      stop_at_contact(d, touches, contact, bone);
-    }
-    for (std::uint32_t k = 0; k < obstacles.moving.count; ++k) {
-      const auto those = hn::And(takes_part, obstacles.moving.lanes[k]);
-      const auto touches = clear_of(d, those, obstacles.moving.placed[k], bone, contact);
-      if (hn::AllFalse(d, touches)) continue;
-      count(touches);
-      go_along(d, touches, contact, *obstacles.moving.ways[k], obstacles.moving.placed[k].center, bone);
+      if (is_fixed) stop_at_contact(d, touches, contact, bone);
+      if (!is_fixed) go_along(d, touches, contact, *obstacles.moving->ways[i], collider.center, bone);
     }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));
     if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;
@@ -177,9 +174,9 @@ HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> move
       const auto those = hn::And(asked, lanes_with(d, obstacles.constants, obstacles.lane, i));
       blocked = hn::Or(blocked, lies_in(d, those, obstacles.fixed[i], bone, direction));
     }
-    for (std::uint32_t k = 0; k < obstacles.moving.count; ++k) {
-      const auto those = hn::And(asked, obstacles.moving.lanes[k]);
-      blocked = hn::Or(blocked, lies_in(d, those, obstacles.moving.placed[k], bone, direction));
+    for (std::uint32_t k = 0; k < obstacles.moving_count; ++k) {
+      const auto those = hn::And(asked, obstacles.moving->lanes[k]);
+      blocked = hn::Or(blocked, lies_in(d, those, obstacles.moving->placed[k], bone, direction));
     }
     return blocked;
   };
@@ -187,6 +184,15 @@ HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> move
   if (HWY_LIKELY(hn::AllFalse(d, stuck))) return;
   escape(d, stuck, is_blocked, bone.direction);
   set_where(d, stuck, across(d, bone.velocity, bone.direction), bone.velocity);
+}
+
+/// keep_clear() with the code that is there anyway.
+template <class D>
+HWY_INLINE hn::Mask<D> keep_clear(OnCharacter<D> d, const PlacedColliders& colliders, std::uint32_t set,
+                                  const BoneLanes& constants, std::size_t lane, hn::Mask<OnCharacter<D>> reached,
+                                  TouchingBone<OnCharacter<D>>& bone) {
+  const Obstacles<OnCharacter<D>> obstacles{colliders, set, constants, lane, nullptr, 0};
+  return keep_clear_of_all(d, obstacles, reached, kContactRounds, bone);
 }
 
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
@@ -201,7 +207,7 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
     const auto needed = std::uint32_t(float(met.ways[k]->looks) * share + 0.999f);
     looks = needed > looks ? needed : looks;
   }
-  const Obstacles<D> obstacles{*row.colliders, row.bones[index].colliders, row.constants[index], lane, met};
+  const Obstacles<D> obstacles{*row.colliders, row.bones[index].colliders, row.constants[index], lane, &met, met.count};
   auto moved = hn::AndNot(own, own);
   V3<D> free = way.direction[0], last = way.direction[0];
   V3<D> tail = add_scaled(d, way.start[0], last, bone.length);
@@ -218,7 +224,7 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
     const V3<D> pushed = direction_or(d, add(d, last, sub(d, next, free)), next);
     copy(d, choose<D>(moved, pushed, next), bone.direction);
     copy(d, last, bone.before);
-    const auto touched = keep_clear_of_all(d, obstacles, own, bone);
+    const auto touched = keep_clear_of_all(d, obstacles, own, 2 * kContactRounds, bone);
     moved = hn::Or(moved, touched);
     if (!hn::AllFalse(d, touched)) leave_gap(d, obstacles, touched, bone);
     copy(d, next, free);

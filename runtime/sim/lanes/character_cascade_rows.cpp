@@ -1,12 +1,11 @@
-// The steps of both models for hair on a character: with colliders that move and poses to follow. Compiled once per instruction
-// set.
+// The cascade's step of a row of chains for hair on a character: with colliders that move and poses to follow. Compiled once per
+// instruction set.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lanes/character_rows.cpp"
+#define HWY_TARGET_INCLUDE "lanes/character_cascade_rows.cpp"
 #include <hwy/foreach_target.h>
 
 #include "coif_chain-inl.h"
-#include "passive_step-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace coif {
@@ -14,11 +13,9 @@ namespace HWY_NAMESPACE {
 namespace {
 
 void step_cascade(const RowStep& row) { step_coif_by(OnCharacter<Widest>(), row); }
-void step_passive(const RowStep& row) { step_passive_by(OnCharacter<Widest>(), row); }
 
 #if COIF_HAS_SINGLY
 void step_cascade_singly(const RowStep& row) { step_coif_by(OnCharacter<Single>(), row); }
-void step_passive_singly(const RowStep& row) { step_passive_by(OnCharacter<Single>(), row); }
 #endif
 
 }  // namespace
@@ -31,6 +28,5 @@ HWY_AFTER_NAMESPACE();
 
 namespace coif {
 COIF_CHOOSE(character_cascade_code, step_cascade)
-COIF_CHOOSE(character_passive_code, step_passive)
 }  // namespace coif
 #endif
