@@ -1,4 +1,6 @@
-#include <coif.h>
+// The simulation in C.
+#include "asset_view.h"
+
 #include <coif/hair.h>
 
 #include <cstddef>
@@ -16,16 +18,15 @@ namespace {
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kHeadBytes = (sizeof(coif_hair) + kAlignment - 1) / kAlignment * kAlignment;
 
-static_assert(int(COIF_DAMAGED_STATE) == int(coif::Status::kDamagedState));
 static_assert(sizeof(coif_vec3) == sizeof(coif::Vec3) && sizeof(coif_mat34) == sizeof(coif::Mat34));
 static_assert(sizeof(coif_head_pose) == sizeof(coif::HeadPose) && alignof(coif_head_pose) == alignof(coif::HeadPose));
+COIF_SAME(coif_head_pose, rotation, coif::HeadPose, rotation);
+COIF_SAME(coif_head_pose, scale, coif::HeadPose, scale);
+COIF_SAME(coif_head_pose, reserved, coif::HeadPose, reserved);
 static_assert(alignof(coif_hair) <= kAlignment);
 
-coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
-
-std::span<const std::byte> bytes_of(const void* asset, std::size_t bytes) {
-  return {static_cast<const std::byte*>(asset), asset == nullptr ? 0 : bytes};
-}
+using coif::c::bytes_of;
+using coif::c::code;
 
 /// Null for an enumerator that this version does not know.
 const coif::Solver* solver_of(std::uint32_t solver) {
@@ -51,6 +52,7 @@ coif::HeadPose pose_of(const coif_head_pose& from) {
   for (int i = 0; i < 3; ++i) pose.position[i] = from.position[i];
   pose.rotation = {from.rotation[0], from.rotation[1], from.rotation[2], from.rotation[3]};
   pose.scale = from.scale;
+  pose.reserved = from.reserved;
   return pose;
 }
 
@@ -95,12 +97,12 @@ const char* coif_version(void) { return COIF_VERSION; }
 
 const char* coif_describe(coif_status status) { return coif::describe(static_cast<coif::Status>(status)); }
 
-int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity) {
-  coif::Asset opened;
-  coif::LoadStatus status = opened.open(bytes_of(asset, bytes));
-  if (status) status = opened.verify_draw_data();
-  if (!status && why != nullptr && capacity > 0) coif::describe(status, why, capacity);
-  return status ? 1 : 0;
+void coif_head_pose_init(coif_head_pose* pose) {
+  const coif::HeadPose usual;
+  *pose = {{usual.position[0], usual.position[1], usual.position[2]},
+           {usual.rotation.x, usual.rotation.y, usual.rotation.z, usual.rotation.w},
+           usual.scale,
+           usual.reserved};
 }
 
 void coif_hair_desc_init(coif_hair_desc* desc) {
@@ -125,6 +127,10 @@ void coif_step_settings_init(coif_step_settings* settings) {
                usual.teleport_angle,
                usual.sleep_after,
                usual.sleep_speed};
+}
+
+uint32_t coif_asset_tuned_substeps(const coif_asset* asset, float dt) {
+  return coif::tuned_substeps(coif::c::view_of(asset), dt);
 }
 
 size_t coif_hair_memory_need(const void* asset, size_t asset_bytes, const coif_hair_desc* desc) {

@@ -1,60 +1,23 @@
 #ifndef COIF_H
 #define COIF_H
-/* The simulation for hosts that are not written in C++: engines with a C interface, and languages that call C. Each
- * function is the method of coif::Asset or coif::Hair (coif/asset.h, coif/hair.h) of that name, where the rules are:
- * nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
+/* coif for hosts that are not written in C++: engines with a C interface, and languages that call C. This header is all of
+ * it: simulation below, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h. Each function is the
+ * function or method of coif/hair.h, coif/asset.h, coif/lod.h, coif/drawing.h or coif/skinning.h of that name, where the rules
+ * are: nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
  *
  * Plain data has the same layout as in C++. Descriptions are filled with their defaults by the function beside them, so
  * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
 
-#include <stddef.h>
-#include <stdint.h>
+#include <coif/c/asset.h>
+#include <coif/c/drawing.h>
+#include <coif/c/types.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* coif::Status, number by number. */
-typedef enum coif_status {
-  COIF_OK = 0,
-  COIF_BAD_TIME_STEP,
-  COIF_BAD_POSE,
-  COIF_BAD_ARGUMENT,
-  COIF_BAD_INDEX,
-  COIF_MEMORY_TOO_SMALL,
-  COIF_NOT_CREATED,
-  COIF_ASSET_LACKS_DATA,
-  COIF_SIZE_MISMATCH,
-  COIF_DRIVER,
-  COIF_FOREIGN_STATE,
-  COIF_DAMAGED_STATE
-} coif_status;
-
 /* What each does: coif/hair.h. */
 typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2, COIF_SOLVER_CASCADE = 3 } coif_solver;
-
-typedef struct coif_vec3 {
-  float x, y, z;
-} coif_vec3;
-
-/* Affine transform, three rows of four: p' = rows * (p, 1). */
-typedef struct coif_mat34 {
-  float m[3][4];
-} coif_mat34;
-
-/* World from head space: metres; unit quaternion x, y, z, w; uniform scale, 0.05..20 (1: the asset's own size). */
-typedef struct coif_head_pose {
-  double position[3];
-  float rotation[4];
-  float scale;
-  float reserved; /* 0 */
-} coif_head_pose;
-
-/* World axes, m/s and rad/s. */
-typedef struct coif_head_velocity {
-  float linear[3];
-  float angular[3];
-} coif_head_velocity;
 
 typedef struct coif_hair_desc {
   uint32_t instances;
@@ -84,15 +47,6 @@ typedef struct coif_detail {
 /* A crowd of heads that wear one asset. Lives in memory that the caller gave, as long as that does; there is nothing to
  * destroy. */
 typedef struct coif_hair coif_hair;
-
-/* "0.1.0", static storage. */
-const char* coif_version(void);
-/* One sentence, static storage, never null. */
-const char* coif_describe(coif_status status);
-
-/* Proves that a cooked asset of `bytes` bytes at a multiple of 64 is sound. 1: it is. 0: it is not, and the reason is
- * written to `why` (null: is not wanted), ended by a zero byte, cut at `capacity`. */
-int coif_check_asset(const void* asset, size_t bytes, char* why, size_t capacity);
 
 void coif_hair_desc_init(coif_hair_desc* desc);
 void coif_step_settings_init(coif_step_settings* settings);

@@ -1,0 +1,45 @@
+#pragma once
+// What the files of the C interface share: an asset behind coif_asset, and lists of its records as C sees them.
+
+#include <coif.h>
+#include <coif/asset.h>
+#include <coif/status.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace coif::c {
+
+static_assert(sizeof(coif::Asset) <= sizeof(coif_asset) && alignof(coif::Asset) <= alignof(coif_asset));
+static_assert(std::is_trivially_copyable_v<coif::Asset>, "C copies it with its bytes");
+static_assert(int(COIF_DAMAGED_STATE) == int(coif::Status::kDamagedState));
+
+inline coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
+
+/// For null one that is not open.
+inline const coif::Asset& view_of(const coif_asset* asset) {
+  static constexpr coif::Asset kNone;
+  return asset == nullptr ? kNone : *reinterpret_cast<const coif::Asset*>(asset->inside);
+}
+
+/// Of no bytes for null.
+inline std::span<const std::byte> bytes_of(const void* data, std::size_t bytes) {
+  return {static_cast<const std::byte*>(data), data == nullptr ? 0 : bytes};
+}
+
+/// Records in C's type of the same layout. Null and a count of 0 where there are none.
+template <typename InC, typename Record>
+const InC* list(std::span<const Record> records, std::uint32_t* count) {
+  static_assert(sizeof(InC) == sizeof(Record) && alignof(InC) == alignof(Record));
+  if (count != nullptr) *count = static_cast<std::uint32_t>(records.size());
+  return records.empty() ? nullptr : reinterpret_cast<const InC*>(records.data());
+}
+
+}  // namespace coif::c
+
+/// A member of a C struct lies where the record has it, and is as large.
+#define COIF_SAME(InC, in_c, Record, member)                       \
+  static_assert(offsetof(InC, in_c) == offsetof(Record, member) && \
+                sizeof(static_cast<InC*>(nullptr)->in_c) == sizeof(static_cast<Record*>(nullptr)->member))
