@@ -1,0 +1,167 @@
+#include "hair_model.h"
+
+#include "host.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const void* at_byte(size_t offset) { return (const void*)offset; }
+
+static void describe_vertices(size_t skin_begin) {
+  const GLsizei stride = sizeof(coif_vertex), skin_stride = sizeof(coif_skin);
+  GLuint attribute;
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at_byte(offsetof(coif_vertex, position)));
+  glVertexAttribPointer(1, 4, GL_SHORT, GL_TRUE, stride, at_byte(offsetof(coif_vertex, normal)));
+  glVertexAttribPointer(2, 4, GL_SHORT, GL_TRUE, stride, at_byte(offsetof(coif_vertex, tangent)));
+  glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, stride, at_byte(offsetof(coif_vertex, uv)));
+  glVertexAttribIPointer(4, 4, GL_UNSIGNED_SHORT, skin_stride, at_byte(skin_begin + offsetof(coif_skin, bone)));
+  glVertexAttribPointer(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, skin_stride,
+                        at_byte(skin_begin + offsetof(coif_skin, weight)));
+  for (attribute = 0; attribute < 6; ++attribute) glEnableVertexAttribArray(attribute);
+}
+
+static int upload_mesh(model* drawn, const coif_asset* asset) {
+  uint32_t vertex_count, skin_count;
+  const coif_vertex* const vertices = coif_asset_vertices(asset, &vertex_count);
+  const coif_skin* const skin = coif_asset_skin(asset, &skin_count);
+  const size_t vertex_bytes = vertex_count * sizeof *vertices, skin_bytes = skin_count * sizeof *skin;
+  const size_t index_bytes = (size_t)drawn->hair.order_count * drawn->hair.indices_of_order * drawn->hair.index_bytes;
+  void* const indices = malloc(index_bytes);
+  GLuint buffers[2];
+  if (indices == NULL || coif_write_draw_orders(asset, &drawn->hair, indices, index_bytes) != COIF_OK) return 0;
+  glGenVertexArrays(1, &drawn->vertex_array);
+  glBindVertexArray(drawn->vertex_array);
+  glGenBuffers(2, buffers);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+  glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(vertex_bytes + skin_bytes), NULL, GL_STATIC_DRAW);
+  glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)vertex_bytes, vertices);
+  glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)vertex_bytes, (GLsizeiptr)skin_bytes, skin);
+  describe_vertices(vertex_bytes);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)index_bytes, indices, GL_STATIC_DRAW);
+  glBindVertexArray(0);
+  free(indices);
+  return 1;
+}
+
+static GLint wrap_of(const coif_asset* asset) {
+  uint32_t count, i;
+  const coif_vertex* const vertices = coif_asset_vertices(asset, &count);
+  for (i = 0; i < count; ++i) {
+    const float* const uv = vertices[i].uv;
+    if (uv[0] < -0.001f || uv[0] > 1.001f || uv[1] < -0.001f || uv[1] > 1.001f) return GL_REPEAT;
+  }
+  return GL_CLAMP_TO_EDGE;
+}
+
+static GLuint upload_texture(const coif_asset* asset, uint32_t role, GLint wrap) {
+  const coif_texture* const texture = coif_asset_texture(asset, role);
+  GLuint name = 0;
+  GLsizei width, height;
+  uint32_t mip;
+  if (texture == NULL) return 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, (GLint)texture->mip_count - 1);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  width = (GLsizei)texture->width;
+  height = (GLsizei)texture->height;
+  for (mip = 0; mip < texture->mip_count; ++mip) {
+    size_t bytes;
+    const void* const texels = coif_asset_texels(asset, texture, mip, &bytes);
+    const GLint level = (GLint)mip;
+    if (texture->format == COIF_SRGB8_ALPHA8) {
+      glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    } else if (texture->format == COIF_RG8) {
+      glTexImage2D(GL_TEXTURE_2D, level, GL_RG8, width, height, 0, GL_RG, GL_UNSIGNED_BYTE, texels);
+    } else {
+      glCompressedTexImage2D(GL_TEXTURE_2D, level, GL_COMPRESSED_RG11_EAC, width, height, 0, (GLsizei)bytes, texels);
+    }
+    width = width > 1 ? width / 2 : 1;
+    height = height > 1 ? height / 2 : 1;
+  }
+  return name;
+}
+
+static void add_defines(host_source* source, const model* drawn) {
+  static const char* const maps[ROLES] = {"#define COIF_BASE_TEXTURE\n", "#define COIF_SHIFT_MASK\n",
+                                          "#define COIF_NORMAL_MAP\n", "#define COIF_STRAND_MAP\n"};
+  int role;
+  for (role = 0; role < ROLES; ++role) {
+    if (drawn->textures[role] != 0) host_source_add(source, maps[role]);
+  }
+  host_source_add(source, "#define COIF_PRIMARY\n#define COIF_SECONDARY\n#define COIF_ALPHA_TEST\n");
+}
+
+static host_source vertex_source(const model* drawn, const char* folder) {
+  host_source source = host_source_begin();
+  host_source_add(&source, "#define COIF_PALETTE_ROWS 1024\n");
+  if (drawn->hair.skinning == COIF_ONE_BONE) host_source_add(&source, "#define COIF_ONE_BONE\n");
+  if (drawn->hair.skinning == COIF_FOUR_BONES) host_source_add(&source, "#define COIF_FOUR_BONES\n");
+  host_source_add_piece(&source, folder, "hair.glsl", "draw_block.glsl");
+  host_source_add_piece(&source, folder, "hair.vert", NULL);
+  return source;
+}
+
+static host_source fragment_source(const model* drawn, const char* folder, int is_shaded) {
+  static const char* const models[] = {"shading_thesis.glsl", "shading_kajiya_kay.glsl", "shading_marschner.glsl"};
+  host_source source = host_source_begin();
+  add_defines(&source, drawn);
+  host_source_add_piece(&source, folder, "hair.glsl", "draw_block.glsl");
+  host_source_add_piece(&source, folder, "hair.glsl", "hair_base.glsl");
+  host_source_add_piece(&source, folder, "keep.glsl", "keep_range.glsl");
+  if (!is_shaded) {
+    host_source_add_piece(&source, folder, "hair.glsl", "hair_depth.frag");
+    return source;
+  }
+  host_source_add_piece(&source, folder, "hair.glsl", "hair_encode.glsl");
+  host_source_add_piece(&source, folder, "hair.glsl", "hair_output.glsl");
+  host_source_add_piece(&source, folder, "hair.glsl", "hair_surface.glsl");
+  if (drawn->textures[NORMAL_MAP] != 0 || drawn->textures[STRAND_MAP] != 0) {
+    host_source_add_piece(&source, folder, "relief.glsl", NULL);
+  }
+  host_source_add_piece(&source, folder, "shading.glsl", "shading.glsl");
+  host_source_add_piece(&source, folder, "shading.glsl", models[drawn->hair.material.shading]);
+  host_source_add_piece(&source, folder, "hair.frag", NULL);
+  return source;
+}
+
+static GLuint link_program(const model* drawn, const char* folder, int is_shaded) {
+  static const char* const samplers[ROLES] = {"base_texture", "shift_mask_texture", "normal_texture", "strand_texture"};
+  host_source vertex = vertex_source(drawn, folder), fragment = fragment_source(drawn, folder, is_shaded);
+  const GLuint program = host_link(&vertex, &fragment);
+  GLint unit;
+  if (program == 0) return 0;
+  glUseProgram(program);
+  for (unit = 0; unit < ROLES; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
+  glUniformBlockBinding(program, glGetUniformBlockIndex(program, "PaletteBlock"), PALETTE_BINDING);
+  glUniformBlockBinding(program, glGetUniformBlockIndex(program, "DrawBlock"), DRAW_BINDING);
+  return program;
+}
+
+static GLuint make_block(GLuint binding, size_t bytes) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer);
+  glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
+  return buffer;
+}
+
+const char* model_load(model* made, const coif_asset* asset, const char* folder) {
+  const GLint wrap = wrap_of(asset);
+  uint32_t role;
+  memset(made, 0, sizeof *made);
+  if (coif_drawn_hair_of(asset, &made->hair) != COIF_OK) return "has no mesh";
+  coif_matrix_layout_of(&made->hair, BLOCK_BYTES, &made->layout);
+  if (made->layout.bones_in_texture) return "has too many bones for this example: see COIF_BONES_IN_TEXTURE";
+  if (!upload_mesh(made, asset)) return "no memory";
+  for (role = 0; role < ROLES; ++role) made->textures[role] = upload_texture(asset, role, wrap);
+  made->color_program = link_program(made, folder, 1);
+  made->depth_program = link_program(made, folder, 0);
+  made->draw_block = make_block(DRAW_BINDING, sizeof(coif_draw_block));
+  made->palette_block = make_block(PALETTE_BINDING, BLOCK_BYTES);
+  return made->color_program != 0 && made->depth_program != 0 ? NULL : "the driver refuses the shaders";
+}
