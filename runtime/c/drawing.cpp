@@ -1,13 +1,14 @@
 // What any renderer computes, in C.
-#include "asset_view.h"
-
-#include <coif/drawing.h>
-
-#include <cstring>
+#include "drawing_types.h"
 
 namespace {
 
 using coif::c::code;
+using coif::c::copied;
+using coif::c::hair_of;
+using coif::c::matrices_of;
+using coif::c::pose_of;
+using coif::c::vector_of;
 using coif::c::view_of;
 
 static_assert(COIF_VIEW_CELLS == coif::kViewCells && COIF_MAX_LIGHTS == coif::kMaxLights);
@@ -41,31 +42,6 @@ COIF_SAME(coif_draw_block, light_color, coif::DrawBlock, light_color);
 COIF_SAME(coif_draw_block, light_spot, coif::DrawBlock, light_spot);
 static_assert(offsetof(coif_draw_block, shadow_from_view) == offsetof(coif::DrawBlock, shadow));
 static_assert(sizeof(coif_draw_block) == sizeof(coif::DrawBlock));
-
-/// The same bytes in the other language's type.
-template <typename To, typename From>
-To copied(const From& from) {
-  static_assert(sizeof(To) == sizeof(From));
-  return std::bit_cast<To>(from);
-}
-
-coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
-
-coif::HeadPose pose_of(const coif_head_pose& from) { return copied<coif::HeadPose>(from); }
-
-/// What culling, orders and matrices take of it. A rigid one asks for no palette.
-coif::DrawnHair hair_of(const coif_drawn_hair& from) {
-  coif::DrawnHair hair;
-  hair.lod_count = from.lod_count;
-  hair.order_count = from.order_count;
-  hair.indices_of_order = from.indices_of_order;
-  hair.index_bytes = from.index_bytes;
-  std::memcpy(hair.order_of_view, from.order_of_view, sizeof hair.order_of_view);
-  hair.reach = copied<coif::Reach>(from.reach);
-  hair.bone_count = from.bone_count;
-  hair.skinning = static_cast<coif::Skinning>(from.skinning);
-  return hair;
-}
 
 coif::Light light_of(const coif_light& from) {
   coif::Light light;
@@ -198,8 +174,7 @@ coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layou
                             size_t bytes) {
   if (hair == nullptr || layout == nullptr || eye == nullptr) return COIF_BAD_ARGUMENT;
   if (head == nullptr) return COIF_BAD_POSE;
-  const std::span<const coif::Mat34> matrices(reinterpret_cast<const coif::Mat34*>(palette),
-                                              palette == nullptr ? 0 : palette_count);
+  const std::span<const coif::Mat34> matrices = matrices_of(palette, palette_count);
   const coif::HairInstance instance{pose_of(*head), matrices, 0};
   const coif::Status status = coif::check_instance(hair_of(*hair), instance);
   if (status != coif::Status::kOk) return code(status);

@@ -27,10 +27,10 @@ typedef struct coif_skeleton {
   uint32_t bone_count, simulated_count, chain_count;
   uint32_t flags;      /* COIF_FACES_BACKWARDS */
   float head_joint[3]; /* In the source model, metres. */
-  float head_rotation
-      [4]; /* From the head bone's own axes to the model's. A host whose head bone has the world pose (p, q)
-                             gives the head pose (p, q * conjugate(head_rotation)). */
-  float air_lag;
+  /* From the head bone's own axes to the model's. A host whose head bone has the world pose (p, q) gives the head pose
+   * (p, q * conjugate(head_rotation)). */
+  float head_rotation[4];
+  float air_lag; /* 0..1: of the head's velocity, what the air around it does not take on. */
 } coif_skeleton;
 #define COIF_FACES_BACKWARDS 1u /* The face looks along -Z at rest; otherwise along +Z. */
 
@@ -139,7 +139,7 @@ typedef struct coif_texture {
   uint64_t offset, bytes;
 } coif_texture;
 
-/* Opens `size` bytes at a multiple of 64: proves once that every later access is in range, in microseconds. COIF_ASSET_LACKS_DATA:
+/* Opens `size` bytes at a multiple of 64: proves once that every later access is in range. COIF_ASSET_LACKS_DATA:
  * it is refused, the view is not open, and the reason is written to `why` (null: not wanted), ended by a zero byte, cut at
  * `capacity`. COIF_BAD_ARGUMENT: `asset` is null. */
 coif_status coif_asset_open(coif_asset* asset, const void* bytes, size_t size, char* why, size_t capacity);

@@ -2,7 +2,7 @@
 #define COIF_C_DRAWING_H
 /* What a renderer of hair computes before it calls its graphics interface, whichever that is; a part of coif.h, which is what
  * hosts include. Rules and reasons are in coif/drawing.h, what to draw with it in shaders/README.md, and a renderer that
- * stands on nothing else in runtime/examples/draw_in_c.c. */
+ * stands on nothing else in runtime/examples/draw_in_c. */
 
 #include <coif/c/asset.h>
 
@@ -123,6 +123,20 @@ coif_status coif_matrix_layout_of(const coif_drawn_hair* hair, uint32_t block_by
 coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layout* layout, const coif_head_pose* head,
                             const coif_mat34* palette, uint32_t palette_count, const coif_vec3* eye, void* out,
                             size_t bytes);
+
+/* Bones sorted in each frame, instead of the orders that the asset has: for hair that moves far from how it was modelled. Any
+ * number of heads of one asset may share one, in one thread at a time; coif/triangle_order.h has the rules. Lives in memory
+ * that the caller gave. */
+typedef struct coif_bone_order coif_bone_order;
+
+/* Bytes that coif_bone_order_create() needs, at a multiple of 64; 0 for an asset without mesh, bones or skin. */
+size_t coif_bone_order_memory_need(const coif_asset* asset);
+/* *order points into `memory`; null on an error. */
+coif_status coif_bone_order_create(const coif_asset* asset, void* memory, size_t bytes, coif_bone_order** order);
+/* The indices of this level, far bones first: exactly lods[lod].count * index_bytes bytes, else COIF_SIZE_MISMATCH. */
+coif_status coif_bone_order_write(coif_bone_order* order, const coif_drawn_hair* hair, const coif_head_pose* head,
+                                  const coif_mat34* palette, uint32_t palette_count, uint32_t lod, const coif_vec3* eye,
+                                  void* out, size_t bytes);
 
 /* What moves of a vertex: head space, metres; normal and tangent as long as the bones' blend makes them. */
 typedef struct coif_skinned_vertex {

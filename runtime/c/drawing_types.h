@@ -1,0 +1,45 @@
+#pragma once
+// What is drawn, from C's types to C++'s.
+
+#include "asset_view.h"
+
+#include <coif/drawing.h>
+
+#include <bit>
+#include <cstring>
+
+namespace coif::c {
+
+static_assert(sizeof(coif_mat34) == sizeof(coif::Mat34));
+
+/// The same bytes in the other language's type.
+template <typename To, typename From>
+To copied(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  return std::bit_cast<To>(from);
+}
+
+inline coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
+
+inline coif::HeadPose pose_of(const coif_head_pose& from) { return copied<coif::HeadPose>(from); }
+
+/// What culling, orders and matrices take of it; not its levels' ranges, alpha and material.
+inline coif::DrawnHair hair_of(const coif_drawn_hair& from) {
+  coif::DrawnHair hair;
+  hair.lod_count = from.lod_count;
+  hair.order_count = from.order_count;
+  hair.indices_of_order = from.indices_of_order;
+  hair.index_bytes = from.index_bytes;
+  std::memcpy(hair.order_of_view, from.order_of_view, sizeof hair.order_of_view);
+  hair.reach = copied<coif::Reach>(from.reach);
+  hair.bone_count = from.bone_count;
+  hair.skinning = static_cast<coif::Skinning>(from.skinning);
+  return hair;
+}
+
+/// Of no matrices for null.
+inline std::span<const coif::Mat34> matrices_of(const coif_mat34* palette, std::uint32_t count) {
+  return {reinterpret_cast<const coif::Mat34*>(palette), palette == nullptr ? 0 : count};
+}
+
+}  // namespace coif::c
