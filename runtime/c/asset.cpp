@@ -37,8 +37,16 @@ COIF_SAME(coif_collider, center, coif::ColliderRecord, center);
 COIF_SAME(coif_collider, radii, coif::ColliderRecord, radii);
 COIF_SAME(coif_collider, rotation, coif::ColliderRecord, rotation);
 COIF_SAME(coif_collider, axis, coif::ColliderRecord, axis);
-static_assert(COIF_TAPERED_CAPSULE == int(coif::ColliderShape::kTaperedCapsule));
+static_assert(COIF_BOX == int(coif::ColliderShape::kBox));
 static_assert(COIF_KEEPS_INSIDE == coif::kColliderKeepsInside);
+
+COIF_SAME(coif_limit, kind, coif::LimitRecord, kind);
+COIF_SAME(coif_limit, angles, coif::LimitRecord, angles);
+COIF_SAME(coif_limit, rotation, coif::LimitRecord, rotation);
+static_assert(COIF_SPHERICAL == int(coif::LimitKind::kSpherical));
+COIF_SAME(coif_body_bone, name, coif::BodyBoneRecord, name);
+COIF_SAME(coif_body_bone, joint, coif::BodyBoneRecord, joint);
+COIF_SAME(coif_body_bone, rotation, coif::BodyBoneRecord, rotation);
 
 COIF_SAME(coif_vertex, position, coif::VertexRecord, position);
 COIF_SAME(coif_vertex, normal, coif::VertexRecord, normal);
@@ -120,6 +128,26 @@ const coif_chain* coif_asset_chains(const coif_asset* asset, uint32_t* count) {
 
 const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* count) {
   return list<coif_collider>(view_of(asset).colliders(), count);
+}
+
+const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count) {
+  return list<coif_limit>(view_of(asset).limits(), count);
+}
+
+const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count) {
+  return list<coif_body_bone>(view_of(asset).body_bones(), count);
+}
+
+const char* coif_asset_body_bone_name(const coif_asset* asset, uint32_t body_bone) {
+  return view_of(asset).body_bone_name(body_bone);
+}
+
+const coif_collider* coif_asset_body_colliders(const coif_asset* asset, uint32_t* count) {
+  return list<coif_collider>(view_of(asset).body_colliders(), count);
+}
+
+const uint32_t* coif_asset_body_sets(const coif_asset* asset, uint32_t* count) {
+  return list<uint32_t>(view_of(asset).body_sets(), count);
 }
 
 const coif_vertex* coif_asset_vertices(const coif_asset* asset, uint32_t* count) {

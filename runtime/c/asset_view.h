@@ -14,7 +14,7 @@ namespace coif::c {
 
 static_assert(sizeof(coif::Asset) <= sizeof(coif_asset) && alignof(coif::Asset) <= alignof(coif_asset));
 static_assert(std::is_trivially_copyable_v<coif::Asset>, "C copies it with its bytes");
-static_assert(int(COIF_DAMAGED_STATE) == int(coif::Status::kDamagedState));
+static_assert(int(COIF_NOT_ASKED) == int(coif::Status::kNotAsked));
 
 inline coif_status code(coif::Status status) { return static_cast<coif_status>(status); }
 

@@ -48,6 +48,10 @@ TEST_F(CAsset, ListsAreTheAssetsOwnRecords) {
   check(coif_asset_bones, same_.bones());
   check(coif_asset_chains, same_.chains());
   check(coif_asset_colliders, same_.colliders());
+  check(coif_asset_limits, same_.limits());
+  check(coif_asset_body_bones, same_.body_bones());
+  check(coif_asset_body_colliders, same_.body_colliders());
+  check(coif_asset_body_sets, same_.body_sets());
   check(coif_asset_vertices, same_.vertices());
   check(coif_asset_skin, same_.skin());
   check(coif_asset_indices, same_.indices());
@@ -81,6 +85,10 @@ TEST_F(CAsset, MembersMeanWhatTheRecordsOnesDo) {
   EXPECT_EQ(coif_asset_material(&asset_)->secondary_exponent, same_.material()->secondary_exponent);
   EXPECT_STREQ(coif_asset_bone_name(&asset_, 4), "fringe");
   EXPECT_STREQ(coif_asset_bone_name(&asset_, 5), "");
+  EXPECT_STREQ(coif_asset_body_bone_name(&asset_, 0), same_.body_bone_name(0));
+  EXPECT_STREQ(coif_asset_body_bone_name(&asset_, 99), "");
+  EXPECT_EQ(coif_asset_body_bones(&asset_, nullptr)[0].joint[1], same_.body_bones()[0].joint[1]);
+  EXPECT_EQ(coif_asset_limits(&asset_, nullptr)[2].angles[0], same_.limits()[2].angles[0]);
 }
 
 TEST_F(CAsset, LevelsAreTheSame) {

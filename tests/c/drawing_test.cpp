@@ -5,6 +5,7 @@
 
 #include <coif.h>
 #include <coif/drawing.h>
+#include <coif/triangle_order.h>
 
 #include <gtest/gtest.h>
 
@@ -224,6 +225,61 @@ TEST_F(CDrawing, SeesHeadsThatVisibleCrowdSees) {
   EXPECT_EQ(coif_is_in_view(nullptr, &head_, &eye, view_.clip_from_world, nullptr), 0);
   head_.position[0] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(coif_is_in_view(&hair_, &head_, &eye, view_.clip_from_world, nullptr), 0);
+}
+
+TEST_F(CDrawing, SortsBonesAlike) {
+  const std::vector<Mat34> palette = bent_palette(5);
+  const auto* const in_c = reinterpret_cast<const coif_mat34*>(palette.data());
+  std::vector<std::byte> room(BoneOrder::memory_bytes(same_) + 16);
+  AlignedBytes same_memory(room);
+  BoneOrder same;
+  ASSERT_EQ(same.create(same_, same_memory.bytes()), Status::kOk);
+  AlignedBytes memory(std::vector<std::byte>(coif_bone_order_memory_need(&asset_)));
+  coif_bone_order* order = nullptr;
+  ASSERT_EQ(coif_bone_order_create(&asset_, memory.bytes().data(), memory.bytes().size(), &order), COIF_OK);
+  const coif_vec3 eye{0.3f, -0.5f, 2};
+  for (std::uint32_t lod = 0; lod < 2; ++lod) {
+    const std::size_t bytes = std::size_t{hair_.lods[lod].count} * hair_.index_bytes;
+    std::vector<std::byte> indices(bytes), expected(bytes);
+    same.write({HeadPose{}, palette, lod}, {0.3f, -0.5f, 2}, expected.data());
+    ASSERT_EQ(coif_bone_order_write(order, &hair_, &head_, in_c, 5, lod, &eye, indices.data(), bytes), COIF_OK);
+    EXPECT_EQ(indices, expected);
+    EXPECT_EQ(coif_bone_order_write(order, &hair_, &head_, in_c, 5, lod, &eye, indices.data(), bytes + 2),
+              COIF_SIZE_MISMATCH);
+  }
+}
+
+TEST_F(CDrawing, RefusesToSortWhatCannotBe) {
+  AlignedBytes bare_file(write_asset(without_mesh(small_asset())));
+  coif_asset bare;
+  ASSERT_EQ(coif_asset_open(&bare, bare_file.bytes().data(), bare_file.bytes().size(), nullptr, 0), COIF_OK);
+  AlignedBytes memory(std::vector<std::byte>(coif_bone_order_memory_need(&asset_)));
+  std::byte* const begin = memory.bytes().data();
+  const std::size_t need = memory.bytes().size();
+  coif_bone_order* order = nullptr;
+  EXPECT_EQ(coif_bone_order_memory_need(&bare), 0u);
+  EXPECT_EQ(coif_bone_order_create(&bare, begin, need, &order), COIF_ASSET_LACKS_DATA);
+  EXPECT_EQ(coif_bone_order_create(nullptr, begin, need, &order), COIF_ASSET_LACKS_DATA);
+  EXPECT_EQ(coif_bone_order_create(&asset_, begin, need - 1, &order), COIF_MEMORY_TOO_SMALL);
+  EXPECT_EQ(coif_bone_order_create(&asset_, begin + 16, need, &order), COIF_MEMORY_TOO_SMALL);
+  EXPECT_EQ(coif_bone_order_create(&asset_, nullptr, need, &order), COIF_MEMORY_TOO_SMALL);
+  EXPECT_EQ(order, nullptr);
+  EXPECT_EQ(coif_bone_order_create(&asset_, begin, need, nullptr), COIF_BAD_ARGUMENT);
+  ASSERT_EQ(coif_bone_order_create(&asset_, begin, need, &order), COIF_OK);
+  const std::vector<Mat34> palette = bent_palette(5);
+  const coif_vec3 eye{0, 0, 2};
+  std::byte out[64];
+  const auto status = [&](coif_bone_order* by, const coif_head_pose* head, std::uint32_t bones, std::uint32_t lod) {
+    const auto* const in_c = reinterpret_cast<const coif_mat34*>(palette.data());
+    return coif_bone_order_write(by, &hair_, head, in_c, bones, lod, &eye, out, 12);
+  };
+  EXPECT_EQ(status(order, &head_, 5, 0), COIF_OK);
+  EXPECT_EQ(status(nullptr, &head_, 5, 0), COIF_NOT_CREATED);
+  EXPECT_EQ(status(order, nullptr, 5, 0), COIF_BAD_POSE);
+  EXPECT_EQ(status(order, &head_, 4, 0), COIF_SIZE_MISMATCH);
+  EXPECT_EQ(status(order, &head_, 5, 2), COIF_BAD_ARGUMENT);
+  hair_.bone_count = 6;
+  EXPECT_EQ(status(order, &head_, 5, 0), COIF_BAD_ARGUMENT) << "another asset's";
 }
 
 TEST_F(CDrawing, DefaultsAreThoseOfTheOtherInterface) {

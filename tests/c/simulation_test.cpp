@@ -159,7 +159,7 @@ TEST_F(CSimulation, DefaultsAreThoseOfTheOtherInterface) {
 }
 
 TEST_F(CSimulation, StatusesAreTheSameNumbers) {
-  for (int code = COIF_OK; code <= COIF_DRIVER; ++code) {
+  for (int code = COIF_OK; code <= COIF_NOT_ASKED; ++code) {
     EXPECT_STREQ(coif_describe(coif_status(code)), describe(Status(code)));
   }
   EXPECT_STREQ(coif_describe(COIF_BAD_POSE), describe(Status::kBadPose));

@@ -49,6 +49,16 @@ typedef struct coif_bone {
   uint32_t colliders;      /* Bit i: its particle may touch collider i. */
 } coif_bone;
 
+typedef enum coif_limit_kind { COIF_UNLIMITED = 0, COIF_CONE = 1, COIF_HINGE = 2, COIF_SPHERICAL = 3 } coif_limit_kind;
+
+/* What bounds a bone's direction: LimitRecord in coif/asset_records.h. */
+typedef struct coif_limit {
+  uint32_t kind;   /* coif_limit_kind */
+  float angles[2]; /* Radians. */
+  float reserved;
+  float rotation[4]; /* From the limit's own axes to the parent's frame. */
+} coif_limit;
+
 /* A tree of simulated bones that hangs from the rigid bone `root`. */
 typedef struct coif_chain {
   uint32_t first_bone, bone_count, root;
@@ -60,13 +70,14 @@ typedef enum coif_collider_shape {
   COIF_ELLIPSOID = 1,
   COIF_CAPSULE = 2,
   COIF_PLANE = 3,
-  COIF_TAPERED_CAPSULE = 4
+  COIF_TAPERED_CAPSULE = 4,
+  COIF_BOX = 5 /* Never in an asset. */
 } coif_collider_shape;
 
 /* Head space, metres: ColliderRecord in coif/asset_records.h. */
 typedef struct coif_collider {
   uint32_t shape; /* coif_collider_shape */
-  uint32_t bone;  /* A rigid one. */
+  uint32_t bone;  /* A rigid one; of a body collider its place in coif_asset_body_bones(). */
   uint32_t flags; /* COIF_KEEPS_INSIDE */
   uint32_t reserved;
   float center[3], reserved_center;
@@ -76,6 +87,13 @@ typedef struct coif_collider {
   float reserved_axis;
 } coif_collider;
 #define COIF_KEEPS_INSIDE 1u
+
+/* A bone of the body that wears the hair, which body colliders hang from; the host knows where it is. */
+typedef struct coif_body_bone {
+  uint32_t name;     /* coif_asset_body_bone_name() */
+  float joint[3];    /* Rest pose, head space, metres. */
+  float rotation[4]; /* Rest pose: from the bone's own axes to head space. */
+} coif_body_bone;
 
 /* Rest pose, head space. Vertex attributes read it as it is: shaders/README.md. */
 typedef struct coif_vertex {
@@ -154,7 +172,13 @@ const coif_bone* coif_asset_bones(const coif_asset* asset, uint32_t* count);
 /* Static for as long as the asset; empty where the asset has no names or no such bone. */
 const char* coif_asset_bone_name(const coif_asset* asset, uint32_t bone);
 const coif_chain* coif_asset_chains(const coif_asset* asset, uint32_t* count);
+const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count); /* One per bone, or none. */
 const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* count);
+const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count);
+const char* coif_asset_body_bone_name(const coif_asset* asset, uint32_t body_bone); /* As coif_asset_bone_name(). */
+const coif_collider* coif_asset_body_colliders(const coif_asset* asset, uint32_t* count);
+/* Which of these each bone may touch, bit i: collider i. One per bone, or none. */
+const uint32_t* coif_asset_body_sets(const coif_asset* asset, uint32_t* count);
 /* Sub-steps that the asset was tuned for at this dt (seconds): what coif_step_settings.substeps = 0 means. */
 uint32_t coif_asset_tuned_substeps(const coif_asset* asset, float dt);
 

@@ -22,7 +22,8 @@ typedef enum coif_status {
   COIF_SIZE_MISMATCH,
   COIF_DRIVER,
   COIF_FOREIGN_STATE,
-  COIF_DAMAGED_STATE
+  COIF_DAMAGED_STATE,
+  COIF_NOT_ASKED
 } coif_status;
 
 typedef struct coif_vec3 {
