@@ -189,10 +189,10 @@ function(whole_package)
 
   # A header that no file set lists would compile in the project and be absent from the package.
   set(project ${consumer}/../..)
-  file(GLOB public RELATIVE ${project} ${project}/formats/include/coif/*.h ${project}/runtime/include/coif/*.h)
+  file(GLOB_RECURSE public RELATIVE ${project} ${project}/formats/include/*.h ${project}/runtime/include/*.h)
   foreach(header IN LISTS public)
-    cmake_path(GET header FILENAME name)
-    if(NOT EXISTS ${prefix}/include/coif/${name})
+    string(REGEX REPLACE "^(formats|runtime)/include/" "" name ${header})
+    if(NOT EXISTS ${prefix}/include/${name})
       message(FATAL_ERROR "${header} is public and was not installed; add it to its target's file set")
     endif()
   endforeach()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A shared library shows its public interface and nothing else: what a public header names, functions of the C interface
-in libcoif.so and namespace coif in all others.
+in libcoif.so and namespace coif in all others. libcoif.so shows all that the headers of the C interface declare.
 
 usage: exported_symbols.py NM INCLUDE_DIR... -- LIBRARY... | --self-test NM COMPILER
 """
@@ -11,6 +11,12 @@ import tempfile
 from pathlib import Path
 
 NAME = re.compile(r"[A-Za-z_]\w*")
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
+C_FUNCTION = re.compile(r"\b(coif_\w+)\(")
+
+
+def is_c_header(path):
+    return path.name == "coif.h" or path.parent.parts[-2:] == ("coif", "c")
 
 
 def exported(nm, library):
@@ -30,21 +36,25 @@ def fault(symbol, is_c, public):
 
 
 def check(nm, roots, libraries):
-    headers = [header.read_text() for root in roots for header in sorted(Path(root).rglob("*.h"))]
+    files = [header for root in roots for header in sorted(Path(root).rglob("*.h"))]
+    headers = [header.read_text() for header in files]
     public = set(NAME.findall("\n".join(headers)))
+    promised = {name for path, text in zip(files, headers) if is_c_header(path)
+                for name in C_FUNCTION.findall(COMMENT.sub("", text))}
     seen, bad = 0, [] if headers else ["no public header found: nothing was compared"]
     for library in libraries:
         is_c = Path(library).name.split(".")[0] == "libcoif"
         symbols = exported(nm, library)
         seen += len(symbols)
         bad += [f"{library}: {symbol} {why}" for symbol in symbols if (why := fault(symbol, is_c, public))]
+        bad += [f"{library}: lacks {name}" for name in sorted(promised - set(symbols)) if is_c]
         if not symbols:
             bad.append(f"{library}: shows nothing")
     return seen, bad
 
 
 def self_test(nm, compiler):
-    header = "namespace coif { struct Hair { ~Hair(); void step(); }; int f(Hair); }\nextern \"C\" void coif_step(void);\n"
+    header = "namespace coif { struct Hair { ~Hair(); void step(); }; int f(Hair); }\nextern \"C\" void coif_step(void);  // coif_inside()\n"
     cases = [  # library, its source, what is said of it
         ("libcoif_sim.so", "coif::Hair::~Hair() {} void coif::Hair::step() {}", False),
         ("libcoif_sim.so", "namespace coif { int f(Hair) { return 1; } }", False),
@@ -55,7 +65,9 @@ def self_test(nm, compiler):
         ("libcoif_sim.so", "static int f() { return 1; } extern const int g; const int g = f();", True),
         ("libcoif_sim.so", "", True),
         ("libcoif.so.0.1", "extern \"C\" void coif_step() {}", False),
+        ("libcoif.so.0.1", "extern \"C\" void coif_step() {} extern \"C\" void coif_outside() {}", True),
         ("libcoif.so.0.1", "extern \"C\" void coif_inside() {}", True),
+        ("libcoif.so.0.1", "", True),
         ("libcoif.so.0.1", "void coif::Hair::step() {}", True),
     ]
     bad = []

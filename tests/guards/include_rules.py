@@ -11,6 +11,7 @@ FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
 DRAWING = {"runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
 RENDERER = DRAWING | {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
+C_HEADERS = {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
 # from what tools/CMakeLists.txt links: see tool_layers().
@@ -20,17 +21,18 @@ LAYERS = {
     "formats/payload_hash.h": set(),
     "formats/write": FORMATS | HASH,
     "runtime/include": FORMATS,
-    "runtime/include/coif.h": set(),
+    "runtime/include/coif.h": {"runtime/include/coif/c"},
+    "runtime/include/coif/c": set(),
     "runtime/include/coif/drawing.h": SIM,
     "runtime/include/coif/triangle_order.h": SIM | DRAWING,
     "runtime/include/coif/renderer.h": SIM | DRAWING,
     "runtime/include/coif/shadow.h": SIM | RENDERER,
     "runtime/sim": SIM,
     "runtime/skinning": SIM,
-    "runtime/c": SIM | {"runtime/include/coif.h"},
+    "runtime/c": SIM | DRAWING | C_HEADERS,
     "runtime/drawing": SIM | DRAWING,
     "runtime/gl": SIM | RENDERER,
-    "runtime/examples": SIM | RENDERER | {"runtime/include/coif.h"},
+    "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
     "tests": None,
 }
@@ -67,12 +69,10 @@ HOMES = {
 # What shipped code may use of the standard library: nothing that allocates, throws or drags in a container.
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
             "limits", "new", "numeric", "span", "type_traits", "utility"}
-# What C has, for the one header that is read by C.
-C_HEADER = "runtime/include/coif.h"
 C_STANDARD = {"stddef.h", "stdint.h"}
 SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h",
            "runtime/include/coif/shadow.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
-           "runtime/drawing", "runtime/gl", "runtime/c", C_HEADER)
+           "runtime/drawing", "runtime/gl", "runtime/c", *C_HEADERS)
 
 # Headers that the build writes, by the one layer that includes them.
 GENERATED = {"runtime/gl": {"hair_shaders.h"}}
@@ -118,7 +118,7 @@ def foreign_violation(layer, path, name):
     home = next((HOMES[prefix] for prefix in HOMES if name.startswith(prefix)), None)
     if home is not None:
         return None if any(path.startswith(h) for h in home) else f"<{name}> belongs in {' or '.join(home)} only"
-    if layer in SHIPPED and name not in (C_STANDARD if layer == C_HEADER else STANDARD):
+    if layer in SHIPPED and name not in (C_STANDARD if layer in C_HEADERS else STANDARD):
         return f"<{name}> is not among the headers that shipped code may use"
     if "/" in name and not name.startswith("sys/"):
         return f"<{name}> has no home; give it one in HOMES, with a reason in the commit"
@@ -174,6 +174,7 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
     tree = {"tools/base/text.h", "tools/cook/order/sort.h", "tools/import/import.h",
             "tools/cook/cook.h", "tools/render/picture.h", "formats/write/asset_writer.h", "formats/include/coif/asset.h",
             "runtime/include/coif/drawing.h", "runtime/include/coif/renderer.h", "runtime/include/coif/hair.h",
+            "runtime/include/coif/c/types.h",
             "tests/sim/rig.h"}
     must_fail = [("runtime/sim/a.cpp", "#include <vector>"), ("runtime/sim/a.cpp", '#include "cook/cook.h"'),
                  ("runtime/sim/a.cpp", "#include <coif/renderer.h>"), ("runtime/sim/a.cpp", "#include <GLES3/gl3.h>"),
@@ -187,9 +188,11 @@ coif_tool_library(render PUBLIC coif_base coif::gl)
                  ("tools/cook/a.cpp", "#include <CLI/CLI.hpp>"), ("tools/cook/a.cpp", "#include <newlib/new.h>"),
                  ("runtime/include/coif/hair.h", "#include <hwy/highway.h>"),
                  ("runtime/gl/a.cpp", '#include "sim/rig.h"'), ("elsewhere/a.cpp", ""),
-                 (C_HEADER, "#include <cstdint>"), (C_HEADER, "#include <coif/hair.h>"),
+                 ("runtime/include/coif.h", "#include <cstdint>"), ("runtime/include/coif.h", "#include <coif/hair.h>"),
+                 ("runtime/include/coif/c/a.h", "#include <cstdint>"), ("runtime/include/coif/c/a.h", "#include <coif/hair.h>"),
                  ("runtime/sim/a.cpp", "#include <stdint.h>")]
-    must_pass = [(C_HEADER, "#include <stdint.h>"),
+    must_pass = [("runtime/include/coif.h", "#include <stdint.h>\n#include <coif/c/types.h>"),
+                 ("runtime/include/coif/c/a.h", "#include <stdint.h>"),
                  ("runtime/sim/a.cpp", "#include <span>\n#include <coif/hair.h>"),
                  ("runtime/sim/lanes/a.cpp", "#include <hwy/highway.h>"),
                  ("runtime/drawing/a.cpp", "#include <coif/drawing.h>"),

@@ -7,7 +7,8 @@
 
 static const void* at_byte(size_t offset) { return (const void*)offset; }
 
-static void describe_vertices(size_t skin_begin) {
+/* Hair without skin is rigid: it lacks the last two attributes. */
+static void describe_vertices(size_t skin_begin, int is_skinned) {
   const GLsizei stride = sizeof(coif_vertex), skin_stride = sizeof(coif_skin);
   GLuint attribute;
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, at_byte(offsetof(coif_vertex, position)));
@@ -17,7 +18,7 @@ static void describe_vertices(size_t skin_begin) {
   glVertexAttribIPointer(4, 4, GL_UNSIGNED_SHORT, skin_stride, at_byte(skin_begin + offsetof(coif_skin, bone)));
   glVertexAttribPointer(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, skin_stride,
                         at_byte(skin_begin + offsetof(coif_skin, weight)));
-  for (attribute = 0; attribute < 6; ++attribute) glEnableVertexAttribArray(attribute);
+  for (attribute = 0; attribute < (is_skinned ? 6u : 4u); ++attribute) glEnableVertexAttribArray(attribute);
 }
 
 static int upload_mesh(model* drawn, const coif_asset* asset) {
@@ -36,7 +37,7 @@ static int upload_mesh(model* drawn, const coif_asset* asset) {
   glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(vertex_bytes + skin_bytes), NULL, GL_STATIC_DRAW);
   glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)vertex_bytes, vertices);
   glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)vertex_bytes, (GLsizeiptr)skin_bytes, skin);
-  describe_vertices(vertex_bytes);
+  describe_vertices(vertex_bytes, skin_count > 0);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)index_bytes, indices, GL_STATIC_DRAW);
   glBindVertexArray(0);

@@ -1,0 +1,10 @@
+# run(COMMAND...): the command must succeed; `said` is what it printed.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}: exit code ${code}\n${output}${errors}")
+  endif()
+  string(STRIP "${output}" output)
+  set(said "${output}" PARENT_SCOPE)
+endfunction()
