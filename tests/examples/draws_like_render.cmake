@@ -1,8 +1,8 @@
 # A renderer in C, which has coif.h and nothing else of coif, draws what `coif render` draws.
 #   cmake -D EXAMPLE=... -D COIF=... -D DIFFERENCE=... -D ASSET=... -D SHADERS=... -D WORK=... -P draws_like_render.cmake
-# Seen from the front and the back, where other draw orders suit. The stored order in place of these is off by 45 dB.
+# Seen from the front and the back, where other draw orders suit.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
-set(least_db 60)  # 50 is promised; less than 60 would be another order, another texture, another light
+set(least_db 60)  # 50 is promised; the stored order instead of the chosen ones is 41 dB in the first view, 58 in the second
 file(MAKE_DIRECTORY ${WORK})
 
 foreach(view 30,5 200,-15)
@@ -10,10 +10,10 @@ foreach(view 30,5 200,-15)
   set(picture ${WORK}/${view})
   run(${EXAMPLE} ${ASSET} ${SHADERS} ${picture}.ppm ${angles})
   message("${said}")
-  if(said IN_LIST orders)
+  if(said STREQUAL last_order)
     message(FATAL_ERROR "the same draw order from both sides: ${said}")
   endif()
-  list(APPEND orders ${said})
+  set(last_order "${said}")
   run(${EXAMPLE} ${ASSET} ${SHADERS} ${picture}_bald.ppm ${angles} bald)
   run(${COIF} render ${ASSET} -o ${picture}.png --view ${view} --size 512x384 --shadows none)
   run(${DIFFERENCE} ${picture}.ppm ${picture}.png ${picture}_bald.ppm ${least_db})
