@@ -81,20 +81,13 @@ static void draw_passes(const model* drawn, uint32_t lod, uint32_t order) {
 
 static coif_status draw_head(const model* drawn, const coif_draw_view* view, const coif_hair* hair,
                              const coif_head_pose* head) {
-  static unsigned char rows[BLOCK_BYTES];
-  const size_t bytes = (size_t)drawn->layout.rows_of_head * 4 * sizeof(float);
   coif_draw_block values;
   uint32_t order;
   coif_status status = coif_fill_draw_block(view, &drawn->hair.material, drawn->layout.rows_of_head, &values);
   if (status != COIF_OK) return status;
   if (!coif_is_in_view(&drawn->hair, head, &view->eye, values.clip_from_view, &order)) return COIF_OK;
-  status = coif_write_head(&drawn->hair, &drawn->layout, head, coif_hair_palette(hair, 0), coif_hair_bone_count(hair),
-                           &view->eye, rows, bytes);
+  status = model_send_head(drawn, &values, &view->eye, head, coif_hair_palette(hair, 0));
   if (status != COIF_OK) return status;
-  glBindBuffer(GL_UNIFORM_BUFFER, drawn->draw_block);
-  glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
-  glBindBuffer(GL_UNIFORM_BUFFER, drawn->palette_block);
-  glBufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)bytes, rows);
   draw_passes(drawn, 0, order);
   printf("draw order %u of %u, %u bones\n", (unsigned)order + 1, (unsigned)drawn->hair.order_count,
          (unsigned)drawn->hair.bone_count);

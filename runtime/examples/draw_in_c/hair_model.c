@@ -2,8 +2,11 @@
 
 #include "host.h"
 
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { BONES_OF_ROW = 256 }; /* of palette_texture, three texels each */
 
 static const void* at_byte(size_t offset) { return (const void*)offset; }
 
@@ -29,7 +32,10 @@ static int upload_mesh(model* drawn, const coif_asset* asset) {
   const size_t index_bytes = (size_t)drawn->hair.order_count * drawn->hair.indices_of_order * drawn->hair.index_bytes;
   void* const indices = malloc(index_bytes);
   GLuint buffers[2];
-  if (indices == NULL || coif_write_draw_orders(asset, &drawn->hair, indices, index_bytes) != COIF_OK) return 0;
+  if (coif_write_draw_orders(asset, &drawn->hair, indices, index_bytes) != COIF_OK) { /* null, where malloc gave none */
+    free(indices);
+    return 0;
+  }
   glGenVertexArrays(1, &drawn->vertex_array);
   glBindVertexArray(drawn->vertex_array);
   glGenBuffers(2, buffers);
@@ -100,6 +106,7 @@ static void add_defines(host_source* source, const model* drawn) {
 static host_source vertex_source(const model* drawn, const char* folder) {
   host_source source = host_source_begin();
   host_source_add(&source, "#define COIF_PALETTE_ROWS 1024\n");
+  if (drawn->palette_texture != 0) host_source_add(&source, "#define COIF_BONES_IN_TEXTURE\n");
   if (drawn->hair.skinning == COIF_ONE_BONE) host_source_add(&source, "#define COIF_ONE_BONE\n");
   if (drawn->hair.skinning == COIF_FOUR_BONES) host_source_add(&source, "#define COIF_FOUR_BONES\n");
   host_source_add_piece(&source, folder, "hair.glsl", "draw_block.glsl");
@@ -138,6 +145,7 @@ static GLuint link_program(const model* drawn, const char* folder, int is_shaded
   if (program == 0) return 0;
   glUseProgram(program);
   for (unit = 0; unit < ROLES; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
+  glUniform1i(glGetUniformLocation(program, "palette_texture"), ROLES);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "PaletteBlock"), PALETTE_BINDING);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "DrawBlock"), DRAW_BINDING);
   return program;
@@ -151,18 +159,56 @@ static GLuint make_block(GLuint binding, size_t bytes) {
   return buffer;
 }
 
+static GLuint make_palette_texture(uint32_t bones) {
+  const GLsizei height = (GLsizei)(bones + BONES_OF_ROW - 1) / BONES_OF_ROW;
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, 3 * BONES_OF_ROW, height);
+  return name;
+}
+
 const char* model_load(model* made, const coif_asset* asset, const char* folder) {
   const GLint wrap = wrap_of(asset);
   uint32_t role;
   memset(made, 0, sizeof *made);
   if (coif_drawn_hair_of(asset, &made->hair) != COIF_OK) return "has no mesh";
   coif_matrix_layout_of(&made->hair, BLOCK_BYTES, &made->layout);
-  if (made->layout.bones_in_texture) return "has too many bones for this example: see COIF_BONES_IN_TEXTURE";
   if (!upload_mesh(made, asset)) return "no memory";
+  if (made->layout.bones_in_texture) made->palette_texture = make_palette_texture(made->hair.bone_count);
   for (role = 0; role < ROLES; ++role) made->textures[role] = upload_texture(asset, role, wrap);
   made->color_program = link_program(made, folder, 1);
   made->depth_program = link_program(made, folder, 0);
   made->draw_block = make_block(DRAW_BINDING, sizeof(coif_draw_block));
   made->palette_block = make_block(PALETTE_BINDING, BLOCK_BYTES);
   return made->color_program != 0 && made->depth_program != 0 ? NULL : "the driver refuses the shaders";
+}
+
+/* A row of texels is 256 bones, the last one what is left. */
+static void send_palette(const model* drawn, const coif_mat34* palette) {
+  uint32_t first;
+  glActiveTexture(GL_TEXTURE0 + ROLES);
+  glBindTexture(GL_TEXTURE_2D, drawn->palette_texture);
+  for (first = 0; first < drawn->hair.bone_count; first += BONES_OF_ROW) {
+    const uint32_t left = drawn->hair.bone_count - first, count = left < BONES_OF_ROW ? left : BONES_OF_ROW;
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, (GLint)(first / BONES_OF_ROW), (GLsizei)(3 * count), 1, GL_RGBA, GL_FLOAT,
+                    palette + first);
+  }
+}
+
+coif_status model_send_head(const model* drawn, const coif_draw_block* values, const coif_vec3* eye,
+                            const coif_head_pose* head, const coif_mat34* palette) {
+  static unsigned char rows[BLOCK_BYTES];
+  const size_t bytes = (size_t)drawn->layout.rows_of_head * 4 * sizeof(float);
+  const coif_status status =
+      coif_write_head(&drawn->hair, &drawn->layout, head, palette, drawn->hair.bone_count, eye, rows, bytes);
+  if (status != COIF_OK) return status;
+  glBindBuffer(GL_UNIFORM_BUFFER, drawn->draw_block);
+  glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof *values, values);
+  glBindBuffer(GL_UNIFORM_BUFFER, drawn->palette_block);
+  glBufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)bytes, rows);
+  if (drawn->palette_texture != 0) send_palette(drawn, palette);
+  return COIF_OK;
 }

@@ -15,11 +15,16 @@ typedef struct model {
   coif_matrix_layout layout;
   GLuint vertex_array, draw_block, palette_block;
   GLuint textures[ROLES]; /* 0: the asset has none of this role */
+  GLuint palette_texture; /* Of bones that are too many for a block; else 0. */
   GLuint color_program, depth_program;
 } model;
 
 /* The context is current; `folder` has the shaders. Null: it is loaded, and the asset's mesh and textures may go. Else what is
  * wrong. */
 const char* model_load(model* made, const coif_asset* asset, const char* folder);
+
+/* For the next draw: the uniform block, and the matrices of one head, whose palette has one for each bone. */
+coif_status model_send_head(const model* drawn, const coif_draw_block* values, const coif_vec3* eye,
+                            const coif_head_pose* head, const coif_mat34* palette);
 
 #endif
