@@ -104,7 +104,8 @@ TEST_F(CSimulation, MovesHairToTheSameBits) {
     TestHair same(nine_bone_rig(), desc);
     ASSERT_EQ(coif_hair_bone_count(hair_), same.hair.bone_count());
     for (int frame = 1; frame <= 30; ++frame) {
-      const HeadPose pose = wander(frame / 60.0);
+      HeadPose pose = wander(frame / 60.0);
+      pose.scale = 1.25f;
       const coif_head_pose pose_in_c = in_c(pose);
       if (frame % 3 == 0) {
         const coif_head_velocity velocity{{1, 2, 3}, {0.1f, 0.2f, 0.3f}};
