@@ -53,7 +53,7 @@ sanitize() {
   shift
   targets=
   for folder in "$@"; do targets="$targets coif_${folder}_test"; done
-  [ "$1" = formats ] && targets="$targets coif_sim_allocation_test coif_c_interface_test"
+  [ "$1" = formats ] && targets="$targets coif_sim_allocation_test"
   build asan -DCOIF_TESTS=ON $targets || return
   run asan "$part" -L "^($(echo "$*" | tr ' ' '|'))\$" -E '^(validate[.]schema|cook[.]artists_files)'
 }
@@ -77,7 +77,7 @@ for part in ${*:-plain}; do
   for part in $part; do
     case $part in
       plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds)$' ;;
-      asan) sanitize asan formats sim import ;;
+      asan) sanitize asan formats sim c import ;;
       asan-cook) sanitize asan-cook cook cache validate ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
