@@ -44,7 +44,6 @@ Vec3 seen_from(const HeadAt& head, const double (&place)[3]) {
 }
 
 constexpr std::uint32_t kMostLooks = 64;
-constexpr float kLargestCollider = 1e6f;  ///< Metres.
 
 /// The shape in metres of the hair, and what is degenerate of it as what it is.
 void set_shape(const ToldCollider& told, float per_scale, ColliderWay& way) {
@@ -175,23 +174,6 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
   complete(placed);
   constexpr float kLeastSize = 1e-3f;  // metres; what is thinner is not felt more exactly
   if (placed.size < kLeastSize) placed.size = kLeastSize;
-}
-
-Status check_collider(const MovingCollider& c) {
-  const bool fits = c.shape <= ColliderShape::kBox;
-  const HeadPose pose{{c.center[0], c.center[1], c.center[2]}, c.rotation};
-  HeadPose unit_pose;
-  if (!fits || normalise_pose(pose, unit_pose) != Status::kOk) return Status::kBadArgument;
-  if (!is_finite(c.axis) || !is_finite(c.half_extents)) return Status::kBadArgument;
-  const auto is_length = [](float metres) { return metres >= 0.0f && metres <= kLargestCollider; };
-  const Vec3& half = c.half_extents;
-  if (!is_length(c.radius) || !is_length(c.end_radius) || !is_length(length(c.axis))) return Status::kBadArgument;
-  if (!is_length(half.x) || !is_length(half.y) || !is_length(half.z)) return Status::kBadArgument;
-  const bool has_volume = half.x > 0.0f && half.y > 0.0f && half.z > 0.0f;
-  if (c.shape == ColliderShape::kEllipsoid && !has_volume) return Status::kBadArgument;
-  if (c.shape == ColliderShape::kPlane && !(length(c.axis) > 1e-6f)) return Status::kBadArgument;
-  if (!c.is_velocity_known) return Status::kOk;
-  return is_finite(c.velocity.linear) && is_finite(c.velocity.angular) ? Status::kOk : Status::kBadArgument;
 }
 
 namespace {

@@ -59,7 +59,4 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed);
 void begin_colliders(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
                      const StepParts& parts);
 
-/// kBadArgument for a number that is not finite or out of its range.
-[[nodiscard]] Status check_collider(const MovingCollider& collider);
-
 }  // namespace coif

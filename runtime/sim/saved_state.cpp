@@ -3,6 +3,7 @@
 
 #include <coif/hair.h>
 
+#include "check_collider.h"
 #include "crowd_step.h"
 
 #include <bit>

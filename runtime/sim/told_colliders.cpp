@@ -1,0 +1,127 @@
+// Colliders that hosts tell: the game's, and with the bones of a body those of the asset that hang on them.
+
+#include <coif/hair.h>
+
+#include "check_collider.h"
+#include "crowd_step.h"
+#include "float_environment.h"
+#include "vector_math.h"
+
+namespace coif {
+namespace {
+
+bool same_collider(const MovingCollider& a, const MovingCollider& b) {
+  const bool same_place = a.center[0] == b.center[0] && a.center[1] == b.center[1] && a.center[2] == b.center[2];
+  const bool same_shape = a.shape == b.shape && a.axis == b.axis && a.radius == b.radius &&
+                          a.end_radius == b.end_radius && a.half_extents == b.half_extents;
+  return same_place && same_shape && a.rotation == b.rotation && a.is_velocity_known == b.is_velocity_known &&
+         a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular;
+}
+
+/// World metres from the collider's `center` within which all of it is.
+float extent_of(const MovingCollider& c) {
+  const float radius = c.radius > c.end_radius ? c.radius : c.end_radius;
+  switch (c.shape) {
+    case ColliderShape::kSphere: return c.radius;
+    case ColliderShape::kBox:
+    case ColliderShape::kEllipsoid: return c.radius + length(c.half_extents);
+    case ColliderShape::kPlane: return 3e18f;
+    default: return radius + length(c.axis);
+  }
+}
+
+/// Whether hair of the head could touch it where it is told to be.
+bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldCollider& told) {
+  const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
+  const HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
+  const double scale = 1.0 / double(heads.per_scale.v[i]);
+  double distance2 = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double way = told.now.center[axis] - heads.next_position[axis][i];
+    distance2 += way * way;
+  }
+  const double extent = double(extent_of(told.now)) * (told.is_of_body ? scale : 1.0);
+  const double reach = double(crowd.character.reach) * scale + extent;
+  return told.keeps_inside || distance2 < reach * reach;
+}
+
+/// Takes the place of what was told before; a sleeping head wakes where it matters.
+void tell(CrowdState& crowd, std::uint32_t instance, std::uint32_t place, const ToldCollider& next) {
+  ToldCollider& told = crowd.character.told[std::size_t(instance) * crowd.character.places + place];
+  if (told.is_there == next.is_there && (!next.is_there || same_collider(told.now, next.now))) return;
+  const bool matters =
+      (told.is_there && is_in_reach(crowd, instance, told)) || (next.is_there && is_in_reach(crowd, instance, next));
+  const bool has_way = told.has_way && next.is_there && told.now.shape == next.now.shape;
+  told.now = next.now;
+  told.is_there = next.is_there;
+  told.has_way = has_way;
+  told.is_of_body = next.is_of_body;
+  told.keeps_inside = next.keeps_inside;
+  if (matters && crowd.details[instance].asleep) wake(crowd, instance);
+}
+
+/// A collider of the asset as its bone carries it. `rest`: of the bone, from its own axes to head space.
+MovingCollider carried_by(const ColliderRecord& record, const BodyBoneRecord& rest, const HeadPose& bone, float scale) {
+  MovingCollider moved;
+  const Quat to_bone = conjugate(to_quat(rest.rotation));
+  const Vec3 center = rotate(to_bone, to_vec3(record.center) - to_vec3(rest.joint)) * scale;
+  const Vec3 in_world = rotate(bone.rotation, center);
+  moved.shape = record.shape;
+  moved.center[0] = bone.position[0] + double(in_world.x);
+  moved.center[1] = bone.position[1] + double(in_world.y);
+  moved.center[2] = bone.position[2] + double(in_world.z);
+  moved.rotation = renormalised(bone.rotation * to_bone * to_quat(record.rotation));
+  moved.axis = rotate(conjugate(to_quat(record.rotation)), to_vec3(record.axis));
+  moved.half_extents = to_vec3(record.radii);
+  moved.radius = record.radii[0];
+  moved.end_radius = record.radii[1];
+  return moved;
+}
+
+}  // namespace
+
+Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders) {
+  if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
+  CharacterState& character = crowd_->character;
+  if (colliders.size() > character.places - character.body_colliders) return Status::kNotAsked;
+  const FloatEnvironment plain;
+  for (const MovingCollider& collider : colliders) {
+    if (const Status status = check_collider(collider); status != Status::kOk) return status;
+  }
+  for (std::uint32_t i = 0; i < character.places - character.body_colliders; ++i) {
+    ToldCollider next;
+    next.is_there = i < colliders.size();
+    if (next.is_there) next.now = colliders[i];
+    tell(*crowd_, instance, character.body_colliders + i, next);
+  }
+  return Status::kOk;
+}
+
+Status Hair::set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
+  const Block* const block = block_of(crowd_, instance);
+  if (block == nullptr) return missing(crowd_);
+  const CharacterState& character = crowd_->character;
+  if (character.body_colliders == 0) return Status::kNotAsked;
+  const Asset& asset = crowd_->asset;
+  if (bones.size() != asset.body_bones().size()) return Status::kSizeMismatch;
+  const FloatEnvironment plain;
+  HeadPose unit;
+  for (const BodyPose& bone : bones) {
+    const HeadPose pose{{bone.position[0], bone.position[1], bone.position[2]}, bone.rotation};
+    if (normalise_pose(pose, unit) != Status::kOk) return Status::kBadPose;
+  }
+  const float scale = 1.0f / block->heads.per_scale.v[crowd_->slots[instance] % kLanes];
+  for (std::uint32_t i = 0; i < character.body_colliders; ++i) {
+    const ColliderRecord& record = asset.body_colliders()[i];
+    const BodyPose& bone = bones[record.bone];
+    (void)normalise_pose({{bone.position[0], bone.position[1], bone.position[2]}, bone.rotation}, unit);
+    ToldCollider next;
+    next.now = carried_by(record, asset.body_bones()[record.bone], unit, scale);
+    next.is_there = next.is_of_body = true;
+    next.keeps_inside = (record.flags & kColliderKeepsInside) != 0;
+    tell(*crowd_, instance, i, next);
+  }
+  return Status::kOk;
+}
+
+}  // namespace coif
