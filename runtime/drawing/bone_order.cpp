@@ -56,7 +56,7 @@ Vec3 in_head_space(const HeadPose& head, const Vec3& eye) {
   const double q[3] = {head.rotation.x, head.rotation.y, head.rotation.z}, w = head.rotation.w;
   const double c[3] = {v[1] * q[2] - v[2] * q[1], v[2] * q[0] - v[0] * q[2], v[0] * q[1] - v[1] * q[0]};
   const double d[3] = {c[1] * q[2] - c[2] * q[1], c[2] * q[0] - c[0] * q[2], c[0] * q[1] - c[1] * q[0]};
-  const auto at = [&](int i) { return static_cast<float>(v[i] + 2 * (w * c[i] + d[i])); };
+  const auto at = [&](int i) { return static_cast<float>((v[i] + 2 * (w * c[i] + d[i])) / double(head.scale)); };
   return {at(0), at(1), at(2)};
 }
 

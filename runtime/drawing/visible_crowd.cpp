@@ -1,3 +1,5 @@
+#include "drawing/head_pose.h"
+
 #include <coif/drawing.h>
 
 #include <cmath>
@@ -13,20 +15,14 @@ struct HeadMatrix {
 
 /// Of a valid pose. Double on its way, because a head's place in a large world is.
 HeadMatrix head_matrix(const HeadPose& pose, const Vec3& eye) {
-  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
-  const double s = 2.0 / (x * x + y * y + z * z + w * w);
-  const auto f = [](double value) { return static_cast<float>(value); };
-  return {{{f(1 - s * (y * y + z * z)), f(s * (x * y - w * z)), f(s * (x * z + w * y)), f(pose.position[0] - eye.x)},
-           {f(s * (x * y + w * z)), f(1 - s * (x * x + z * z)), f(s * (y * z - w * x)), f(pose.position[1] - eye.y)},
-           {f(s * (x * z - w * y)), f(s * (y * z + w * x)), f(1 - s * (x * x + y * y)), f(pose.position[2] - eye.z)}}};
-}
-
-bool is_valid(const HeadPose& pose) {
-  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
-  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
-  const double square = x * x + y * y + z * z + w * w;
-  return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&
-         std::fabs(square - 1.0) < kUnitTolerance;
+  const HeadTurn turn = turn_of(pose);
+  const double from_eye[3] = {pose.position[0] - eye.x, pose.position[1] - eye.y, pose.position[2] - eye.z};
+  HeadMatrix head;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) head.rows[i][k] = static_cast<float>(turn.rows[i][k]);
+    head.rows[i][3] = static_cast<float>(from_eye[i]);
+  }
+  return head;
 }
 
 }  // namespace
@@ -38,12 +34,14 @@ Status check_instance(const DrawnHair& hair, const HairInstance& instance) {
   return is_valid(instance.head) ? Status::kOk : Status::kBadPose;
 }
 
-MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes) {
+MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes, std::uint32_t frames) {
   MatrixLayout layout;
+  layout.frames = frames;
   const bool is_skinned = hair.skinning != Skinning::kRigid;
-  const std::size_t bytes = (1 + std::size_t{hair.bone_count}) * sizeof(Mat34);
+  const std::size_t bytes = frames * (1 + std::size_t{hair.bone_count}) * sizeof(Mat34);
   layout.bones_in_texture = is_skinned && bytes > block_bytes;
   if (is_skinned && !layout.bones_in_texture) layout.rows_of_head += MatrixLayout::kMatrixRows * hair.bone_count;
+  layout.rows_of_head *= frames;
   if (!layout.bones_in_texture) {
     layout.heads_of_batch = block_bytes / (layout.rows_of_head * MatrixLayout::kRowBytes);
   }
@@ -53,7 +51,7 @@ MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes) 
 void write_head(const MatrixLayout& layout, const HairInstance& instance, const Vec3& eye, std::byte* to) {
   const HeadMatrix head = head_matrix(instance.head, eye);
   std::memcpy(to, &head, sizeof head);
-  if (layout.rows_of_head > MatrixLayout::kMatrixRows) {
+  if (layout.rows_of_frame() > MatrixLayout::kMatrixRows) {
     std::memcpy(to + sizeof head, instance.palette.data(), instance.palette.size_bytes());
   }
 }
@@ -88,7 +86,7 @@ bool VisibleCrowd::is_seen(const HairInstance& instance) const {
   }
   for (const float(&plane)[4] : planes_) {
     const float inside = plane[0] * center[0] + plane[1] * center[1] + plane[2] * center[2] + plane[3];
-    if (inside < -hair_.reach.radius) return false;
+    if (inside < -hair_.reach.radius * instance.head.scale) return false;
   }
   return true;
 }
@@ -96,7 +94,7 @@ bool VisibleCrowd::is_seen(const HairInstance& instance) const {
 VisibleCrowd::Group VisibleCrowd::group_of(const HairInstance& instance) const {
   if (hair_.order_count < 2) return {instance.lod, 0};
   const HeadMatrix head = head_matrix(instance.head, eye_);
-  float towards_eye[3] = {};  // head space
+  float towards_eye[3] = {};  // head space, of any length
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) towards_eye[i] -= head.rows[k][i] * head.rows[k][3];
   }

@@ -119,6 +119,17 @@ TEST(BoneOrder, BonesThatMoveTakeTheirTrianglesAlong) {
   }
 }
 
+TEST(BoneOrder, AHeadsScaleBringsItsHairNearerToTheEyeOrPastIt) {
+  Ordered ordered(card_contents(far_to_near(5), 5));
+  const std::vector<Mat34> rest(5);
+  // In front of cards up to 0.4 m; of a head twice as large between the third and the fourth.
+  const Vec3 between{0, 0, 0.47f};
+  HairInstance head{.head = {}, .palette = rest};
+  EXPECT_EQ(cards_of(ordered.drawn(head, between)), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  head.head.scale = 2;
+  EXPECT_EQ(cards_of(ordered.drawn(head, between)), (std::vector<std::uint32_t>{0, 4, 1, 3, 2}));
+}
+
 TEST(BoneOrder, EveryTriangleOfEveryLevelIsDrawnOnce) {
   const std::vector<std::byte> wig = made_up_wig({.strips = 12, .bones_per_chain = 3, .texture_size = 32});
   Ordered ordered(wig);

@@ -101,6 +101,22 @@ TEST_F(Crowd, AHeadIsInViewAsLongAsItsHairMayBe) {
   EXPECT_EQ(calls_->instances, 0);
 }
 
+TEST_F(Crowd, AHeadIsInViewAsFarAsItsScaleTakesItsHair) {
+  const auto drawn_at = [&](double x, float scale) {
+    std::vector<HairInstance> heads = heads_at({x});
+    heads[0].head.scale = scale;
+    draw_crowd(small_card(), heads);
+    return calls_->instances;
+  };
+  // The card reaches 0.05 to each side times the scale, its corners 0.071.
+  EXPECT_EQ(drawn_at(1.1, 2), 1);
+  EXPECT_EQ(drawn_at(1.2, 2), 0);
+  EXPECT_EQ(drawn_at(1.03, 0.5f), 1);
+  EXPECT_EQ(drawn_at(1.05, 0.5f), 0);
+  EXPECT_EQ(drawn_at(1.9, 20), 1);
+  EXPECT_EQ(pixel(31, 2), (Pixel{255, 255, 255, 255})) << "drawn as large as it is";
+}
+
 /// Turns every chain as a whole about its root, by a quarter turn about Z: what hung down points to the side.
 std::vector<Mat34> lifted_chains(const Asset& asset) {
   std::vector<Mat34> palette(asset.bones().size());

@@ -38,13 +38,14 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Ass
   std::vector<Eigen::Vector3d> points;
   for (const HairPose& pose : *poses) {
     const Quat& q = pose.head.rotation;
+    const auto scale = double(pose.head.scale);
     const Eigen::Quaterniond turn = Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>().normalized();
     if (skin_vertices(asset, pose.palette, 0, skinned) != Status::kOk) continue;
     for (std::size_t v = 0; v < skinned.size(); v += stride) {
-      points.push_back(turn * to_eigen(skinned[v].position).cast<double>());
+      points.push_back(scale * (turn * to_eigen(skinned[v].position).cast<double>()));
     }
     for (const SolidMesh& mesh : head) {
-      for (const SolidVertex& vertex : mesh.vertices) points.push_back(turn * vertex.position.cast<double>());
+      for (const SolidVertex& v : mesh.vertices) points.push_back(scale * (turn * v.position.cast<double>()));
     }
   }
   return points;

@@ -130,7 +130,7 @@ GLuint upload(const SolidMesh& mesh) {
 Eigen::Matrix4f matrix_of(const HeadPose& pose) {
   const Quat& q = pose.rotation;
   Eigen::Affine3f world_from_head = Eigen::Affine3f::Identity();
-  world_from_head.linear() = Eigen::Quaternionf(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  world_from_head.linear() = pose.scale * Eigen::Quaternionf(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
   world_from_head.translation() = Eigen::Map<const Eigen::Vector3d>(pose.position).cast<float>();
   return world_from_head.matrix();
 }

@@ -37,8 +37,8 @@ enum class Component : std::uint8_t { kAll, kAmbient, kDiffuse, kSpecular, kPrim
 
 /// One head of a crowd.
 struct HairInstance {
-  HeadPose head;                   ///< World from head space.
-  std::span<const Mat34> palette;  ///< From Hair::palette(); as many as the asset has bones.
+  HeadPose head;                   ///< World from head space, its scale included.
+  std::span<const Mat34> palette;  ///< From Hair::palette(), head space; as many as the asset has bones.
   /// Level of detail, below the asset's count; only its patches are drawn. See choose_lod() in coif/lod.h.
   std::uint32_t lod = 0;
 };
@@ -102,7 +102,8 @@ struct DrawnHair {
 COIF_API void write_draw_orders(const Asset& asset, const DrawnHair& hair, std::span<std::byte> out);
 
 /// kSizeMismatch when the palette has not one matrix per bone (rigid hair may also have none), kBadArgument for no such
-/// level, kBadPose for a NaN, an infinity or a rotation that is no unit quaternion.
+/// level, kBadPose for a NaN, an infinity, a rotation that is no unit quaternion or a scale outside of
+/// kSmallestScale..kLargestScale.
 [[nodiscard]] COIF_API Status check_instance(const DrawnHair& hair, const HairInstance& instance);
 
 /// Finite, thresholds and shares 0..1, exponents above 0, and what the shading model needs.
@@ -113,18 +114,23 @@ struct MatrixLayout {
   static constexpr std::uint32_t kRowBytes = 4 * sizeof(float);
   static constexpr std::uint32_t kMatrixRows = 3;
 
-  std::uint32_t rows_of_head = kMatrixRows;  ///< vec4 of each head: its own matrix, then those of its bones.
+  /// vec4 of each head: its own matrix, then those of its bones; where there are two frames, then the same of the last frame.
+  std::uint32_t rows_of_head = kMatrixRows;
+  std::uint32_t frames = 1;                  ///< 2: for vectors of motion.
   std::uint32_t heads_of_batch = 1;          ///< Most that one block holds, and so one draw call shows.
   /// The bones are too many for a block: they go into a texture, head by head, and the block has the head's matrix alone.
   bool bones_in_texture = false;
 
+  [[nodiscard]] std::uint32_t rows_of_frame() const { return rows_of_head / frames; }
   [[nodiscard]] std::uint32_t batch_bytes() const { return heads_of_batch * rows_of_head * kRowBytes; }
 };
 
-/// For uniform blocks of so many bytes, 16 KiB or more.
-[[nodiscard]] COIF_API MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes);
+/// For uniform blocks of so many bytes, 16 KiB or more. `frames`: 1 or 2.
+[[nodiscard]] COIF_API MatrixLayout matrix_layout_of(const DrawnHair& hair, std::uint32_t block_bytes,
+                                                     std::uint32_t frames = 1);
 
-/// Writes one head's rows_of_head, view from head space first; view space has the world's axes and its origin at the eye.
+/// Writes one head's rows_of_frame(), view from head space first, with the head's scale; view space has the world's axes and its
+/// origin at the eye.
 COIF_API void write_head(const MatrixLayout& layout, const HairInstance& instance, const Vec3& eye, std::byte* to);
 
 /// Where a shader finds its place in a shadow map, beside the textures: for the arguments of hair_light().
@@ -147,7 +153,8 @@ struct alignas(16) DrawBlock {
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
   float light_spot[kMaxLights][4];
-  ShadowUniforms shadow;  ///< From view space; map[3]: which light it belongs to.
+  /// From view space; map[3]: which light it belongs to. For vectors of motion previous_clip_from_view.
+  ShadowUniforms shadow;
 };
 static_assert(sizeof(DrawBlock) == 656);
 

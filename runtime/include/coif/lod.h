@@ -9,8 +9,8 @@
 namespace coif {
 
 /// Share of the viewport's height that something of this height (metres) covers at this distance (metres, > 0) from the
-/// eye, under a perspective camera whose vertical field of view is `fov` radians, 0 < fov < pi. The head's own height is
-/// what LodRecord::screen_size means.
+/// eye, under a perspective camera whose vertical field of view is `fov` radians, 0 < fov < pi. The head's own height in the
+/// world, HeadPose::scale included, is what LodRecord::screen_size means.
 [[nodiscard]] COIF_API float screen_share(float height, float distance, float fov);
 
 /// The level to draw: the finest that fits `share` of the viewport's height, see LodRecord::screen_size.

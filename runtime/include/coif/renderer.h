@@ -94,9 +94,9 @@ class COIF_API HairRenderer {
   /// matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
-  /// matrix per bone (hair without SKIN may also have none); kBadPose; kBadArgument for too many lights, no such level
-  /// or a number out of its range, an order that was not made of such an asset or whose indices the stream
-  /// has no room for. After these no OpenGL function has been called. kDriver when a program was missing,
+  /// matrix per bone (hair without SKIN may also have none); kBadPose, for a scale out of range too; kBadArgument for too many
+  /// lights, no such level or a number out of its range, an order that was not made of such an asset or whose indices the
+  /// stream has no room for. After these no OpenGL function has been called. kDriver when a program was missing,
   /// see prepare(), and is refused; nothing is drawn then.
   ///
   /// Sets, and leaves at OpenGL's initial value: program, vertex array, active texture unit; where the asset has them,

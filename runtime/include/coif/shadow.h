@@ -53,7 +53,8 @@ struct ShadowDesc {
 /// A ball, world, metres: what casts shadows and what may catch them.
 struct ShadowBall {
   double center[3] = {};
-  float radius = 0.5f;  ///< > 0. The smaller, the finer the shadow; one head with long hair wants some 0.4.
+  /// > 0. The smaller, the finer the shadow; one head with long hair wants some 0.4 times its scale.
+  float radius = 0.5f;
 };
 
 /// One asset's heads among those that cast shadows.

@@ -20,7 +20,8 @@ struct SkinnedVertex {
 
 /// Skins Asset::vertices()[first .. first + out.size()) with `palette`, from Hair::palette(): what shaders/hair.vert does
 /// before it puts the head in its place, but for the last bit, which drivers round as they like. Hair without SKIN keeps
-/// its rest pose. Draw the result under the head's world transform.
+/// its rest pose. Draw the result under the head's world transform, HeadPose::scale included; under a uniform scale normals and
+/// tangents keep their directions.
 ///
 /// Allocates nothing and keeps nothing: parts of one asset may be skinned on several threads at the same time, with the
 /// same bits as at once. The palette's numbers are believed. Cost: per vertex, tests/bench (`skin_...`).

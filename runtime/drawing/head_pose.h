@@ -1,0 +1,32 @@
+#pragma once
+
+#include <coif/math.h>
+
+#include <cmath>
+
+namespace coif {
+
+/// World from head space but for the head's place: its rotation times its scale.
+struct HeadTurn {
+  double rows[3][3];
+};
+
+/// Of a valid pose.
+inline HeadTurn turn_of(const HeadPose& pose) {
+  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
+  const double s = 2.0 / (x * x + y * y + z * z + w * w), scale = pose.scale;
+  return {{{scale * (1 - s * (y * y + z * z)), scale * (s * (x * y - w * z)), scale * (s * (x * z + w * y))},
+           {scale * (s * (x * y + w * z)), scale * (1 - s * (x * x + z * z)), scale * (s * (y * z - w * x))},
+           {scale * (s * (x * z - w * y)), scale * (s * (y * z + w * x)), scale * (1 - s * (x * x + y * y))}}};
+}
+
+/// Finite, the rotation a unit quaternion, the scale in its range.
+inline bool is_valid(const HeadPose& pose) {
+  constexpr double kUnitTolerance = 2e-3;  // of the squared length; Hair::set_head() takes the same
+  const double x = pose.rotation.x, y = pose.rotation.y, z = pose.rotation.z, w = pose.rotation.w;
+  const double square = x * x + y * y + z * z + w * w;
+  return std::isfinite(pose.position[0]) && std::isfinite(pose.position[1]) && std::isfinite(pose.position[2]) &&
+         std::fabs(square - 1.0) < kUnitTolerance && pose.scale >= kSmallestScale && pose.scale <= kLargestScale;
+}
+
+}  // namespace coif
