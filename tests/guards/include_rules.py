@@ -9,8 +9,8 @@ from pathlib import Path
 
 FORMATS = {"formats/include"}
 SIM = FORMATS | {"runtime/include"}
-DRAWING = {"runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
-RENDERER = DRAWING | {"runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
+DRAWING = {"runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h"}
+RENDERER = DRAWING | {"runtime/include/coif/motion_vectors.h", "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 C_HEADERS = {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
@@ -23,9 +23,11 @@ LAYERS = {
     "runtime/include": FORMATS,
     "runtime/include/coif.h": {"runtime/include/coif/c"},
     "runtime/include/coif/c": set(),
+    "runtime/include/coif/debug_lines.h": SIM | DRAWING,
     "runtime/include/coif/drawing.h": SIM,
     "runtime/include/coif/triangle_order.h": SIM | DRAWING,
     "runtime/include/coif/renderer.h": SIM | DRAWING,
+    "runtime/include/coif/motion_vectors.h": SIM | RENDERER,
     "runtime/include/coif/shadow.h": SIM | RENDERER,
     "runtime/sim": SIM,
     "runtime/skinning": SIM,
@@ -70,8 +72,8 @@ HOMES = {
 STANDARD = {"algorithm", "bit", "cfloat", "climits", "cmath", "concepts", "cstddef", "cstdint", "cstdio", "cstring",
             "limits", "new", "numeric", "span", "type_traits", "utility"}
 C_STANDARD = {"stddef.h", "stdint.h"}
-SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/renderer.h",
-           "runtime/include/coif/shadow.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
+SHIPPED = ("formats", "formats/include", "formats/payload_hash.h", "runtime/include", "runtime/include/coif/motion_vectors.h",
+           "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h", "runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h", "runtime/include/coif/triangle_order.h", "runtime/sim", "runtime/skinning",
            "runtime/drawing", "runtime/gl", "runtime/c", *C_HEADERS)
 
 # Headers that the build writes, by the one layer that includes them.

@@ -1,0 +1,78 @@
+#pragma once
+// Lines that show what the simulation knows: bones, what they collide with, how far they may bend, where they touch. Handed one by
+// one to a function of the host, which draws them as it likes. Nothing here allocates, knows a graphics interface or keeps
+// what it was given; a program links what it calls.
+
+#include <coif/asset.h>
+#include <coif/drawing.h>
+#include <coif/export.h>
+#include <coif/math.h>
+#include <coif/status.h>
+
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+struct DebugLine {
+  enum class Kind : std::uint8_t {
+    kBone,       ///< A simulated bone, from its start to its particle.
+    kRigidBone,  ///< From a rigid bone's parent to it.
+    kCollider,
+    kLimit,    ///< The cone that a bone's direction stays in, about its rest direction by the parent.
+    kContact,  ///< A cross and a normal where a bone touches a collider.
+  };
+  double from[3];  ///< World, metres.
+  double to[3];
+  Kind kind;
+  std::uint32_t index;  ///< Of the bone, or of the collider.
+};
+
+/// Linear, to tell the kinds apart.
+[[nodiscard]] constexpr Vec3 debug_color(DebugLine::Kind kind) {
+  constexpr Vec3 kColors[] = {
+      {0.9f, 0.7f, 0.05f}, {0.3f, 0.3f, 0.3f}, {0.05f, 0.35f, 0.9f}, {0.1f, 0.7f, 0.15f}, {0.9f, 0.03f, 0.05f}};
+  return kColors[static_cast<std::uint8_t>(kind)];
+}
+
+/// Where lines go. `draw` must not be null.
+struct DebugLines {
+  void (*draw)(const DebugLine& line, void* user) = nullptr;
+  void* user = nullptr;
+};
+
+/// Something that hair collides with: the asset's, or a game's own. Head space, metres, radians; each member as in ColliderRecord.
+struct DebugCollider {
+  ColliderShape shape = ColliderShape::kSphere;
+  Vec3 center{};
+  Vec3 axis{};          ///< Capsules: to the segment's other end. Plane: unit normal.
+  Vec3 radii{};         ///< Semi-axes; tapered capsule: both ends'.
+  Quat rotation{};      ///< From the ellipsoid's or box's own axes to head space.
+  Vec3 half_extents{};  ///< Any above 0: a box of these, whatever `shape` says.
+  bool keeps_inside = false;
+};
+
+[[nodiscard]] COIF_API DebugCollider debug_collider(const ColliderRecord& collider);
+
+/// A line for each bone but the head. `instance.lod` is not looked at. All four: kAssetLacksData where the asset is not open,
+/// kBadArgument without a function, kSizeMismatch unless the palette has one matrix per bone, kBadPose as check_instance(); then no line was drawn.
+COIF_API Status draw_bone_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
+
+/// A cone for each bone with a limit: its mouth and four lines to it, as long as the bone.
+COIF_API Status draw_limit_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
+
+/// Outlines; a plane is a square of 0.6 m with its normal. `first` is the index of the first. kBadArgument without a function or
+/// for a size or place that is not finite, kBadPose.
+COIF_API Status draw_collider_lines(std::span<const DebugCollider> colliders, const HeadPose& head,
+                                    const DebugLines& lines, std::uint32_t first = 0);
+
+/// The same of the asset's own colliders.
+COIF_API Status draw_collider_lines(const Asset& asset, const HeadPose& head, const DebugLines& lines);
+
+/// Where a bone, as thick as its hit radius, comes nearer than `tolerance` (metres, head space, >= 0) to a collider that it may touch;
+/// `more` are colliders of the game, which every bone may touch. Index: of the bone. By geometry alone: what the solver made of it is
+/// not asked. A start inside a collider (roots in the scalp) counts for nothing, since no bone can help it.
+COIF_API Status draw_contact_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines,
+                                   std::span<const DebugCollider> more = {}, float tolerance = 1e-3f);
+
+}  // namespace coif
