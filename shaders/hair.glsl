@@ -20,6 +20,8 @@ layout(std140) uniform DrawBlock {
   mat4 shadow_from_view;
   vec4 shadow_depth;
   vec4 shadow_map;         // w: index of the light that it belongs to, instead of a texel's width
+#elif defined(COIF_MOTION)
+  mat4 previous_clip_from_view;  // the last frame's, from axes around the last frame's eye
 #endif
 };
 

@@ -57,6 +57,10 @@ vec4 blended_row(int row) { return vec4(row == 0, row == 1, row == 2, 0.0); }
 // `v` times the matrix of three rows.
 vec3 times(vec4 x, vec4 y, vec4 z, vec4 v) { return vec3(dot(x, v), dot(y, v), dot(z, v)); }
 
+#ifdef COIF_MOTION
+void send_motion();  // hair_motion.vert
+#endif
+
 void main() {
   vec4 x = blended_row(0);
   vec4 y = blended_row(1);
@@ -77,4 +81,7 @@ void main() {
   corner = gl_VertexID;
 #endif
   gl_Position = clip_from_view * vec4(position, 1.0);
+#ifdef COIF_MOTION
+  send_motion();
+#endif
 }

@@ -16,7 +16,7 @@ std::uint32_t bytes_of_head(const RendererState& renderer, const ModelState& mod
 
 CrowdDraw::CrowdDraw(RendererState& renderer, const ModelState& model, std::span<const HairInstance> instances,
                      const MaterialRecord& material, Component component, const Vec3& eye, const DrawBlock& block,
-                     TriangleOrder* order)
+                     TriangleOrder* order, const LastFrame* last)
     : renderer_(renderer),
       model_(model),
       instances_(instances),
@@ -25,10 +25,12 @@ CrowdDraw::CrowdDraw(RendererState& renderer, const ModelState& model, std::span
       eye_(eye),
       block_(block),
       order_(order),
+      last_(last),
+      layout_(last == nullptr ? model.layout : last->layout),
       visible_(model.hair, instances, eye, block.clip_from_view),
       stream_(renderer.stream),
       block_bytes_(stream_.aligned(sizeof(DrawBlock))),
-      batch_bytes_(order == nullptr ? stream_.aligned(model.layout.batch_bytes()) : bytes_of_head(renderer, model)) {}
+      batch_bytes_(order == nullptr ? stream_.aligned(layout_.batch_bytes()) : bytes_of_head(renderer, model)) {}
 
 bool CrowdDraw::draw(const PassList& passes) {
   if (passes.passes().empty()) return true;
@@ -56,23 +58,43 @@ std::uint64_t bytes_of_ordered_head(const RendererState& renderer, const ModelSt
 
 // A head whose order is its own is drawn alone.
 std::uint32_t CrowdDraw::most_heads() const {
-  if (order_ != nullptr || model_.layout.bones_in_texture) return 1;
-  return (stream_.most() - block_bytes_) / batch_bytes_ * model_.layout.heads_of_batch;
+  if (order_ != nullptr || layout_.bones_in_texture) return 1;
+  return (stream_.most() - block_bytes_) / batch_bytes_ * layout_.heads_of_batch;
+}
+
+/// Of all frames.
+std::uint32_t CrowdDraw::texture_bytes() const {
+  return layout_.bones_in_texture ? layout_.frames * model_.hair.bone_count * std::uint32_t(sizeof(Mat34)) : 0;
 }
 
 std::uint32_t CrowdDraw::bytes_of(std::uint32_t heads) const {
-  const MatrixLayout& layout = model_.layout;
-  const std::uint32_t batches = (heads + layout.heads_of_batch - 1) / layout.heads_of_batch;
-  const std::uint32_t textures =
-      layout.bones_in_texture ? model_.hair.bone_count * std::uint32_t(sizeof(Mat34)) : 0;
-  return block_bytes_ + batches * batch_bytes_ + textures;
+  const std::uint32_t batches = (heads + layout_.heads_of_batch - 1) / layout_.heads_of_batch;
+  return block_bytes_ + batches * batch_bytes_ + texture_bytes();
+}
+
+void CrowdDraw::write(std::size_t instance, std::byte* block, std::byte* texture) {
+  const std::size_t bytes = layout_.bones_in_texture ? model_.hair.bone_count * sizeof(Mat34) : 0;
+  write_head(layout_, instances_[instance], eye_, block);
+  if (bytes > 0) std::memcpy(texture, instances_[instance].palette.data(), bytes);
+  if (last_ == nullptr) return;
+  const HairInstance& before = last_->instances[instance];
+  write_head(layout_, before, last_->eye, block + layout_.rows_of_frame() * MatrixLayout::kRowBytes);
+  if (bytes > 0) std::memcpy(texture + bytes, before.palette.data(), bytes);
+}
+
+void CrowdDraw::send_texture(std::uint32_t offset) {
+  const std::uint32_t bones = model_.hair.bone_count;
+  const GLuint texture = last_ == nullptr ? model_.palette_texture : model_.motion_texture;
+  for (std::uint32_t frame = 0; frame < layout_.frames; ++frame) {
+    send_palette_texture(renderer_.gl, stream_.name(), offset + frame * bones * std::uint32_t(sizeof(Mat34)), texture,
+                         bones, frame);
+  }
 }
 
 // Values of the draw first, then the matrices batch by batch, each where a block may begin; or, of one head whose bones
 // are too many for a block, its own matrix and then those of the texture. Last the indices of an order of its own.
 bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) {
-  const MatrixLayout& layout = model_.layout;
-  const std::uint32_t batch = layout.heads_of_batch;
+  const std::uint32_t batch = layout_.heads_of_batch;
   chunk.heads = visible_.count(group, first, most_heads());
   if (chunk.heads == 0) return true;
   const std::uint32_t bytes = bytes_of(chunk.heads);
@@ -84,36 +106,29 @@ bool CrowdDraw::send_chunk(const Group& group, std::size_t first, Chunk& chunk) 
   chunk.next = first;
   for (std::uint32_t head = 0; head < chunk.heads; ++head, ++chunk.next) {
     chunk.next = visible_.find(group, chunk.next);
-    const HairInstance& instance = instances_[chunk.next];
-    write_head(layout, instance, eye_,
-               matrices + head / batch * batch_bytes_ + head % batch * layout.rows_of_head * MatrixLayout::kRowBytes);
-    if (layout.bones_in_texture) {
-      std::memcpy(matrices + batch_bytes_, instance.palette.data(), instance.palette.size_bytes());
-    }
-    if (order_ != nullptr) order_->write(instance, eye_, memory + bytes);
+    const std::uint32_t place = head % batch * layout_.rows_of_head * MatrixLayout::kRowBytes;
+    write(chunk.next, matrices + head / batch * batch_bytes_ + place, matrices + batch_bytes_);
+    if (order_ != nullptr) order_->write(instances_[chunk.next], eye_, memory + bytes);
   }
   stream_.give(renderer_.gl);
   chunk.first_block = stream_.offset() + block_bytes_;
   chunk.first_index = order_ != nullptr ? stream_.offset() + bytes
                                         : model_.hair.first_index(group.lod, group.order) * model_.hair.index_bytes;
-  if (layout.bones_in_texture) {
-    send_palette_texture(renderer_.gl, stream_.name(), chunk.first_block + batch_bytes_, model_.palette_texture,
-                         model_.hair.bone_count);
-  }
+  if (layout_.bones_in_texture) send_texture(chunk.first_block + batch_bytes_);
   return true;
 }
 
 void CrowdDraw::draw_chunk(const Group& group, const Chunk& chunk, const PassList& passes) {
   const GlFunctions& gl = renderer_.gl;
-  const std::uint32_t batch = model_.layout.heads_of_batch, index_bytes = model_.hair.index_bytes;
+  const std::uint32_t batch = layout_.heads_of_batch, index_bytes = model_.hair.index_bytes;
+  const std::uint32_t needs = last_ == nullptr ? model_.needs : last_->needs;
   const auto indices = reinterpret_cast<const void*>(chunk.first_index);
   const GLenum index_type = index_bytes == sizeof(GLushort) ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
   gl.BindBufferRange(GL_UNIFORM_BUFFER, kDrawIndex, stream_.name(), static_cast<GLintptr>(stream_.offset()),
                      sizeof(DrawBlock));
   if (order_ != nullptr) gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, stream_.name());
   for (const Pass& pass : passes.passes()) {
-    const RendererState::Program& program =
-        *renderer_.find_program(variant_of(pass, model_.needs, material_, component_));
+    const RendererState::Program& program = *renderer_.find_program(variant_of(pass, needs, material_, component_));
     set_pass_state(gl, pass);
     gl.UseProgram(program.name);
     gl.Uniform3f(program.alpha_range, pass.alpha_min, pass.alpha_max, pass.solid_from);

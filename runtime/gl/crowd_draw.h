@@ -10,6 +10,14 @@
 
 namespace coif {
 
+/// What vectors of motion are drawn with, beside the heads of this frame.
+struct LastFrame {
+  std::span<const HairInstance> instances;  ///< The same heads, in the same order.
+  Vec3 eye;
+  MatrixLayout layout;      ///< Of two frames.
+  std::uint32_t needs = 0;  ///< Instead of ModelState's.
+};
+
 /// Heads of one asset on their way to the GPU.
 class CrowdDraw {
  public:
@@ -17,7 +25,7 @@ class CrowdDraw {
   /// `order`: makes each head's order; null: the asset's own. It fits the model, and the stream has room for its indices.
   CrowdDraw(RendererState& renderer, const ModelState& model, std::span<const HairInstance> instances,
             const MaterialRecord& material, Component component, const Vec3& eye, const DrawBlock& block,
-            TriangleOrder* order = nullptr);
+            TriangleOrder* order = nullptr, const LastFrame* last = nullptr);
 
   /// Draws every head in view with each of the passes, whose programs exist. State is set as far as passes differ; the
   /// rest is the caller's. False where the driver cannot map the stream.
@@ -36,6 +44,9 @@ class CrowdDraw {
 
   bool draw_group(const Group& group, const PassList& passes);
   [[nodiscard]] std::uint32_t bytes_of(std::uint32_t heads) const;
+  [[nodiscard]] std::uint32_t texture_bytes() const;
+  void write(std::size_t instance, std::byte* block, std::byte* texture);
+  void send_texture(std::uint32_t offset);
   [[nodiscard]] std::uint32_t most_heads() const;
   bool send_chunk(const Group& group, std::size_t first, Chunk& chunk);
   void draw_chunk(const Group& group, const Chunk& chunk, const PassList& passes);
@@ -48,6 +59,8 @@ class CrowdDraw {
   const Vec3& eye_;
   const DrawBlock& block_;
   TriangleOrder* order_;
+  const LastFrame* last_;
+  const MatrixLayout& layout_;
   VisibleCrowd visible_;
   StreamBuffer& stream_;
   std::uint32_t block_bytes_;  ///< Of the stream, for the values of the draw,

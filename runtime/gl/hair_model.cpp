@@ -141,6 +141,7 @@ void ModelState::release(const GlFunctions& gl) {
   gl.DeleteTextures(1, &normal_texture);
   gl.DeleteTextures(1, &strand_texture);
   gl.DeleteTextures(1, &palette_texture);
+  gl.DeleteTextures(1, &motion_texture);
 }
 
 }  // namespace coif

@@ -28,6 +28,7 @@ struct FragmentCode {
   const char* shared = "";  ///< Comes before all of these: what they have in common.
   /// Lines before the vertex shader: which of its outputs `keep` reads, COIF_REST_PLACE or COIF_CORNER.
   const char* vertex = "";
+  const char* vertex_end = "";  ///< Comes after the vertex shader: functions that it calls.
   /// Further textures that the shader reads. Null: none.
   struct Sampler {
     const char* name = nullptr;

@@ -71,6 +71,8 @@ struct ModelState {
   GLuint normal_texture = 0;
   GLuint strand_texture = 0;
   GLuint palette_texture = 0;  ///< 0: matrices fit into a block.
+  /// Two frames' matrices that do not fit into a block, from the first vectors of motion on.
+  mutable GLuint motion_texture = 0;
 };
 
 /// Binds what draw calls of this model take, and sets what its passes share; and leaves all of it empty.

@@ -65,6 +65,7 @@ constexpr Define kDefines[] = {
     {variant::kSecondary, "#define COIF_SECONDARY\n"},
     {variant::kAlphaTest, "#define COIF_ALPHA_TEST\n"},
     {variant::kShadow, "#define COIF_SHADOW\n"},
+    {variant::kMotion, "#define COIF_MOTION\n"},
 };
 
 /// One shader's source: the lines of its bits, then files of shaders/.
@@ -88,7 +89,7 @@ class Source {
 
 Source vertex_source(std::uint32_t bits, const FragmentCode& code, const char* block_rows) {
   Source source(bits);
-  source.add(code.vertex).add(block_rows).add(kShaderDrawBlockGlsl).add(kShaderHairVert);
+  source.add(code.vertex).add(block_rows).add(kShaderDrawBlockGlsl).add(kShaderHairVert).add(code.vertex_end);
   return source;
 }
 

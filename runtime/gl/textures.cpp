@@ -67,6 +67,8 @@ constexpr GLsizei kTexelsPerBone = 3;  // the rows of its matrix
 constexpr GLsizei kBonesPerRow = 256;
 constexpr GLsizei kRowTexels = kBonesPerRow * kTexelsPerBone;
 
+GLsizei rows_of(std::uint32_t bones) { return (static_cast<GLsizei>(bones) + kBonesPerRow - 1) / kBonesPerRow; }
+
 const void* place_in_buffer(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 }  // namespace
@@ -116,15 +118,14 @@ GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei
   return texture;
 }
 
-GLuint make_palette_texture(const GlFunctions& gl, std::uint32_t bones) {
-  const GLsizei rows = (static_cast<GLsizei>(bones) + kBonesPerRow - 1) / kBonesPerRow;
-  const GLuint texture = make_texture(gl, GL_RGBA32F, kRowTexels, rows);
+GLuint make_palette_texture(const GlFunctions& gl, std::uint32_t bones, std::uint32_t frames) {
+  const GLuint texture = make_texture(gl, GL_RGBA32F, kRowTexels, rows_of(bones) * static_cast<GLsizei>(frames));
   gl.BindTexture(GL_TEXTURE_2D, 0);
   return texture;
 }
 
 void send_palette_texture(const GlFunctions& gl, GLuint buffer, std::uint32_t offset, GLuint texture,
-                          std::uint32_t bones) {
+                          std::uint32_t bones, std::uint32_t frame) {
   reset_unpack_state(gl);
   gl.ActiveTexture(GL_TEXTURE0 + kPaletteUnit);
   gl.BindSampler(kPaletteUnit, 0);
@@ -132,12 +133,13 @@ void send_palette_texture(const GlFunctions& gl, GLuint buffer, std::uint32_t of
   gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
   const GLsizei full_rows = static_cast<GLsizei>(bones) / kBonesPerRow;
   const GLsizei rest = static_cast<GLsizei>(bones) % kBonesPerRow;
+  const GLint first = rows_of(bones) * static_cast<GLint>(frame);
   if (full_rows > 0) {
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kRowTexels, full_rows, GL_RGBA, GL_FLOAT, place_in_buffer(offset));
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first, kRowTexels, full_rows, GL_RGBA, GL_FLOAT, place_in_buffer(offset));
   }
   if (rest > 0) {
     const std::size_t done = std::size_t(full_rows) * kBonesPerRow * sizeof(Mat34);
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, full_rows, rest * kTexelsPerBone, 1, GL_RGBA, GL_FLOAT,
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first + full_rows, rest * kTexelsPerBone, 1, GL_RGBA, GL_FLOAT,
                      place_in_buffer(offset + done));
   }
   gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
