@@ -63,6 +63,8 @@ coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component patches --lod 0 -o bob.png)
 coif_cli_case(render_colliders EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component colliders -o bob.png)
+coif_cli_case(render_debug EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --debug bones,colliders,contacts,limits,motion -o bob.png)
 foreach(shading thesis kajiya-kay marschner)
   coif_cli_case(render_${shading} EXIT 0 SAMPLE WRITES bob.png
     ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --shading ${shading} -o bob.png)

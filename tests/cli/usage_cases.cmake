@@ -44,6 +44,8 @@ coif_cli_case(render_bad_transparency EXIT 1
   ARGS render a.coif --transparency door -o out.png)
 coif_cli_case(render_bad_shadows EXIT 1 STDERR "--shadows: 'soft' is not one of none, plain, opacity, deep, deep-shadow"
   ARGS render a.coif --shadows soft -o out.png)
+coif_cli_case(render_bad_debug EXIT 1 STDERR "--debug: 'bonez' is not one of bones, colliders, contacts, limits, motion"
+  ARGS render a.coif --debug bones,bonez -o out.png)
 coif_cli_case(render_time_without_motion EXIT 1 STDERR "coif render: error: .*--motion"
   ARGS render a.coif --time 1 -o out.png)
 

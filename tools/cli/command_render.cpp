@@ -33,6 +33,14 @@ constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
                                     {"patches", {Component::kAll, true}},
                                     {"colliders", {Component::kAll, false, true}}};
 
+using DebugPart = bool DebugView::*;
+
+constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &DebugView::bones},
+                                             {"colliders", &DebugView::colliders},
+                                             {"contacts", &DebugView::contacts},
+                                             {"limits", &DebugView::limits},
+                                             {"motion", &DebugView::motion}};
+
 struct RenderOptions {
   std::string file;
   std::string output;
@@ -146,6 +154,27 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   add_roots(app, options.roots)->needs(body);
 }
 
+void add_debug(CLI::App& app, DebugView& debug) {
+  std::vector<std::string> names;
+  for (const auto& part : kDebugParts) names.emplace_back(part.name);
+  const std::string list = fmt::format("{}", fmt::join(names, ", "));
+  const auto parse = [&debug, list](const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+      const auto part = std::ranges::find_if(kDebugParts, [&](const auto& known) { return word == known.name; });
+      if (part == std::end(kDebugParts)) {
+        throw CLI::ValidationError("--debug", fmt::format("'{}' is not one of {}", word, list));
+      }
+      debug.*part->value = true;
+    }
+  };
+  app.add_option_function<std::vector<std::string>>("--debug", parse,
+                                                    "Show over the hair, several separated by commas: " + list +
+                                                        " (colours of how far hair moved in the last frame)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
+}
+
 void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
   static const auto choices = [] {
     std::vector<Choice<const ShadowTechnique*>> all{{"none", nullptr}};
@@ -195,6 +224,7 @@ Command add_render(CLI::App& program) {
   add_choice<Shown>(
       *app, "--component", options->shown, kShown,
       "Which part of the shading; or, to check the cook, the strands' direction, the patches, or the colliders");
+  add_debug(*app, options->picture.debug);
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
   add_transparency(*app, options->picture.transparency);
   add_order(*app, options->picture.order);

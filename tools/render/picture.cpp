@@ -6,6 +6,7 @@
 #include "render/egl_context.h"
 #include "render/gallery.h"
 #include "render/motion_frame.h"
+#include "render/picture_scene.h"
 #include "render/stage_renderer.h"
 #include "render/tone_curve.h"
 
@@ -99,51 +100,7 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   return meshes;
 }
 
-struct Scene {
-  const HairModel& model;
-  const StageRenderer& stage;
-  const HairPose& pose;
-  const CrowdView& view;
-  const ShadowBall& ball;
-  const MaterialRecord& glass;  ///< Of hair that is looked through.
-  StudioShadow* shadow;         ///< Null: none.
-  TriangleOrder* order;         ///< Null: the asset's own.
-};
-
-Status draw_scene(HairRenderer& renderer, const Scene& scene, const OffscreenTarget& target,
-                  const PictureSettings& settings) {
-  const auto lights = studio_lights(scene.view.camera);
-  DrawDesc desc = studio_desc(scene.view.camera, lights);
-  desc.component = settings.component;
-  const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
-  desc.material = settings.colliders ? &scene.glass : own;
-  desc.transparency = settings.transparency;
-  desc.order = scene.order;
-
-  std::vector<HairInstance> heads;
-  std::vector<HeadPose> poses;
-  for (const Eigen::Vector3d& place : scene.view.places) {
-    // The camera follows the head: the picture's world begins at each head's joint.
-    HeadPose pose = scene.pose.head;
-    Eigen::Map<Eigen::Vector3d>{pose.position} = place;
-    heads.push_back({pose, scene.pose.palette, settings.lod});
-    poses.push_back(pose);
-  }
-  if (scene.shadow != nullptr) {
-    const ShadowCrowd crowd{&scene.model, heads, desc.material};
-    const Status drawn =
-        scene.shadow->draw(lights[0], scene.ball, scene.stage, poses, settings.patches ? nullptr : &crowd);
-    if (drawn != Status::kOk) return drawn;
-    desc.shadow = &scene.shadow->shadow();
-  }
-  target.bind();
-  scene.stage.draw_backdrop();
-  for (const HeadPose& pose : poses) scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
-  if (settings.patches) return Status::kOk;  // they are on the stage
-  return renderer.draw(scene.model, heads, desc);
-}
-
-tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene& scene,
+tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const PictureScene& scene,
                                               const PictureSettings& settings) {
   const std::uint32_t finer = settings.oversampling;
   // The driver's samples are of edges alone, ours of all; both would be paid for twice.
@@ -162,7 +119,16 @@ tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const Scene
     glFinish();
     picture.draw_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   }
-  picture.rgba = develop(target->read_radiance(), settings.width, settings.height, finer);
+  if (settings.debug.has_lines()) {
+    if (auto drawn = draw_debug_lines(scene, settings); !drawn) return tl::unexpected(drawn.error());
+  }
+  std::vector<float> radiance = target->read_radiance();
+  if (settings.debug.motion) {
+    if (auto drawn = color_by_motion(device.renderer, scene, settings, radiance); !drawn) {
+      return tl::unexpected(drawn.error());
+    }
+  }
+  picture.rgba = develop(radiance, settings.width, settings.height, finer);
   return picture;
 }
 
@@ -225,9 +191,12 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const Asset& asset = loaded_->asset;
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
   const auto path = played_path(asset, settings);
-  const auto pose = simulate_pose(asset, path.get(), settings.time, settings.step, settings.solver);
-  if (!pose) return tl::unexpected(pose.error());
-  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, *pose);
+  constexpr double kFrame = 1.0 / 60;  // seconds
+  const double moments[2] = {std::max(settings.time - kFrame, 0.0), settings.time};
+  const auto poses = simulate_poses(asset, path.get(), moments, settings.step, settings.solver);
+  if (!poses) return tl::unexpected(poses.error());
+  const HairPose &before = poses->front(), &pose = poses->back();
+  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, pose);
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr && !settings.colliders) {
     auto made = StudioShadow::create(loaded_->device->renderer, loaded_->device->context.loader(),
@@ -248,8 +217,16 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     if (!kept) return tl::unexpected(kept.error());
     order = std::move(*kept);
   }
-  const Scene scene{loaded_->model, *stage, *pose, frame->view, ball, glass, shadow ? &*shadow : nullptr,
-                    order ? &order->order() : nullptr};
+  const PictureScene scene{loaded_->model,
+                    *stage,
+                    pose,
+                    frame->view,
+                    ball,
+                    glass,
+                    shadow ? &*shadow : nullptr,
+                    order ? &order->order() : nullptr,
+                    asset,
+                    before};
   return take_picture(*loaded_->device, scene, settings);
 }
 

@@ -5,6 +5,7 @@
 #include "import/source_model.h"
 #include "motion/head_path.h"
 #include "render/camera.h"
+#include "render/debug_overlay.h"
 #include "render/kept_order.h"
 
 #include <coif/asset.h>
@@ -65,6 +66,7 @@ struct PictureSettings {
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;                   ///< Drawn in a grid.
   std::uint32_t oversampling = 1;            ///< Samples of each pixel, each way, 1..4; 1: those of the driver.
+  DebugView debug;                           ///< Over the hair.
   bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   bool mannequin = true;              ///< Without `body`: draw the colliders that hair stays out of, as a plain head.

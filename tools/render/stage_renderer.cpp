@@ -1,6 +1,7 @@
 #include "render/stage_renderer.h"
 
 #include "base/geometry.h"
+#include "render/gl_program.h"
 
 #include <GLES3/gl3.h>
 
@@ -79,32 +80,6 @@ void main() {
   fragment = vec4(color * light, 1.0);
 })glsl";
 
-GLuint compile(GLenum stage, std::span<const char* const> source, std::string& log) {
-  const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, GLsizei(source.size()), source.data(), nullptr);
-  glCompileShader(shader);
-  GLchar text[512] = {};
-  glGetShaderInfoLog(shader, sizeof text, nullptr, text);
-  log += text;
-  return shader;
-}
-
-tl::expected<GLuint, ToolError> build(const char* vertex_source, std::span<const char* const> fragment_source) {
-  std::string log;
-  const GLuint program = glCreateProgram();
-  const GLuint vertex = compile(GL_VERTEX_SHADER, {&vertex_source, 1}, log);
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_source, log);
-  glAttachShader(program, vertex);
-  glAttachShader(program, fragment);
-  glLinkProgram(program);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
-  GLint linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked == GL_TRUE) return program;
-  return failure(ToolError::Kind::kUnsupported, "the driver refuses the stage's shaders: " + log);
-}
-
 GLuint upload(const SolidMesh& mesh) {
   GLuint array = 0;
   GLuint buffers[2] = {};
@@ -168,7 +143,7 @@ tl::expected<GLuint, ToolError> build_body(const HairShadow* shadow) {
   if (shadow != nullptr) fragment.insert(fragment.end(), shadow->code().begin(), shadow->code().end());
   fragment.push_back(shadow != nullptr ? kShadow : kNoShadow);
   fragment.push_back(kBodyFragment);
-  return build(kBodyVertex, fragment);
+  return build_gl_program(kBodyVertex, fragment);
 }
 
 }  // namespace
@@ -176,7 +151,7 @@ tl::expected<GLuint, ToolError> build_body(const HairShadow* shadow) {
 tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const SolidMesh> meshes,
                                                              const HairShadow* shadow) {
   const char* const backdrop_fragment = kBackdropFragment;
-  const auto backdrop = build(kBackdropVertex, {&backdrop_fragment, 1});
+  const auto backdrop = build_gl_program(kBackdropVertex, {&backdrop_fragment, 1});
   if (!backdrop) return tl::unexpected(backdrop.error());
   const auto body = build_body(shadow);
   if (!body) return tl::unexpected(body.error());

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "render/camera.h"
+
+#include <coif/asset.h>
+#include <coif/debug_lines.h>
+#include <coif/drawing.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// What a picture shows of what the simulation knows, over the hair.
+struct DebugView {
+  bool bones = false;
+  bool colliders = false;
+  bool contacts = false;
+  bool limits = false;
+  bool motion = false;  ///< Hair in colours of how far it has moved in the picture since the frame before.
+
+  [[nodiscard]] bool has_lines() const { return bones || colliders || contacts || limits; }
+};
+
+/// The lines of one head. kInternal where the runtime refuses it.
+tl::expected<std::vector<DebugLine>, ToolError> debug_lines_of(const Asset& asset, const HairInstance& head,
+                                                               const DebugView& view);
+
+/// Draws `lines` over all that is in the framebuffer of this size (pixels), `thickness` pixels wide, each in its kind's colour. What it
+/// makes is freed with the OpenGL context. kUnsupported where the driver refuses it.
+tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
+                                        std::uint32_t height, float thickness);
+
+}  // namespace coif
