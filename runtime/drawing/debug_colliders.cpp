@@ -41,7 +41,7 @@ struct Outline {
     const Vec3 axis = debug::unit(of.axis), other = plus(of.center, of.axis);
     const debug::Across side = debug::across(axis);
     const float sine = size > 0.0f && std::fabs(first - last) < size ? (first - last) / size : 0.0f;
-    const float slant = std::asin(sine), cosine = std::sqrt(1.0f - sine * sine);
+    const float cosine = std::sqrt(1.0f - sine * sine), slant = std::atan2(sine, cosine);
     for (const Vec3& way : {side.u, side.v}) {
       pen.arc(Kind::kCollider, index, other, times(way, last), times(axis, last), slant, 0.5f * debug::kTurn - slant);
       pen.arc(Kind::kCollider, index, of.center, times(way, first), times(axis, first), 0.5f * debug::kTurn - slant,
