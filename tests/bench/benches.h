@@ -26,6 +26,9 @@ void add_load_benchmarks(const std::string& folder);
 /// Adds skin_vertices() over the vertices of a head of hair, by how many bones move each of them.
 void add_skin_benchmarks();
 
+/// Adds bound_hair() and bone_transforms() of a head with 64 bones.
+void add_renderer_benchmarks();
+
 /// Adds `asleep_HEADS`: a frame of workload (a) with so many heads, all asleep, that are told again where they stand.
 /// `ratio` is its step over that of the same crowd with moving heads, each frame timed right after one of those: whatever
 /// sleeping hair needs has left the near caches, as it would in a game.

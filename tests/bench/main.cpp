@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   coif::add_sleep_benchmark(10'000);
   coif::add_load_benchmarks(COIF_BENCH_SAMPLES);
   coif::add_skin_benchmarks();
+  coif::add_renderer_benchmarks();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

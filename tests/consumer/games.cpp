@@ -65,6 +65,37 @@ int main() {
   return coif::skin_vertices(asset, {}, 0, out) == coif::Status::kAssetLacksData ? 0 : 1;
 }
 
+#elif defined GAME_only_skeleton
+// An engine whose own skeleton takes the bones.
+#include <coif/bone_transforms.h>
+
+int main() {
+  const coif::Asset asset;
+  return coif::bone_transforms(asset, {}, {}) == coif::Status::kAssetLacksData ? 0 : 1;
+}
+
+#elif defined GAME_only_bound
+// A renderer that culls by itself.
+#include <coif/bounds.h>
+
+int main() {
+  const coif::Asset asset;
+  const coif::BoneBox box{{0, 0, 0}, {1, 1, 1}};
+  const coif::Mat34 rest;
+  coif::HairBounds bounds;
+  const bool refuses = coif::find_bone_boxes(asset, {}) == coif::Status::kAssetLacksData;
+  return refuses && coif::bound_hair({&box, 1}, {&rest, 1}, bounds) == coif::Status::kOk && bounds.highest.x >= 1 ? 0 : 1;
+}
+
+#elif defined GAME_only_lines
+// A game's editor, which shows bones and nothing else.
+#include <coif/debug_lines.h>
+
+int main() {
+  const coif::Asset asset;
+  return coif::draw_bone_lines(asset, {}, {}) == coif::Status::kAssetLacksData ? 0 : 1;
+}
+
 #elif defined GAME_only_cull
 // A renderer for another graphics interface: it asks which heads are seen, and fills its uniform blocks.
 #include <coif/drawing.h>
@@ -128,6 +159,21 @@ int main() {
   const bool refused = renderer.create({}) == coif::Status::kBadArgument &&
                        model.upload(renderer, asset, kMode) == coif::Status::kNotCreated &&
                        renderer.draw(model, {}, desc) == coif::Status::kNotCreated;
+  return refused ? 0 : 1;
+}
+
+#elif defined GAME_draw_motion
+// A game with temporal anti-aliasing.
+#include <coif/motion_vectors.h>
+
+int main() {
+  coif::HairRenderer renderer;
+  coif::HairModel model;
+  const coif::Asset asset;
+  const bool refused = renderer.create({}) == coif::Status::kBadArgument &&
+                       model.upload(renderer, asset) == coif::Status::kNotCreated &&
+                       renderer.draw(model, {}, {}) == coif::Status::kNotCreated &&
+                       coif::draw_motion_vectors(renderer, model, {}, {}, {}) == coif::Status::kNotCreated;
   return refused ? 0 : 1;
 }
 
