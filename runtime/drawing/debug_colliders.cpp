@@ -72,7 +72,8 @@ struct Outline {
 
   [[nodiscard]] Vec3 corner(int number) const {
     const auto side = [&](int bit, float half) { return (number & bit) != 0 ? half : -half; };
-    const Vec3& half = of.half_extents;
+    const float round = of.radii.x;
+    const Vec3 half = plus(of.half_extents, {round, round, round});
     return plus(of.center, debug::turned(of.rotation, {side(1, half.x), side(2, half.y), side(4, half.z)}));
   }
   void draw_box() const {

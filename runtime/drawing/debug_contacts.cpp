@@ -59,7 +59,8 @@ Gap gap_outside(const DebugCollider& c, const Vec3& point) {
   const Quat back{-c.rotation.x, -c.rotation.y, -c.rotation.z, c.rotation.w};
   if (debug::is_box(c) || c.shape == ColliderShape::kEllipsoid) {
     const Vec3 own = debug::turned(back, offset);
-    const Gap gap = debug::is_box(c) ? gap_to_box(own, c.half_extents) : gap_to_ellipsoid(own, c.radii);
+    Gap gap = debug::is_box(c) ? gap_to_box(own, c.half_extents) : gap_to_ellipsoid(own, c.radii);
+    if (debug::is_box(c)) gap.metres -= c.radii.x;
     return {gap.metres, debug::turned(c.rotation, gap.normal)};
   }
   if (debug::is_capsule(c)) return gap_to_capsule(offset, c.axis, c.radii.x, debug::end_radius(c));

@@ -106,9 +106,7 @@ inline bool is_finite(const DebugCollider& c) {
   return is_finite(c.center) && is_finite(c.axis) && is_finite(c.radii) && is_finite(c.half_extents) &&
          is_finite(Vec3{c.rotation.x, c.rotation.y, c.rotation.z}) && std::isfinite(c.rotation.w);
 }
-inline bool is_box(const DebugCollider& c) {
-  return c.half_extents.x > 0 || c.half_extents.y > 0 || c.half_extents.z > 0;
-}
+inline bool is_box(const DebugCollider& c) { return c.shape == ColliderShape::kBox; }
 inline bool is_capsule(const DebugCollider& c) {
   return c.shape == ColliderShape::kCapsule || c.shape == ColliderShape::kTaperedCapsule;
 }

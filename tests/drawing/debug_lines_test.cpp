@@ -88,6 +88,7 @@ TEST(DebugLines, OfBonesEndWhereTheirParticlesAre) {
 TEST(DebugLines, OfLimitsAreTheConeThatABoneMayReach) {
   constexpr float kLimit = 0.5f;
   AssetContents contents = small_asset();
+  contents.limits.clear();
   contents.dynamics[3].angle_limit = kLimit;
   const DrawnAsset asset(contents);
   std::vector<Mat34> palette(contents.bones.size());
@@ -161,7 +162,9 @@ TEST(DebugLines, OfCollidersLieOnTheirSurfaces) {
       {"tapered the other way",
        {.shape = ColliderShape::kTaperedCapsule, .center = center, .axis = axis, .radii = {0.02f, 0.12f, 0}},
        capsule},
-      {"box", {.center = center, .rotation = turn, .half_extents = {0.1f, 0.2f, 0.3f}}, box}};
+      {"box",
+       {.shape = ColliderShape::kBox, .center = center, .rotation = turn, .half_extents = {0.1f, 0.2f, 0.3f}},
+       box}};
   for (const Case& one : cases) {
     Collected found;
     ASSERT_EQ(draw_collider_lines({&one.collider, 1}, {}, found.sink(), 7), Status::kOk);
@@ -251,10 +254,12 @@ TEST_F(Contacts, AreFoundAtEveryShape) {
                   .empty());
   EXPECT_FALSE(with({.shape = ColliderShape::kPlane, .center = {0, -0.1f - kHit, 0}, .axis = {0, 1, 0}}).empty());
   EXPECT_TRUE(with({.shape = ColliderShape::kPlane, .center = {0, -0.12f, 0}, .axis = {0, 1, 0}}).empty());
-  EXPECT_FALSE(with({.center = beside, .half_extents = {0.03f, 0.01f, 0.01f}}).empty());
-  EXPECT_TRUE(
-      with({.center = beside, .rotation = {0, 0, 0.70710678f, 0.70710678f}, .half_extents = {0.03f, 0.01f, 0.01f}})
-          .empty());
+  EXPECT_FALSE(with({.shape = ColliderShape::kBox, .center = beside, .half_extents = {0.03f, 0.01f, 0.01f}}).empty());
+  EXPECT_TRUE(with({.shape = ColliderShape::kBox,
+                    .center = beside,
+                    .rotation = {0, 0, 0.70710678f, 0.70710678f},
+                    .half_extents = {0.03f, 0.01f, 0.01f}})
+                  .empty());
 }
 
 TEST_F(Contacts, OfHairThatIsKeptInsideAreAtItsEnd) {

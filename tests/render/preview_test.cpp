@@ -163,7 +163,7 @@ SourceModel bust() {
 TEST(BodyMesh, StaysWhereItIsWhileTheHeadTurns) {
   const SourceModel model = bust();
   const Eigen::Quaternionf turn(Eigen::AngleAxisf(float(std::numbers::pi) / 2, Eigen::Vector3f::UnitY()));
-  BodyPose pose{"Head", {turn.x(), turn.y(), turn.z(), turn.w()}};
+  BodyTurn pose{"Head", {turn.x(), turn.y(), turn.z(), turn.w()}};
   const SolidMesh body = body_mesh(model, model.meshes[0], Eigen::Vector3f::Zero(), pose);
   const auto drawn = [&](std::size_t v) { return Eigen::Vector3f(turn * body.vertices[v].position); };
   EXPECT_LT((drawn(0) - Eigen::Vector3f(0, 0, 1)).norm(), 1e-6f) << "the chest";
@@ -174,7 +174,7 @@ TEST(BodyMesh, StaysWhereItIsWhileTheHeadTurns) {
 
 TEST(BodyMesh, WithoutAHeadBoneAllOfItTurns) {
   SourceModel model = bust();
-  const BodyPose pose{"Kopf", {0, 1, 0, 0}};
+  const BodyTurn pose{"Kopf", {0, 1, 0, 0}};
   for (const SolidVertex& v : body_mesh(model, model.meshes[0], Eigen::Vector3f::Zero(), pose).vertices) {
     EXPECT_EQ(v.position.z(), 1) << "as the head's pose will turn it";
   }

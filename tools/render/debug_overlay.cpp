@@ -80,6 +80,15 @@ void upload_lines(const std::vector<LineVertex>& vertices) {
   glEnableVertexAttribArray(1);
 }
 
+/// Pictures have no body whose bones move: it stands as it was modelled, upright beneath the head's joint.
+Status draw_resting_body(const Asset& asset, const HeadPose& head, const DebugLines& sink) {
+  std::vector<DebugCollider> colliders;
+  for (const ColliderRecord& record : asset.body_colliders()) colliders.push_back(debug_collider(record));
+  HeadPose upright = head;
+  upright.rotation = {};
+  return draw_collider_lines(colliders, upright, sink, std::uint32_t(asset.colliders().size()));
+}
+
 }  // namespace
 
 tl::expected<std::vector<DebugLine>, ToolError> debug_lines_of(const Asset& asset, const HairInstance& head,
@@ -88,7 +97,10 @@ tl::expected<std::vector<DebugLine>, ToolError> debug_lines_of(const Asset& asse
   const DebugLines sink{
       [](const DebugLine& line, void* user) { static_cast<std::vector<DebugLine>*>(user)->push_back(line); }, &lines};
   Status status = Status::kOk;
-  if (view.colliders) status = draw_collider_lines(asset, head.head, sink);
+  if (view.colliders) {
+    status = draw_collider_lines(asset, head.head, sink);
+    if (status == Status::kOk) status = draw_resting_body(asset, head.head, sink);
+  }
   if (status == Status::kOk && view.limits) status = draw_limit_lines(asset, head, sink);
   if (status == Status::kOk && view.bones) status = draw_bone_lines(asset, head, sink);
   if (status == Status::kOk && view.contacts) status = draw_contact_lines(asset, head, sink);

@@ -81,7 +81,7 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   if (settings.body != nullptr) {
     const Eigen::Map<const Eigen::Vector3f> head_joint(asset.skeleton().head_joint);
     const char* const head_bone = asset.bone_name(0);
-    const BodyPose body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
+    const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
     for (const SourceMesh& mesh : settings.body->meshes) {
       meshes.push_back(body_mesh(*settings.body, mesh, head_joint, body));
     }

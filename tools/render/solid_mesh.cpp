@@ -129,7 +129,7 @@ void turn_back(const Eigen::Quaternionf& turn, float share, SolidVertex& vertex)
 }  // namespace
 
 SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
-                    const BodyPose& pose) {
+                    const BodyTurn& pose) {
   const std::vector<float> turning = turning_of_nodes(model, pose.head_bone);
   const Eigen::Quaternionf turn = Eigen::Quaternionf(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z).normalized();
   const std::vector<Eigen::Vector3f> normals = mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals;

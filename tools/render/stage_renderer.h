@@ -38,7 +38,7 @@ struct SolidMesh {
 [[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
 
 /// How a body that stays where it is follows its head's turning.
-struct BodyPose {
+struct BodyTurn {
   std::string head_bone;  ///< Its name in the source; where there is none, or nothing says what follows it, all turns.
   Quat turn{};            ///< Of the head, world.
 };
@@ -47,7 +47,7 @@ struct BodyPose {
 /// the head bone or one below it turns, what follows the neck above it turns half as far, the rest stays: drawn under the
 /// head's pose, it is turned back here.
 [[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
-                                  const BodyPose& pose = {});
+                                  const BodyTurn& pose = {});
 
 /// Every patch of a level as a surface of its own, without its texture's holes, in colours that differ most between
 /// patches that follow each other in the draw order: wrong joins and cuts are seen at a glance. Skinned with `palette`,

@@ -4,6 +4,7 @@
 // what it was given; a program links what it calls.
 
 #include <coif/asset.h>
+#include <coif/character.h>
 #include <coif/drawing.h>
 #include <coif/export.h>
 #include <coif/math.h>
@@ -19,7 +20,7 @@ struct DebugLine {
     kBone,       ///< A simulated bone, from its start to its particle.
     kRigidBone,  ///< From a rigid bone's parent to it.
     kCollider,
-    kLimit,    ///< The cone that a bone's direction stays in, about its rest direction by the parent.
+    kLimit,    ///< The border of where a bone's direction stays: by its angle_limit, and by its LimitRecord.
     kContact,  ///< A cross and a normal where a bone touches a collider.
   };
   double from[3];  ///< World, metres.
@@ -46,19 +47,25 @@ struct DebugCollider {
   ColliderShape shape = ColliderShape::kSphere;
   Vec3 center{};
   Vec3 axis{};          ///< Capsules: to the segment's other end. Plane: unit normal.
-  Vec3 radii{};         ///< Semi-axes; tapered capsule: both ends'.
+  Vec3 radii{};         ///< Semi-axes; tapered capsule: both ends'. Box: x, by how much it is rounded outwards.
   Quat rotation{};      ///< From the ellipsoid's or box's own axes to head space.
-  Vec3 half_extents{};  ///< Any above 0: a box of these, whatever `shape` says.
+  Vec3 half_extents{};  ///< Of a box.
   bool keeps_inside = false;
 };
 
 [[nodiscard]] COIF_API DebugCollider debug_collider(const ColliderRecord& collider);
+/// One of the game's, as Hair::set_colliders() takes it, seen from this head, whose pose is valid.
+[[nodiscard]] COIF_API DebugCollider debug_collider(const MovingCollider& collider, const HeadPose& head);
+/// One of Asset::body_colliders(), on its bone where that is, as Hair::set_body() takes it. `index` is one of theirs.
+[[nodiscard]] COIF_API DebugCollider debug_body_collider(const Asset& asset, std::uint32_t index, const BodyPose& bone,
+                                                         const HeadPose& head);
 
 /// A line for each bone but the head. `instance.lod` is not looked at. All four: kAssetLacksData where the asset is not open,
 /// kBadArgument without a function, kSizeMismatch unless the palette has one matrix per bone, kBadPose as check_instance(); then no line was drawn.
 COIF_API Status draw_bone_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
-/// A cone for each bone with a limit: its mouth and four lines to it, as long as the bone.
+/// For each bone with a limit the border of where its particle may be, with lines to it from the bone's start: a cone, a
+/// hinge's arc, or what pitch and yaw may be.
 COIF_API Status draw_limit_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
 /// Outlines; a plane is a square of 0.6 m with its normal. `first` is the index of the first. kBadArgument without a function or
