@@ -1,7 +1,7 @@
 #pragma once
-// Lines that show what the simulation knows: bones, what they collide with, how far they may bend, where they touch. Handed one by
-// one to a function of the host, which draws them as it likes. Nothing here allocates, knows a graphics interface or keeps
-// what it was given; a program links what it calls.
+// Lines that show what the simulation knows: bones, what they collide with, how far they may bend, where they
+// touch. Handed one by one to a function of the host, which draws them as it likes. Nothing here allocates, knows
+// a graphics interface or keeps what it was given; a program links what it calls.
 
 #include <coif/asset.h>
 #include <coif/character.h>
@@ -42,7 +42,8 @@ struct DebugLines {
   void* user = nullptr;
 };
 
-/// Something that hair collides with: the asset's, or a game's own. Head space, metres, radians; each member as in ColliderRecord.
+/// Something that hair collides with: the asset's, or a game's own. Head space, metres, radians; each member as in
+/// ColliderRecord.
 struct DebugCollider {
   ColliderShape shape = ColliderShape::kSphere;
   Vec3 center{};
@@ -60,25 +61,27 @@ struct DebugCollider {
 [[nodiscard]] COIF_API DebugCollider debug_body_collider(const Asset& asset, std::uint32_t index, const BodyPose& bone,
                                                          const HeadPose& head);
 
-/// A line for each bone but the head. `instance.lod` is not looked at. All four: kAssetLacksData where the asset is not open,
-/// kBadArgument without a function, kSizeMismatch unless the palette has one matrix per bone, kBadPose as check_instance(); then no line was drawn.
+/// A line for each bone but the head. `instance.lod` is not looked at. All four: kAssetLacksData where the asset
+/// is not open, kBadArgument without a function, kSizeMismatch unless the palette has one matrix per bone,
+/// kBadPose as check_instance(); then no line was drawn.
 COIF_API Status draw_bone_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
-/// For each bone with a limit the border of where its particle may be, with lines to it from the bone's start: a cone, a
-/// hinge's arc, or what pitch and yaw may be.
+/// For each bone with a limit the border of where its particle may be, with lines to it from the bone's start: a
+/// cone, a hinge's arc, or what pitch and yaw may be.
 COIF_API Status draw_limit_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines);
 
-/// Outlines; a plane is a square of 0.6 m with its normal. `first` is the index of the first. kBadArgument without a function or
-/// for a size or place that is not finite, kBadPose.
+/// Outlines; a plane is a square of 0.6 m with its normal. `first` is the index of the first. kBadArgument without
+/// a function or for a size or place that is not finite, kBadPose.
 COIF_API Status draw_collider_lines(std::span<const DebugCollider> colliders, const HeadPose& head,
                                     const DebugLines& lines, std::uint32_t first = 0);
 
 /// The same of the asset's own colliders.
 COIF_API Status draw_collider_lines(const Asset& asset, const HeadPose& head, const DebugLines& lines);
 
-/// Where a bone, as thick as its hit radius, comes nearer than `tolerance` (metres, head space, >= 0) to a collider that it may touch;
-/// `more` are colliders of the game, which every bone may touch. Index: of the bone. By geometry alone: what the solver made of it is
-/// not asked. A start inside a collider (roots in the scalp) counts for nothing, since no bone can help it.
+/// Where a bone, as thick as its hit radius, comes nearer than `tolerance` (metres, head space, >= 0) to a
+/// collider that it may touch; `more` are colliders of the game, which every bone may touch. Index: of the bone.
+/// By geometry alone: what the solver made of it is not asked. A start inside a collider (roots in the scalp)
+/// counts for nothing, since no bone can help it.
 COIF_API Status draw_contact_lines(const Asset& asset, const HairInstance& instance, const DebugLines& lines,
                                    std::span<const DebugCollider> more = {}, float tolerance = 1e-3f);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The matrices of the last frame, which vectors of motion are made from. Kept by the host, for those crowds that it draws vectors of.
+// The matrices of the last frame, which vectors of motion are made from. Kept by the host, for those crowds that
+// it draws vectors of.
 
 #include <coif/export.h>
 #include <coif/hair.h>
@@ -11,9 +12,10 @@
 
 namespace coif {
 
-/// Copies the matrices of all instances, one head's after the other's, to be kept while the next step changes them: call it before
-/// step(), and keep the heads' poses of the last frame beside. 48 bytes for each bone and head, at the price of a copy. kNotCreated; kSizeMismatch unless
-/// there is room for exactly instance_count() * bone_count() matrices, and nothing is copied.
+/// Copies the matrices of all instances, one head's after the other's, to be kept while the next step changes
+/// them: call it before step(), and keep the heads' poses of the last frame beside. 48 bytes for each bone and
+/// head, at the price of a copy. kNotCreated; kSizeMismatch unless there is room for exactly instance_count() *
+/// bone_count() matrices, and nothing is copied.
 COIF_API Status keep_palettes(const Hair& hair, std::span<Mat34> kept);
 
 /// One head's part of them.
