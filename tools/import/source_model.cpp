@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace coif {
 namespace {
@@ -90,12 +91,22 @@ std::string collider_fault(const SourceModel& model, const SourceCollider& colli
   return {};
 }
 
+std::string limit_fault(const SourceLimit& limit) {
+  const bool is_spherical = limit.kind == SourceLimit::Kind::kSpherical;
+  const double most[2] = {limit.kind == SourceLimit::Kind::kNone ? 0 : std::numbers::pi,
+                          is_spherical ? std::numbers::pi / 2 : 0};
+  for (int k = 0; k < 2; ++k) {
+    if (!(limit.angles[k] >= 0 && limit.angles[k] <= most[k])) return "limit's angle out of range";
+  }
+  return std::abs(limit.rotation.norm() - 1) < 1.0e-6 ? "" : "limit's rotation not of unit length";
+}
+
 std::string joint_fault(const SourceSpringJoint& joint) {
   if (!is_length(joint.length) || !is_length(joint.hit_radius)) return "joint's size is no length";
   if (!is_length(joint.stiffness) || !std::isfinite(joint.gravity_power)) return "joint's forces not finite";
   if (!(joint.drag >= 0 && joint.drag <= 1)) return "joint's drag outside 0..1";
   if (!is_unit(joint.gravity_direction)) return "gravity direction not of unit length";
-  return {};
+  return limit_fault(joint.limit);
 }
 
 bool descends_from(const SourceModel& model, std::uint32_t node, std::uint32_t ancestor) {

@@ -76,6 +76,14 @@ struct SourceCollider {
   double radius = 0;                                  ///< Not for kPlane.
 };
 
+/// Which directions a joint's tail may have, as VRMC_springBone_limit has it; what the angles mean: LimitRecord.
+struct SourceLimit {
+  enum class Kind { kNone, kCone, kHinge, kSpherical } kind = Kind::kNone;
+  double angles[2] = {0, 0};  ///< Radians; cone and hinge: the first; spherical: pitch 0..pi and yaw 0..pi/2.
+  /// At rest, model space from the limit's own axes, whose +Y is the middle direction.
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+};
+
 /// One joint of a spring bone. The numbers are VRM's own (VRMC_springBone 1.0), lengths in metres.
 struct SourceSpringJoint {
   std::uint32_t node = 0;
@@ -85,6 +93,7 @@ struct SourceSpringJoint {
   Eigen::Vector3d gravity_direction{0, -1, 0};  ///< Unit, model space.
   double drag = 0.5;                            ///< 0..1.
   double hit_radius = 0;
+  SourceLimit limit;
 };
 
 /// A chain of joints, root first, each a descendant of the one before. No node is a joint of two springs, or twice.

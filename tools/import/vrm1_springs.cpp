@@ -60,6 +60,13 @@ std::vector<ColliderSet> read_groups(const json& list, const ColliderNumbers& co
   return groups;
 }
 
+/// What is known of a joint once its tail is.
+void end_joint(SourceSpringJoint& joint, std::uint32_t tail, const SpringSink& sink) {
+  joint.length = sink.distance(joint.node, tail);
+  if (joint.limit.kind == SourceLimit::Kind::kNone) return;
+  joint.limit.rotation = (limit_axes(sink.model(), joint.node, tail) * joint.limit.rotation).normalized();
+}
+
 void read_joints(const json& list, SourceSpring& spring, SpringSink& sink) {
   for (const json& value : list_of(list)) {
     const auto node = sink.find_node(member(value, "node"));
@@ -76,10 +83,12 @@ void read_joints(const json& list, SourceSpring& spring, SpringSink& sink) {
       sink.ignore(fmt::format("spring '{}': node '{}' {}; the joint is ignored", spring.name, name, why));
       continue;
     }
-    if (!spring.joints.empty()) spring.joints.back().length = sink.distance(spring.joints.back().node, *node);
+    if (!spring.joints.empty()) end_joint(spring.joints.back(), *node, sink);
     spring.joints.push_back(read_settings(value, "stiffness", 0.5, vector_of(member(value, "gravityDir"))));
     spring.joints.back().node = *node;
+    spring.joints.back().limit = read_limit(value, fmt::format("spring '{}'", spring.name), sink);
   }
+  if (!spring.joints.empty()) spring.joints.back().limit = {};
 }
 
 void read_spring(const json& value, std::size_t number, const std::vector<ColliderSet>& groups, SpringSink& sink) {

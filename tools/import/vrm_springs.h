@@ -68,8 +68,17 @@ class SpringSink {
 [[nodiscard]] SourceSpringJoint read_settings(const nlohmann::json& value, const char* stiffness, double drag,
                                               const std::optional<Eigen::Vector3d>& gravity_direction);
 
+/// Reads `VRMC_springBone_limit` of a joint, with its rotation still relative to the joint's own axes as limit_axes()
+/// gives them. Source: vrm-c/vrm-specification, VRMC_springBone_limit-1.0 (draft), "Limits" and "glTF Schema Updates". `whose`
+/// names the joint in a message where the extension is no limit that can be kept.
+[[nodiscard]] SourceLimit read_limit(const nlohmann::json& joint, const std::string& whose, SpringSink& sink);
+
+/// How a limit without a rotation lies: model space at rest from the limit's axes, +Y along the bone. The same text, "Rotation":
+/// the shortest turn of +Y to the tail, in the joint's own space; half a turn about X where that is -Y.
+[[nodiscard]] Eigen::Quaterniond limit_axes(const SourceModel& model, std::uint32_t joint, std::uint32_t tail);
+
 /// Fills `springs`, `colliders` and `head_node` of a glTF model from its extensions, which assimp drops: VRM 0.x (`VRM`)
-/// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`). `model.nodes` is complete, depth first;
+/// and 1.0 (`VRMC_vrm`, `VRMC_springBone`, `VRMC_springBone_extended_collider`, `VRMC_springBone_limit`). `model.nodes` is complete, depth first;
 /// `model_from_file` is what was applied above its root. Whatever the extensions get wrong is left out, with a warning
 /// that says what was ignored; without them nothing changes.
 void read_vrm_extensions(const std::filesystem::path& path, const Eigen::Affine3d& model_from_file, SourceModel& model);
@@ -84,7 +93,7 @@ void read_vrm0_springs(const nlohmann::json& secondary_animation, SpringSink& si
 
 /// Reads `VRMC_springBone` 1.0 (and its beta, which differs in nothing that is read), with the shapes of
 /// `VRMC_springBone_extended_collider`, which replace a collider's plain shape. Joints that skip nodes keep skipping
-/// them. The last joint of a spring is only the end of the one before it.
+/// them. The last joint of a spring is only the end of the one before it, and has no limit.
 void read_vrm1_springs(const nlohmann::json& spring_bone, SpringSink& sink);
 
 }  // namespace coif

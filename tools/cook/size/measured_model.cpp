@@ -97,6 +97,7 @@ void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& r
       for (double* length : {&joint.length, &joint.stiffness, &joint.gravity_power, &joint.hit_radius})
         *length *= factor;
       joint.gravity_direction = (rotation * joint.gravity_direction).normalized();
+      joint.limit.rotation = (Eigen::Quaterniond(rotation) * joint.limit.rotation).normalized();
     }
   }
 }
