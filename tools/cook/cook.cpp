@@ -3,6 +3,7 @@
 #include "base/work_limit.h"
 #include "cook/cooking.h"
 #include "cook/dynamics/bake_dynamics.h"
+#include "cook/dynamics/bake_limits.h"
 #include "cook/dynamics/settle_model.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
@@ -126,6 +127,16 @@ const Pass kPasses[] = {
        settle_rig(c.recipe, c.rig, c.report);
        return keep(find_colliders(c.source, c.head_bone, c.head, c.rig.skeleton, c.recipe, c.report), c.colliders);
      }},
+    {"body",
+     [](Cooking& c) {
+       const Done done = keep(find_body_colliders(c.source, c.head_bone, c.rig.skeleton, c.recipe, c.report), c.body);
+       settle_hit_radii(c.rig.skeleton, c.body, c.colliders);
+       return done;
+     },
+     [](const Cooking& c) {
+       const bool is_any = !c.source.colliders.empty() || !c.recipe.body_colliders.empty();
+       return is_any && c.rig.skeleton.simulated_count() > 0;
+     }},
 
     // How it moves: each chain's equation becomes one that has a solution, and then gets the cheapest way to solve it.
     {"dynamics",
@@ -134,10 +145,16 @@ const Pass kPasses[] = {
        c.said = bake_dynamics(c.source, c.rig.skeleton, c.recipe, of_chain, c.report);
        c.contents.dynamics = c.said.records;
        pack_skeleton(c.rig.skeleton, c.colliders, c.contents);
+       pack_body(c.rig.skeleton, c.body, c.contents);
        if (c.head.faces_backwards) c.contents.skeleton.flags |= kSkeletonFacesBackwards;
        c.contents.skeleton.air_lag = air_lag(c.recipe, c.said);
        return {};
      }},
+    {"limits",
+     [](Cooking& c) {
+       return keep(bake_limits(c.source, c.rig.skeleton, c.recipe, c.report), c.contents.limits);
+     },
+     [](const Cooking& c) { return !c.source.springs.empty() || !c.recipe.limits.empty(); }},
     {"model",
      [](Cooking& c) -> Done {
        const bool is_checked = c.recipe.conditioning != "off" && !c.settings.draft;

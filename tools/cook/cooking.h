@@ -6,7 +6,7 @@
 #include "cook/dynamics/settle_dynamics.h"
 #include "cook/lods/make_lods.h"
 #include "cook/order/choose_order.h"
-#include "cook/rig/colliders.h"
+#include "cook/rig/body_colliders.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 #include "cook/size/measured_model.h"
@@ -33,6 +33,7 @@ struct Cooking {
   std::vector<PatchListing> listings{};  ///< Empty unless somebody asks, or the recipe says something of patches alone.
   HairRig rig{};
   Colliders colliders{};
+  BodyColliders body{};
   SaidMotion said{};    ///< Of the rig's bones.
   ModelChoice model{};  ///< Of its chains.
   bool moves = false;   ///< The packed rig can be run.

@@ -110,6 +110,7 @@ void keep_bone(const AssetContents& from, std::uint32_t bone, std::uint32_t chai
   moved_to[bone] = std::uint32_t(to.bones.size());
   to.bones.push_back(record);
   to.dynamics.push_back(from.dynamics[bone]);
+  if (!from.limits.empty()) to.limits.push_back(from.limits[bone]);
 }
 
 }  // namespace

@@ -75,19 +75,6 @@ const OverrideKey kOverrideKeys[] = {
         "parent_share", []() -> const RecipeKey& { return key_at("dynamics.parent_share"); }, true),
 };
 
-/// `count` finite numbers, as far as coordinates go.
-template <std::size_t kCount>
-std::optional<std::array<double, kCount>> read_numbers(const json& value) {
-  constexpr double kFarthest = 1.0e5;
-  std::array<double, kCount> numbers{};
-  if (!value.is_array() || value.size() != kCount) return std::nullopt;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    if (!value[i].is_number() || !(std::abs(value[i].get<double>()) <= kFarthest)) return std::nullopt;
-    numbers[i] = value[i].get<double>();
-  }
-  return numbers;
-}
-
 Outcome read_name(const json& value, std::string& name) {
   if (!value.is_string() || value.get<std::string>().empty()) return wants("a name, * and ? are wildcards", value);
   name = value.get<std::string>();
@@ -206,16 +193,7 @@ void PatchOverride::apply_motion(Recipe& recipe) const {
 }
 
 Outcome read_overrides(const json& value, std::vector<PatchOverride>& out) {
-  if (!value.is_array()) return wants("a list of {\"select\": {...}, ...}", value);
-  if (value.size() > kMostOverrides) return wants(fmt::format("at most {} entries", kMostOverrides), value.size());
-  std::vector<PatchOverride> overrides;
-  for (const json& item : value) {
-    if (auto outcome = read_override(item, overrides.emplace_back()); !outcome) {
-      return tl::unexpected(fmt::format("[{}]: {}", overrides.size() - 1, outcome.error()));
-    }
-  }
-  out = std::move(overrides);
-  return {};
+  return read_entries(value, "a list of {\"select\": {...}, ...}", kMostOverrides, read_override, out);
 }
 
 json write_overrides(const std::vector<PatchOverride>& overrides) {

@@ -3,6 +3,8 @@
 // What an artist may say about a cook. recipe_keys.cpp holds the one table of keys, defaults and ranges.
 
 #include "base/tool_error.h"
+#include "cook/recipe/body_collider.h"
+#include "cook/recipe/bone_limit.h"
 #include "cook/recipe/patch_override.h"
 
 #include <tl/expected.hpp>
@@ -73,6 +75,7 @@ struct Recipe {
   std::string conditioning;       ///< "auto" or "off".
   std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;         ///< Degrees.
+  std::vector<RecipeBoneLimit> limits;  ///< Where two are of one bone, the later one holds.
   double parent_share = 0;
   // budget
   double budget_error = 0;  ///< Percent of the chain's length.
@@ -86,6 +89,9 @@ struct Recipe {
   std::string head_shape;                            ///< "auto", "ellipsoid", "sphere", "capsule" or "none".
   std::optional<std::array<double, 3>> head_center;  ///< Model space, metres.
   std::optional<std::array<double, 3>> head_radii;
+  // body
+  bool body_from_file = false;                      ///< The file's spring colliders that are not on the head.
+  std::vector<RecipeBodyCollider> body_colliders;
   // levels of detail
   std::uint32_t lod_levels = 0;
   double lod_ratio = 0;

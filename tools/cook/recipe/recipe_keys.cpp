@@ -113,6 +113,9 @@ const RecipeKey kKeys[] = {
    " over themselves in some motion, never one for others"},
   {"dynamics", "angle_limit", &R::angle_limit, "180", 0, 180, nullptr, "degrees",
    "how far a bone may bend from its modelled direction; 180: any way"},
+  {"dynamics", "limits", &R::limits, "[]", 0, 0, nullptr, "",
+   "which directions single bones may have, about the modelled one: {\"bones\": names, \"kind\": \"cone\", \"hinge\", \"spherical\" or"
+   " \"none\", \"angle\" and \"yaw\" in degrees, \"axis\": what a hinge turns about}; before the file's own (VRM 1.0)"},
   {"dynamics", "parent_share", &R::parent_share, "1", 0, 1, nullptr, "",
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 
@@ -137,6 +140,12 @@ const RecipeKey kKeys[] = {
    "centre of the head in the model, metres, Y up; null: fitted"},
   {"head", "radii", &R::head_radii, "null", 0.001, 1000, nullptr, "m",
    "half sizes of the head along X, Y, Z; null: fitted"},
+
+  {"body", "from_file", &R::body_from_file, "true", 0, 0, nullptr, "",
+   "false: the file's spring colliders (VRM) that are not on the head are left out"},
+  {"body", "colliders", &R::body_colliders, "[]", 0, 0, nullptr, "",
+   "what else hair stays out of, on bones that the game moves: {\"bone\": name, \"center\", \"radius\", \"tail\", \"tail_radius\","
+   " \"normal\", \"inside\", \"hair\": bones that may touch it}; in the model at rest, metres, Y up"},
 
   {"lods", "levels", &R::lod_levels, "3", 1, 8, nullptr, "levels",
    "levels of detail at most, the finest included; fewer where a coarser one would save little"},

@@ -3,8 +3,13 @@
 #include "base/json.h"
 #include "cook/recipe/recipe.h"
 
+#include <array>
+#include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace coif {
 
@@ -12,7 +17,8 @@ using RecipeField = std::variant<bool Recipe::*, double Recipe::*, std::uint32_t
                                  std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*,
                                  std::array<double, 3> Recipe::*, std::array<double, 4> Recipe::*,
                                  std::optional<double> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
-                                 std::vector<PatchOverride> Recipe::*>;
+                                 std::vector<PatchOverride> Recipe::*,
+                                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -42,8 +48,46 @@ tl::expected<void, std::string> read_value(const RecipeKey& key, const nlohmann:
 
 [[nodiscard]] nlohmann::json write_value(const RecipeKey& key, const Recipe& recipe);
 
+/// `count` finite numbers, as far as coordinates go.
+template <std::size_t kCount>
+std::optional<std::array<double, kCount>> read_numbers(const nlohmann::json& value) {
+  constexpr double kFarthest = 1.0e5;
+  std::array<double, kCount> numbers{};
+  if (!value.is_array() || value.size() != kCount) return std::nullopt;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (!value[i].is_number() || !(std::abs(value[i].template get<double>()) <= kFarthest)) return std::nullopt;
+    numbers[i] = value[i].template get<double>();
+  }
+  return numbers;
+}
+
+/// A list of names with wildcards, not empty, or one of them alone.
+tl::expected<void, std::string> read_patterns(const nlohmann::json& value, std::vector<std::string>& out);
+
+/// A list of at most `most` entries, each read by `read(json, entry)`; the error says which one it is of.
+template <typename Entry, typename Read>
+tl::expected<void, std::string> read_entries(const nlohmann::json& value, const char* what, std::size_t most,
+                                             const Read& read, std::vector<Entry>& out) {
+  if (!value.is_array()) return wants(what, value);
+  if (value.size() > most) return wants("at most " + std::to_string(most) + " entries", value.size());
+  std::vector<Entry> entries;
+  for (const nlohmann::json& item : value) {
+    if (auto outcome = read(item, entries.emplace_back()); !outcome) {
+      return tl::unexpected("[" + std::to_string(entries.size() - 1) + "]: " + outcome.error());
+    }
+  }
+  out = std::move(entries);
+  return {};
+}
+
 /// The same of "patches.overrides" alone.
 tl::expected<void, std::string> read_overrides(const nlohmann::json& json, std::vector<PatchOverride>& out);
 [[nodiscard]] nlohmann::json write_overrides(const std::vector<PatchOverride>& overrides);
+/// Of "body.colliders".
+tl::expected<void, std::string> read_body_colliders(const nlohmann::json& json, std::vector<RecipeBodyCollider>& out);
+[[nodiscard]] nlohmann::json write_body_colliders(const std::vector<RecipeBodyCollider>& colliders);
+/// Of "dynamics.limits".
+tl::expected<void, std::string> read_bone_limits(const nlohmann::json& json, std::vector<RecipeBoneLimit>& out);
+[[nodiscard]] nlohmann::json write_bone_limits(const std::vector<RecipeBoneLimit>& limits);
 
 }  // namespace coif

@@ -84,6 +84,12 @@ Outcome read(const RecipeKey& key, const json& value, std::vector<CurvePoint>& o
 
 Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) { return read_overrides(value, out); }
 
+Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBodyCollider>& out) {
+  return read_body_colliders(value, out);
+}
+
+Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBoneLimit>& out) { return read_bone_limits(value, out); }
+
 template <std::size_t kCount>
 Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>& out) {
   const std::string what = fmt::format("{} numbers {}", kCount, number_range(key));
@@ -120,6 +126,10 @@ json write(const std::vector<CurvePoint>& points) {
 
 json write(const std::vector<PatchOverride>& overrides) { return write_overrides(overrides); }
 
+json write(const std::vector<RecipeBodyCollider>& colliders) { return write_body_colliders(colliders); }
+
+json write(const std::vector<RecipeBoneLimit>& limits) { return write_bone_limits(limits); }
+
 template <typename Value>
 json write(const std::optional<Value>& value) {
   return value ? json(*value) : json(nullptr);
@@ -129,6 +139,17 @@ json write(const std::optional<Value>& value) {
 
 tl::unexpected<std::string> wants(const std::string& what, const json& found) {
   return tl::unexpected(fmt::format("wants {}, found {}", what, excerpt(found.dump())));
+}
+
+Outcome read_patterns(const json& value, std::vector<std::string>& out) {
+  const json list = value.is_string() ? json::array({value}) : value;
+  std::vector<std::string> patterns;
+  for (const json& item : list_of(list)) {
+    if (item.is_string() && !item.get<std::string>().empty()) patterns.push_back(item.get<std::string>());
+  }
+  if (patterns.empty() || patterns.size() != list.size()) return wants("a name or a list of names, * and ? are wildcards", value);
+  out = std::move(patterns);
+  return {};
 }
 
 Outcome read_value(const RecipeKey& key, const json& json, Recipe& recipe) {

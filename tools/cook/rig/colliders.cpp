@@ -62,18 +62,29 @@ HeadCollider upright_capsule(const Vector3d& center, const Vector3d& radii) {
   return shape;
 }
 
-/// How deep a particle with this hit radius is in the shape, metres; negative or zero where it may be.
-double depth_inside(const HeadCollider& shape, const Vector3d& particle, double radius) {
-  if (shape.keeps_inside) return distance_at_least(shape, particle) + radius;
-  return coif::depth_inside(static_cast<const ColliderSize&>(shape), particle, radius);
-}
-
 bool in_reach(const HeadCollider& shape, const Vector3d& root, double reach) {
   // Whoever is kept inside may touch the shell from anywhere.
   return shape.keeps_inside || distance_at_least(shape, root) <= reach;
 }
 
 }  // namespace
+
+double depth_of(const HeadCollider& shape, const Vector3d& particle, double radius) {
+  if (shape.keeps_inside) return distance_at_least(shape, particle) + radius;
+  return depth_inside(shape, particle, radius);
+}
+
+std::vector<BoneReach> reach_of_bones(const Skeleton& skeleton) {
+  std::vector<BoneReach> reach(skeleton.bones.size());
+  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
+    const SkeletonBone& bone = skeleton.bones[b];
+    if (bone.kind != BoneKind::kSimulated) continue;
+    const bool first = skeleton.bones[bone.parent].kind != BoneKind::kSimulated;
+    reach[b].root = first ? bone.start : reach[bone.parent].root;
+    reach[b].length = bone.length() + (first ? 0 : reach[bone.parent].length);
+  }
+  return reach;
+}
 
 Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe, Findings& findings) {
   Colliders colliders;
@@ -89,17 +100,9 @@ Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const
 }
 
 void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders) {
-  struct Reach {
-    Vector3d root;
-    double length;
-  };
-  std::vector<Reach> reach(skeleton.bones.size());
+  const std::vector<BoneReach> reach = reach_of_bones(skeleton);
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
-    const SkeletonBone& bone = skeleton.bones[b];
-    if (bone.kind != BoneKind::kSimulated) continue;
-    const bool first = skeleton.bones[bone.parent].kind != BoneKind::kSimulated;
-    reach[b].root = first ? bone.start : reach[bone.parent].root;
-    reach[b].length = bone.length() + (first ? 0 : reach[bone.parent].length);
+    if (skeleton.bones[b].kind != BoneKind::kSimulated) continue;
     const double radius = colliders.hit_radius.empty() ? 0 : colliders.hit_radius[b];
     for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
       if (in_reach(colliders.shapes[c], reach[b].root, reach[b].length * (1 + kStretch) + radius)) continue;
@@ -108,7 +111,8 @@ void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders)
   }
 }
 
-void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, Findings& findings) {
+void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, const char* what, const char* cure,
+                             Findings& findings) {
   std::size_t colliding = 0, inside = 0;
   double deepest = 0;
   std::string where;
@@ -118,7 +122,7 @@ void report_rest_penetration(const Skeleton& skeleton, const Colliders& collider
     double depth = 0;
     for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
       if (!(colliders.of_bone[b] >> c & 1)) continue;
-      depth = std::max(depth, depth_inside(colliders.shapes[c], skeleton.bones[b].tail, radius));
+      depth = std::max(depth, depth_of(colliders.shapes[c], skeleton.bones[b].tail, radius));
     }
     if (depth <= kTouching) continue;
     ++inside;
@@ -127,14 +131,14 @@ void report_rest_penetration(const Skeleton& skeleton, const Colliders& collider
     where = skeleton.bones[b].name;
   }
   if (skeleton.simulated_count() > 0) {
-    findings.note(fmt::format("{} of {} simulated bones can reach a collider; {} inside one at rest", colliding,
-                              skeleton.simulated_count(), inside));
+    findings.note(fmt::format("{} of {} simulated bones can reach a {}; {} inside one at rest", colliding,
+                              skeleton.simulated_count(), what, inside));
   }
   if (inside == 0) return;
   findings.warn(
-      fmt::format("{} bones are inside a collider at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
-                  "pose: make the collider or the hit radius smaller, or set \"head.shape\" in the recipe",
-                  inside, where, 1000 * deepest));
+      fmt::format("{} bones are inside a {} at rest, '{}' by {:.1f} mm; they will be pushed out of the modelled "
+                  "pose: make the collider or the hit radius smaller, or {}",
+                  inside, what, where, 1000 * deepest, cure));
 }
 
 void leave_out_colliders(Colliders& colliders, Findings& findings) {
@@ -168,7 +172,7 @@ Colliders find_colliders(const SourceModel& source, const HeadBone& head_bone, c
   }
   drop_colliders_out_of_reach(skeleton, colliders);
   const std::size_t known = told.warnings.size();
-  report_rest_penetration(skeleton, colliders, told);
+  report_rest_penetration(skeleton, colliders, "collider", "set \"head.shape\" in the recipe", told);
   if (known > 0) told.warnings.resize(known);  // that the head pushes the hair is said already
   findings.append(told);
   // Hair that nothing moves keeps its head: pictures show it.

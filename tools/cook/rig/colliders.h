@@ -30,21 +30,42 @@ struct Colliders {
 [[nodiscard]] Colliders head_colliders(const FittedHead& head, const Skeleton& skeleton, const Recipe& recipe,
                                        Findings& findings);
 
-/// The shapes that the springs of the skeleton's bones collide with, each bone with its own spring's set and its joint's
-/// hit radius; empty sets and no shapes where no spring of the hair collides with anything on the head. The runtime moves
-/// the head and nothing else of the body, so shapes that are not on the head bone or below it are left out; the others move
-/// with the nearest rigid bone, since a shape that swings with the hair has no counterpart. `head_node` may be kNoIndex:
-/// nothing is on it. A shape whose radius is 0 is left out: only its surface could be hit.
+/// The shapes on the head that the springs of the skeleton's bones collide with, each bone with its own spring's set and its
+/// joint's hit radius; empty sets and no shapes where no spring of the hair collides with anything there. Shapes that are not on
+/// the head bone or below it are the body's (body_colliders.h); the others move with the nearest rigid bone, since a shape that
+/// swings with the hair has no counterpart. `head_node` may be kNoIndex: nothing is on it. A shape whose radius is 0 is left
+/// out: only its surface could be hit.
 [[nodiscard]] Colliders spring_colliders(const SourceModel& source, std::uint32_t head_node, const Skeleton& skeleton,
                                          Findings& findings);
+
+/// True where the head carries this collider of the source.
+[[nodiscard]] bool is_on_head(const SourceModel& source, std::uint32_t head_node, const SourceCollider& collider);
+
+/// True for what can be hit and stored: a plane, or a shape with a radius.
+[[nodiscard]] bool has_size(const SourceCollider& collider);
+
+/// The shape as it is in the source, on bone 0.
+[[nodiscard]] HeadCollider shape_of(const SourceCollider& collider);
+
+/// How far from where its chain begins a bone's particle can ever be, metres.
+struct BoneReach {
+  Eigen::Vector3d root = Eigen::Vector3d::Zero();  ///< Where the chain's first bone starts, model space.
+  double length = 0;                               ///< Of all bones from there on; 0 for rigid bones.
+};
+[[nodiscard]] std::vector<BoneReach> reach_of_bones(const Skeleton& skeleton);
+
+/// How deep a particle with this hit radius is in the shape, or out of one that keeps hair in, metres; negative or zero where
+/// it may be.
+[[nodiscard]] double depth_of(const HeadCollider& shape, const Eigen::Vector3d& particle, double radius);
 
 /// Takes out of each bone's set what it cannot touch: a particle is never farther from its chain's first joint than the
 /// bones between are long, and stretch of kStretch on top of that.
 void drop_colliders_out_of_reach(const Skeleton& skeleton, Colliders& colliders);
 
 /// Says how many bones can collide at all, and warns of those that are inside a shape at rest with their hit radius, with
-/// the greatest depth: they will be pushed out of the modelled pose.
-void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, Findings& findings);
+/// the greatest depth: they will be pushed out of the modelled pose. `what` they collide with and the `cure` are for the words.
+void report_rest_penetration(const Skeleton& skeleton, const Colliders& colliders, const char* what, const char* cure,
+                             Findings& findings);
 
 /// Leaves colliders out that are in no bone's set; the sets count afresh.
 void leave_out_colliders(Colliders& colliders, Findings& findings);

@@ -1,4 +1,4 @@
-#include "cook/rig/colliders.h"
+#include "cook/rig/body_colliders.h"
 
 #include <algorithm>
 
@@ -51,6 +51,21 @@ void pack_skeleton(const Skeleton& skeleton, const Colliders& colliders, AssetCo
   }
   contents.chains = skeleton.chains;
   for (const HeadCollider& shape : colliders.shapes) contents.colliders.push_back(pack_collider(shape, origin));
+}
+
+void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContents& contents) {
+  if (body.shapes.empty()) return;
+  const Eigen::Vector3d origin = skeleton.bones[0].start;
+  for (const BodyBone& bone : body.bones) {
+    BodyBoneRecord record{};
+    store(bone.joint - origin, record.joint);
+    const Eigen::Quaternionf rotation = bone.rotation.cast<float>();
+    std::copy_n(rotation.coeffs().data(), 4, record.rotation);
+    contents.body_bones.push_back(record);
+    contents.body_bone_names.push_back(bone.name);
+  }
+  for (const HeadCollider& shape : body.shapes) contents.body_colliders.push_back(pack_collider(shape, origin));
+  contents.body_sets = body.of_bone;
 }
 
 }  // namespace coif

@@ -5,20 +5,29 @@
 namespace coif {
 namespace {
 
-constexpr double kShortestCapsule = 1.0e-6;  ///< Metres between its ends; shorter ones are spheres.
+constexpr double kShortestCapsule = 1.0e-5;  ///< Metres between its ends; shorter ones are spheres.
+constexpr double kSmallestSize = 1.0e-5;     ///< Metres; an asset has none below a tenth of it.
 
 bool is_below(const SourceModel& source, std::uint32_t node, std::uint32_t ancestor) {
   while (node != kNoIndex && node != ancestor) node = source.nodes[node].parent;
   return node != kNoIndex;
 }
 
-HeadCollider convert(const SourceCollider& from, const Skeleton& skeleton) {
+}  // namespace
+
+bool is_on_head(const SourceModel& source, std::uint32_t head_node, const SourceCollider& collider) {
+  return head_node != kNoIndex && is_below(source, collider.node, head_node);
+}
+
+bool has_size(const SourceCollider& collider) {
+  return collider.shape == SourceCollider::Shape::kPlane || collider.radius >= kSmallestSize;
+}
+
+HeadCollider shape_of(const SourceCollider& from) {
   HeadCollider to;
   to.keeps_inside = from.keeps_inside && from.shape != SourceCollider::Shape::kPlane;
   to.center = from.center;
   to.radii.setConstant(from.radius);
-  to.bone = skeleton.bone_of_node[from.node];
-  while (skeleton.bones[to.bone].kind == BoneKind::kSimulated) to.bone = skeleton.bones[to.bone].parent;
   if (from.shape == SourceCollider::Shape::kPlane) {
     to.shape = ColliderShape::kPlane;
     to.axis = from.normal;
@@ -31,6 +40,8 @@ HeadCollider convert(const SourceCollider& from, const Skeleton& skeleton) {
   }
   return to;
 }
+
+namespace {
 
 class ColliderPass {
  public:
@@ -67,12 +78,12 @@ class ColliderPass {
           {fmt::format("the spring bones' collider {} on '{}'", collider, source_.nodes[from.node].name), why});
       return kNone;
     };
-    if (head_node_ == kNoIndex || !is_below(source_, from.node, head_node_)) {
-      return leave_out("not on the head or below it, and only those can follow it");
-    }
-    if (from.shape != SourceCollider::Shape::kPlane && !(from.radius > 0)) return leave_out("it has no size");
+    if (!is_on_head(source_, head_node_, from)) return kNone;
+    if (!has_size(from)) return leave_out("it has no size");
     if (out_.shapes.size() >= kMaxColliders) return leave_out("an asset has no room for it");
-    out_.shapes.push_back(convert(from, skeleton_));
+    out_.shapes.push_back(shape_of(from));
+    std::uint32_t& bone = out_.shapes.back().bone = skeleton_.bone_of_node[from.node];
+    while (skeleton_.bones[bone].kind == BoneKind::kSimulated) bone = skeleton_.bones[bone].parent;
     return std::uint32_t(out_.shapes.size() - 1);
   }
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "cook/rig/colliders.h"
+
+#include <Eigen/Geometry>
+
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// A bone of the body at rest, in model space, metres.
+struct BodyBone {
+  std::string name;  ///< As in the file.
+  Eigen::Vector3d joint = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
+};
+
+/// What hair collides with that the head does not carry: HeadCollider::bone is an index into `bones`. Hit radii are those that
+/// the bones of springs should have, where the head's own colliders leave them open.
+struct BodyColliders : Colliders {
+  std::vector<BodyBone> bones;
+};
+
+/// The recipe's body colliders, and those of the file's springs that are not on the head, each bone with its own spring's set.
+/// How far the body moves is not known here, so that nothing counts as out of reach; but where there are more than
+/// kMaxBodyColliders those are kept that are nearest to where hair can be, of the body at rest, the recipe's before the file's.
+/// Errors (kBadInput): the recipe names bones that are not there, or bones of the head or the hair.
+[[nodiscard]] tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source,
+                                                                         const HeadBone& head_bone,
+                                                                         const Skeleton& skeleton, const Recipe& recipe,
+                                                                         Findings& findings);
+
+/// Hit radii for hair whose head is fitted and none of the file's colliders: as wide as `body` says, but no wider than leaves
+/// each bone where it was modelled.
+void settle_hit_radii(const Skeleton& skeleton, const BodyColliders& body, Colliders& colliders);
+
+/// Writes body bones, their names, colliders and sets of `contents`, in head space. Does nothing without a collider.
+void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContents& contents);
+
+}  // namespace coif
