@@ -88,6 +88,57 @@ TEST(Recipe, ValuesOutOfRangeNameTheRange) {
   EXPECT_NE(message_of(R"({"material": {"ambient": [1, 2]}})").find("3 numbers"), std::string::npos);
 }
 
+TEST(Recipe, BodyCollidersReadBackAsPrinted) {
+  const std::string text = R"({"body": {"from_file": false, "colliders": [
+    {"bone": "Hips", "radius": 0.1, "inside": true, "hair": ["braid*"]}, {"bone": "Chest", "normal": [0, 0, 1]},
+    {"bone": "Arm", "center": [0, 1, 0], "tail": [0.3, 1, 0], "radius": 0.05, "tail_radius": 0.04}]}})";
+  const auto recipe = parse_recipe(text, "r.json");
+  ASSERT_TRUE(recipe) << recipe.error().message;
+  EXPECT_FALSE(recipe->body_from_file);
+  ASSERT_EQ(recipe->body_colliders.size(), 3u);
+  EXPECT_EQ(recipe->body_colliders[2].tail_radius, 0.04);
+  const auto again = parse_recipe(print_recipe(*recipe), "r.json");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(print_recipe(*again), print_recipe(*recipe));
+}
+
+TEST(Recipe, BodyCollidersThatDoNotHoldTogetherAreRefused) {
+  const auto said = [](const std::string& entry) { return message_of(R"({"body": {"colliders": [)" + entry + "]}}"); };
+  EXPECT_EQ(said(R"({"radius": 0.1})"), "r.json: \"body.colliders\" [0]: has no \"bone\"");
+  EXPECT_NE(said(R"({"bone": "Hips"})").find("has no \"radius\""), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "radius": 0})").find("\"radius\" wants a number from 0.0001"), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "radius": 1, "offset": 1})").find("there are bone, center"), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "radius": 1, "tail_radius": 1})").find("no \"tail\""), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "normal": [0, 0, 0]})").find("without direction"), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "normal": [0, 0, 1], "radius": 1})").find("a plane"), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "radius": 1, "center": [1, 2]})").find("a point [x, y, z]"), std::string::npos);
+  EXPECT_NE(said(R"({"bone": "Hips", "radius": 1, "hair": []})").find("names"), std::string::npos);
+  EXPECT_NE(said("3").find("an object of bone"), std::string::npos);
+  EXPECT_NE(message_of(R"({"body": {"colliders": {}}})").find("wants a list"), std::string::npos);
+}
+
+TEST(Recipe, LimitsReadBackAsPrintedAndSayWhatTheyLack) {
+  const auto recipe = parse_recipe(R"({"dynamics": {"limits": [{"bones": "a*", "kind": "cone", "angle": 30},
+    {"bones": ["b", "c"], "kind": "spherical", "angle": 180, "yaw": 90, "axis": [0, 0, 1]}, {"bones": "d", "kind": "none"}]}})", "r.json");
+  ASSERT_TRUE(recipe) << recipe.error().message;
+  const auto again = parse_recipe(print_recipe(*recipe), "r.json");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(print_recipe(*again), print_recipe(*recipe));
+  ASSERT_EQ(again->limits.size(), 3u);
+  EXPECT_EQ(again->limits[1].axis[2], 1);
+  const auto said = [](const std::string& entry) { return message_of(R"({"dynamics": {"limits": [)" + entry + "]}}"); };
+  EXPECT_NE(said(R"({"kind": "cone", "angle": 3})").find("[0]: has no \"bones\""), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "angle": 3})").find("has no \"kind\""), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "ball", "angle": 3})").find("cone|hinge|spherical|none"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone"})").find("has no \"angle\""), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 181})").find("from 0 to 180 degrees"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "hinge", "angle": 1, "yaw": 1})").find("belongs to a spherical"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "spherical", "angle": 1})").find("no \"yaw\""), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "none", "angle": 1})").find("is none"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "axis": [0, 0, 0]})").find("a direction"), std::string::npos);
+  EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "roll": 1})").find("there are bones"), std::string::npos);
+}
+
 TEST(Recipe, HalfAHeadIsRefused) {
   EXPECT_NE(message_of(R"({"head": {"center": [0, 1.6, 0]}})").find("come together"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include "base/collider_shapes.h"
 #include "base/hair_runtime.h"
 #include "base/json.h"
+#include "base/text.h"
 #include "cook/texture/alpha.h"
 #include "write/chunk_words.h"
 
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -105,14 +108,39 @@ ordered_json lod_list(const Asset& asset) {
 }
 
 /// Shapes that occur, each with its count; those that keep hair inside are counted once more under that name.
-ordered_json collider_shapes(const Asset& asset) {
+ordered_json collider_shapes(std::span<const ColliderRecord> colliders) {
   ordered_json shapes = ordered_json::object();
-  for (const ColliderRecord& collider : asset.colliders()) {
+  for (const ColliderRecord& collider : colliders) {
     const auto count = [&shapes](const char* name) { shapes[name] = shapes.value(name, 0) + 1; };
     count(plural_of(collider.shape));
     if ((collider.flags & kColliderKeepsInside) != 0) count("keep_inside");
   }
   return shapes;
+}
+
+/// What hangs from the body: which bones of it, as a host finds them, and what the hair may touch there.
+ordered_json body_json(const Asset& asset) {
+  ordered_json bones = ordered_json::array();
+  for (std::uint32_t i = 0; i < asset.body_bones().size(); ++i) {
+    bones.push_back({{"name", clean_text(asset.body_bone_name(i))},
+                     {"colliders", std::ranges::count(asset.body_colliders(), i, &ColliderRecord::bone)}});
+  }
+  return {{"bones", std::move(bones)},
+          {"colliders", asset.body_colliders().size()},
+          {"collider_shapes", collider_shapes(asset.body_colliders())},
+          {"colliding_bones", std::ranges::count_if(asset.body_sets(), [](std::uint32_t set) { return set != 0; })}};
+}
+
+/// Kinds that occur, each with the number of its bones.
+ordered_json limits_json(const Asset& asset) {
+  constexpr std::pair<LimitKind, const char*> kKinds[] = {
+      {LimitKind::kCone, "cone"}, {LimitKind::kHinge, "hinge"}, {LimitKind::kSpherical, "spherical"}};
+  ordered_json limits = ordered_json::object();
+  for (const auto& [kind, name] : kKinds) {
+    const auto count = std::ranges::count(asset.limits(), kind, &LimitRecord::kind);
+    if (count > 0) limits[name] = count;
+  }
+  return limits;
 }
 
 std::ptrdiff_t colliding_bones(const Asset& asset) {
@@ -165,12 +193,14 @@ ordered_json summarize(const Asset& asset) {
                           {"passive_bones", passive_bones(asset)},
                           {"twisting_bones", twisting_bones(asset)},
                           {"colliders", asset.colliders().size()},
-                          {"collider_shapes", collider_shapes(asset)},
+                          {"collider_shapes", collider_shapes(asset.colliders())},
                           {"colliding_bones", colliding_bones(asset)},
                           {"lods", lod_list(asset)},
                           {"textures", texture_list(asset)},
                           {"settings", dynamics_ranges(asset)},
                           {"quality", quality_json(asset)}};
+  if (!asset.body_colliders().empty()) summary["body"] = body_json(asset);
+  if (!asset.limits().empty()) summary["limits"] = limits_json(asset);
   if (!asset.chains().empty()) {
     summary["model"] = model_of(asset);
   }
@@ -185,6 +215,23 @@ ordered_json summarize(const Asset& asset) {
 
 std::string count_line(const std::string& name, const ordered_json& count) {
   return fmt::format("  {:<16}{:>12}\n", name, count.get<std::uint64_t>());
+}
+
+/// Empty where there are no body colliders and no limits.
+std::string body_text(const ordered_json& summary) {
+  std::string text;
+  if (summary.contains("body")) {
+    const ordered_json& body = summary["body"];
+    text += count_line("body_colliders", body["colliders"]);
+    for (const auto& [shape, count] : body["collider_shapes"].items()) text += count_line("  " + shape, count);
+    for (const ordered_json& bone : body["bones"]) {
+      text += fmt::format("    on '{}': {}\n", bone["name"].get<std::string>(), bone["colliders"].get<int>());
+    }
+    text += count_line("body_touching", body["colliding_bones"]);
+  }
+  if (!summary.contains("limits")) return text;
+  for (const auto& [kind, count] : summary["limits"].items()) text += count_line("limit_" + kind, count);
+  return text;
 }
 
 std::string texture_line(const ordered_json& texture) {
@@ -219,6 +266,7 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
   text += count_line("colliding_bones", summary["colliding_bones"]);
+  text += body_text(summary);
   for (const auto& texture : summary["textures"]) text += texture_line(texture);
   for (const char* key : {"model", "sides", "shading"}) {
     if (summary.contains(key)) text += fmt::format("  {:<16}{:>12}\n", key, summary[key].get<std::string>());

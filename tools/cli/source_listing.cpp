@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -51,6 +52,40 @@ std::string node_tree(const SourceModel& model) {
   return text;
 }
 
+const char* shape_word(SourceCollider::Shape shape) {
+  switch (shape) {
+    case SourceCollider::Shape::kSphere: return "sphere";
+    case SourceCollider::Shape::kCapsule: return "capsule";
+    case SourceCollider::Shape::kPlane: return "plane";
+  }
+  return "";
+}
+
+std::size_t limited_joints(const SourceModel& model) {
+  std::size_t count = 0;
+  for (const SourceSpring& spring : model.springs) {
+    count += std::size_t(std::ranges::count_if(
+        spring.joints, [](const SourceSpringJoint& joint) { return joint.limit.kind != SourceLimit::Kind::kNone; }));
+  }
+  return count;
+}
+
+/// Empty for a file without spring bones.
+std::string springs_text(const SourceModel& model) {
+  if (model.springs.empty() && model.colliders.empty()) return {};
+  std::string text =
+      fmt::format("spring bones\n  {}, {} with a limit\n", counted(model.springs.size(), "spring", "springs"),
+                  counted(limited_joints(model), "joint", "joints"));
+  for (std::size_t c = 0; c < model.colliders.size(); ++c) {
+    const SourceCollider& collider = model.colliders[c];
+    text += fmt::format("  collider {} on '{}'  {}{}", c, model.nodes[collider.node].name, shape_word(collider.shape),
+                        collider.keeps_inside ? ", keeps inside" : "");
+    text +=
+        collider.shape == SourceCollider::Shape::kPlane ? "\n" : fmt::format(", radius {:.3g} m\n", collider.radius);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string list_text(const SourceModel& model) {
@@ -65,7 +100,7 @@ std::string list_text(const SourceModel& model) {
     const std::string texture = texture_name(model, material.base_texture);
     text += fmt::format("  {}  {}\n", material.name, texture.empty() ? "no texture" : texture);
   }
-  return text + "nodes\n" + node_tree(model);
+  return text + springs_text(model) + "nodes\n" + node_tree(model);
 }
 
 std::string list_json(const SourceModel& model) {
@@ -88,10 +123,18 @@ std::string list_json(const SourceModel& model) {
     const std::string parent = node.parent == kNoIndex ? "" : model.nodes[node.parent].name;
     nodes.push_back({{"name", node.name}, {"parent", parent}, {"bone", bool(is_bone[i])}});
   }
-  return json_text({{"path", model.path},
-                    {"meshes", std::move(meshes)},
-                    {"materials", std::move(materials)},
-                    {"nodes", std::move(nodes)}});
+  ordered_json listing = {{"path", model.path},
+                          {"meshes", std::move(meshes)},
+                          {"materials", std::move(materials)},
+                          {"nodes", std::move(nodes)}};
+  for (const SourceCollider& collider : model.colliders) {
+    listing["colliders"].push_back({{"node", model.nodes[collider.node].name},
+                                    {"shape", shape_word(collider.shape)},
+                                    {"keeps_inside", collider.keeps_inside},
+                                    {"radius", collider.radius}});
+  }
+  if (limited_joints(model) > 0) listing["limited_joints"] = limited_joints(model);
+  return json_text(listing);
 }
 
 }  // namespace coif

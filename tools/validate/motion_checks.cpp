@@ -1,4 +1,5 @@
 #include "animation/recording.h"
+#include "base/text.h"
 #include "validate/asset_checks.h"
 
 #include <fmt/format.h>
@@ -109,6 +110,16 @@ void find_idle_colliders(const Asset& asset, Issues& issues) {
   }
 }
 
+void find_idle_body_colliders(const Asset& asset, Issues& issues) {
+  std::uint32_t touched = 0;
+  for (const std::uint32_t set : asset.body_sets()) touched |= set;
+  for (std::uint32_t i = 0; i < asset.body_colliders().size(); ++i) {
+    if ((touched >> i & 1u) != 0) continue;
+    const std::string bone = clean_text(asset.body_bone_name(asset.body_colliders()[i].bone));
+    add_issue(issues, "A221", fmt::format("body collider {} on '{}'", i, bone), "no bone may touch it");
+  }
+}
+
 void find_odd_pulls(const Asset& asset, Issues& issues) {
   for (std::size_t i = 0; i < asset.dynamics().size(); ++i) {
     if (!is_simulated(asset.bones()[i])) continue;
@@ -128,6 +139,7 @@ void check_dynamics(const Asset& asset, Issues& issues) {
   if (asset.colliders().empty()) add_issue(issues, "A203", "", "no collider: hair will pass through the head");
   find_resting_penetration(asset, issues);
   find_idle_colliders(asset, issues);
+  find_idle_body_colliders(asset, issues);
   find_odd_pulls(asset, issues);
 }
 
