@@ -27,6 +27,14 @@ coif_cli_case(cook_absent_recipe EXIT 2 STDERR "coif cook: error: r.json: "
   ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_misspelt_recipe_key EXIT 3 STDERR "r.json: .*did you mean"
   TEXT r.json "{\"dynamics\": {\"fricton\": 1}}" ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_names_body_bones_that_are_not_there EXIT 3
+  STDERR "\"body.colliders\" \\[0\\]: no bone is called 'LeftSholder'; "
+  TEXT r.json "{\"body\": {\"colliders\": [{\"bone\": \"LeftSholder\", \"radius\": 0.1}]}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_names_limits_of_no_bone EXIT 3
+  STDERR "\"dynamics.limits\" \\[0\\]: no bone that moves is called tail_x; there are "
+  TEXT r.json "{\"dynamics\": {\"limits\": [{\"bones\": \"tail_x\", \"kind\": \"cone\", \"angle\": 9}]}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_finds_recipe_beside EXIT 3
   STDERR "note: braid.recipe.json: used, as it lies beside the source.*error: braid.recipe.json: "
   TEXT braid.obj "v 0 0 0\n" braid.recipe.json "{" ARGS cook braid.obj -o out.coif)

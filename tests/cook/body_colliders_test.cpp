@@ -28,6 +28,7 @@ class BodyCollidersTest : public testing::Test {
     skeleton_.bone_of_node = {0, 0, 0};
     add_hair("hair_a", -0.1);
     add_hair("hair_b", 0.1);
+    of_head_.hit_radius = {0, 0.01, 0.02};
   }
 
   void add_hair(const std::string& name, double x) {
@@ -69,7 +70,8 @@ class BodyCollidersTest : public testing::Test {
 
   [[nodiscard]] Told<tl::expected<BodyColliders, ToolError>> try_run() const {
     const HeadBone head{.node = kHead};
-    return told([&](Findings& findings) { return find_body_colliders(model_, head, skeleton_, recipe_, findings); });
+    return told(
+        [&](Findings& findings) { return find_body_colliders(model_, head, skeleton_, of_head_, recipe_, findings); });
   }
 
   [[nodiscard]] BodyColliders run() const { return try_run().made.value(); }
@@ -81,6 +83,7 @@ class BodyCollidersTest : public testing::Test {
 
   SourceModel model_;
   Skeleton skeleton_;
+  Colliders of_head_;
   Recipe recipe_;
 };
 
@@ -191,18 +194,21 @@ TEST_F(BodyCollidersTest, HairInsideItAtRestIsTold) {
       << found.warnings[0];
 }
 
-TEST_F(BodyCollidersTest, WithAFittedHeadHairIsAsThickForTheBodyAsTheHeadLeavesItAtRest) {
-  model_.springs[1].colliders = {add_collider(kShoulder, {1, 1, 0})};
-  Colliders colliders;
-  HeadCollider head;
-  head.center = {0.1, 1.3, 0};  // 0.1 m from the tip of hair_b
-  head.radii.setConstant(0.085);
-  colliders.shapes = {head};
-  colliders.of_bone = {0, 0, 1};
-  settle_hit_radii(skeleton_, run(), colliders);
-  ASSERT_EQ(colliders.hit_radius.size(), 3u);
-  EXPECT_NEAR(colliders.hit_radius[1], 0.01, 1.0e-12) << "its own";
-  EXPECT_NEAR(colliders.hit_radius[2], 0.015, 1.0e-9) << "its own would be 0.02";
+TEST_F(BodyCollidersTest, WithoutHitRadiiItsShapesAreLargerByTheSmallestOfTheirHair) {
+  const auto ball = add_collider(kShoulder, {1, 1, 0}), plane = add_collider(kHips, {0, 0, 0});
+  const auto around = add_collider(kHips, {0, 1, 0}, 3);
+  model_.colliders[plane].shape = Shape::kPlane;
+  model_.colliders[plane].normal = Eigen::Vector3d::UnitY();
+  model_.colliders[around].keeps_inside = true;
+  model_.springs[0].colliders = {ball, plane};          // 0.01
+  model_.springs[1].colliders = {ball, plane, around};  // 0.02
+  EXPECT_EQ(run().shapes[0].radii, Eigen::Vector3d::Constant(0.05)) << "where bones have hit radii";
+  of_head_.hit_radius.clear();
+  const BodyColliders body = run();
+  EXPECT_TRUE(body.shapes[0].radii.isApproxToConstant(0.06));
+  EXPECT_TRUE(body.shapes[1].center.isApprox(Eigen::Vector3d(0, 0.01, 0)));
+  EXPECT_TRUE(body.shapes[2].radii.isApproxToConstant(2.98)) << "hair stays farther inside";
+  EXPECT_TRUE(body.hit_radius.empty());
 }
 
 TEST(CookBody, AssetsHoldTheBodyOfTheFileAndOfTheRecipe) {

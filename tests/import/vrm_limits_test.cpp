@@ -59,7 +59,7 @@ TEST_F(VrmLimits, EachKindHasItsAngles) {
   EXPECT_EQ(limit.angles[0], 0.5);
   EXPECT_EQ(limit.angles[1], 0.25);
   EXPECT_TRUE(model_.warnings.empty()) << warnings_of(model_);
-  EXPECT_EQ(import_joints(R"({"node": 3}, {"node": 4})").springs[0].joints[0].limit.kind, Kind::kNone);
+  EXPECT_EQ(import_joints(R"({"node": 3}, {"node": 4})").springs[0].joints[0].limit.kind, Kind::kUnlimited);
 }
 
 TEST_F(VrmLimits, AnglesBeyondTheMostAreTheMost) {
@@ -92,7 +92,7 @@ TEST_F(VrmLimits, AxesAreThoseOfTheJointAtRestAndTheBonesDirectionInIt) {
 
 TEST_F(VrmLimits, TheLastJointHasNone) {
   const SourceModel model = import_joints(R"({"node": 3}, )" + joint(4, R"({"cone": {"angle": 1}})"));
-  EXPECT_EQ(model.springs[0].joints[1].limit.kind, Kind::kNone);
+  EXPECT_EQ(model.springs[0].joints[1].limit.kind, Kind::kUnlimited);
   EXPECT_TRUE(model.warnings.empty()) << warnings_of(model);
 }
 
@@ -101,7 +101,7 @@ TEST_F(VrmLimits, WhatIsNoLimitIsIgnoredWithAWarning) {
        {"{}", "3", R"({"cone": {"angle": 1}, "hinge": {"angle": 1}})", R"({"cone": {}})", R"({"cone": {"angle": -1}})",
         R"({"spherical": {"pitch": 1}})", R"({"hinge": {"angle": 1, "rotation": [0, 0, 0, 0]}})",
         R"({"hinge": {"angle": 1, "rotation": [0, 1]}})", R"({"hinge": {"angle": 1, "rotation": [0, 0, 0, 2]}})"}) {
-    EXPECT_EQ(first_limit(limit).kind, Kind::kNone) << limit;
+    EXPECT_EQ(first_limit(limit).kind, Kind::kUnlimited) << limit;
     EXPECT_TRUE(warns(model_, "spring 'tail': a joint's limit")) << limit << ": " << warnings_of(model_);
     EXPECT_EQ(find_model_fault(model_), "");
   }

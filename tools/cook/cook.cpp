@@ -129,9 +129,7 @@ const Pass kPasses[] = {
      }},
     {"body",
      [](Cooking& c) {
-       const Done done = keep(find_body_colliders(c.source, c.head_bone, c.rig.skeleton, c.recipe, c.report), c.body);
-       settle_hit_radii(c.rig.skeleton, c.body, c.colliders);
-       return done;
+       return keep(find_body_colliders(c.source, c.head_bone, c.rig.skeleton, c.colliders, c.recipe, c.report), c.body);
      },
      [](const Cooking& c) {
        const bool is_any = !c.source.colliders.empty() || !c.recipe.body_colliders.empty();

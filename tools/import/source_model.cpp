@@ -93,7 +93,7 @@ std::string collider_fault(const SourceModel& model, const SourceCollider& colli
 
 std::string limit_fault(const SourceLimit& limit) {
   const bool is_spherical = limit.kind == SourceLimit::Kind::kSpherical;
-  const double most[2] = {limit.kind == SourceLimit::Kind::kNone ? 0 : std::numbers::pi,
+  const double most[2] = {limit.kind == SourceLimit::Kind::kUnlimited ? 0 : std::numbers::pi,
                           is_spherical ? std::numbers::pi / 2 : 0};
   for (int k = 0; k < 2; ++k) {
     if (!(limit.angles[k] >= 0 && limit.angles[k] <= most[k])) return "limit's angle out of range";

@@ -78,7 +78,7 @@ struct SourceCollider {
 
 /// Which directions a joint's tail may have, as VRMC_springBone_limit has it; what the angles mean: LimitRecord.
 struct SourceLimit {
-  enum class Kind { kNone, kCone, kHinge, kSpherical } kind = Kind::kNone;
+  enum class Kind { kUnlimited, kCone, kHinge, kSpherical } kind = Kind::kUnlimited;
   double angles[2] = {0, 0};  ///< Radians; cone and hinge: the first; spherical: pitch 0..pi and yaw 0..pi/2.
   /// At rest, model space from the limit's own axes, whose +Y is the middle direction.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();

@@ -63,7 +63,7 @@ std::vector<ColliderSet> read_groups(const json& list, const ColliderNumbers& co
 /// What is known of a joint once its tail is.
 void end_joint(SourceSpringJoint& joint, std::uint32_t tail, const SpringSink& sink) {
   joint.length = sink.distance(joint.node, tail);
-  if (joint.limit.kind == SourceLimit::Kind::kNone) return;
+  if (joint.limit.kind == SourceLimit::Kind::kUnlimited) return;
   joint.limit.rotation = (limit_axes(sink.model(), joint.node, tail) * joint.limit.rotation).normalized();
 }
 

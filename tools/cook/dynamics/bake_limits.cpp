@@ -29,7 +29,7 @@ LimitRecord no_limit() { return limit_record(LimitKind::kUnlimited, 0, 0, Eigen:
 
 LimitKind kind_of(SourceLimit::Kind kind) {
   switch (kind) {
-    case SourceLimit::Kind::kNone: return LimitKind::kUnlimited;
+    case SourceLimit::Kind::kUnlimited: return LimitKind::kUnlimited;
     case SourceLimit::Kind::kCone: return LimitKind::kCone;
     case SourceLimit::Kind::kHinge: return LimitKind::kHinge;
     case SourceLimit::Kind::kSpherical: return LimitKind::kSpherical;

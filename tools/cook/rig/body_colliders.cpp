@@ -54,15 +54,36 @@ HeadCollider shape_of_recipe(const RecipeBodyCollider& from, const Vector3d& joi
   return to;
 }
 
+double smallest_hit_radius(const std::vector<BoneJoint>& joints, const std::vector<std::uint32_t>& bones) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t b : bones) smallest = std::min(smallest, joints[b].joint->hit_radius);
+  return smallest;
+}
+
+/// The shape for hair without thickness that keeps off it as hair of this hit radius does.
+void grow(HeadCollider& shape, double hit_radius) {
+  if (shape.shape == ColliderShape::kPlane) {
+    shape.center += hit_radius * shape.axis;
+  } else if (!shape.keeps_inside) {
+    shape.radii.array() += hit_radius;
+  } else if (shape.radii.x() > 2 * hit_radius) {
+    shape.radii.array() -= hit_radius;
+  }
+}
+
 class BodyPass {
  public:
-  BodyPass(const SourceModel& source, const HeadBone& head_bone, const Skeleton& skeleton, const Recipe& recipe,
-           Findings& findings)
-      : source_(source), head_node_(head_bone.node), skeleton_(skeleton), recipe_(recipe), findings_(findings) {}
+  BodyPass(const SourceModel& source, const HeadBone& head_bone, const Skeleton& skeleton, const Colliders& of_head,
+           const Recipe& recipe, Findings& findings)
+      : source_(source),
+        head_node_(head_bone.node),
+        skeleton_(skeleton),
+        is_thick_(!of_head.hit_radius.empty()),
+        recipe_(recipe),
+        findings_(findings) {}
 
   tl::expected<BodyColliders, ToolError> run() && {
     out_.of_bone.assign(skeleton_.bones.size(), 0);
-    out_.hit_radius.assign(skeleton_.bones.size(), 0);
     for (std::size_t i = 0; i < recipe_.body_colliders.size(); ++i) {
       if (Done done = add_recipe(recipe_.body_colliders[i], i); !done) return tl::unexpected(done.error());
     }
@@ -114,7 +135,9 @@ class BodyPass {
       return bad(entry, fmt::format("'{}' moves with the head or is hair; the body is what the head does not carry",
                                     from.bone));
     }
-    BodyCandidate candidate{.node = node, .of_recipe = true};
+    BodyCandidate candidate;
+    candidate.node = node;
+    candidate.of_recipe = true;
     candidate.shape = shape_of_recipe(from, source_.nodes[node].model_from_node.translation());
     candidate.words = fmt::format("the recipe's body collider {} on '{}'", entry, source_.nodes[node].name);
     for (std::uint32_t b = 0; b < skeleton_.bones.size(); ++b) {
@@ -136,7 +159,6 @@ class BodyPass {
     std::map<std::uint32_t, std::vector<std::uint32_t>> bones_of;
     for (std::uint32_t b = 0; b < joints.size(); ++b) {
       if (!joints[b]) continue;
-      out_.hit_radius[b] = joints[b].joint->hit_radius;
       for (const std::uint32_t c : joints[b].spring->colliders) {
         if (!is_on_head(source_, head_node_, source_.colliders[c])) bones_of[c].push_back(b);
       }
@@ -144,7 +166,11 @@ class BodyPass {
     for (auto& [number, bones] : bones_of) {
       const SourceCollider& collider = source_.colliders[number];
       const std::string& name = source_.nodes[collider.node].name;
-      BodyCandidate candidate{.shape = shape_of(collider), .node = collider.node, .bones = std::move(bones)};
+      BodyCandidate candidate;
+      candidate.shape = shape_of(collider);
+      if (!is_thick_) grow(candidate.shape, smallest_hit_radius(joints, bones));
+      candidate.node = collider.node;
+      candidate.bones = std::move(bones);
       candidate.words = fmt::format("the spring bones' collider {} on '{}'", number, name);
       const char* why = nullptr;
       if (!recipe_.body_from_file) why = "\"body.from_file\" is false";
@@ -223,6 +249,7 @@ class BodyPass {
   const SourceModel& source_;
   std::uint32_t head_node_;
   const Skeleton& skeleton_;
+  bool is_thick_;  // bones have hit radii
   const Recipe& recipe_;
   Findings& findings_;
   std::vector<BodyCandidate> candidates_;
@@ -233,25 +260,14 @@ class BodyPass {
 }  // namespace
 
 tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source, const HeadBone& head_bone,
-                                                           const Skeleton& skeleton, const Recipe& recipe,
-                                                           Findings& findings) {
-  auto body = BodyPass(source, head_bone, skeleton, recipe, findings).run();
+                                                           const Skeleton& skeleton, const Colliders& of_head,
+                                                           const Recipe& recipe, Findings& findings) {
+  tl::expected<BodyColliders, ToolError> body = BodyPass(source, head_bone, skeleton, of_head, recipe, findings).run();
   if (body && !body->shapes.empty()) {
+    body->hit_radius = of_head.hit_radius;
     report_rest_penetration(skeleton, *body, "body collider", "set \"body.from_file\" to false", findings);
   }
   return body;
-}
-
-void settle_hit_radii(const Skeleton& skeleton, const BodyColliders& body, Colliders& colliders) {
-  if (body.shapes.empty() || !colliders.hit_radius.empty()) return;
-  colliders.hit_radius = body.hit_radius;
-  for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
-    for (std::size_t c = 0; c < colliders.shapes.size(); ++c) {
-      if ((colliders.of_bone[b] >> c & 1) == 0) continue;
-      const double clearance = -depth_of(colliders.shapes[c], skeleton.bones[b].tail, 0);
-      colliders.hit_radius[b] = std::clamp(clearance, 0.0, colliders.hit_radius[b]);
-    }
-  }
 }
 
 }  // namespace coif

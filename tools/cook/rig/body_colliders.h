@@ -16,24 +16,22 @@ struct BodyBone {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< Model from the bone's own axes.
 };
 
-/// What hair collides with that the head does not carry: HeadCollider::bone is an index into `bones`. Hit radii are those that
-/// the bones of springs should have, where the head's own colliders leave them open.
+/// What hair collides with that the head does not carry: HeadCollider::bone is an index into `bones`. Hit radii are the head's.
 struct BodyColliders : Colliders {
   std::vector<BodyBone> bones;
 };
 
 /// The recipe's body colliders, and those of the file's springs that are not on the head, each bone with its own spring's set.
-/// How far the body moves is not known here, so that nothing counts as out of reach; but where there are more than
+/// A bone has one hit radius for head and body: that of its spring where `of_head` has the file's colliders. Where `of_head` is
+/// fitted, bones have none, and the file's body shapes are larger instead by the smallest hit radius of the bones that may touch
+/// them. How far the body moves is not known here, so that nothing counts as out of reach; but where there are more than
 /// kMaxBodyColliders those are kept that are nearest to where hair can be, of the body at rest, the recipe's before the file's.
 /// Errors (kBadInput): the recipe names bones that are not there, or bones of the head or the hair.
 [[nodiscard]] tl::expected<BodyColliders, ToolError> find_body_colliders(const SourceModel& source,
                                                                          const HeadBone& head_bone,
-                                                                         const Skeleton& skeleton, const Recipe& recipe,
+                                                                         const Skeleton& skeleton,
+                                                                         const Colliders& of_head, const Recipe& recipe,
                                                                          Findings& findings);
-
-/// Hit radii for hair whose head is fitted and none of the file's colliders: as wide as `body` says, but no wider than leaves
-/// each bone where it was modelled.
-void settle_hit_radii(const Skeleton& skeleton, const BodyColliders& body, Colliders& colliders);
 
 /// Writes body bones, their names, colliders and sets of `contents`, in head space. Does nothing without a collider.
 void pack_body(const Skeleton& skeleton, const BodyColliders& body, AssetContents& contents);
