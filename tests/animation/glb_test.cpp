@@ -153,6 +153,8 @@ TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
   contents.bone_names.clear();
   contents.chains.clear();
   contents.dynamics.clear();
+  contents.limits.clear();
+  clear_group("body", contents);
   contents.lods.clear();
   contents.lod_bones.clear();
   for (PatchRecord& patch : contents.patches) patch.bone = 0;

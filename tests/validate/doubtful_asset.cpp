@@ -12,6 +12,8 @@ AssetContents sound_asset() {
   asset.chains.pop_back();
   asset.dynamics.pop_back();
   asset.asked.clear();
+  clear_group("body", asset);
+  clear_group("limits", asset);
   asset.lod_bones.pop_back();
   for (SkinRecord& skin : asset.skin) skin.bone[0] = std::min<std::uint16_t>(skin.bone[0], 3);
   for (PatchRecord& patch : asset.patches) patch.bone = std::min(patch.bone, 3u);
@@ -80,6 +82,15 @@ void reach_no_collider(AssetContents& asset) {
   for (BoneRecord& bone : asset.bones) bone.colliders = 0;
 }
 
+/// A ball on the chest that no bone may touch.
+void hang_idle_ball(AssetContents& asset) {
+  const AssetContents whole = small_asset();
+  asset.body_bone_names = {"Chest"};
+  asset.body_bones = {whole.body_bones[1]};
+  asset.body_colliders = {whole.body_colliders[0]};
+  asset.body_sets.assign(asset.bones.size(), 0);
+}
+
 constexpr Doubt kBodyDoubts[] = {
     {"A202", make_rigid},
     {"A203", [](AssetContents& asset) { reach_no_collider(asset), asset.colliders.clear(); }},
@@ -92,6 +103,7 @@ constexpr Doubt kBodyDoubts[] = {
     {"A212", [](AssetContents& asset) { asset.bones[3].length = 0.0005f; }},
     {"A213", [](AssetContents& asset) { grow(asset, 0.1f), grow(asset, 0.1f), grow(asset, 0.6f); }},
     {"A221", reach_no_collider},
+    {"A221", hang_idle_ball},
     {"A222", [](AssetContents& asset) { asset.dynamics[3].resistance = asset.dynamics[3].stiffness = 0; }},
     {"A223", [](AssetContents& asset) { asset.dynamics[2].resistance = 1; }},
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_error = 0.001f; }},
