@@ -138,10 +138,15 @@ constexpr auto transfer_collider = [](auto& archive, auto& collider) {
          archive.raw(collider.normal.data(), 3 * sizeof(double)) && archive.plain(collider.radius);
 };
 
+constexpr auto transfer_limit = [](auto& archive, auto& limit) {
+  return transfer_choice(archive, limit.kind, SourceLimit::Kind::kSpherical) && archive.raw(limit.angles, sizeof limit.angles) &&
+         archive.raw(limit.rotation.coeffs().data(), 4 * sizeof(double));
+};
+
 constexpr auto transfer_joint = [](auto& archive, auto& joint) {
   return archive.plain(joint.node) && archive.plain(joint.length) && archive.plain(joint.stiffness) &&
          archive.plain(joint.gravity_power) && archive.raw(joint.gravity_direction.data(), 3 * sizeof(double)) &&
-         archive.plain(joint.drag) && archive.plain(joint.hit_radius);
+         archive.plain(joint.drag) && archive.plain(joint.hit_radius) && transfer_limit(archive, joint.limit);
 };
 
 constexpr auto transfer_spring = [](auto& archive, auto& spring) {
