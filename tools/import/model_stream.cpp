@@ -150,7 +150,7 @@ constexpr auto transfer_joint = [](auto& archive, auto& joint) {
 };
 
 constexpr auto transfer_spring = [](auto& archive, auto& spring) {
-  constexpr std::size_t kJoint = sizeof(std::uint32_t) + 8 * sizeof(double);
+  constexpr std::size_t kJoint = sizeof(std::uint32_t) + sizeof(std::uint8_t) + 14 * sizeof(double);
   return archive.sequence(spring.name) && archive.list(spring.joints, kJoint, transfer_joint) &&
          archive.plain(spring.center) && archive.sequence(spring.colliders);
 };
