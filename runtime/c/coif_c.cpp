@@ -1,17 +1,9 @@
 // The simulation in C.
-#include "asset_view.h"
-
-#include <coif/hair.h>
+#include "hair_view.h"
 
 #include <cstddef>
 #include <new>
 #include <span>
-
-// In the first bytes of the caller's memory; what coif::Hair needs follows.
-struct coif_hair {
-  coif::Asset asset;
-  coif::Hair hair;
-};
 
 namespace {
 
@@ -35,6 +27,7 @@ const coif::Solver* solver_of(std::uint32_t solver) {
     case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
     case COIF_SOLVER_PASSIVE: return &coif::kPassiveSolver;
     case COIF_SOLVER_CASCADE: return &coif::kCascadeSolver;
+    case COIF_SOLVER_CHARACTER: return &coif::kCharacterSolver;
   }
   return nullptr;
 }
@@ -44,6 +37,9 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.instances = from->instances;
   desc.solver = solver_of(from->solver);
   desc.longest_interval = from->longest_interval;
+  desc.moving_colliders = from->moving_colliders;
+  desc.follows_body = from->follows_body != 0;
+  desc.follows_poses = from->follows_poses != 0;
   return true;
 }
 
@@ -107,7 +103,7 @@ void coif_head_pose_init(coif_head_pose* pose) {
 
 void coif_hair_desc_init(coif_hair_desc* desc) {
   const coif::HairDesc usual;
-  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval};
+  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval, 0, 0, 0};
 }
 
 void coif_step_settings_init(coif_step_settings* settings) {

@@ -1,7 +1,7 @@
 #ifndef COIF_H
 #define COIF_H
 /* coif for hosts that are not written in C++: engines with a C interface, and languages that call C. This header is all of
- * it: simulation below, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h. Each function is the
+ * it: simulation below and in coif/c/character.h, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h. Each function is the
  * function or method of coif/hair.h, coif/asset.h, coif/lod.h, coif/drawing.h or coif/skinning.h of that name, where the rules
  * are: nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
  *
@@ -9,6 +9,7 @@
  * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
 
 #include <coif/c/asset.h>
+#include <coif/c/character.h>
 #include <coif/c/drawing.h>
 #include <coif/c/types.h>
 
@@ -17,12 +18,15 @@ extern "C" {
 #endif
 
 /* What each does: coif/hair.h. */
-typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2, COIF_SOLVER_CASCADE = 3 } coif_solver;
+typedef enum coif_solver { COIF_SOLVER_COIF = 0, COIF_SOLVER_THESIS = 1, COIF_SOLVER_PASSIVE = 2, COIF_SOLVER_CASCADE = 3, COIF_SOLVER_CHARACTER = 4 } coif_solver;
 
 typedef struct coif_hair_desc {
   uint32_t instances;
   uint32_t solver; /* coif_solver */
   uint32_t longest_interval;
+  /* Of COIF_SOLVER_CHARACTER, see coif/c/character.h; 0 for others. */
+  uint32_t moving_colliders;
+  uint32_t follows_body, follows_poses; /* 0 or 1 */
 } coif_hair_desc;
 
 typedef struct coif_step_settings {
@@ -43,10 +47,6 @@ typedef struct coif_detail {
   uint32_t interval;
   uint32_t simulated; /* 0 or 1 */
 } coif_detail;
-
-/* A crowd of heads that wear one asset. Lives in memory that the caller gave, as long as that does; there is nothing to
- * destroy. */
-typedef struct coif_hair coif_hair;
 
 void coif_hair_desc_init(coif_hair_desc* desc);
 void coif_step_settings_init(coif_step_settings* settings);

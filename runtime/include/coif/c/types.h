@@ -49,6 +49,10 @@ typedef struct coif_head_velocity {
   float angular[3];
 } coif_head_velocity;
 
+/* A crowd of heads that wear one asset. Lives in memory that the caller gave, as long as that does; there is nothing to
+ * destroy. */
+typedef struct coif_hair coif_hair;
+
 /* "0.1.0", static storage. */
 const char* coif_version(void);
 /* One sentence, static storage, never null. */

@@ -1,0 +1,59 @@
+#ifndef COIF_C_CHARACTER_H
+#define COIF_C_CHARACTER_H
+/* What a character that wears hair brings along, and the air around it; a part of coif.h, which is what hosts include. The rules
+ * are those of the methods of coif::Hair of that name (coif/hair.h, coif/character.h, coif/air.h). Structs are filled with
+ * their defaults by the function beside them. */
+
+#include <coif/c/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum coif_collider_shape {
+  COIF_COLLIDER_SPHERE = 0,
+  COIF_COLLIDER_ELLIPSOID,
+  COIF_COLLIDER_CAPSULE,
+  COIF_COLLIDER_PLANE,
+  COIF_COLLIDER_TAPERED_CAPSULE,
+  COIF_COLLIDER_BOX
+} coif_collider_shape;
+
+/* Rotation, unit. */
+typedef struct coif_quat {
+  float x, y, z, w;
+} coif_quat;
+
+/* World space, metres, at the end of the coming step. */
+typedef struct coif_moving_collider {
+  double center[3];
+  coif_quat rotation; /* world from the collider's own axes, in which the next ones are */
+  coif_vec3 axis;     /* capsules: to the segment's other end; plane: normal */
+  coif_vec3 half_extents; /* box; ellipsoid: semi-axes */
+  float radius;
+  float end_radius;
+  uint32_t shape;             /* coif_collider_shape */
+  uint32_t is_velocity_known; /* 0 or 1: how fast `center` moves when it arrives */
+  coif_head_velocity velocity;
+} coif_moving_collider;
+void coif_moving_collider_init(coif_moving_collider* collider);
+
+/* World from the bone's own axes. */
+typedef struct coif_body_pose {
+  double position[3];
+  coif_quat rotation;
+} coif_body_pose;
+
+/* Needs COIF_SOLVER_CHARACTER and coif_hair_desc.moving_colliders, else COIF_NOT_ASKED. */
+coif_status coif_hair_set_colliders(coif_hair* hair, uint32_t instance, const coif_moving_collider* colliders, uint32_t count);
+/* ... coif_hair_desc.follows_body; one pose for each body bone of the asset, in their order. */
+coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_body_pose* bones, uint32_t count);
+/* ... coif_hair_desc.follows_poses; a rotation for each bone, a weight for each chain or one for all. None of either: the
+ * rest pose again. */
+coif_status coif_hair_set_pose(coif_hair* hair, uint32_t instance, const coif_quat* rotations, uint32_t rotation_count,
+                               const float* weights, uint32_t weight_count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
