@@ -70,6 +70,7 @@ struct CrowdState {
   std::size_t state_bytes = 0, coefficient_bytes = 0;  ///< As RowCount has them.
   bool has_substeps = false;
   HeadCode heads;
+  LimitFunction* keep_in_limit = nullptr;
   LaneOrder order = LaneOrder::kHeads;
   PlacedColliders colliders;
   std::uint32_t interval_count = 1;
@@ -77,6 +78,7 @@ struct CrowdState {
   std::span<Row> rows;
   std::span<RowBone> row_bones;
   std::span<BoneLanes> constants;     ///< Per bone of the rows.
+  std::span<LimitLanes> limits;       ///< Per bone of the rows; empty where the asset has none.
   std::span<std::byte> coefficients;  ///< Per interval, per bone of the rows.
   std::span<std::byte> states;        ///< Per block, or per instance for kChains; per bone of the rows.
   std::span<std::byte> scratch;       ///< Per block.

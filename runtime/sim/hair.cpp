@@ -54,6 +54,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.rows = carver.take<Row>(rows.rows);
   crowd.row_bones = carver.take<RowBone>(rows.bones);
   crowd.constants = carver.take<BoneLanes>(rows.bones);
+  crowd.limits = carver.take<LimitLanes>(asset.limits().empty() ? 0 : rows.bones);
   crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * rows.coefficient_bytes);
   crowd.states = carver.take<std::byte>(states * rows.state_bytes);
   crowd.scratch = carver.take<std::byte>(std::uint64_t(blocks) * rows.scratch_bytes);
@@ -98,6 +99,10 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   crowd.heads = head_code(set);
   crowd.colliders = PlacedColliders(asset.colliders());
   make_rows(asset, *desc.solver, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
+  if (!crowd.limits.empty()) {
+    set_limits(asset, crowd.rows, crowd.row_bones, crowd.limits);
+    crowd.keep_in_limit = limit_code(set);
+  }
   for (Row& row : crowd.rows) row.step = row.solver->row_code(set);
   if (desc.solver->character != nullptr) desc.solver->character->create(crowd);
   fill_blocks(crowd);

@@ -48,6 +48,9 @@ struct RowCount {
 void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
                std::span<BoneLanes> constants);
 
+/// Fills LimitLanes, which lie as `bones`, and says which of these are bounded. `asset` has limits.
+void set_limits(const Asset& asset, std::span<const Row> rows, std::span<RowBone> bones, std::span<LimitLanes> limits);
+
 /// The bone of the asset that stands in `lane` of a row's bone; the first lane's for kHeads.
 [[nodiscard]] inline std::uint32_t bone_in_lane(const Asset& asset, const Row& row, std::uint32_t bone,
                                                 std::uint32_t lane) {

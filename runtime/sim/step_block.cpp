@@ -64,6 +64,8 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   RowStep job;
   job.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   job.constants = &crowd.constants[row.first_bone];
+  job.limits = crowd.limits.data() + (crowd.limits.empty() ? 0 : row.first_bone);
+  job.keep_in_limit = crowd.keep_in_limit;
   job.coefficients = step.coefficients + row.first_bone * crowd.coefficient_bytes;
   job.state = &crowd.states[state * crowd.state_bytes];
   job.twist = crowd.twists_of(row, state);

@@ -3,6 +3,7 @@
 
 #include "contact-inl.h"
 #include "lane_math-inl.h"
+#include "limit-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_COIF_BONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -144,12 +145,37 @@ HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M
   carrier.frame = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
 }
 
+/// Section 4, of a bone of a row that is bounded: turns `now` and `direction`, which is now.direction in head space, to where the
+/// limit about the frame of `from` allows it. `limited` is what colliders need for the same. Returns where the bone was beyond.
+template <class D>
+HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone, const Carrier<D>& from,
+                                     LimitedBone<V<D>>& limited, BoneMotion<D>& now, V3<D>& direction) {
+  limited.limits = &row.limits[bone];
+  limited.move = row.move;
+  limited.length = &row.constants[bone].length;
+  limited.lane = lane;
+  limited.keep = row.keep_in_limit;
+  limited.is_in_world = true;
+  put(d, from.frame.x, limited.frame);
+  put(d, from.frame.y, limited.frame + 3);
+  put(d, from.frame.z, limited.frame + 6);
+  put(d, from.angular_velocity, limited.turning);
+  put(d, direction, limited.in_head);
+  put(d, now.direction, limited.direction);
+  put(d, now.velocity, limited.velocity);
+  limited.keep(&limited);
+  copy(d, taken(d, limited.in_head), direction);
+  copy(d, taken(d, limited.direction), now.direction);
+  copy(d, taken(d, limited.velocity), now.velocity);
+  return hn::Gt(limited.beyond, hn::Zero(d));
+}
+
 /// Section 4, of bone `bone` of the row, which starts at `start` (head space) with `start_velocity`. `direction` is
-/// now.direction in head space and follows it. Returns the lanes in which the bone touched something.
+/// now.direction in head space and follows it; `limited`, which may be null, is from keep_in_limit(). Returns the lanes in which the bone touched something.
 template <class D>
 HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, std::size_t bone,
                                      const V3<D>& start, const V3<D>& start_velocity, const V3<D>& before,
-                                     BoneMotion<D>& now, V3<D>& direction) {
+                                     LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
   const PlacedColliders& colliders = *row.colliders;
   const BoneLanes& constants = row.constants[bone];
   const std::uint32_t set = row.bones[bone].colliders;
@@ -178,6 +204,7 @@ HWY_INLINE hn::Mask<D> keep_clear_of(D d, const RowStep& row, std::size_t lane, 
   touching.head_turning = rotate_back(d, turn, load(d, move.angular_velocity, lane));
   touching.length = length;
   touching.hit_radius = hit_radius;
+  touching.limited = limited;
   const auto touched = keep_clear(d, colliders, set, constants, lane, reached, touching);
   if (hn::AllFalse(d, touched)) return touched;
   direction = choose<D>(touched, touching.direction, direction);

@@ -194,11 +194,17 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
     blend_with_pose(d_, load(d_, pose->weight, lane_), from, rotate(d_, turn_, target.by_parent), length, now);
   }
   V3<D> direction = rotate_back(d_, turn_, now.direction);  // head space
+  LimitedBone<V<D>> limits;
+  LimitedBone<V<D>>* limited = nullptr;
+  if (HWY_UNLIKELY((shape.features & kRowIsBounded) != 0)) {
+    limited = &limits;
+    keep_in_limit(d_, row_, lane_, i, from, limits, now, direction);
+  }
   if (shape.features & kRowCollides)
-    keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, direction);
+    keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, direction);
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
-      keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), now,
+      keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape), paths_.own(shape), limited, now,
                            direction);
     }
   }

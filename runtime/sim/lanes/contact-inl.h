@@ -17,6 +17,9 @@ namespace HWY_NAMESPACE {
 /// Several colliders push each other's results about: until all agree, or this often.
 inline constexpr int kContactRounds = 4;
 
+/// A limit that stands against a collider pushes back at an angle: that takes more of them to agree.
+inline constexpr int kLimitedRounds = 24;
+
 /// Where a bone that starts here and is no longer than `reach` could touch any of the colliders, whatever its
 /// direction.
 template <class D>
@@ -106,6 +109,20 @@ HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollide
   return clear_of_solid(d, takes_part, crossed, collider, bone, contact);
 }
 
+/// As one obstacle more, in the lanes of `here`: what limits the bone's direction. Returns where it was beyond.
+template <class D>
+HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bone) {
+  LimitedBone<V<D>>& limited = *bone.limited;
+  limited.is_in_world = false;
+  put(d, bone.direction, limited.in_head);
+  put(d, bone.velocity, limited.velocity);
+  limited.keep(&limited);
+  const auto beyond = hn::And(here, hn::Gt(limited.beyond, hn::Zero(d)));
+  set_where(d, beyond, taken(d, limited.in_head), bone.direction);
+  set_where(d, beyond, taken(d, limited.velocity), bone.velocity);
+  return beyond;
+}
+
 /// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the head, and takes from their velocities
 /// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
 /// bone is another.
@@ -115,7 +132,8 @@ HWY_NOINLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::
                                     TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = reached, moved = hn::AndNot(reached, reached);
-  for (int round = 0; round < kContactRounds; ++round) {
+  const int rounds = HWY_LIKELY(bone.limited == nullptr) ? kContactRounds : kLimitedRounds;
+  for (int round = 0; round < rounds; ++round) {
     auto touched = hn::Zero(d);
     for (std::uint32_t left = set; left != 0; left &= left - 1) {
       const std::uint32_t i = std::uint32_t(std::countr_zero(left));
@@ -127,6 +145,11 @@ HWY_NOINLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::
       touched = hn::Add(touched, hn::IfThenElseZero(touches, one));
       set_where(d, touches, across(d, bone.velocity, bone.direction), bone.velocity);
       stop_at_contact(d, touches, contact, bone);
+    }
+    if (HWY_UNLIKELY(bone.limited != nullptr)) {
+      // Last, so that limits hold whatever colliders ask for.
+      const auto beyond = keep_in_limit(d, hn::And(takes_part, hn::Gt(touched, hn::Zero(d))), bone);
+      touched = hn::Add(touched, hn::IfThenElseZero(beyond, one));
     }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));
     if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;

@@ -15,6 +15,7 @@ RowFunction* thesis_row_code(InstructionSet set);
 RowFunction* passive_row_code(InstructionSet set);
 RowFunction* character_cascade_code(InstructionSet set);
 RowFunction* character_passive_code(InstructionSet set);
+LimitFunction* limit_code(InstructionSet set);
 
 /// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish.
 struct HeadCode {

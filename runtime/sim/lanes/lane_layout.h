@@ -61,6 +61,15 @@ struct BoneLanes {
   alignas(64) std::int32_t levels[kLanes];  ///< In how many levels of detail, from the finest, the bone is simulated.
 };
 
+/// What bounds a bone's direction, of a row in which some bone has a LimitRecord. Two angles: the first from the axes' y to the side
+/// of z, or for a cone to any side; the second from there to the side of x.
+struct LimitLanes {
+  LanesMatrix axes;  ///< From the limit's own axes to the parent's frame.
+  Lanes is_cone;     ///< 1 or 0.
+  Lanes first_cosine, first_sine;
+  Lanes second_cosine, second_sine;
+};
+
 /// What the step of `coif` multiplies with: everything that depends on the bone and on dt, from compute_coefficients().
 /// The offset is in bone lengths, the velocity in m/s. See MODEL.md, "The step".
 struct CoifCoefficients {

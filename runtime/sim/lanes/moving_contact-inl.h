@@ -92,7 +92,7 @@ using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
 template <class D>
 HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index,
-                                      const BoneWay<D>& way, hn::Mask<D> own, Met<D>& met, TouchingBone<D>& bone,
+                                      const BoneWay<D>& way, hn::Mask<D> own, Met<D>& met, LimitedBone<V<D>>* limited, TouchingBone<D>& bone,
                                       TailPath<D>& path) {
   const RowCharacter& character = *row.character;
   std::uint32_t looks = 1;
@@ -118,9 +118,13 @@ HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane,
     const V3<D> pushed = direction_or(d, add(d, last, sub(d, next, free)), next);
     copy(d, choose<D>(moved, pushed, next), bone.direction);
     copy(d, last, bone.before);
-    const auto touched = keep_clear_of_all(d, obstacles, own, 2 * kContactRounds, bone);
+    // Where its frame is in between nobody knows.
+    bone.limited = look == looks ? limited : nullptr;
+    const int rounds = bone.limited == nullptr ? 2 * kContactRounds : kLimitedRounds;
+    const auto touched = keep_clear_of_all(d, obstacles, own, rounds, bone);
     moved = hn::Or(moved, touched);
     if (!hn::AllFalse(d, touched)) leave_gap(d, obstacles, touched, bone);
+    if (bone.limited != nullptr) keep_in_limit(d, moved, bone);
     copy(d, next, free);
     copy(d, bone.direction, last);
     const V3<D> now = add_scaled(d, bone.start, last, bone.length);
@@ -177,8 +181,8 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
 template <class D>
 HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
                                               std::size_t index, const Carrier<D>& from, const V3<D>& before,
-                                              const TailPath<D>* from_path, TailPath<D>* own_path, BoneMotion<D>& now,
-                                              V3<D>& direction) {
+                                              const TailPath<D>* from_path, TailPath<D>* own_path,
+                                              LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
   const RowCharacter& character = *row.character;
   const MoveLanes& move = *row.move;
   const BoneLanes& constants = row.constants[index];
@@ -225,7 +229,7 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size
       const V3<D> tail = add_scaled(d, way.start[1], way.direction[1], bone.length);
       draw_path(d, hn::Ge(bone.length, hn::Zero(d)), tail_before, tail, 0.0f, 1.0f, path);
     }
-    const auto touched = pass_through(d, row, lane, index, way, own, met, bone, path);
+    const auto touched = pass_through(d, row, lane, index, way, own, met, limited, bone, path);
     const auto here = hn::And(own, touched);
     moved = hn::Or(moved, here);
     set_where(d, here, bone.direction, direction);

@@ -85,6 +85,10 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, h
       if (is_fixed) stop_at_contact(d, touches, contact, bone);
       if (!is_fixed) go_along(d, touches, contact, *obstacles.moving->ways[i], collider.center, bone);
     }
+    if (bone.limited != nullptr) {
+      const auto beyond = keep_in_limit(d, hn::And(takes_part, hn::Gt(touched, hn::Zero(d))), bone);
+      touched = hn::Add(touched, hn::IfThenElseZero(beyond, one));
+    }
     takes_part = hn::And(takes_part, hn::Gt(touched, one));
     if (HWY_LIKELY(hn::AllFalse(d, takes_part))) break;
   }
@@ -105,6 +109,11 @@ HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> move
       const auto those = hn::And(asked, obstacles.moving->lanes[k]);
       blocked = hn::Or(blocked, lies_in(d, those, obstacles.moving->placed[k], bone, direction));
     }
+    if (bone.limited != nullptr) {
+      TouchingBone<D> turned = bone;
+      copy(d, direction, turned.direction);
+      blocked = hn::Or(blocked, keep_in_limit(d, asked, turned));
+    }
     return blocked;
   };
   const auto stuck = is_blocked(moved, bone.direction);
@@ -119,7 +128,8 @@ HWY_INLINE hn::Mask<D> keep_clear(OnCharacter<D> d, const PlacedColliders& colli
                                   const BoneLanes& constants, std::size_t lane, hn::Mask<OnCharacter<D>> reached,
                                   TouchingBone<OnCharacter<D>>& bone) {
   const Obstacles<OnCharacter<D>> obstacles{colliders, set, constants, lane, nullptr, 0};
-  return keep_clear_of_all(d, obstacles, reached, kContactRounds, bone);
+  const int rounds = bone.limited == nullptr ? kContactRounds : kLimitedRounds;
+  return keep_clear_of_all(d, obstacles, reached, rounds, bone);
 }
 
 }  // namespace HWY_NAMESPACE

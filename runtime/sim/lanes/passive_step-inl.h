@@ -53,13 +53,19 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     held = hn::Or(held, hn::Lt(weight, hn::Set(d_, 1.0f)));
   }
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
+  LimitedBone<V<D>> limits;
+  LimitedBone<V<D>>* limited = nullptr;
+  if (HWY_UNLIKELY((shape.features & kRowIsBounded) != 0)) {
+    limited = &limits;
+    held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, from, limits, now, in_head));
+  }
   if (shape.features & kRowCollides) {
-    held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, now, in_head));
+    held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
       held = hn::Or(held, keep_clear_of_moving(d_, row_, lane_, turn_, i, from, before, paths_.from(shape),
-                                               paths_.own(shape), now, in_head));
+                                               paths_.own(shape), limited, now, in_head));
     }
   }
   if (any_rigid(i)) {

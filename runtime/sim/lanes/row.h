@@ -19,6 +19,7 @@ enum RowFeature : std::uint32_t {
   kRowTwists = 1u << 5,
   kRowFeelsAir = 1u << 6,
   kRowLeans = 1u << 7,  ///< The default direction is not the rest direction.
+  kRowIsBounded = 1u << 8,  ///< By a LimitRecord; kRowHasLimit is about DynamicsRecord::angle_limit.
 };
 
 /// One bone of all chains in a row.
@@ -35,11 +36,16 @@ struct RowBone {
 
 struct RowCharacter;
 
+/// Turns bones to where their limits allow them: of a LimitedBone<V<D>> (lanes/limit-inl.h).
+using LimitFunction = void(void* bone);
+
 /// What one row takes to advance by one step, under the heads of one block. Arrays over a row's bones have one entry for
 /// each. The state is of the solver that runs: CoifState and CoifCoefficients, or ThesisState and ThesisCoefficients.
 struct RowStep {
   std::span<const RowBone> bones;
   const BoneLanes* constants = nullptr;
+  const LimitLanes* limits = nullptr;  ///< For each bone; only those with kRowIsBounded are filled. Null: none is.
+  LimitFunction* keep_in_limit = nullptr;
   const void* coefficients = nullptr;
   void* state = nullptr;
   TwistState* twist = nullptr;  ///< Null unless some bone twists.

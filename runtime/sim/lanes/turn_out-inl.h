@@ -2,6 +2,7 @@
 // inside cannot be helped: then the end comes out if the bone is long enough, and points straight out if not.
 // Compiled once per instruction set.
 
+#include "limit-inl.h"
 #include "solids-inl.h"
 #include "tilt-inl.h"
 
@@ -27,6 +28,7 @@ struct TouchingBone {
   V3<D> head_turning;    ///< The head's angular velocity, rad/s.
   V<D> length;
   V<D> hit_radius;
+  LimitedBone<V<D>>* limited = nullptr;  ///< Null: nothing bounds its direction.
 };
 
 inline constexpr int kNewtonSteps = 8;

@@ -1,0 +1,132 @@
+// Limits of directions (MODEL.md, "Limits"). Called once per bone that has one, by the steps of all models. Compiled once per
+// instruction set. What a lane comes to depends on its own numbers, never on its neighbours'.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lanes/limit_rows.cpp"
+#include <hwy/foreach_target.h>
+
+#include "limit-inl.h"
+#include "tilt-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace coif {
+namespace HWY_NAMESPACE {
+namespace {
+
+constexpr float kBeyond = 1e-6f;  ///< Radians: nearer is within, so that what was turned back is not turned again.
+
+/// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of that.
+template <class D>
+struct Angles {
+  V<D> cosine[2], sine[2];    ///< Of the two angles that are allowed.
+  hn::Mask<D> is_beyond[2];
+  V<D> side_x, side_z;        ///< Where the first angle goes to, unit.
+};
+
+/// The nearest that is allowed: the first angle first. The second angle, at most a quarter of a turn, is then that of what is
+/// left in the plane of the first, and at each end of the first the nearest of all of that plane.
+template <class D>
+HWY_INLINE Angles<D> nearest_angles(D d, const LimitLanes& limits, std::size_t lane, const V3<D>& v) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-18f), least_angle = hn::Set(d, kBeyond);
+  const auto size = [](V<D> a, V<D> b) { return hn::Sqrt(hn::Add(hn::Mul(a, a), hn::Mul(b, b))); };
+  const auto sum = [](V<D> a, V<D> b, V<D> c, V<D> e) { return hn::Add(hn::Mul(a, b), hn::Mul(c, e)); };
+  const auto is_cone = hn::Gt(load(d, limits.is_cone, lane), zero);
+  const auto beside = size(v.x, v.z);
+  const auto has_side = hn::Gt(beside, least);
+  const auto per_side = hn::Div(one, hn::Max(beside, least));
+  Angles<D> at;
+  at.side_x = hn::IfThenElseZero(hn::And(is_cone, has_side), hn::Mul(v.x, per_side));
+  at.side_z = hn::IfThenElse(hn::And(is_cone, has_side), hn::Mul(v.z, per_side), one);
+
+  const V<D> to[2] = {hn::IfThenElse(is_cone, beside, v.z), hn::IfThenElse(is_cone, zero, v.x)};
+  const Lanes* const cosines[2] = {&limits.first_cosine, &limits.second_cosine};
+  const Lanes* const sines[2] = {&limits.first_sine, &limits.second_sine};
+  auto ahead = v.y;
+  for (int i = 0; i < 2; ++i) {
+    const auto cosine = load(d, *cosines[i], lane), sine = load(d, *sines[i], lane), aside = hn::Abs(to[i]);
+    const auto whole = size(ahead, aside);
+    // By the sine of the difference, which is exact for small angles too.
+    const auto difference = hn::Sub(hn::Mul(aside, cosine), hn::Mul(ahead, sine));
+    auto is_beyond = hn::Gt(difference, hn::Mul(least_angle, whole));
+    if (i == 1) is_beyond = hn::Or(is_beyond, hn::Lt(ahead, zero));
+    const auto has_angle = hn::Gt(whole, least);
+    const auto per_whole = hn::Div(one, hn::Max(whole, least));
+    at.is_beyond[i] = is_beyond;
+    at.cosine[i] = hn::IfThenElse(is_beyond, cosine, hn::IfThenElse(has_angle, hn::Mul(ahead, per_whole), one));
+    at.sine[i] = hn::IfThenElse(is_beyond, hn::CopySign(sine, to[i]), hn::Mul(to[i], per_whole));
+    ahead = hn::IfThenElse(is_beyond, sum(ahead, cosine, aside, sine), whole);
+  }
+  at.is_beyond[1] = hn::AndNot(is_cone, at.is_beyond[1]);
+  return at;
+}
+
+/// Takes out what leads further along `way`, the unit direction in which an angle grows, `sine` its own. A lock, of angle 0, holds
+/// in both directions.
+template <class D>
+HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3<D>& velocity) {
+  const auto speed = dot(d, velocity, way);
+  const auto stops = hn::And(is_beyond, hn::Ge(hn::Mul(speed, sine), hn::Zero(d)));
+  set_where(d, stops, sub_scaled(d, velocity, way, speed), velocity);
+}
+
+template <class D>
+HWY_INLINE void keep(D d, LimitedBone<V<D>>& bone) {
+  const LimitLanes& limits = *bone.limits;
+  const std::size_t lane = bone.lane;
+  const M3<D> frame{taken(d, bone.frame), taken(d, bone.frame + 3), taken(d, bone.frame + 6)};
+  const M3<D> axes{rotate(d, frame, load(d, limits.axes.x, lane)), rotate(d, frame, load(d, limits.axes.y, lane)),
+                   rotate(d, frame, load(d, limits.axes.z, lane))};
+  const Angles<D> at = nearest_angles(d, limits, lane, rotate_back(d, axes, taken(d, bone.in_head)));
+  const auto is_beyond = hn::Or(at.is_beyond[0], at.is_beyond[1]);
+  bone.beyond = hn::IfThenElseZero(is_beyond, hn::Set(d, 1.0f));
+  if (hn::AllFalse(d, is_beyond)) return;
+
+  const auto sideways = hn::Mul(at.cosine[1], at.sine[0]);
+  const V3<D> direction{hn::Add(at.sine[1], hn::Mul(sideways, at.side_x)), hn::Mul(at.cosine[1], at.cosine[0]),
+                        hn::Mul(sideways, at.side_z)};
+  const V3<D> first{hn::Mul(at.cosine[0], at.side_x), hn::Neg(at.sine[0]), hn::Mul(at.cosine[0], at.side_z)};
+  const V3<D> second{at.cosine[1], hn::Neg(hn::Mul(at.sine[1], at.cosine[0])), hn::Neg(hn::Mul(at.sine[1], at.sine[0]))};
+  const M3<D> turn = load(d, bone.move->from_head, lane);
+  const V3<D> told = taken(d, bone.velocity);
+  const V3<D> turning = rotate_back(d, axes, rotate_back(d, turn, taken(d, bone.turning)));
+  // Against its stop the bone moves as the frame does.
+  const V3<D> with_frame = scale(d, cross(d, turning, direction), load(d, *bone.length, lane));
+  V3<D> velocity = rotate_back(d, axes, bone.is_in_world ? rotate_back(d, turn, told) : told);
+  velocity = across(d, sub(d, velocity, with_frame), direction);
+  stop(d, at.is_beyond[0], at.sine[0], first, velocity);
+  stop(d, at.is_beyond[1], at.sine[1], second, velocity);
+
+  const V3<D> in_head = rotate(d, axes, direction);
+  velocity = rotate(d, axes, add(d, velocity, with_frame));
+  put(d, choose<D>(is_beyond, in_head, taken(d, bone.in_head)), bone.in_head);
+  if (bone.is_in_world) {
+    put(d, choose<D>(is_beyond, rotate(d, turn, in_head), taken(d, bone.direction)), bone.direction);
+    velocity = rotate(d, turn, velocity);
+  }
+  put(d, choose<D>(is_beyond, velocity, told), bone.velocity);
+}
+
+void keep_in_limit(void* bone) {
+  const Widest d;
+  keep(d, *static_cast<LimitedBone<V<Widest>>*>(bone));
+}
+
+#if COIF_HAS_SINGLY
+void keep_in_limit_singly(void* bone) {
+  const Single d;
+  keep(d, *static_cast<LimitedBone<V<Single>>*>(bone));
+}
+#endif
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace coif
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "lane_code.h"
+
+namespace coif {
+COIF_CHOOSE(limit_code, keep_in_limit)
+}  // namespace coif
+#endif
