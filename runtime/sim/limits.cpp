@@ -4,28 +4,26 @@
 namespace coif {
 namespace {
 
-void set_angle(float radians, float widest, std::uint32_t lane, Lanes& cosine, Lanes& sine) {
-  const bool is_quarter = widest < kNoAngleLimit;
-  const auto of = plain::sine_cosine(double(radians));
-  // The widest is none, and shall be none exactly.
-  cosine.v[lane] = radians < widest ? float(of.cosine) : is_quarter ? 0.0f : -1.0f;
-  sine.v[lane] = radians < widest ? float(of.sine) : is_quarter ? 1.0f : 0.0f;
+/// `widest` is none, and shall be none exactly: its sine and cosine are no rounded ones.
+void set_angle(float radians, float widest, float widest_cosine, std::uint32_t lane, Lanes& cosine, Lanes& sine) {
+  const auto angle = plain::sine_cosine(double(radians));
+  const bool is_none = radians >= widest;
+  cosine.v[lane] = is_none ? widest_cosine : float(angle.cosine);
+  sine.v[lane] = is_none ? 1.0f + widest_cosine : float(angle.sine);
 }
 
 /// A hinge is a spherical limit whose second angle is 0, and so is a cone that leaves nothing: only locks stop both ways.
 void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) {
-  const bool is_limited = limit.kind != LimitKind::kUnlimited;
-  const float first = is_limited ? limit.angles[0] : kNoAngleLimit;
-  const float second = limit.kind == LimitKind::kSpherical ? limit.angles[1] : 0.0f;
-  const bool is_round = !is_limited || limit.kind == LimitKind::kCone;
-  lanes.is_cone.v[lane] = is_round && first > 0.0f ? 1.0f : 0.0f;
-  set_angle(first, kNoAngleLimit, lane, lanes.first_cosine, lanes.first_sine);
-  set_angle(second, kMostYaw, lane, lanes.second_cosine, lanes.second_sine);
-  const float* const q = limit.rotation;
-  const Quat axes = is_limited ? renormalised({q[0], q[1], q[2], q[3]}) : Quat{};
-  set_lane(lanes.axes.x, lane, rotate(axes, Vec3{1, 0, 0}));
-  set_lane(lanes.axes.y, lane, rotate(axes, Vec3{0, 1, 0}));
-  set_lane(lanes.axes.z, lane, rotate(axes, Vec3{0, 0, 1}));
+  const float first = limit.kind == LimitKind::kUnlimited ? kNoAngleLimit : limit.angles[0];
+  const bool is_round = limit.kind <= LimitKind::kCone && first > 0.0f;
+  lanes.is_cone.v[lane] = is_round ? 1.0f : 0.0f;
+  set_angle(first, kNoAngleLimit, -1.0f, lane, lanes.first_cosine, lanes.first_sine);
+  set_angle(limit.angles[1], kMostYaw, 0.0f, lane, lanes.second_cosine, lanes.second_sine);
+  const Quat axes = renormalised(to_quat(limit.rotation));
+  Lanes3* const columns[] = {&lanes.axes.x, &lanes.axes.y, &lanes.axes.z};
+  for (int k = 0; k < 3; ++k) {
+    set_lane(*columns[k], lane, rotate(axes, {k == 0 ? 1.0f : 0.0f, k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}));
+  }
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ std::uint64_t signature_of(const CrowdState& crowd) {
   const std::uint64_t worn[] = {character.places, character.body_colliders, std::uint64_t{!character.poses.empty()}};
   mixer.add(worn, sizeof worn);
   if (character.body_colliders != 0) mixer.add(asset.body_colliders());
+  if (!asset.limits().empty()) mixer.add(asset.limits());
   for (const Row& row : crowd.rows) {
     const Solver& solver = *row.solver;
     const std::uint64_t kind[] = {solver.state_bytes,   solver.coefficient_bytes,

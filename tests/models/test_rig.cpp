@@ -109,6 +109,13 @@ void TestRig::add_plane(const Vec3& point, const Vec3& normal) {
   store(normal, colliders.back().axis);
 }
 
+void TestRig::limit(std::uint32_t bone, LimitKind kind, float first, float second, const Quat& rotation) {
+  LimitRecord none{};
+  none.rotation[3] = 1;
+  limits.resize(bones.size(), none);
+  limits[bone] = {kind, {first, second}, 0, {rotation.x, rotation.y, rotation.z, rotation.w}};
+}
+
 std::vector<Vec3> TestRig::rest_ends() const {
   std::vector<Vec3> ends;
   for (std::size_t i = 1; i < bones.size(); ++i) {
@@ -141,6 +148,12 @@ AssetContents TestRig::contents() const {
   contents.dynamics = dynamics;
   contents.colliders = colliders;
   add_body(contents, *this);
+  contents.limits = limits;
+  if (!limits.empty()) {
+    LimitRecord none{};
+    none.rotation[3] = 1;
+    contents.limits.resize(bones.size(), none);
+  }
   if (substep_rate > 0) contents.tuning = {{substep_rate, 0, 0, 0, 0, 30, 120, 1}};
   if (!levels.empty()) add_levels(contents, levels);
   for (std::uint32_t i = 1; i < bones.size(); ++i) {

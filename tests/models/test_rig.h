@@ -41,6 +41,8 @@ class TestRig {
   void add_capsule(const Vec3& from, const Vec3& to, float radius);
   void add_tapered_capsule(const Vec3& from, float from_radius, const Vec3& to, float to_radius);
   void add_plane(const Vec3& point, const Vec3& normal);  ///< `normal` unit.
+  /// Bounds the bone's direction; `rotation` from the limit's axes to the parent's frame. Bones that are added later have none.
+  void limit(std::uint32_t bone, LimitKind kind, float first, float second = 0, const Quat& rotation = {});
 
   [[nodiscard]] std::size_t simulated_count() const { return bones.size() - 1; }
   /// Where the particles rest, head space.
@@ -54,6 +56,7 @@ class TestRig {
   /// As colliders, but on the bones of a body, of which every simulated bone may touch all; names are made up.
   std::vector<BodyBoneRecord> body_bones;
   std::vector<ColliderRecord> body_colliders;
+  std::vector<LimitRecord> limits;  ///< One for each bone, or empty: see limit().
   float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
   /// In how many levels of detail each bone is simulated, bone 0's 0; empty for an asset with one level.
   std::vector<std::uint8_t> levels;

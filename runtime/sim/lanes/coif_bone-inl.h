@@ -150,23 +150,20 @@ HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M
 template <class D>
 HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone, const Carrier<D>& from,
                                      LimitedBone<V<D>>& limited, BoneMotion<D>& now, V3<D>& direction) {
-  limited.limits = &row.limits[bone];
-  limited.move = row.move;
-  limited.length = &row.constants[bone].length;
+  V3<D> turned[3] = {direction, now.direction, now.velocity};  // copies: what is in registers stays there
+  limited.row = &row;
   limited.lane = lane;
-  limited.keep = row.keep_in_limit;
-  limited.is_in_world = true;
-  put(d, from.frame.x, limited.frame);
-  put(d, from.frame.y, limited.frame + 3);
-  put(d, from.frame.z, limited.frame + 6);
-  put(d, from.angular_velocity, limited.turning);
-  put(d, direction, limited.in_head);
-  put(d, now.direction, limited.direction);
-  put(d, now.velocity, limited.velocity);
-  limited.keep(&limited);
-  copy(d, taken(d, limited.in_head), direction);
-  copy(d, taken(d, limited.direction), now.direction);
-  copy(d, taken(d, limited.velocity), now.velocity);
+  limited.bone = bone;
+  limited.frame = &from.frame.x.x;
+  limited.turning = &from.angular_velocity.x;
+  limited.in_head = &turned[0].x;
+  limited.direction = &turned[1].x;
+  limited.velocity = &turned[2].x;
+  limited.beyond = hn::Set(d, 1.0f);
+  row.keep_in_limit(&limited);
+  copy(d, turned[0], direction);
+  copy(d, turned[1], now.direction);
+  copy(d, turned[2], now.velocity);
   return hn::Gt(limited.beyond, hn::Zero(d));
 }
 

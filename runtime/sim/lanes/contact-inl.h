@@ -113,14 +113,12 @@ HWY_INLINE hn::Mask<D> clear_of(D d, hn::Mask<D> takes_part, const PlacedCollide
 template <class D>
 HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bone) {
   LimitedBone<V<D>>& limited = *bone.limited;
-  limited.is_in_world = false;
-  put(d, bone.direction, limited.in_head);
-  put(d, bone.velocity, limited.velocity);
-  limited.keep(&limited);
-  const auto beyond = hn::And(here, hn::Gt(limited.beyond, hn::Zero(d)));
-  set_where(d, beyond, taken(d, limited.in_head), bone.direction);
-  set_where(d, beyond, taken(d, limited.velocity), bone.velocity);
-  return beyond;
+  limited.in_head = &bone.direction.x;
+  limited.direction = nullptr;
+  limited.velocity = &bone.velocity.x;
+  limited.beyond = hn::IfThenElseZero(here, hn::Set(d, 1.0f));
+  limited.row->keep_in_limit(&limited);
+  return hn::Gt(limited.beyond, hn::Zero(d));
 }
 
 /// Turns the bones in the lanes of `reached` until they are clear of their colliders, which stand still against the head, and takes from their velocities

@@ -16,28 +16,24 @@ namespace coif {
 namespace HWY_NAMESPACE {
 
 /// A bone whose direction is bounded, as it would be at the end of a step. `Vector` is that of the lanes, so that hair on a
-/// character has the same type.
+/// character has the same type. Each pointer is to as many vectors as it says, one after the other.
 template <class Vector>
 struct LimitedBone {
-  const LimitLanes* limits;
-  const MoveLanes* move;
-  const Lanes* length;
-  std::size_t lane;
-  LimitFunction* keep;
-  bool is_in_world;  ///< `direction` is wanted, and `velocity` in world axes; else in head space.
-  Vector frame[9];   ///< Of what it hangs from, columns, head space.
-  Vector turning[3];   ///< Of that, rad/s, world.
-  Vector in_head[3];   ///< The bone's direction, head space, unit. In and out, as the two that follow.
-  Vector direction[3];  ///< The same, world.
-  Vector velocity[3];  ///< Of the tail against the start, m/s.
-  Vector beyond;       ///< Out: 1 where the bone was beyond its limit, else 0; there nothing changes.
+  const RowStep* row;
+  std::size_t lane, bone;
+  const Vector* frame;    ///< 9: of what it hangs from, columns, head space.
+  const Vector* turning;  ///< 3: of that, rad/s, world.
+  Vector* in_head;        ///< 3: the bone's direction, head space, unit. In and out, as the two that follow.
+  Vector* direction;      ///< 3: the same, world; null where nobody asks, and then `velocity` is in head space.
+  Vector* velocity;       ///< 3: of the tail against the start, m/s; world axes.
+  Vector beyond;          ///< In: 1 where it may be turned, else 0. Out: 1 where it was beyond its limit and is turned.
 };
 
 template <class D>
-HWY_INLINE void put(D, const V3<D>& v, V<D>* to) {
-  to[0] = v.x;
-  to[1] = v.y;
-  to[2] = v.z;
+HWY_INLINE void put(D, hn::Mask<D> where, const V3<D>& v, V<D>* to) {
+  to[0] = hn::IfThenElse(where, v.x, to[0]);
+  to[1] = hn::IfThenElse(where, v.y, to[1]);
+  to[2] = hn::IfThenElse(where, v.z, to[2]);
 }
 
 template <class D>

@@ -69,41 +69,65 @@ HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3
   set_where(d, stops, sub_scaled(d, velocity, way, speed), velocity);
 }
 
+// Out of line: few limits are met, and every program with hair has this code.
+template <class D>
+HWY_NOINLINE void turn(D d, const M3<D>& by, V3<D>& v) {
+  v = rotate(d, by, v);
+}
+template <class D>
+HWY_NOINLINE void turn_back(D d, const M3<D>& by, V3<D>& v) {
+  v = rotate_back(d, by, v);
+}
+
 template <class D>
 HWY_INLINE void keep(D d, LimitedBone<V<D>>& bone) {
-  const LimitLanes& limits = *bone.limits;
+  const RowStep& row = *bone.row;
+  const LimitLanes& limits = row.limits[bone.bone];
   const std::size_t lane = bone.lane;
+  const bool is_in_world = bone.direction != nullptr;
+  const M3<D> axes = load(d, limits.axes, lane), head = load(d, row.move->from_head, lane);
   const M3<D> frame{taken(d, bone.frame), taken(d, bone.frame + 3), taken(d, bone.frame + 6)};
-  const M3<D> axes{rotate(d, frame, load(d, limits.axes.x, lane)), rotate(d, frame, load(d, limits.axes.y, lane)),
-                   rotate(d, frame, load(d, limits.axes.z, lane))};
-  const Angles<D> at = nearest_angles(d, limits, lane, rotate_back(d, axes, taken(d, bone.in_head)));
-  const auto is_beyond = hn::Or(at.is_beyond[0], at.is_beyond[1]);
+  V3<D> direction = taken(d, bone.in_head), turning = taken(d, bone.turning), velocity = taken(d, bone.velocity);
+  turn_back(d, frame, direction);
+  turn_back(d, axes, direction);
+  const Angles<D> at = nearest_angles(d, limits, lane, direction);
+  const auto is_asked = hn::Gt(bone.beyond, hn::Zero(d));
+  const auto is_beyond = hn::And(is_asked, hn::Or(at.is_beyond[0], at.is_beyond[1]));
   bone.beyond = hn::IfThenElseZero(is_beyond, hn::Set(d, 1.0f));
   if (hn::AllFalse(d, is_beyond)) return;
 
   const auto sideways = hn::Mul(at.cosine[1], at.sine[0]);
-  const V3<D> direction{hn::Add(at.sine[1], hn::Mul(sideways, at.side_x)), hn::Mul(at.cosine[1], at.cosine[0]),
-                        hn::Mul(sideways, at.side_z)};
+  direction = {hn::Add(at.sine[1], hn::Mul(sideways, at.side_x)), hn::Mul(at.cosine[1], at.cosine[0]),
+               hn::Mul(sideways, at.side_z)};
   const V3<D> first{hn::Mul(at.cosine[0], at.side_x), hn::Neg(at.sine[0]), hn::Mul(at.cosine[0], at.side_z)};
   const V3<D> second{at.cosine[1], hn::Neg(hn::Mul(at.sine[1], at.cosine[0])), hn::Neg(hn::Mul(at.sine[1], at.sine[0]))};
-  const M3<D> turn = load(d, bone.move->from_head, lane);
-  const V3<D> told = taken(d, bone.velocity);
-  const V3<D> turning = rotate_back(d, axes, rotate_back(d, turn, taken(d, bone.turning)));
+  turn_back(d, head, turning);
+  if (is_in_world) turn_back(d, head, velocity);
+  for (V3<D>* const v : {&turning, &velocity}) {
+    turn_back(d, frame, *v);
+    turn_back(d, axes, *v);
+  }
   // Against its stop the bone moves as the frame does.
-  const V3<D> with_frame = scale(d, cross(d, turning, direction), load(d, *bone.length, lane));
-  V3<D> velocity = rotate_back(d, axes, bone.is_in_world ? rotate_back(d, turn, told) : told);
+  const V3<D> with_frame = scale(d, cross(d, turning, direction), load(d, row.constants[bone.bone].length, lane));
   velocity = across(d, sub(d, velocity, with_frame), direction);
   stop(d, at.is_beyond[0], at.sine[0], first, velocity);
   stop(d, at.is_beyond[1], at.sine[1], second, velocity);
+  velocity = add(d, velocity, with_frame);
 
-  const V3<D> in_head = rotate(d, axes, direction);
-  velocity = rotate(d, axes, add(d, velocity, with_frame));
-  put(d, choose<D>(is_beyond, in_head, taken(d, bone.in_head)), bone.in_head);
-  if (bone.is_in_world) {
-    put(d, choose<D>(is_beyond, rotate(d, turn, in_head), taken(d, bone.direction)), bone.direction);
-    velocity = rotate(d, turn, velocity);
+  for (V3<D>* const v : {&direction, &velocity}) {
+    turn(d, axes, *v);
+    turn(d, frame, *v);
   }
-  put(d, choose<D>(is_beyond, velocity, told), bone.velocity);
+  // Frames of long chains are rotations but for much rounding: a step of Newton's method.
+  const auto size2 = dot(d, direction, direction);
+  direction = scale(d, direction, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), size2)));
+  put(d, is_beyond, direction, bone.in_head);
+  if (is_in_world) {
+    turn(d, head, direction);
+    turn(d, head, velocity);
+    put(d, is_beyond, direction, bone.direction);
+  }
+  put(d, is_beyond, velocity, bone.velocity);
 }
 
 void keep_in_limit(void* bone) {

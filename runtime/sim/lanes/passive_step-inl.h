@@ -55,9 +55,12 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   V3<D> in_head = rotate_back(d_, turn_, now.direction);
   LimitedBone<V<D>> limits;
   LimitedBone<V<D>>* limited = nullptr;
+  Carrier<D> hung;  // a copy, or what this is a member of would have to live in memory
   if (HWY_UNLIKELY((shape.features & kRowIsBounded) != 0)) {
     limited = &limits;
-    held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, from, limits, now, in_head));
+    copy(d_, from.frame, hung.frame);
+    copy(d_, from.angular_velocity, hung.angular_velocity);
+    held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
   if (shape.features & kRowCollides) {
     held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
