@@ -39,7 +39,7 @@ coif_cli_case(report_stability_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
   STDOUT "bob.coif: [0-9]+ bones, .*\n  thesis +[0-9]+ .*cases of stress.*out.html: written"
   ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis -o out.html)
 coif_cli_case(report_stability_json EXIT 0 SAMPLE TIMEOUT 300
-  JSON asset cases,0,case cases,0,solver cases,0,outcome cases,0,stretch_max_pct cases,0,penetration_max_pct
+  JSON asset cases,0,case cases,0,solver cases,0,outcome cases,0,stretch_max_pct cases,0,penetration_max_pct cases,0,limit_max_rad
        cases,0,max_speed cases,0,settle_error_pct descriptions,0,description
   ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis --format json)
 

@@ -403,7 +403,7 @@ TEST(Limits, AndContactsBothHoldWhereBothCan) {
 TEST(Limits, OfBonesThatLevelsOfDetailHoldAreKeptByTheRest) {
   for_all([](ChainModel model, LimitKind kind) {
     TestRig rig = strands(model, {kind});
-    rig.levels = {0, 2, 2, 1, 1, 2, 1, 1, 2};
+    rig.levels = {0, 2, 2, 1, 1, 2, 1, 1, 1};
     TestHair test(rig);
     Violence violence(11);
     for (int frame = 0; frame < 60; ++frame) {

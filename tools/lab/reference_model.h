@@ -2,6 +2,7 @@
 
 // The continuous model that `coif` solves and reports measure against (runtime/docs/MODEL.md), as equations of motion.
 
+#include "lab/bounded_direction.h"
 #include "lab/hair_segment.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
@@ -60,6 +61,14 @@ struct BoneTarget {
 [[nodiscard]] Eigen::Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent,
                                                   const BoneState& state);
 
+/// Where the bone's limit has this direction (world, unit), in the limit's own axes, and how these are turned: world from axes.
+struct BoundedBone {
+  Eigen::Quaterniond axes;
+  BoundedDirection at;
+};
+[[nodiscard]] BoundedBone bounded(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
+                                  const Eigen::Vector3d& direction);
+
 /// Does a bone with this rate of torsion keep the shortest arc from its parent's frame at all times?
 [[nodiscard]] inline bool never_twists(const RigBone& bone) { return bone.torsion >= double(kShortestArc); }
 
@@ -95,8 +104,9 @@ class ReferenceTree {
   /// The rest pose, moving rigidly with the head.
   void reset(const HeadState& head);
 
-  /// Free movement; then, from root to tip, whatever left its angle limit or entered a collider is turned back the
-  /// shortest way and loses the velocity that led there. A bone whose parent was held keeps its own tail's velocity.
+  /// Free movement; then, from root to tip, whatever left its limits or entered a collider is turned back the
+  /// shortest way and loses the velocity that led there; limits about axes of their own come last.
+  /// A bone whose parent was held keeps its own tail's velocity.
   void step(const HeadStep& step);
 
   /// The head is somewhere else: the hair is carried along rigidly, and its velocities turn with it.
@@ -121,6 +131,7 @@ class ReferenceTree {
   void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
+  bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
   bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
 
   std::vector<std::uint32_t> members_;

@@ -85,7 +85,8 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
     if (bone.model == ChainModel::kPassive) bone.torsion = double(kShortestArc);
     if (!never_twists(bone)) bone.torsion = std::min(bone.torsion, kFastestTorsion);
     if (solids_.size() < 32) bone.colliders &= (1u << solids_.size()) - 1;
-    is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit);
+    is_free_ = is_free_ && bone.colliders == 0 && bone.angle_limit >= double(kNoAngleLimit) &&
+               bone.limit.kind == LimitKind::kUnlimited;
     place[members_[i]] = int(i);
     bones_.push_back(bone);
   }
@@ -173,7 +174,9 @@ void ReferenceTree::hold(const HeadState& head) {
     moved_[i] = !is_root && moved_[up];
     if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
     const bool at_limit = hold_limit(bone, parent, head, states_[i]);
-    const bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit;
+    const bool at_bounds = hold_bounds(bone, parent, states_[i]);
+    bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit || at_bounds;
+    held = hold_bounds(bone, parent, states_[i]) || held;
     if (held) moved_[i] = true;
     untwist(bone, parent.frame, states_[i]);
     motions_[i] = motion_of(bone, parent, states_[i]);
@@ -205,6 +208,26 @@ bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, co
   }
   const double opening = -(state.turning.dot(axis) + held.dot(axis_turning)) / sine;
   if (opening > 0) state.turning -= opening * (cosine * aside - sine * axis);
+  return true;
+}
+
+BoundedBone bounded(const RigBone& bone, const Quaterniond& parent_frame, const Vector3d& direction) {
+  const float* const q = bone.limit.rotation;
+  BoundedBone out{parent_frame, {direction}};
+  if (bone.limit.kind == LimitKind::kUnlimited) return out;
+  out.axes = parent_frame * Quaterniond(q[3], q[0], q[1], q[2]).normalized();
+  out.at = bounded(bone.limit, out.axes.conjugate() * direction);
+  return out;
+}
+
+bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const {
+  const BoundedBone held = bounded(bone, parent.frame, state.frame * bone.rest_direction);
+  if (held.at.beyond <= 0) return false;
+  const Vector3d direction = held.axes * held.at.direction;
+  const Vector3d with_frame = parent.angular_velocity.cross(direction);
+  turn_to(direction, bone, state);
+  const Vector3d turning = held.axes.conjugate() * across(state.turning - with_frame, direction);
+  state.turning = across(held.axes * stopped(held.at, turning) + with_frame, direction);
   return true;
 }
 

@@ -65,6 +65,7 @@ Rig rig_of(const Asset& asset) {
     rig.bones.push_back(bone_of(asset.bones()[i], asset.dynamics()[i], rig.rigid_count));
     rig.bones.back().air_follow = 1 - double(asset.skeleton().air_lag);
     rig.bones.back().model = asset.chains()[asset.bones()[i].chain].model;
+    if (!asset.limits().empty()) rig.bones.back().limit = asset.limits()[i];
     if (!asset.asked().empty()) rig.bones.back().asked = changed_from(asset.asked()[i], asset.dynamics()[i]);
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());

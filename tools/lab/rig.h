@@ -32,6 +32,7 @@ struct RigBone {
   double hit_radius = 0;
   double torsion = 0;                          ///< 1/s; kShortestArc: never a twist.
   double angle_limit = double(kNoAngleLimit);  ///< Radians.
+  LimitRecord limit{};                         ///< About axes of its own, in the parent's frame.
   double parent_share = 1;
   /// Unit, in the parent's frame: where the bone is pulled to. Zero: to its rest direction.
   Eigen::Vector3d leaning = Eigen::Vector3d::Zero();

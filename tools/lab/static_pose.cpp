@@ -51,6 +51,7 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
     pose.is_free.push_back(
         parent_is_free &&
         is_within_limit(bone, target_of(bone, bone.rest_direction, parent, head).direction, direction) &&
+        bounded(bone, parent.frame, direction).at.beyond <= kClear &&
         is_clear(rig, solids, bone, {parent.end, direction, bone.length, bone.hit_radius}));
     pose.ends.push_back(motion.end);
     motions.push_back(motion);

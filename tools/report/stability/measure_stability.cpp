@@ -1,6 +1,7 @@
 #include "report/stability/measure_stability.h"
 
 #include "lab/hair_segment.h"
+#include "lab/reference_model.h"
 #include "lab/reference_solver.h"
 
 #include <fmt/format.h>
@@ -39,11 +40,42 @@ double plausible_speed(const Rig& rig, const Stress& stress) {
   return fastest;
 }
 
+/// How far bones get beyond their limits. Their frames are found from their ends, as they are where no bone twists.
+class LimitMeter {
+ public:
+  explicit LimitMeter(const Rig& rig) : rig_(rig), frames_(rig.bones.size()) {
+    for (const RigBone& bone : rig.bones) sees_limits_ = sees_limits_ || bone.limit.kind != LimitKind::kUnlimited;
+    for (const RigBone& bone : rig.bones) sees_limits_ = sees_limits_ && (never_twists(bone) || bone.model == ChainModel::kPassive);
+  }
+
+  void look(std::span<const Vector3d> ends) {
+    if (!sees_limits_) return;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const RigBone& bone = rig_.bones[i];
+      const bool is_root = bone.parent < 0;
+      const auto up = std::size_t(is_root ? 0 : bone.parent);
+      const Quaterniond parent = is_root ? Quaterniond::Identity() : frames_[up];
+      const Vector3d direction = (ends[i] - (is_root ? bone.joint : ends[up])).normalized();
+      worst_ = std::max(worst_, bounded(bone, parent, direction).at.beyond);
+      frames_[i] = frame_of_arc(bone, parent, direction);
+    }
+  }
+
+  /// Radians; kNoNumber where nothing could be seen.
+  [[nodiscard]] double worst() const { return sees_limits_ ? worst_ : kNoNumber; }
+
+ private:
+  const Rig& rig_;
+  std::vector<Quaterniond> frames_;
+  bool sees_limits_ = false;
+  double worst_ = 0;
+};
+
 /// Watches one solver.
 class StressRun {
  public:
   StressRun(const Rig& rig, double top_speed, ChainSolver& solver)
-      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig) {}
+      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig) {}
 
   /// False once the outcome is decided.
   bool step(const HeadPose& head, double dt) {
@@ -64,6 +96,7 @@ class StressRun {
   [[nodiscard]] double fastest() const { return fastest_; }
   [[nodiscard]] double speed() const { return speed_; }  ///< In the last step.
   [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
+  [[nodiscard]] const LimitMeter& limits() const { return limits_; }
 
  private:
   void look(double dt) {
@@ -80,6 +113,7 @@ class StressRun {
       if (is_length(dt)) speed_ = std::max(speed_, (ends[i] - before_[i]).norm() / dt);
     }
     meter_.look(ends);
+    limits_.look(ends);
     fastest_ = std::max(fastest_, speed_);
     fast_steps_ = speed_ > kFastest * top_speed_ ? fast_steps_ + 1 : 0;
     if (fast_steps_ >= kFastSteps) outcome_ = Outcome::kDiverged;
@@ -89,6 +123,7 @@ class StressRun {
   double top_speed_;
   ChainSolver& solver_;
   ConstraintMeter meter_;
+  LimitMeter limits_;
   std::vector<Vector3d> before_;
   Outcome outcome_ = Outcome::kOk;
   bool was_refused_ = false;
@@ -148,6 +183,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   row.outcome = watched.outcome();
   row.max_speed = watched.fastest();
   if (row.outcome != Outcome::kNan) row.stretch_max_pct = 100 * watched.meter().worst().stretch;
+  if (row.outcome != Outcome::kNan) row.limit_max_rad = watched.limits().worst();
   if (row.outcome != Outcome::kNan && watched.meter().sees_colliders()) {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
   }

@@ -28,6 +28,8 @@ struct StressRig {
   double gravity_scale = 1;
   double torsion = 20;        ///< 1/s; kShortestArc: never a twist.
   double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.
+  LimitKind limit = LimitKind::kUnlimited;  ///< Of every bone, its middle the rest direction, from bone to bone turned about that.
+  float limit_angles[2] = {0.4f, 0.2f};     ///< Radians, as LimitRecord::angles; the second of a spherical limit alone.
   double root_offset = 0.01;  ///< Metres from the surface to the chains' roots; negative: inside the head.
 };
 

@@ -221,6 +221,26 @@ void add_movements(std::vector<Stress>& all) {
   for (Stress* stress : {&spin, &hop, &distant, &tumble, &failing_pose, &denormal}) all.push_back(std::move(*stress));
 }
 
+/// Beyond the limits is where a shaken head throws hair.
+void add_limits(std::vector<Stress>& all) {
+  const std::pair<const char*, LimitKind> kinds[] = {
+      {"cone", LimitKind::kCone}, {"hinge", LimitKind::kHinge}, {"spherical", LimitKind::kSpherical}};
+  for (const auto& [name, kind] : kinds) {
+    for (const float angle : {0.0f, 0.4f, 1.2f}) {
+      StressRig rig;
+      rig.limit = kind;
+      rig.limit_angles[0] = angle;
+      rig.limit_angles[1] = angle / 2;
+      rig.root_resistance = 0.08;
+      rig.tip_resistance = 0.01;
+      rig.torsion = double(kShortestArc);
+      all.push_back(shaken_rig(fmt::format("{} of {:g} rad", name, angle), "soft chains whose bones have such limits", rig));
+      all.back().dt = {angle < 1 ? 1.0 / 60 : 1.0 / 15};
+      all.back().settles = false;
+    }
+  }
+}
+
 void add_soaks(std::vector<Stress>& all) {
   Stress soak =
       shaken_rig("soak", "a million frames of running; ten times fewer for solvers that do not ship", {});
@@ -240,6 +260,7 @@ std::vector<Stress> stress_cases() {
   add_shapes(all);
   add_lively_hair(all);
   add_movements(all);
+  add_limits(all);
   add_soaks(all);
   return all;
 }

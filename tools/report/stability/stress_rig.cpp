@@ -3,6 +3,7 @@
 #include "write/pose_oscillator.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,19 @@ ColliderRecord head_sphere(double radius) {
   return record;
 }
 
+LimitRecord limit_of(const StressRig& rig, const Vector3d& rest, std::uint32_t number) {
+  LimitRecord record{};
+  record.rotation[3] = 1;
+  if (rig.limit == LimitKind::kUnlimited) return record;
+  record.kind = rig.limit;
+  record.angles[0] = rig.limit_angles[0];
+  if (rig.limit == LimitKind::kSpherical) record.angles[1] = rig.limit_angles[1];
+  const Eigen::Quaterniond axes = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), rest) *
+                                  Eigen::AngleAxisd(0.7 * (number + 1), Vector3d::UnitY());
+  for (int k = 0; k < 4; ++k) record.rotation[k] = float(axes.coeffs()[k]);
+  return record;
+}
+
 /// Adds the chains one by one.
 class StressContents {
  public:
@@ -57,6 +71,7 @@ class StressContents {
     contents_.bones.push_back(rigid_head());
     contents_.dynamics.push_back(dynamics_of(rig, 0));
     contents_.colliders.push_back(head_sphere(rig.head_radius));
+    if (rig.limit != LimitKind::kUnlimited) contents_.limits.push_back(limit_of({}, {}, 0));
   }
 
   AssetContents make() {
@@ -112,7 +127,9 @@ class StressContents {
     bone.colliders = 1;
     const double fan = rig_.branching > 1 ? 0.3 * (double(sibling) - 0.5 * (rig_.branching - 1)) : 0.0;
     store(joint, bone.joint);
-    store(Vector3d(fan, -1, depth == 0 ? -0.6 : -0.05).normalized(), bone.rest_direction);
+    const Vector3d rest = Vector3d(fan, -1, depth == 0 ? -0.6 : -0.05).normalized();
+    store(rest, bone.rest_direction);
+    if (rig_.limit != LimitKind::kUnlimited) contents_.limits.push_back(limit_of(rig_, rest, number));
     const bool is_last = number + 1 == rig_.bones_per_chain;
     bone.length = float(rig_.bone_length * (depth % 2 == 1 ? rig_.length_ratio : 1) * (is_last ? rig_.tip_ratio : 1));
     contents_.bones.push_back(bone);
