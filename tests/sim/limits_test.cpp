@@ -379,7 +379,8 @@ TEST(Limits, AndContactsBothHoldWhereBothCan) {
       SCOPED_TRACE(named(model, kind));
       TestRig rig;
       rig.model = model;
-      TestBone bone{.rest_direction = {0, -1, 0}, .length = 0.2f, .stiffness = 30, .damping = 5, .torsion = kShortestArc};
+      TestBone bone{
+          .rest_direction = {0, -1, 0}, .length = 0.2f, .stiffness = 30, .damping = 5, .torsion = kShortestArc};
       rig.add(bone);
       rig.add_sphere({0.01f, -0.15f, 0.03f}, 0.05f);
       rig.limit(1, kind, 1.2f, kind == LimitKind::kSpherical ? 0.1f : 0.0f, turned_about({1, 0, 0}, kPi));

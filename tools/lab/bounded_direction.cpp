@@ -34,7 +34,8 @@ BoundedDirection in_box(double most_pitch, double most_yaw, const Vector3d& d) {
   at.direction = {std::sin(w), std::cos(w) * std::cos(p), std::cos(w) * std::sin(p)};
   if (p != pitch) at.outwards[0] = std::copysign(1.0, pitch) * Vector3d(0, -std::sin(p), std::cos(p));
   if (w != yaw) {
-    at.outwards[1] = std::copysign(1.0, yaw) * Vector3d(std::cos(w), -std::sin(w) * std::cos(p), -std::sin(w) * std::sin(p));
+    at.outwards[1] =
+        std::copysign(1.0, yaw) * Vector3d(std::cos(w), -std::sin(w) * std::cos(p), -std::sin(w) * std::sin(p));
   }
   at.is_locked[0] = most_pitch == 0;
   at.is_locked[1] = most_yaw == 0;

@@ -18,9 +18,9 @@ constexpr float kBeyond = 1e-6f;  ///< Radians: nearer is within, so that what w
 /// A direction in the limit's own axes: (x, y) and the part of it that the first angle goes to. For a cone x is part of that.
 template <class D>
 struct Angles {
-  V<D> cosine[2], sine[2];    ///< Of the two angles that are allowed.
+  V<D> cosine[2], sine[2];  ///< Of the two angles that are allowed.
   hn::Mask<D> is_beyond[2];
-  V<D> side_x, side_z;        ///< Where the first angle goes to, unit.
+  V<D> side_x, side_z;  ///< Where the first angle goes to, unit.
 };
 
 /// The nearest that is allowed: the first angle first. The second angle, at most a quarter of a turn, is then that of what is
@@ -100,7 +100,8 @@ HWY_INLINE void keep(D d, LimitedBone<V<D>>& bone) {
   direction = {hn::Add(at.sine[1], hn::Mul(sideways, at.side_x)), hn::Mul(at.cosine[1], at.cosine[0]),
                hn::Mul(sideways, at.side_z)};
   const V3<D> first{hn::Mul(at.cosine[0], at.side_x), hn::Neg(at.sine[0]), hn::Mul(at.cosine[0], at.side_z)};
-  const V3<D> second{at.cosine[1], hn::Neg(hn::Mul(at.sine[1], at.cosine[0])), hn::Neg(hn::Mul(at.sine[1], at.sine[0]))};
+  const V3<D> second{at.cosine[1], hn::Neg(hn::Mul(at.sine[1], at.cosine[0])),
+                     hn::Neg(hn::Mul(at.sine[1], at.sine[0]))};
   turn_back(d, head, turning);
   if (is_in_world) turn_back(d, head, velocity);
   for (V3<D>* const v : {&turning, &velocity}) {
