@@ -16,7 +16,12 @@ namespace HWY_NAMESPACE {
 /// Depth in a collider at which a bone is not clear of it, share of its size: ten times what turning out leaves.
 inline constexpr float kLiesIn = 1e-5f;
 
-/// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone.
+/// A start deeper than this, share of the size, is in the collider where no way out is found otherwise: ten times as deep as a bone is
+/// left there.
+inline constexpr float kStartsIn = 1e-4f;
+
+/// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone; of one whose
+/// start is on its surface what is deeper than the start.
 template <class D>
 HWY_INLINE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
                                const V3<D>& direction) {
@@ -38,43 +43,58 @@ HWY_INLINE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& col
   const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
   Deepest<D> at;
   solid.find_deepest(solid.into(direction), at);
-  return hn::And(asked, hn::Lt(at.gap, hn::Neg(most)));
+  // Deepest at the start: no direction could help that, and none would be left.
+  const auto lies = hn::And(asked, hn::And(hn::Lt(at.gap, hn::Neg(most)), hn::Gt(at.along, hn::Zero(d))));
+  if (hn::AllFalse(d, lies)) return lies;
+  const auto gap_at = [&](const V3<D>& point) {
+    const Solid<D> around(d, collider, point, hn::Zero(d), bone.hit_radius);
+    around.find_deepest(around.into(direction), at);
+    return at.gap;
+  };
+  const auto starts_out = hn::Ge(gap_at(bone.start), hn::Set(d, -kStartsIn * collider.size));
+  const auto ends_in = hn::Lt(gap_at(add_scaled(d, bone.start, direction, bone.length)), hn::Neg(most));
+  return hn::And(lies, hn::Or(starts_out, ends_in));
 }
 
 inline constexpr int kEscapeTurns = 30;  ///< Of six degrees each.
-inline constexpr int kEscapeSides = 8;
 inline constexpr int kEscapeHalvings = 10;
 
-/// Turns `direction` in the lanes of `stuck` by the smallest multiple of six degrees that leads out, to any of eight sides, and
+/// Around a direction: how many sides are tried, and the cosine and sine of the angle between two of them.
+struct EscapeSides {
+  int count;
+  float cosine, sine;
+};
+/// First to few, which mostly do; then to many, as what is left between two colliders may be narrow.
+inline constexpr EscapeSides kEscapeSides[] = {{8, 0.70710678f, 0.70710678f}, {32, 0.98078528f, 0.19509032f}};
+
+/// Turns `direction` in the lanes of `stuck` by the smallest multiple of six degrees that leads out, to any of the sides, and
 /// back as far as it stays out. Where nothing leads out it stays as it is. `is_blocked(lanes, direction)` says where not.
 template <class D, class Blocked>
 HWY_INLINE void escape(D d, hn::Mask<D> stuck, const Blocked& is_blocked, V3<D>& direction) {
   const V3<D> middle = direction, u = any_perpendicular(d, middle), v = cross(d, middle, u);
-  const float eighths[kEscapeSides][2] = {{1, 0},
-                                          {-1, 0},
-                                          {0, 1},
-                                          {0, -1},
-                                          {0.70710678f, 0.70710678f},
-                                          {-0.70710678f, -0.70710678f},
-                                          {0.70710678f, -0.70710678f},
-                                          {-0.70710678f, 0.70710678f}};
   V3<D> free = middle, blocked = middle;
   auto left = stuck;
-  float cosine = 1, sine = 0;
-  for (int turn = 0; turn < kEscapeTurns && !hn::AllFalse(d, left); ++turn) {
-    const auto last_cosine = hn::Set(d, cosine), last_sine = hn::Set(d, sine);
-    const float next = cosine * 0.9945219f - sine * 0.10452846f;
-    sine = cosine * 0.10452846f + sine * 0.9945219f;
-    cosine = next;
-    for (const auto& [by_u, by_v] : eighths) {
-      const V3<D> side = add_scaled(d, scale(d, u, hn::Set(d, by_u)), v, hn::Set(d, by_v));
-      const V3<D> aim = add_scaled(d, scale(d, middle, hn::Set(d, cosine)), side, hn::Set(d, sine));
-      const V3<D> look = direction_or(d, aim, middle);
-      const auto is_out = hn::AndNot(is_blocked(left, look), left);
-      if (hn::AllFalse(d, is_out)) continue;
-      set_where(d, is_out, look, free);
-      set_where(d, is_out, add_scaled(d, scale(d, middle, last_cosine), side, last_sine), blocked);
-      left = hn::AndNot(is_out, left);
+  for (const EscapeSides& sides : kEscapeSides) {
+    float cosine = 1, sine = 0;
+    for (int turn = 0; turn < kEscapeTurns && !hn::AllFalse(d, left); ++turn) {
+      const auto last_cosine = hn::Set(d, cosine), last_sine = hn::Set(d, sine);
+      const float next = cosine * 0.9945219f - sine * 0.10452846f;
+      sine = cosine * 0.10452846f + sine * 0.9945219f;
+      cosine = next;
+      float by_u = 1, by_v = 0;
+      for (int i = 0; i < sides.count; ++i) {
+        const V3<D> side = add_scaled(d, scale(d, u, hn::Set(d, by_u)), v, hn::Set(d, by_v));
+        const float turned = by_u * sides.cosine - by_v * sides.sine;
+        by_v = by_u * sides.sine + by_v * sides.cosine;
+        by_u = turned;
+        const V3<D> aim = add_scaled(d, scale(d, middle, hn::Set(d, cosine)), side, hn::Set(d, sine));
+        const V3<D> look = direction_or(d, aim, middle);
+        const auto is_out = hn::AndNot(is_blocked(left, look), left);
+        if (hn::AllFalse(d, is_out)) continue;
+        set_where(d, is_out, look, free);
+        set_where(d, is_out, add_scaled(d, scale(d, middle, last_cosine), side, last_sine), blocked);
+        left = hn::AndNot(is_out, left);
+      }
     }
   }
   const auto found = hn::AndNot(left, stuck);
