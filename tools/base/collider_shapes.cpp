@@ -149,6 +149,7 @@ const char* plural_of(ColliderShape shape) {
     case ColliderShape::kCapsule: return "capsules";
     case ColliderShape::kPlane: return "planes";
     case ColliderShape::kTaperedCapsule: return "tapered_capsules";
+    case ColliderShape::kBox: break;  // in no file
   }
   return "unknown";
 }
@@ -167,6 +168,7 @@ double distance_at_least(const ColliderSize& shape, const Vector3d& point) {
       return (point - shape.center - shape.axis * std::clamp(along, 0.0, 1.0)).norm() - shape.radii.maxCoeff();
     }
     case ColliderShape::kPlane: return (point - shape.center).dot(shape.axis);
+    case ColliderShape::kBox: break;
   }
   return 0;
 }
@@ -195,6 +197,7 @@ Vector3d clear_of(const ColliderRecord& collider, double hit_radius, const Vecto
     }
     case ColliderShape::kEllipsoid: return clear_of_ellipsoid(collider, hit_radius, position);
     case ColliderShape::kPlane: return clear_of_plane(collider, hit_radius, position);
+    case ColliderShape::kBox: break;
   }
   return position;
 }
@@ -207,6 +210,7 @@ float share_inside(const ColliderRecord& collider, const Eigen::Vector3f& point)
     case ColliderShape::kEllipsoid: return depth_in_ellipsoid(collider, point);
     case ColliderShape::kPlane: return depth_behind_plane(collider, point);
     case ColliderShape::kTaperedCapsule: return depth_in_tapered_capsule(collider, point);
+    case ColliderShape::kBox: break;
   }
   return 0;
 }

@@ -151,7 +151,8 @@ SolidContact nearest_contact(const SolidShape& solid, const HairSegment& segment
     case ColliderShape::kEllipsoid: return nearest_to_ellipsoid(solid, segment);
     case ColliderShape::kSphere:
     case ColliderShape::kCapsule:
-    case ColliderShape::kTaperedCapsule: break;
+    case ColliderShape::kTaperedCapsule:
+    case ColliderShape::kBox: break;  // the last in no file
   }
   return nearest_to_balls(solid, segment);
 }
