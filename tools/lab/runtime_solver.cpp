@@ -10,6 +10,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
     : rigid_count_(asset.skeleton().bone_count - asset.skeleton().simulated_count) {
   HairDesc desc;
   desc.solver = &solver;
+  desc.moving_colliders = scene.moving_colliders;
   const MemoryNeed need = Hair::memory_need(asset, desc);
   memory_ = allocate(need);
   if (!memory_) throw std::bad_alloc();
@@ -24,6 +25,13 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
 }
 
 void RuntimeSolver::reset(const HeadPose& head) { (void)hair_.reset(0, head); }
+
+bool RuntimeSolver::set_colliders(std::span<const MovingCollider> colliders) {
+  if (colliders.empty() && !has_colliders_) return true;  // most solvers were not asked for any
+  if (hair_.set_colliders(0, colliders) != Status::kOk) return false;
+  has_colliders_ = !colliders.empty();
+  return true;
+}
 
 bool RuntimeSolver::step(const HeadPose& head, double dt) {
   settings_.dt = float(dt);

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ namespace coif {
 struct SolverScene {
   Eigen::Vector3d gravity{0, -9.81, 0};            ///< World, m/s^2.
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();  ///< World, m/s.
+  std::uint32_t moving_colliders = 0;              ///< Most that will be given at once; above 0 of kCharacterSolver alone.
 };
 
 /// A way to move the bones of one head: the runtime's solvers, the reference, and what others do, behind one interface
@@ -31,6 +33,10 @@ class ChainSolver {
 
   /// The rest pose under this head, at rest.
   virtual void reset(const HeadPose& head) = 0;
+
+  /// What the hair has to keep out of besides what it knows, at the end of the coming step; see Hair::set_colliders(). False where the
+  /// solver refuses them, as most refuse any, and keeps those that it had.
+  [[nodiscard]] virtual bool set_colliders(std::span<const MovingCollider> colliders) { return colliders.empty(); }
 
   /// Moves the head to `head` within `dt` seconds. False where the solver refuses the input and keeps its state.
   [[nodiscard]] virtual bool step(const HeadPose& head, double dt) = 0;
@@ -47,6 +53,7 @@ class RuntimeSolver final : public ChainSolver {
   RuntimeSolver(const Asset& asset, const SolverScene& scene, const Solver& solver, int effort);
 
   void reset(const HeadPose& head) override;
+  [[nodiscard]] bool set_colliders(std::span<const MovingCollider> colliders) override;
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
   /// As a host that knows how fast the head moves.
   [[nodiscard]] bool step(const HeadPose& head, const HeadVelocity& velocity, double dt);
@@ -59,6 +66,7 @@ class RuntimeSolver final : public ChainSolver {
   Hair hair_;
   StepSettings settings_;
   std::uint32_t rigid_count_;
+  bool has_colliders_ = false;
   mutable std::vector<Vec3> all_ends_;
   mutable std::vector<Eigen::Vector3d> ends_;
 };

@@ -71,6 +71,9 @@ class SampledSolver final : public ChainSolver {
       : whole_(std::move(whole)), bones_(std::move(bones)), ends_(bones_.size()) {}
 
   void reset(const HeadPose& head) override { whole_->reset(head); }
+  [[nodiscard]] bool set_colliders(std::span<const MovingCollider> colliders) override {
+    return whole_->set_colliders(colliders);
+  }
   [[nodiscard]] bool step(const HeadPose& head, double dt) override { return whole_->step(head, dt); }
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override {
     const auto all = whole_->bone_ends();
@@ -96,6 +99,11 @@ std::vector<MeasuredSolver> list_solvers() {
 }
 
 }  // namespace
+
+const MeasuredSolver& solver_on_a_character() {
+  static constexpr MeasuredSolver kSolver{"coif", kRuntimeEfforts, &kCharacterSolver};
+  return kSolver;
+}
 
 std::span<const MeasuredSolver> measured_solvers() {
   static const std::vector<MeasuredSolver> kAll = list_solvers();

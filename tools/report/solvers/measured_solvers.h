@@ -54,6 +54,9 @@ struct MeasuredSolver {
 /// The runtime's first.
 [[nodiscard]] std::span<const MeasuredSolver> measured_solvers();
 
+/// What `coif` is where something of the game moves near the hair: kCharacterSolver, the same to the bit without.
+[[nodiscard]] const MeasuredSolver& solver_on_a_character();
+
 /// Names that AccuracySettings::solvers and StabilitySettings::solvers take, in the order of the report.
 [[nodiscard]] std::vector<std::string> report_solvers();
 

@@ -2,6 +2,7 @@
 
 #include "lab/hair_segment.h"
 #include "lab/reference_model.h"
+#include "lab/placed_solid.h"
 #include "lab/reference_solver.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 namespace coif {
 namespace {
 
+using Colliders = std::vector<MovingCollider>;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
@@ -75,17 +77,20 @@ class LimitMeter {
 class StressRun {
  public:
   StressRun(const Rig& rig, double top_speed, ChainSolver& solver)
-      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig) {}
+      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig), moving_meter_(rig) {}
 
   /// False once the outcome is decided.
-  bool step(const HeadPose& head, double dt) {
+  bool step(const HeadPose& head, double dt, std::span<const MovingCollider> colliders) {
     const auto ends = solver_.bone_ends();
     before_.assign(ends.begin(), ends.end());
-    if (!solver_.step(head, dt)) {
+    if (!solver_.set_colliders(colliders) || !solver_.step(head, dt)) {
       was_refused_ = true;
       if (!std::ranges::equal(before_, solver_.bone_ends())) outcome_ = Outcome::kDiverged;
     } else {
       look(dt);
+      std::vector<PlacedSolid> solids;
+      for (const MovingCollider& collider : colliders) solids.emplace_back(collider, head);
+      if (outcome_ == Outcome::kOk) moving_meter_.look(solver_.bone_ends(), solids);
     }
     return outcome_ == Outcome::kOk;
   }
@@ -97,6 +102,7 @@ class StressRun {
   [[nodiscard]] double speed() const { return speed_; }  ///< In the last step.
   [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
   [[nodiscard]] const LimitMeter& limits() const { return limits_; }
+  [[nodiscard]] const MovingMeter& moving_meter() const { return moving_meter_; }
 
  private:
   void look(double dt) {
@@ -124,6 +130,7 @@ class StressRun {
   ChainSolver& solver_;
   ConstraintMeter meter_;
   LimitMeter limits_;
+  MovingMeter moving_meter_;
   std::vector<Vector3d> before_;
   Outcome outcome_ = Outcome::kOk;
   bool was_refused_ = false;
@@ -154,11 +161,22 @@ double distance_to_rest(const Rig& rig, const SolverScene& scene, const HeadPose
 }  // namespace
 
 StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample sample)
-    : stress_(stress), asset_(asset), sample_(std::move(sample)), top_speed_(plausible_speed(sample_.rig, stress)) {}
+    : stress_(stress),
+      asset_(asset),
+      sample_(std::move(sample)),
+      place_(place_of(sample_.rig)),
+      top_speed_(plausible_speed(sample_.rig, stress)) {}
+
+bool StressSubject::is_for(const MeasuredSolver& solver) const {
+  return !stress_.colliders || solver.name == solver_on_a_character().name;
+}
 
 StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   const Rig rig = solver.model ? in_model(sample_.rig, *solver.model) : sample_.rig;
-  const SolverAtWork at_work = make_solver(solver, asset_, sample_, stress_.scene, solver.efforts.front());
+  SolverScene scene = stress_.scene;
+  if (stress_.colliders) scene.moving_colliders = kMaxMovingColliders;
+  const SolverAtWork at_work = make_solver(stress_.colliders ? solver_on_a_character() : solver, asset_, sample_, scene,
+                                           solver.efforts.front());
   StressRun watched(rig, top_speed_, *at_work.solver);
   HeadPose head = stress_.head(0);
   at_work.solver->reset(head);
@@ -171,11 +189,11 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
     const double dt = stress_.dt[i % stress_.dt.size()];
     if (is_length(dt)) seconds += dt;
     const HeadPose next = stress_.head(seconds);
-    goes_on = watched.step(next, dt);
+    goes_on = watched.step(next, dt, stress_.colliders ? stress_.colliders(place_, seconds) : Colliders());
     if (is_usable(next)) head = next;
   }
   for (double t = 0; t < kSettleSeconds && goes_on; t += kSettleDt) {
-    goes_on = watched.step(head, kSettleDt);
+    goes_on = watched.step(head, kSettleDt, {});
     if (t + kWatchedAtRest > kSettleSeconds) rest_speed = std::max(rest_speed, watched.speed());
   }
 
@@ -186,6 +204,10 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   if (row.outcome != Outcome::kNan) row.limit_max_rad = watched.limits().worst();
   if (row.outcome != Outcome::kNan && watched.meter().sees_colliders()) {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
+  }
+  if (row.outcome != Outcome::kNan && stress_.colliders) {
+    const double moving = 100 * watched.moving_meter().worst();
+    if (!(row.penetration_max_pct >= moving)) row.penetration_max_pct = moving;
   }
   if (goes_on && stress_.settles) {
     row.rest_speed = rest_speed;
@@ -201,7 +223,10 @@ constexpr std::size_t kMostBones = 64;  ///< Of the asset: what breaks, breaks o
 void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
              std::span<const MeasuredSolver* const> solvers, const ReportProgress& progress, StabilityReport& report) {
   const StressSubject subject(stress, asset, sample_of(rig_of(asset), most_bones));
+  const auto is_for = [&](const MeasuredSolver* solver) { return subject.is_for(*solver); };
+  if (std::ranges::any_of(solvers, is_for)) report.stress_cases.push_back(stress.about);
   for (const MeasuredSolver* solver : solvers) {
+    if (!subject.is_for(*solver)) continue;
     if (progress) progress(fmt::format("{}, {}", stress.about.name, solver->name));
     report.rows.push_back(subject.run(*solver));
   }
@@ -209,6 +234,7 @@ void measure(const Stress& stress, const Asset& asset, std::size_t most_bones,
 
 /// A rig that the format refuses never reaches a solver.
 void refuse(const Stress& stress, std::span<const MeasuredSolver* const> solvers, StabilityReport& report) {
+  report.stress_cases.push_back(stress.about);
   for (const MeasuredSolver* solver : solvers) {
     StabilityRow row{.stress_case = stress.about.name, .solver = std::string(solver->name)};
     row.outcome = Outcome::kRejected;
@@ -227,9 +253,9 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
   }
   StabilityReport report;
   for (const Stress& stress : stress_cases()) {
-    report.stress_cases.push_back(stress.about);
     if (!stress.rig) {
-      measure(stress, asset, kMostBones, *solvers, progress, report);
+      // What moves comes to hair anywhere on the head, and the runtime alone is watched.
+      measure(stress, asset, stress.colliders ? kMaxBones : kMostBones, *solvers, progress, report);
       continue;
     }
     const StressAsset made(*stress.rig);

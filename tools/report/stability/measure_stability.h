@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/hair_place.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
 #include "report/page/report_heading.h"
@@ -55,6 +56,9 @@ struct Stress {
   std::optional<StressRig> rig;  ///< Empty: the asset's own hair.
   SolverScene scene;
   std::function<HeadPose(double seconds)> head;
+  /// What moves near the hair, world; `hair` is where that is in head space. Such cases are for `coif` alone, on a character
+  /// (kCharacterSolver): what others do knows no such colliders. They are gone while hair settles.
+  std::function<std::vector<MovingCollider>(const HairPlace& hair, double seconds)> colliders;
   /// Step lengths, repeated; seconds. Entries that are no lengths (0, negative, not a number) take no time.
   std::vector<double> dt{1.0 / 60};
   std::size_t steps = 240;
@@ -67,12 +71,18 @@ struct Stress {
 /// Time steps, parameters, shapes, movements, then long runs.
 [[nodiscard]] std::vector<Stress> stress_cases();
 
+/// Those of them with colliders that move, and with heads of other sizes.
+[[nodiscard]] std::vector<Stress> character_cases();
+
 /// A rig under stress, and where it would come to rest: made once for all solvers.
 class StressSubject {
  public:
   StressSubject(const Stress& stress, const Asset& asset, RigSample sample);
 
-  /// Runs one solver, with the least effort that it is measured with, through the case, from its rest pose. What the outcomes mean:
+  /// False for a solver that knows nothing of what the case is about: it has no row.
+  [[nodiscard]] bool is_for(const MeasuredSolver& solver) const;
+
+  /// Runs one solver that it is for, with the least effort that it is measured with, through the case, from its rest pose. What the outcomes mean:
   /// - nan: a bone's end was not finite after some step.
   /// - diverged: a bone's end was further from the bone's start than ten of its lengths; or faster, ten steps in a row,
   ///   than a hundred times what gravity, the head and the pull to the pose can make it; or a step that was refused
@@ -87,6 +97,7 @@ class StressSubject {
   const Stress& stress_;
   const Asset& asset_;
   RigSample sample_;
+  HairPlace place_;
   double top_speed_;  ///< m/s in head space.
 };
 
