@@ -4,6 +4,7 @@
 // percentage is already times 100. NaN stands for a number that does not exist: a solver that left finite numbers has no
 // error, an asset without head colliders no penetration.
 
+#include "report/accuracy/stroke.h"
 #include "report/accuracy/swing.h"
 #include "report/page/report_columns.h"
 
@@ -148,6 +149,7 @@ struct AccuracyReport {
   std::vector<OwnReferenceRow> own_reference;
   std::vector<SettleRow> settle;
   Swings swings;
+  std::vector<StrokeRow> stroke;  ///< Of the whole suite with `coif`; else empty.
   double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
   double conditioned_share = 0;        ///< Of the bones: given other numbers than the artist's, so as to have one motion.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
@@ -171,7 +173,7 @@ void mark_fronts(std::span<AccuracyRow> rows);
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
 /// `coif report accuracy` for other programs: the heading, then rows, spread, reference, own_reference, settle, swings,
-/// conditioned_share and chosen, which is null where no setting meets the budget. The keys are those of the columns.
+/// stroke, conditioned_share and chosen, which is null where no setting meets the budget. The keys are those of the columns.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
 
 /// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.

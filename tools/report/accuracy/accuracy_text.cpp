@@ -20,6 +20,7 @@ ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& r
   json["own_reference"] = json_list(own_reference_columns(budget), report.own_reference);
   json["settle"] = json_list(settle_columns(budget), report.settle);
   json["swings"] = json_list(swing_columns(), report.swings.rows);
+  json["stroke"] = json_list(stroke_columns(), report.stroke);
   json["conditioned_share"] = report.conditioned_share;
   json["budget_rms_pct"] = number_json(budget);
   json["chosen"] = report.chosen ? json_of(chosen_columns(), *report.chosen) : ordered_json(nullptr);
@@ -168,6 +169,20 @@ std::string swings_text(const AccuracyReport& report) {
 
 }  // namespace
 
+namespace {
+
+/// The hand in the hair, at the main frame rate.
+std::string stroke_text(const AccuracyReport& report) {
+  std::vector<StrokeRow> shown;
+  const double fps = main_frame_rate(report);
+  std::ranges::copy_if(report.stroke, std::back_inserter(shown), [fps](const StrokeRow& row) { return row.fps == fps; });
+  if (shown.empty()) return "";
+  return text_heading(stroke_columns()) + text_lines(stroke_columns(), shown) +
+         "  coif on a character, a hand stroking its hair, against the same at 3840 steps a second; reference: those against 1920\n";
+}
+
+}  // namespace
+
 std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& report) {
   const double fps = main_frame_rate(report);
   const std::vector<AccuracyRow> means = means_over_motions(report, fps);
@@ -184,7 +199,7 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
                      "  ns of coif, cascade, passive and thesis are of the library: float, in lanes, matrices included; of the "
                      "others of double, one bone after the other\n",
                      fps, counted(motions, "motion", "motions")) +
-         swings_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n" +
+         swings_text(report) + stroke_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n" +
          line_of(own_reference_summary(report)) + line_of(numbers_read(report));
 }
 

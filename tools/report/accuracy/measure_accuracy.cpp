@@ -40,11 +40,19 @@ class AccuracyMeasurement {
     report_.conditioned_share = double(changed) / bones;
     tell("swings");
     report_.swings = measure_swings(asset_);
+    if (settings_.motions.empty() && !settings_.clip && has_ours(solvers)) {
+      tell("stroke");
+      report_.stroke = measure_stroke(asset_, {settings_.fps, settings_.substeps, settings_.seconds});
+    }
     choose();
     return std::move(report_);
   }
 
  private:
+  [[nodiscard]] static bool has_ours(std::span<const MeasuredSolver* const> solvers) {
+    return std::ranges::any_of(solvers, [](const MeasuredSolver* one) { return one->name == solver_on_a_character().name; });
+  }
+
   [[nodiscard]] std::vector<int> efforts_of(const MeasuredSolver& solver) const {
     if (solver.is_runtime()) return {settings_.substeps.begin(), settings_.substeps.end()};
     return {solver.efforts.begin(), solver.efforts.end()};

@@ -1,0 +1,51 @@
+#pragma once
+
+// How exact hair on a character is while a hand goes through it.
+
+#include "report/page/report_columns.h"
+
+#include <coif/asset.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// `coif` on a character (kCharacterSolver) at one frame rate, a hand stroking the hair of a head that stands still. Errors are
+/// against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by the model.
+struct StrokeRow {
+  double fps = 0;
+  std::uint32_t substeps = 1;      ///< Of each frame.
+  double rms_error_pct = kNoNumber;  ///< Distance of tips, head space, in % of the chain's length.
+  double max_error_pct = kNoNumber;
+  double self_difference_pct = kNoNumber;  ///< Of what that is against: RMS distance to a run with steps of twice the length.
+  double of_motion_pct = kNoNumber;        ///< The RMS error in % of how far the tips are from their rest, RMS too.
+  double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
+  double penetration_max_pct = kNoNumber;  ///< Deepest that any part of a bone was in the hand, in % of its radius.
+};
+
+[[nodiscard]] inline Columns<StrokeRow> stroke_columns() {
+  using Row = StrokeRow;
+  return {{"fps", &Row::fps, {"fps", "{}"}, {"fps", 6}},
+          {"substeps", &Row::substeps, {"steps"}, {"steps", 7}},
+          {"rms_error_pct", &Row::rms_error_pct, {"RMS error %"}, {"rms %", 10}},
+          {"max_error_pct", &Row::max_error_pct, {"max error %"}, {"max %", 10}},
+          {"self_difference_pct", &Row::self_difference_pct, {"its own reference to itself %"}, {"reference %", 13}},
+          {"of_motion_pct", &Row::of_motion_pct, {"of the motion %"}, {"of motion %", 13}},
+          {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}, {"stretch %", 11}},
+          {"penetration_max_pct", &Row::penetration_max_pct, {"in the hand %"}, {"in the hand %", 15}}};
+}
+
+struct StrokeSettings {
+  std::vector<double> fps;
+  std::vector<std::uint32_t> substeps;
+  double seconds = 4;
+  double reference_steps_per_second = 3840;
+};
+
+/// A row for each frame rate and number of sub-steps, of the chains that at most 128 bones of the asset make up. `asset` has
+/// simulated bones.
+[[nodiscard]] std::vector<StrokeRow> measure_stroke(const Asset& asset, const StrokeSettings& settings);
+
+}  // namespace coif
