@@ -124,6 +124,25 @@ TEST_F(CostTest, FeaturesAreThoseOfTheAsset) {
   EXPECT_LT(feature(*report, "poses-only")->us_per_frame, feature(*report, "as-cooked")->us_per_frame);
 }
 
+TEST_F(CostTest, WhatACharacterBringsAlongHasARowEach) {
+  const auto report = measure(hair_.asset(), quick());
+  ASSERT_TRUE(report);
+  for (const char* name : {"scale", "character", "collider-far", "4-colliders-far", "collider-near", "4-colliders-near", "pose",
+                           "half-pose"}) {
+    ASSERT_NE(feature(*report, name), nullptr) << name;
+    EXPECT_GT(feature(*report, name)->ns_per_bone_frame, 0) << name;
+  }
+  EXPECT_GT(feature(*report, "4-colliders-near")->us_per_frame, feature(*report, "character")->us_per_frame);
+}
+
+TEST_F(CostTest, AlgorithmOneHasNoCharacter) {
+  CostSettings settings = quick();
+  settings.solvers = {"thesis"};
+  const auto report = measure(hair_.asset(), settings);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(feature(*report, "character"), nullptr);
+}
+
 TEST_F(CostTest, HairThatReachesNoColliderHasNoneToLeaveOut) {
   const OpenedAsset free(free_hair(hair_.asset()));
   ASSERT_TRUE(free.asset().is_open());

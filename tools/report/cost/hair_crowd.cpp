@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace coif {
@@ -31,10 +33,40 @@ std::vector<HeadPose> running_poses() {
 }
 
 HairDesc desc_of(const CrowdSettings& settings) {
+  const Solver* const ours = settings.character.is_one ? &kCharacterSolver : &kCoifSolver;
   return {.instances = settings.heads,
-          .solver = settings.solver == kPublished ? &kThesisSolver : &kCoifSolver,
+          .solver = settings.solver == kPublished ? &kThesisSolver : ours,
           .instruction_set = settings.instruction_set,
-          .longest_interval = settings.detail.interval};
+          .longest_interval = settings.detail.interval,
+          .moving_colliders = settings.character.room,
+          .follows_poses = settings.character.weight.has_value()};
+}
+
+constexpr float kColliderRadius = 0.04f;  // metres
+constexpr double kFar = 5;                // metres
+constexpr std::size_t kPosedFrames = 60;
+
+/// In the hair beside each other, or out of its reach.
+std::vector<Eigen::Vector3d> collider_places(const Asset& asset, const CrowdCharacter& character) {
+  std::vector<Eigen::Vector3d> places;
+  if (character.colliders == 0) return places;
+  const HairPlace hair = place_of(rig_of(asset));
+  const Eigen::Vector3d aside = Eigen::Vector3d::UnitY().cross(hair.outward);
+  for (std::uint32_t i = 0; i < character.colliders; ++i) {
+    const double off = 1.5 * double(kColliderRadius) * (double(i) - 0.5 * (character.colliders - 1));
+    places.push_back(hair.middle + aside * off + hair.outward * (character.are_near ? 0.0 : kFar));
+  }
+  return places;
+}
+
+/// All bones nod a little, once a second.
+std::vector<std::vector<Quat>> nodding(std::size_t bones) {
+  std::vector<std::vector<Quat>> frames;
+  for (std::size_t frame = 0; frame < kPosedFrames; ++frame) {
+    const double half = 0.05 * std::sin(2 * std::numbers::pi * double(frame) / kPosedFrames);
+    frames.emplace_back(bones, Quat{float(std::sin(half)), 0, 0, float(std::cos(half))});
+  }
+  return frames;
 }
 
 tl::unexpected<ToolError> refused(ToolError::Kind kind, const std::string& why) {
@@ -45,8 +77,12 @@ tl::unexpected<ToolError> refused(ToolError::Kind kind, const std::string& why) 
 
 std::span<const std::string_view> crowd_solvers() { return kSolvers; }
 
-HairCrowd::HairCrowd(const CrowdSettings& settings)
-    : settings_(settings), poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)) {
+HairCrowd::HairCrowd(const Asset& asset, const CrowdSettings& settings)
+    : settings_(settings),
+      poses_(settings.heads_move ? running_poses() : std::vector<HeadPose>(1)),
+      collider_places_(collider_places(asset, settings.character)) {
+  for (HeadPose& pose : poses_) pose.scale = settings.character.scale;
+  if (settings.character.weight) rotations_ = nodding(asset.skeleton().bone_count);
   const bool published = settings.solver == kPublished;
   step_.dt = float(1 / kCrowdRate);
   step_.substeps = settings.substeps;
@@ -62,7 +98,7 @@ tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const C
   const HairDesc desc = desc_of(settings);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   if (need.bytes == 0) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
-  HairCrowd crowd(settings);
+  HairCrowd crowd(asset, settings);
   crowd.memory_ = allocate(need);
   if (!crowd.memory_) {
     return refused(ToolError::Kind::kUnsupported, "no memory for " + std::to_string(settings.heads) + " heads");
@@ -98,8 +134,24 @@ bool HairCrowd::hand_over_poses() {
   for (std::uint32_t i = 0; i < settings_.heads; ++i) {
     const HeadPose& pose = poses_[(frame_ + i * kFramesApart) % poses_.size()];
     if (hair_.set_head(i, pose) != Status::kOk) return false;
+    if (!collider_places_.empty() && !hand_over_colliders(i, pose)) return false;
+    if (rotations_.empty()) continue;
+    const auto& rotations = rotations_[(frame_ + i * kFramesApart) % rotations_.size()];
+    if (hair_.set_pose(i, rotations, {&*settings_.character.weight, 1}) != Status::kOk) return false;
   }
   return true;
+}
+
+bool HairCrowd::hand_over_colliders(std::uint32_t head, const HeadPose& pose) {
+  MovingCollider colliders[kMaxMovingColliders];
+  const Quat& q = pose.rotation;
+  const Eigen::Quaterniond turn(q.w, q.x, q.y, q.z);
+  for (std::size_t k = 0; k < collider_places_.size(); ++k) {
+    const Eigen::Vector3d place = turn * (collider_places_[k] * double(pose.scale));
+    for (int axis = 0; axis < 3; ++axis) colliders[k].center[axis] = pose.position[axis] + place[axis];
+    colliders[k].radius = kColliderRadius;
+  }
+  return hair_.set_colliders(head, {colliders, collider_places_.size()}) == Status::kOk;
 }
 
 bool HairCrowd::step() {
@@ -152,6 +204,29 @@ void add_rest(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
   features.push_back({"still-awake", "no head moves, and hair may not fall asleep", awake});
 }
 
+/// What a character brings along, one thing at a time.
+void add_characters(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
+  constexpr std::uint32_t kRoom = 4;
+  const auto add = [&](const char* name, const char* description, const CrowdCharacter& character) {
+    features.push_back({name, description, usual});
+    features.back().settings.character = character;
+  };
+  add("scale", "every head is twice as large", {.scale = 2});
+  add("character", "on characters, with room for four colliders, of which none is given",
+      {.is_one = true, .room = kRoom});
+  for (const std::uint32_t count : {1u, kRoom}) {
+    const bool is_one = count == 1;
+    add(is_one ? "collider-far" : "4-colliders-far",
+        is_one ? "the same with one collider, out of reach" : "the same with four colliders, out of reach",
+        {.is_one = true, .room = kRoom, .colliders = count});
+    add(is_one ? "collider-near" : "4-colliders-near",
+        is_one ? "the same with a fist in the hair" : "the same with four fists in the hair",
+        {.is_one = true, .room = kRoom, .colliders = count, .are_near = true});
+  }
+  add("pose", "on characters, the hair follows a pose that changes in every frame", {.is_one = true, .weight = 1.0f});
+  add("half-pose", "the same, half of it the animation", {.is_one = true, .weight = 0.5f});
+}
+
 void add_instruction_sets(const CrowdSettings& usual, std::vector<CrowdFeature>& features) {
   constexpr InstructionSet kAll[] = {InstructionSet::kScalar, InstructionSet::kPortable, InstructionSet::kSse4,
                                      InstructionSet::kAvx2,   InstructionSet::kAvx512,   InstructionSet::kNeon,
@@ -187,6 +262,7 @@ std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings
   features.push_back(
       {"poses-only", "telling where the heads are, which is part of all the others, and no step", usual});
   features.back().steps = false;
+  if (usual.solver != kPublished) add_characters(usual, features);
   add_instruction_sets(usual, features);
   return features;
 }

@@ -3,6 +3,7 @@
 #include "base/hair_runtime.h"
 #include "base/timing.h"
 #include "base/tool_error.h"
+#include "lab/hair_place.h"
 #include "report/cost/cost_report.h"
 #include "report/page/report_heading.h"
 
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +29,16 @@ inline constexpr double kCrowdRate = 60;  ///< Frames per second of a crowd.
 /// Names of the solvers that a game can choose.
 [[nodiscard]] std::span<const std::string_view> crowd_solvers();
 
+/// What heads bring along besides their hair.
+struct CrowdCharacter {
+  bool is_one = false;            ///< kCharacterSolver instead of kCoifSolver; else only `scale` counts.
+  std::uint32_t room = 0;         ///< HairDesc::moving_colliders.
+  std::uint32_t colliders = 0;    ///< Of them given to each head: balls of 4 cm that go along with it.
+  bool are_near = false;          ///< In the hair; else five metres away.
+  std::optional<float> weight{};  ///< Of a pose that changes from frame to frame; none: the rest pose.
+  float scale = 1;
+};
+
 struct CrowdSettings {
   std::uint32_t heads = 1;           ///< 1..kMaxInstances.
   std::string_view solver = "coif";  ///< One of crowd_solvers().
@@ -36,6 +48,7 @@ struct CrowdSettings {
   Detail detail{};                   ///< Of every head.
   bool sleeps = true;                ///< Heads that stand still have all fallen asleep when the crowd is made.
   InstructionSet instruction_set = InstructionSet::kBest;
+  CrowdCharacter character{};
 };
 
 /// Heads with the runtime's hair, as a game has them. The asset must outlive it.
@@ -48,7 +61,7 @@ class HairCrowd {
   /// settings out of range, kUnsupported where the memory cannot be had.
   static tl::expected<HairCrowd, ToolError> create(const Asset& asset, const CrowdSettings& settings);
 
-  /// Tells the runtime where each head is in the next frame. False where it refuses a pose.
+  /// Tells the runtime where each head is in the next frame, and what it brings along. False where it refuses that.
   bool hand_over_poses();
   /// One frame: hand_over_poses(), then the step with its matrices. False where the runtime refuses.
   bool step();
@@ -56,9 +69,10 @@ class HairCrowd {
   [[nodiscard]] std::span<const Mat34> palette(std::uint32_t head) const { return hair_.palette(head); }
 
  private:
-  explicit HairCrowd(const CrowdSettings& settings);
+  HairCrowd(const Asset& asset, const CrowdSettings& settings);
   [[nodiscard]] Status place_heads();
   [[nodiscard]] bool is_at_rest() const;
+  [[nodiscard]] bool hand_over_colliders(std::uint32_t head, const HeadPose& pose);
 
   HairMemory memory_{nullptr, &std::free};
   Hair hair_;
@@ -66,6 +80,8 @@ class HairCrowd {
   CrowdSettings settings_;
   std::vector<HeadPose> poses_;  ///< Frame by frame; the last is next to the first.
   std::size_t frame_ = 0;
+  std::vector<Eigen::Vector3d> collider_places_;  ///< Head space.
+  std::vector<std::vector<Quat>> rotations_;      ///< Of the pose, frame by frame.
 };
 
 /// One way in which a crowd can be run otherwise than as it was cooked.
