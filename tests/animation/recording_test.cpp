@@ -47,6 +47,41 @@ TEST_F(Recorded, OfNoSecondsIsTheSettledPose) {
   EXPECT_EQ(recording->frames.size(), 1u);
 }
 
+TEST_F(Recorded, AtWeightZeroIsThePose) {
+  RecordingSettings settings{.motion = Motion::kTurn, .seconds = 0.5};
+  settings.company.pose_weight = 0;
+  settings.company.pose = [this](double) { return std::vector<Quat>(asset().bones().size()); };
+  const auto held = record(asset(), settings);
+  ASSERT_TRUE(held);
+  EXPECT_LT(largest_move(held->frames.front(), held->frames.back()), 1e-6f) << "the rest pose, whatever the head does";
+  settings.company.pose_weight = 1;
+  const auto free = record(asset(), settings);
+  ASSERT_TRUE(free);
+  EXPECT_GT(largest_move(free->frames.front(), free->frames.back()), 1e-3f);
+}
+
+TEST_F(Recorded, FollowsAPoseByOurSolverAlone) {
+  RecordingSettings settings{.seconds = 0.1, .solver = &kThesisSolver};
+  settings.company.pose = [this](double) { return std::vector<Quat>(asset().bones().size()); };
+  EXPECT_FALSE(record(asset(), settings));
+}
+
+TEST_F(Recorded, HasAHandThatMovesTheHair) {
+  RecordingSettings settings{.motion = Motion::kStill, .seconds = 0.5};
+  const auto alone = record(asset(), settings);
+  ASSERT_TRUE(alone);
+  const Vec3 tip = alone->frames.back().bone_ends.back();
+  settings.company.colliders = [tip](double) {
+    MovingCollider ball;
+    ball.center[0] = double(tip.x) + 0.01, ball.center[1] = double(tip.y), ball.center[2] = double(tip.z);
+    ball.radius = 0.03f;
+    return std::vector{ball};
+  };
+  const auto touched = record(asset(), settings);
+  ASSERT_TRUE(touched);
+  EXPECT_GT(largest_move(alone->frames.back(), touched->frames.back()), 0.01f);
+}
+
 TEST_F(Recorded, SettlesBeforeTheFirstFrame) {
   RecordingSettings settings{.motion = Motion::kStill, .seconds = 1};
   const auto settled = record(asset(), settings);

@@ -57,6 +57,7 @@ RecordedFrame snapshot(const Hair& hair, const HeadPose& head, double seconds) {
 Status settle(Hair& hair, const HeadPose& pose, const RecordingSettings& settings, const StepSettings& step) {
   if (const Status status = hair.reset(0, pose); status != Status::kOk) return status;
   const auto steps = std::llround(settings.settle_seconds * settings.fps);
+  if (const Status status = settings.company.tell(hair, 0); status != Status::kOk) return status;
   for (long long i = 0; i < steps; ++i) {
     if (const Status status = hair.step(step); status != Status::kOk) return status;
   }
@@ -73,8 +74,7 @@ Status advance(Hair& hair, const HeadPose& pose, const StepSettings& step) {
 tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings) {
   if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
 
-  HairDesc desc;
-  desc.solver = settings.solver;
+  const HairDesc desc = settings.company.description(settings.solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
   if (!memory) return failure(ToolError::Kind::kInternal, "out of memory");
@@ -85,15 +85,21 @@ tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSet
   StepSettings step = settings.step;
   step.dt = static_cast<float>(1.0 / settings.fps);
   const std::shared_ptr<const HeadPath> path = settings.clip ? settings.clip : path_of(settings.motion);
-  if (const Status status = settle(hair, path->pose(0), settings, step); status != Status::kOk) return refused(status);
+  const auto pose_at = [&](double seconds) {
+    HeadPose pose = path->pose(seconds);
+    pose.scale = settings.company.scale;
+    return pose;
+  };
+  if (const Status status = settle(hair, pose_at(0), settings, step); status != Status::kOk) return refused(status);
 
   Recording recording;
-  recording.frames.push_back(snapshot(hair, path->pose(0), 0));
+  recording.frames.push_back(snapshot(hair, pose_at(0), 0));
   const std::size_t count = frame_count(settings);
   recording.frames.reserve(count);
   for (std::size_t i = 1; i < count; ++i) {
     const double seconds = static_cast<double>(i) / settings.fps;
-    const HeadPose pose = path->pose(seconds);
+    const HeadPose pose = pose_at(seconds);
+    if (const Status status = settings.company.tell(hair, seconds); status != Status::kOk) return refused(status);
     if (const Status status = advance(hair, pose, step); status != Status::kOk) return refused(status);
     recording.frames.push_back(snapshot(hair, pose, seconds));
   }
@@ -152,7 +158,7 @@ std::string csv_field(std::string_view text) {
 Eigen::Vector3d to_world(const HeadPose& head, const Vec3& point) {
   const Quat& q = head.rotation;
   const Eigen::Quaterniond rotation(double(q.w), double(q.x), double(q.y), double(q.z));
-  return rotation * to_eigen(point).cast<double>() + Eigen::Map<const Eigen::Vector3d>(head.position);
+  return rotation * (to_eigen(point).cast<double>() * double(head.scale)) + Eigen::Map<const Eigen::Vector3d>(head.position);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // How far a simulated pose breaks the two constraints that the solver should keep.
 
 #include "base/tool_error.h"
+#include "motion/hair_company.h"
 #include "motion/head_path.h"
 
 #include <coif/asset.h>
@@ -40,7 +41,8 @@ struct RecordingSettings {
   double settle_seconds =
       2;                ///< Steps at the first pose before the recording starts, so that gravity has sagged the hair.
   const Solver* solver = &kCoifSolver;
-  StepSettings step{};  ///< dt comes from fps.
+  StepSettings step{};    ///< dt comes from fps.
+  HairCompany company{};  ///< With kCoifSolver alone, but for a scale. At its first moment while hair settles.
 };
 
 struct RecordedFrame {

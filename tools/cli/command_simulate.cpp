@@ -6,19 +6,28 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "import/pose_clip.h"
 #include "render/picture.h"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace coif {
 namespace {
 
+/// An animation for the hair's bones to follow.
+struct PoseChoice {
+  std::filesystem::path file;
+  float weight = 1;
+};
 
 struct SimulateOptions {
   std::string file;
   std::string output;
   HeadMotion motion;
+  std::optional<PoseChoice> pose;
   RecordingSettings recording;  ///< But for the motion.
   OutputFormat format = OutputFormat::kText;
 };
@@ -59,22 +68,85 @@ tl::expected<std::string, ToolError> choose_motion(const HeadMotion& chosen, Rec
   return std::move(clip->name);
 }
 
-std::string result_text(const SimulateOptions& options, const std::string& motion, const Asset& asset,
-                        const Recording& recording) {
-  if (options.format == OutputFormat::kJson) {
-    return json_text({{"output", options.output},
-                      {"motion", motion},
-                      {"fps", options.recording.fps},
-                      {"frames", recording.frames.size()},
-                      {"bones", asset.bones().size()},
-                      {"stretch_max_pct", 100 * recording.stretch_max},
-                      {"penetration_max_pct", 100 * recording.penetration_max}});
+std::vector<Quat> to_quats(const std::vector<Eigen::Quaterniond>& rotations) {
+  std::vector<Quat> quats;
+  quats.reserve(rotations.size());
+  for (const Eigen::Quaterniond& each : rotations) {
+    const Eigen::Quaternionf q = each.cast<float>();
+    quats.push_back({q.x(), q.y(), q.z(), q.w()});
   }
+  return quats;
+}
+
+/// Has `recording` follow the clip; returns how many bones it has of the asset's.
+tl::expected<std::size_t, ToolError> choose_pose(const PoseChoice& chosen, const Asset& asset,
+                                                 RecordingSettings& recording, const Messages& messages) {
+  if (recording.solver != &kCoifSolver) return usage("--pose is for the solver coif only; leave --solver out");
+  std::vector<PosedBone> bones;
+  for (std::uint32_t i = 0; i < asset.bones().size(); ++i) {
+    const std::uint32_t parent = asset.bones()[i].parent;
+    const char* const name = asset.bone_name(i);
+    bones.push_back({name != nullptr ? name : "", parent == kNone ? -1 : int(parent)});
+  }
+  const auto clip = read_pose_clip(chosen.file, bones);
+  if (!clip) return tl::unexpected(clip.error());
+  for (const std::string& note : (*clip)->notes()) messages.note(chosen.file.string() + ": " + note);
+  recording.company.pose = [clip = *clip](double seconds) { return to_quats(clip->at(seconds)); };
+  recording.company.pose_weight = chosen.weight;
+  return (*clip)->found();
+}
+
+CLI::Option* add_pose(CLI::App& app, std::optional<PoseChoice>& pose) {
+  const auto parse = [&pose](const std::string& word) {
+    const std::size_t colon = word.rfind(':');
+    pose = {word.substr(0, colon)};
+    if (colon == std::string::npos) return;
+    const auto weight = parse_number<float>(std::string_view(word).substr(colon + 1));
+    if (!weight || !(*weight >= 0 && *weight <= 1)) {
+      throw CLI::ValidationError("--pose", fmt::format("'{}': behind the colon stands a weight, 0 to 1", word));
+    }
+    pose->weight = *weight;
+  };
+  return app
+      .add_option_function<std::string>("--pose", parse,
+                                        "An animation of bones with the names of the hair's, in a glTF, that the hair "
+                                        "follows in place of its rest pose; at weight 0 it is the animation, at 1 (default) "
+                                        "that only pulls")
+      ->type_name("CLIP[:WEIGHT]");
+}
+
+struct Played {
+  std::string motion;
+  std::size_t posed_bones = 0;
+};
+
+std::string result_text(const SimulateOptions& options, const Played& played, const Asset& asset,
+                        const Recording& recording) {
+  const std::string& motion = played.motion;
+  if (options.format == OutputFormat::kJson) {
+    nlohmann::ordered_json json = {{"output", options.output},
+                                   {"motion", motion},
+                                   {"fps", options.recording.fps},
+                                   {"frames", recording.frames.size()},
+                                   {"bones", asset.bones().size()},
+                                   {"stretch_max_pct", 100 * recording.stretch_max},
+                                   {"penetration_max_pct", 100 * recording.penetration_max}};
+    if (options.pose) {
+      json["pose"] = printable_text(options.pose->file.string());
+      json["pose_weight"] = options.pose->weight;
+      json["posed_bones"] = played.posed_bones;
+    }
+    return json_text(json);
+  }
+  const std::string pose =
+      !options.pose ? ""
+                    : fmt::format("  {} of the bones follow {} at weight {:g}\n", played.posed_bones,
+                                  printable_text(options.pose->file.filename().string()), options.pose->weight);
   return fmt::format(
-      "{}: motion {}, {} of {} at {} per second\n"
+      "{}: motion {}, {} of {} at {} per second\n{}"
       "  worst stretch {:.2f} % of a bone's length, worst penetration {:.2f} % of the head's radius\n",
       options.output, motion, counted(recording.frames.size(), "frame", "frames"),
-      counted(asset.bones().size(), "bone", "bones"), options.recording.fps, 100 * recording.stretch_max,
+      counted(asset.bones().size(), "bone", "bones"), options.recording.fps, pose, 100 * recording.stretch_max,
       100 * recording.penetration_max);
 }
 
@@ -89,6 +161,12 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
   RecordingSettings settings = options.recording;
   const auto motion = choose_motion(options.motion, settings, messages);
   if (!motion) return tl::unexpected(motion.error());
+  Played played{*motion};
+  if (options.pose) {
+    const auto posed = choose_pose(*options.pose, asset, settings, messages);
+    if (!posed) return tl::unexpected(posed.error());
+    played.posed_bones = *posed;
+  }
   const auto recording = record(asset, settings);
   if (!recording) {
     return tl::unexpected(ToolError{recording.error().kind, options.file + ": " + recording.error().message});
@@ -96,7 +174,7 @@ tl::expected<Exit, ToolError> run_simulate(const SimulateOptions& options, const
   const auto bytes = encode(options, *suffix, asset, *recording);
   if (!bytes) return tl::unexpected(bytes.error());
   if (auto written = write_output(options.output, *bytes); !written) return tl::unexpected(written.error());
-  print_result(result_text(options, *motion, asset, *recording));
+  print_result(result_text(options, played, asset, *recording));
   return Exit::kOk;
 }
 
@@ -112,6 +190,7 @@ Command add_simulate(CLI::App& program) {
       ->required()
       ->type_name("OUT.csv|OUT.glb");
   add_motion(*app, options->motion, "How the head moves")->required();
+  add_pose(*app, options->pose);
   add_recording(*app, recording, "the recording");
   add_number(*app, "--settle", recording.settle_seconds, 0.0, 60.0,
              "Seconds of rest before it, so that gravity has sagged the hair");

@@ -1,0 +1,24 @@
+#include "motion/hair_company.h"
+
+namespace coif {
+
+HairDesc HairCompany::description(const Solver* usual) const {
+  HairDesc desc;
+  desc.solver = usual;
+  if (!colliders && !pose) return desc;
+  if (usual == &kCoifSolver) desc.solver = &kCharacterSolver;
+  if (colliders) desc.moving_colliders = kMaxMovingColliders;
+  desc.follows_poses = bool(pose);
+  return desc;
+}
+
+Status HairCompany::tell(Hair& hair, double seconds) const {
+  if (colliders) {
+    const auto now = colliders(seconds);
+    if (const Status status = hair.set_colliders(0, now); status != Status::kOk) return status;
+  }
+  if (!pose) return Status::kOk;
+  return hair.set_pose(0, pose(seconds), {&pose_weight, 1});
+}
+
+}  // namespace coif
