@@ -19,16 +19,20 @@ coif_cli_case(simulate_unknown_solver EXIT 1 STDERR "--solver: 'magic' is not on
   ARGS simulate a.coif --motion nod --solver magic -o out.csv)
 coif_cli_case(simulate_unknown_suffix EXIT 1 STDERR "coif simulate: error: out.fbx: the suffix must be .csv or .glb"
   ARGS simulate a.coif --motion nod -o out.fbx)
+coif_cli_case(simulate_pose_too_heavy EXIT 1 STDERR "coif simulate: error: --pose: 'sway.glb:1.5': behind the colon stands a weight, 0 to 1"
+  ARGS simulate a.coif --motion nod --pose sway.glb:1.5 -o out.csv)
+coif_cli_case(simulate_pose_of_no_weight EXIT 1 STDERR "--pose: 'sway.glb:soft': behind the colon stands a weight, 0 to 1"
+  ARGS simulate a.coif --motion nod --pose sway.glb:soft -o out.csv)
 coif_cli_case(render_unknown_suffix EXIT 1 STDERR "coif render: error: out.jpg: the suffix must be .png"
   ARGS render a.coif -o out.jpg)
 coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
 coif_cli_case(simulate_too_many_substeps EXIT 1 STDERR "coif simulate: error: --substeps"
   ARGS simulate a.coif --motion nod --substeps 65 -o out.csv)
-coif_cli_case(gallery_help EXIT 0 STDOUT "shifts and exponents.*--only.*1 to 6.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"
+coif_cli_case(gallery_help EXIT 0 STDOUT "shifts and exponents.*--only.*1 to 7.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"
   ARGS gallery --help)
-coif_cli_case(gallery_unknown_number EXIT 1 STDERR "coif gallery: error: --only.*7"
-  ARGS gallery a.coif --only 7 -o sheet.png)
+coif_cli_case(gallery_unknown_number EXIT 1 STDERR "coif gallery: error: --only.*8"
+  ARGS gallery a.coif --only 8 -o sheet.png)
 coif_cli_case(gallery_unknown_suffix EXIT 1 STDERR "coif gallery: error: sheet.jpg: the suffix must be .png"
   ARGS gallery a.coif -o sheet.jpg)
 coif_cli_case(gallery_without_output EXIT 1 STDERR "coif gallery: error: .*--output.*see 'coif gallery --help'" ARGS gallery a.coif)

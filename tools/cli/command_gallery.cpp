@@ -59,11 +59,12 @@ Command add_gallery(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "gallery",
       "Draw the thesis's galleries of an asset on one sheet: components of the shading, shifts and exponents of its "
-      "highlights, colours, motion; and how hair swings, as cooked and by the thesis's Algorithm 1");
+      "highlights, colours, motion; how hair swings, as cooked and by the thesis's Algorithm 1; and what a character brings "
+      "along: a hand through the hair, sizes, an animation");
   const auto options = std::make_shared<GalleryOptions>();
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png");
-  app->add_option("--only", options->only, "One gallery, 1 to 6 (default: all)")->check(CLI::Range(1u, kGalleries));
+  app->add_option("--only", options->only, "One gallery, 1 to 7 (default: all)")->check(CLI::Range(1u, kGalleries));
   add_solver(*app, options->solver)->description("Which method moves the bones of galleries 1 to 5: coif, cascade, passive, thesis");
   add_size(*app, options->size)->description("Pixels of one picture, 64 to 1024 each way");
   add_format(*app, options->format);

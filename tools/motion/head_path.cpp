@@ -162,16 +162,20 @@ tl::unexpected<ToolError> not_simulated(const char* why) {
 
 tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset, const HeadPath* motion,
                                                               std::span<const double> seconds, StepSettings step,
-                                                              const Solver* solver) {
-  const auto pose_at = [motion](double time) { return motion ? motion->pose(time) : HeadPose{}; };
+                                                              const Solver* solver, const HairCompany* company) {
+  const HairCompany beside = company ? *company : HairCompany();
+  const auto pose_at = [&](double time) {
+    HeadPose pose = motion ? motion->pose(time) : HeadPose{};
+    pose.scale = beside.scale;
+    return pose;
+  };
   std::vector<HairPose> poses;
   if (asset.dynamics().empty()) {
     for (const double time : seconds) poses.push_back({pose_at(time), std::vector<Mat34>(asset.bones().size())});
     return poses;
   }
   step.dt = static_cast<float>(1 / kRate);
-  HairDesc desc;
-  desc.solver = solver;
+  const HairDesc desc = beside.description(solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
   if (!memory) return not_simulated("out of memory");
@@ -183,7 +187,9 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
     const int until = motion ? static_cast<int>(std::lround(time * kRate)) : 0;
     while (done < until && status == Status::kOk) {
       ++done;
-      status = hair.set_head(0, pose_at(done > 0 ? done / kRate : 0));
+      const double now = done > 0 ? done / kRate : 0;
+      status = hair.set_head(0, pose_at(now));
+      if (status == Status::kOk) status = beside.tell(hair, now);
       if (status == Status::kOk) status = hair.step(step);
     }
     if (status != Status::kOk) return not_simulated(describe(status));
@@ -194,8 +200,9 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
 }
 
 tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
-                                                const StepSettings& step, const Solver* solver) {
-  auto poses = simulate_poses(asset, motion, {&seconds, 1}, step, solver);
+                                                const StepSettings& step, const Solver* solver,
+                                                const HairCompany* company) {
+  auto poses = simulate_poses(asset, motion, {&seconds, 1}, step, solver, company);
   if (!poses) return tl::unexpected(poses.error());
   return std::move(poses->front());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "motion/hair_company.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -113,13 +114,15 @@ struct HairPose {
 
 /// Runs the runtime at 60 Hz: two seconds at the motion's first pose, so that gravity has sagged the hair, then the
 /// motion up to `seconds`. Without a motion (null): the sagged hair under a head at rest. An asset without dynamics keeps its
-/// rest shape.
+/// rest shape. `company`, which may be null, is at its first moment while the hair sags.
 tl::expected<HairPose, ToolError> simulate_pose(const Asset& asset, const HeadPath* motion, double seconds,
-                                                const StepSettings& step, const Solver* solver = &kCoifSolver);
+                                                const StepSettings& step, const Solver* solver = &kCoifSolver,
+                                                const HairCompany* company = nullptr);
 
 /// The same at several times, ascending.
 tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset, const HeadPath* motion,
                                                               std::span<const double> seconds, StepSettings step,
-                                                              const Solver* solver = &kCoifSolver);
+                                                              const Solver* solver = &kCoifSolver,
+                                                              const HairCompany* company = nullptr);
 
 }  // namespace coif

@@ -41,16 +41,16 @@ struct SheetSection {
 /// All tiles have the first one's size; `columns` (> 0) of them make a row. ASCII only.
 [[nodiscard]] Picture contact_sheet(std::span<const SheetSection> sections, std::uint32_t columns);
 
-// The five galleries of the thesis and one of how hair swings, taken of any asset.
+// The five galleries of the thesis, one of how hair swings and one of hair on a character, taken of any asset.
 
-inline constexpr std::uint32_t kGalleries = 6;
+inline constexpr std::uint32_t kGalleries = 7;
 inline constexpr std::uint32_t kGalleryColumns = 6;
 
 struct GallerySettings {
   std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
   std::uint32_t height = 320;
   std::uint32_t only = 0;                ///< One gallery, 1..kGalleries; 0: all.
-  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two.
+  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two, and the last has its own.
 };
 
 struct GalleryPicture {
@@ -66,7 +66,8 @@ struct Gallery {
 };
 
 /// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as
-/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1.
+/// moments one after the other, 6 what hair does when the head has been charging: as cooked, and by Algorithm 1, 7 what a character
+/// brings along: a hand that goes through the hair, other sizes under the same gravity, a pose that the hair follows.
 [[nodiscard]] std::vector<Gallery> thesis_galleries(const Asset& asset, const GallerySettings& settings);
 
 struct GallerySheet {

@@ -28,9 +28,10 @@ std::vector<double> moments_until(double time) {
 
 tl::expected<std::vector<Eigen::Vector3d>, ToolError> points_in_motion(const Asset& asset, const HeadPath* path,
                                                                        double time, const StepSettings& step,
-                                                                       const Solver* solver) {
+                                                                       const Solver* solver,
+                                                                       const HairCompany* company) {
   const std::vector<double> moments = path != nullptr ? moments_until(time) : std::vector<double>{0};
-  const auto poses = simulate_poses(asset, path, moments, step, solver);
+  const auto poses = simulate_poses(asset, path, moments, step, solver, company);
   if (!poses) return tl::unexpected(poses.error());
   const std::vector<SolidMesh> head = mannequin_meshes(asset.colliders());
   const std::size_t stride = 1 + asset.vertices().size() * poses->size() / kMostPoints;

@@ -92,6 +92,10 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
       meshes.push_back(std::move(mesh));
     }
   }
+  if (settings.company && settings.company->colliders) {
+    const auto moving = settings.company->colliders(settings.time);
+    for (SolidMesh& mesh : moving_meshes(moving, pose.head)) meshes.push_back(std::move(mesh));
+  }
   if (settings.patches) {
     std::vector<SolidMesh> patches = patch_surfaces(asset, pose.palette, settings.lod);
     if (settings.marked_patch) mark_patch(*settings.marked_patch, patches);
@@ -146,7 +150,7 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
   const Vec3& wind = settings.step.environment.wind;
   const bool is_still = path == nullptr && wind.x == 0 && wind.y == 0 && wind.z == 0;
   if (is_still) return framed_points(asset);
-  return points_in_motion(asset, path, settings.time, settings.step, settings.solver);
+  return points_in_motion(asset, path, settings.time, settings.step, settings.solver, settings.company.get());
 }
 
 }  // namespace
@@ -193,10 +197,12 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto path = played_path(asset, settings);
   constexpr double kFrame = 1.0 / 60;  // seconds
   const double moments[2] = {std::max(settings.time - kFrame, 0.0), settings.time};
-  const auto poses = simulate_poses(asset, path.get(), moments, settings.step, settings.solver);
+  auto poses =
+      simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
   if (!poses) return tl::unexpected(poses.error());
+  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, poses->back());
+  for (HairPose& each : *poses) each.head.scale = 1;  // in the hair's own metres, as it is framed
   const HairPose &before = poses->front(), &pose = poses->back();
-  const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, pose);
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr && !settings.colliders) {
     auto made = StudioShadow::create(loaded_->device->renderer, loaded_->device->context.loader(),

@@ -88,6 +88,30 @@ std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> collider
   return meshes;
 }
 
+std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, const HeadPose& head) {
+  const auto from = [](const Quat& q) { return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(); };
+  const Eigen::Map<const Eigen::Vector3d> origin(head.position);
+  const Eigen::Quaterniond to_head = from(head.rotation).conjugate();
+  std::vector<SolidMesh> meshes;
+  for (const MovingCollider& collider : colliders) {
+    const bool is_ball = collider.shape == ColliderShape::kSphere;
+    if (!is_ball && collider.shape != ColliderShape::kCapsule) continue;
+    const Eigen::Map<const Eigen::Vector3d> place(collider.center);
+    const Eigen::Vector3d own_axis(collider.axis.x, collider.axis.y, collider.axis.z);
+    ColliderRecord record{};
+    record.shape = collider.shape;
+    record.rotation[3] = 1;
+    Eigen::Map<Eigen::Vector3f>(record.center) = (to_head * (place - origin) / head.scale).cast<float>();
+    if (!is_ball) {
+      Eigen::Map<Eigen::Vector3f>(record.axis) =
+          (to_head * (from(collider.rotation) * own_axis) / head.scale).cast<float>();
+    }
+    std::ranges::fill(record.radii, collider.radius / head.scale);
+    meshes.push_back(mannequin_mesh(record));
+  }
+  return meshes;
+}
+
 namespace {
 
 /// For each node how much of the head's turning it does; empty where nothing follows the head's bone.

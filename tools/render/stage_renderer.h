@@ -7,6 +7,7 @@
 
 #include <coif/asset.h>
 #include <coif/asset_records.h>
+#include <coif/character.h>
 #include <coif/math.h>
 #include <coif/renderer.h>
 #include <coif/shadow.h>
@@ -36,6 +37,9 @@ struct SolidMesh {
 /// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,
 /// which would hide it.
 [[nodiscard]] std::vector<SolidMesh> mannequin_meshes(std::span<const ColliderRecord> colliders);
+
+/// Colliders of the game as they are beside a head at `head`, in its space: balls and capsules, what else there is is left out.
+[[nodiscard]] std::vector<SolidMesh> moving_meshes(std::span<const MovingCollider> colliders, const HeadPose& head);
 
 /// How a body that stays where it is follows its head's turning.
 struct BodyTurn {
