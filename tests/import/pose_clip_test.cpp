@@ -21,9 +21,10 @@ double turn_of(double seconds) { return 0.8 * seconds; }
 /// A head with hair on it: head > a > b.
 ClipDocument hair() {
   ClipDocument clip;
-  clip.document["nodes"] = json::array({{{"name", "head"}, {"children", {1}}},
-                                        {{"name", "a"}, {"children", {2}}, {"rotation", {0, 0, std::sqrt(0.5), std::sqrt(0.5)}}},
-                                        {{"name", "b"}}});
+  clip.document["nodes"] =
+      json::array({{{"name", "head"}, {"children", {1}}},
+                   {{"name", "a"}, {"children", {2}}, {"rotation", {0, 0, std::sqrt(0.5), std::sqrt(0.5)}}},
+                   {{"name", "b"}}});
   return clip;
 }
 

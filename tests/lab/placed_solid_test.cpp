@@ -91,7 +91,8 @@ TEST(PlacedSolid, CountsTheEndAloneOfWhatStartsInside) {
   const Vector3d start(0.05, 0, 0);
   EXPECT_EQ(avoidable_depth(solid, {start, -Vector3d::UnitX(), 0.2, 0}), 0) << "out on the other side";
   EXPECT_NEAR(avoidable_depth(solid, {start, Vector3d::UnitX(), 0.02, 0}), 0, 1e-8) << "too short to come out";
-  EXPECT_NEAR(avoidable_depth(solid, {start, -Vector3d::UnitX(), 0.02, 0}), 0.04, 1e-8) << "could be nearer the surface";
+  EXPECT_NEAR(avoidable_depth(solid, {start, -Vector3d::UnitX(), 0.02, 0}), 0.04, 1e-8)
+      << "could be nearer the surface";
 }
 
 TEST(MovingMeter, KeepsTheWorstAndWhereItWas) {

@@ -35,7 +35,8 @@ TEST(CharacterCases, AreMoreThanEightThatLeaveNoBoneInside) {
 
 TEST(CharacterCases, MoveTheHair) {
   for (Stress stress : character_cases()) {
-    if (stress.about.name.find("sphere") == std::string::npos && stress.about.name.find("pinched") == std::string::npos) continue;
+    if (stress.about.name.find("sphere") == std::string::npos && stress.about.name.find("pinched") == std::string::npos)
+      continue;
     const double pushed = run(stress, ChainModel::kCascade).max_speed;
     stress.colliders = [](const HairPlace&, double) { return std::vector<MovingCollider>(); };
     EXPECT_GT(pushed, 1.2 * run(stress, ChainModel::kCascade).max_speed) << stress.about.name;

@@ -127,8 +127,8 @@ TEST_F(CostTest, FeaturesAreThoseOfTheAsset) {
 TEST_F(CostTest, WhatACharacterBringsAlongHasARowEach) {
   const auto report = measure(hair_.asset(), quick());
   ASSERT_TRUE(report);
-  for (const char* name : {"scale", "character", "collider-far", "4-colliders-far", "collider-near", "4-colliders-near", "pose",
-                           "half-pose"}) {
+  for (const char* name : {"scale", "character", "collider-far", "4-colliders-far", "collider-near", "4-colliders-near",
+                           "pose", "half-pose"}) {
     ASSERT_NE(feature(*report, name), nullptr) << name;
     EXPECT_GT(feature(*report, name)->ns_per_bone_frame, 0) << name;
   }

@@ -158,7 +158,8 @@ std::string csv_field(std::string_view text) {
 Eigen::Vector3d to_world(const HeadPose& head, const Vec3& point) {
   const Quat& q = head.rotation;
   const Eigen::Quaterniond rotation(double(q.w), double(q.x), double(q.y), double(q.z));
-  return rotation * (to_eigen(point).cast<double>() * double(head.scale)) + Eigen::Map<const Eigen::Vector3d>(head.position);
+  return rotation * (to_eigen(point).cast<double>() * double(head.scale)) +
+         Eigen::Map<const Eigen::Vector3d>(head.position);
 }
 
 }  // namespace

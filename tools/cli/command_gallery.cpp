@@ -59,7 +59,8 @@ Command add_gallery(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "gallery",
       "Draw the thesis's galleries of an asset on one sheet: components of the shading, shifts and exponents of its "
-      "highlights, colours, motion; how hair swings, as cooked and by the thesis's Algorithm 1; and what a character brings "
+      "highlights, colours, motion; how hair swings, as cooked and by the thesis's Algorithm 1; and what a character "
+      "brings "
       "along: a hand through the hair, sizes, an animation");
   const auto options = std::make_shared<GalleryOptions>();
   app->add_option("FILE", options->file, "A cooked asset")->required();

@@ -108,10 +108,11 @@ CLI::Option* add_pose(CLI::App& app, std::optional<PoseChoice>& pose) {
     pose->weight = *weight;
   };
   return app
-      .add_option_function<std::string>("--pose", parse,
-                                        "An animation of bones with the names of the hair's, in a glTF, that the hair "
-                                        "follows in place of its rest pose; at weight 0 it is the animation, at 1 (default) "
-                                        "that only pulls")
+      .add_option_function<std::string>(
+          "--pose", parse,
+          "An animation of bones with the names of the hair's, in a glTF, that the hair "
+          "follows in place of its rest pose; at weight 0 it is the animation, at 1 (default) "
+          "that only pulls")
       ->type_name("CLIP[:WEIGHT]");
 }
 

@@ -21,7 +21,8 @@ using Eigen::Quaterniond;
 using nlohmann::json;
 
 constexpr std::uint64_t kMostPoseBytes = std::uint64_t{1} << 30;
-constexpr std::size_t kMostPoseNumbers = 16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
+constexpr std::size_t kMostPoseNumbers =
+    16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
 constexpr const char* kExportPose = "export the clip again as .glb";
 
 Quaterniond turn_of(const Eigen::Affine3d& place) { return Quaterniond(rotation_part(place)).normalized(); }
@@ -51,9 +52,7 @@ std::vector<Quaterniond> PoseClip::at(double seconds) const {
   return rotations;
 }
 
-std::size_t PoseClip::found() const {
-  return of_bone_.size() - std::size_t(std::ranges::count(of_bone_, kNoNode));
-}
+std::size_t PoseClip::found() const { return of_bone_.size() - std::size_t(std::ranges::count(of_bone_, kNoNode)); }
 
 /// Fills a PoseClip. Errors are sentences without the file's name.
 class PoseReader {
@@ -66,8 +65,9 @@ class PoseReader {
       if (auto found = find(bone); !found) return tl::unexpected(found.error());
     }
     if (clip_->found() == 0) {
-      return fault("no node has the name of one of the hair's {}; name the clip's nodes as 'coif info -v' names the bones",
-                   counted(bones.size(), "bone", "bones"));
+      return fault(
+          "no node has the name of one of the hair's {}; name the clip's nodes as 'coif info -v' names the bones",
+          counted(bones.size(), "bone", "bones"));
     }
     for (std::size_t i = 0; i < bones.size(); ++i) clip_->from_.push_back(parent_frame(bones, i));
     if (auto read = read_animation(); !read) return tl::unexpected(read.error());

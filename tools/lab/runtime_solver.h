@@ -19,7 +19,7 @@ namespace coif {
 struct SolverScene {
   Eigen::Vector3d gravity{0, -9.81, 0};            ///< World, m/s^2.
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();  ///< World, m/s.
-  std::uint32_t moving_colliders = 0;              ///< Most that will be given at once; above 0 of kCharacterSolver alone.
+  std::uint32_t moving_colliders = 0;  ///< Most that will be given at once; above 0 of kCharacterSolver alone.
 };
 
 /// A way to move the bones of one head: the runtime's solvers, the reference, and what others do, behind one interface

@@ -160,7 +160,8 @@ Eigen::Vector3d hanging_hair(const Asset& asset) {
 MovingCollider arm_at(const Eigen::Vector3d& hair, double seconds) {
   constexpr double kAside = 0.25, kLength = 0.3;
   const Eigen::Vector3d level(hair.x(), 0, hair.z());
-  const Eigen::Vector3d out = level.norm() > 1e-3 ? Eigen::Vector3d(level.normalized()) : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d out =
+      level.norm() > 1e-3 ? Eigen::Vector3d(level.normalized()) : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d aside = Eigen::Vector3d::UnitY().cross(out);
   const Eigen::Vector3d begin = hair - aside * (kAside * std::cos(std::numbers::pi * seconds)) - out * 0.06;
   MovingCollider arm;
@@ -207,7 +208,8 @@ std::vector<Quat> swaying(const Asset& asset, double seconds) {
   std::vector<Quat> rotations(asset.bones().size());
   const double half = 0.12 * std::sin(2 * std::numbers::pi * seconds);
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    if (asset.bones()[i].kind == BoneKind::kSimulated) rotations[i] = {0, 0, float(std::sin(half)), float(std::cos(half))};
+    if (asset.bones()[i].kind == BoneKind::kSimulated)
+      rotations[i] = {0, 0, float(std::sin(half)), float(std::cos(half))};
   }
   return rotations;
 }

@@ -50,7 +50,7 @@ struct GallerySettings {
   std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
   std::uint32_t height = 320;
   std::uint32_t only = 0;                ///< One gallery, 1..kGalleries; 0: all.
-  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two, and the last has its own.
+  const Solver* solver = &kCoifSolver;   ///< Of the first five; the sixth compares two, and the last has its own.
 };
 
 struct GalleryPicture {

@@ -288,9 +288,12 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   if (!report.stroke.empty()) {
     page.heading("With a hand in it");
     page.paragraph(
-        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the same hand "
-        "3840 times a second. What that differs by from half as many steps is beside it: smaller errors say nothing. Penetration is "
-        "the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that start in there aside.");
+        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the "
+        "same hand "
+        "3840 times a second. What that differs by from half as many steps is beside it: smaller errors say nothing. "
+        "Penetration is "
+        "the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that start in there "
+        "aside.");
     page.table(page_table(stroke_columns(), report.stroke));
   }
   page.heading("Every measurement");

@@ -149,7 +149,7 @@ struct AccuracyReport {
   std::vector<OwnReferenceRow> own_reference;
   std::vector<SettleRow> settle;
   Swings swings;
-  std::vector<StrokeRow> stroke;  ///< Of the whole suite with `coif`; else empty.
+  std::vector<StrokeRow> stroke;       ///< Of the whole suite with `coif`; else empty.
   double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
   double conditioned_share = 0;        ///< Of the bones: given other numbers than the artist's, so as to have one motion.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.

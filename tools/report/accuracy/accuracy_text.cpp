@@ -175,10 +175,12 @@ namespace {
 std::string stroke_text(const AccuracyReport& report) {
   std::vector<StrokeRow> shown;
   const double fps = main_frame_rate(report);
-  std::ranges::copy_if(report.stroke, std::back_inserter(shown), [fps](const StrokeRow& row) { return row.fps == fps; });
+  std::ranges::copy_if(report.stroke, std::back_inserter(shown),
+                       [fps](const StrokeRow& row) { return row.fps == fps; });
   if (shown.empty()) return "";
   return text_heading(stroke_columns()) + text_lines(stroke_columns(), shown) +
-         "  coif on a character, a hand stroking its hair, against the same at 3840 steps a second; reference: those against 1920\n";
+         "  coif on a character, a hand stroking its hair, against the same at 3840 steps a second; reference: those "
+         "against 1920\n";
 }
 
 }  // namespace
@@ -195,12 +197,13 @@ std::string accuracy_text(const ReportHeading& heading, const AccuracyReport& re
   const auto columns = accuracy_columns(report.budget_rms_pct);
   const std::size_t motions = averaged_motions(report).size();
   return heading_text(heading) + "\n" + text_heading(columns) + text_lines(columns, shown) +
-         fmt::format("  at {} per second, over {}; *: nothing is both cheaper and more exact\n"
-                     "  ns of coif, cascade, passive and thesis are of the library: float, in lanes, matrices included; of the "
-                     "others of double, one bone after the other\n",
-                     fps, counted(motions, "motion", "motions")) +
-         swings_text(report) + stroke_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) + "\n" +
-         line_of(own_reference_summary(report)) + line_of(numbers_read(report));
+         fmt::format(
+             "  at {} per second, over {}; *: nothing is both cheaper and more exact\n"
+             "  ns of coif, cascade, passive and thesis are of the library: float, in lanes, matrices included; of the "
+             "others of double, one bone after the other\n",
+             fps, counted(motions, "motion", "motions")) +
+         swings_text(report) + stroke_text(report) + accuracy_summary(report) + "\n" + reference_summary(report) +
+         "\n" + line_of(own_reference_summary(report)) + line_of(numbers_read(report));
 }
 
 Table spread_table(const AccuracyReport& report) {

@@ -50,7 +50,8 @@ class AccuracyMeasurement {
 
  private:
   [[nodiscard]] static bool has_ours(std::span<const MeasuredSolver* const> solvers) {
-    return std::ranges::any_of(solvers, [](const MeasuredSolver* one) { return one->name == solver_on_a_character().name; });
+    return std::ranges::any_of(solvers,
+                               [](const MeasuredSolver* one) { return one->name == solver_on_a_character().name; });
   }
 
   [[nodiscard]] std::vector<int> efforts_of(const MeasuredSolver& solver) const {

@@ -71,7 +71,8 @@ class Stroke {
   /// As the references of other motions are: twice, the second time with steps of double length.
   [[nodiscard]] ReferenceRun converged(const std::vector<double>& times, double steps_per_second) const {
     MotionTrial trials[2];
-    parallel_for(2, all_threads(), [&](std::size_t i) { trials[i] = run(times, steps_per_second / double(i + 1), 1).trial; });
+    parallel_for(2, all_threads(),
+                 [&](std::size_t i) { trials[i] = run(times, steps_per_second / double(i + 1), 1).trial; });
     ReferenceRun reference{.times = times, .agreement = {}, .places = {}};
     const std::size_t tips = sample_.rig.tips.size();
     for (std::size_t tip = 0; tip < tips; ++tip) {

@@ -16,11 +16,12 @@ namespace coif {
 /// against the same solver told of the same hand at far shorter steps: how much is lost by frames, not by the model.
 struct StrokeRow {
   double fps = 0;
-  std::uint32_t substeps = 1;      ///< Of each frame.
+  std::uint32_t substeps = 1;        ///< Of each frame.
   double rms_error_pct = kNoNumber;  ///< Distance of tips, head space, in % of the chain's length.
   double max_error_pct = kNoNumber;
-  double self_difference_pct = kNoNumber;  ///< Of what that is against: RMS distance to a run with steps of twice the length.
-  double of_motion_pct = kNoNumber;        ///< The RMS error in % of how far the tips are from their rest, RMS too.
+  double self_difference_pct =
+      kNoNumber;                     ///< Of what that is against: RMS distance to a run with steps of twice the length.
+  double of_motion_pct = kNoNumber;  ///< The RMS error in % of how far the tips are from their rest, RMS too.
   double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
   double penetration_max_pct = kNoNumber;  ///< Deepest that any part of a bone was in the hand, in % of its radius.
 };

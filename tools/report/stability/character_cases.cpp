@@ -85,10 +85,10 @@ void add_hands(std::vector<Stress>& all) {
   constexpr double kSpeed = 3;
   const std::pair<const char*, std::function<MovingCollider(const HairPlace&, const Vector3d&)>> shapes[] = {
       {"sphere", [](const HairPlace&, const Vector3d& place) { return ball(place, kHand / 2); }},
-      {"capsule",
-       [](const HairPlace& hair, const Vector3d& place) { return bar(place, 0.2 * hair.outward, kHand / 2, kHand / 2); }},
-      {"tapered capsule",
-       [](const HairPlace& hair, const Vector3d& place) { return bar(place, 0.2 * hair.outward, kHand / 2, kHand / 3); }},
+      {"capsule", [](const HairPlace& hair,
+                     const Vector3d& place) { return bar(place, 0.2 * hair.outward, kHand / 2, kHand / 2); }},
+      {"tapered capsule", [](const HairPlace& hair,
+                             const Vector3d& place) { return bar(place, 0.2 * hair.outward, kHand / 2, kHand / 3); }},
       {"box",
        [](const HairPlace&, const Vector3d& place) {
          return block(place, {0.015, 0.015, 0.06}, 0.005, turn_about({0.3, 1, 0.2}, 0.7));
@@ -110,7 +110,8 @@ void add_squeezes(std::vector<Stress>& all) {
   all.push_back(with_colliders(
       "between hand and head", "a fist pushes the hair against the head, half a centimetre into it, and lets go",
       [](const HairPlace& hair, double seconds) {
-        const double height = std::clamp(hair.middle.y() - hair.head.y(), -0.5 * hair.head_radius, 0.5 * hair.head_radius);
+        const double height =
+            std::clamp(hair.middle.y() - hair.head.y(), -0.5 * hair.head_radius, 0.5 * hair.head_radius);
         const double level = std::sqrt(hair.head_radius * hair.head_radius - height * height);
         const double pushed = kWayOut * (0.5 + 0.5 * std::cos(kHalfTurn * seconds));
         const Vector3d contact = hair.head + Vector3d(0, height, 0) + hair.outward * level;
@@ -144,13 +145,15 @@ void add_jumps(std::vector<Stress>& all) {
                                  const double place = std::floor(std::fmod(4 * seconds, 3.0)) - 1;
                                  return Colliders{ball(hair.middle + sideways(hair) * (2 * place), kHand)};
                                }));
-  all.push_back(with_colliders(
-      "collider not a number", "a hand to and fro whose place fails now and then", [](const HairPlace& hair, double seconds) {
-        MovingCollider hand = ball(passing(hair, seconds, 1), kHand);
-        if (std::fmod(seconds, 0.5) > 0.45) hand.center[1] = std::numeric_limits<double>::quiet_NaN();
-        return Colliders{hand};
-      }));
-  all.push_back(with_colliders("colliders of no radius", "a point, a line, a plate and a cone with a point, through the hair",
+  all.push_back(with_colliders("collider not a number", "a hand to and fro whose place fails now and then",
+                               [](const HairPlace& hair, double seconds) {
+                                 MovingCollider hand = ball(passing(hair, seconds, 1), kHand);
+                                 if (std::fmod(seconds, 0.5) > 0.45)
+                                   hand.center[1] = std::numeric_limits<double>::quiet_NaN();
+                                 return Colliders{hand};
+                               }));
+  all.push_back(with_colliders("colliders of no radius",
+                               "a point, a line, a plate and a cone with a point, through the hair",
                                [](const HairPlace& hair, double seconds) {
                                  const Vector3d place = passing(hair, seconds, 1);
                                  return Colliders{ball(place, 0), bar(place, 0.1 * hair.outward, 0, 0),
@@ -187,18 +190,20 @@ void add_turns(std::vector<Stress>& all) {
 }
 
 void add_sizes(std::vector<Stress>& all) {
-  Stress crowd = with_colliders("sixteen colliders", "balls of 1 to 4 cm on ways of their own through the hair, the head shaken",
-                                [](const HairPlace& hair, double seconds) {
-                                  Colliders balls;
-                                  for (std::uint32_t i = 0; i < kMaxMovingColliders; ++i) {
-                                    const double own = double(i), t = seconds * (1 + 0.2 * own);
-                                    const Vector3d off(std::sin(2 * t + own), std::sin(1.3 * t + 2 * own),
-                                                       std::cos(1.7 * t + own));
-                                    balls.push_back(ball(hair.middle + 0.15 * off, 0.01 + 0.002 * own));
-                                  }
-                                  return balls;
-                                });
-  crowd.head = [path = std::shared_ptr<HeadPath>(path_of(Motion::kTurn))](double seconds) { return path->pose(seconds); };
+  Stress crowd = with_colliders(
+      "sixteen colliders", "balls of 1 to 4 cm on ways of their own through the hair, the head shaken",
+      [](const HairPlace& hair, double seconds) {
+        Colliders balls;
+        for (std::uint32_t i = 0; i < kMaxMovingColliders; ++i) {
+          const double own = double(i), t = seconds * (1 + 0.2 * own);
+          const Vector3d off(std::sin(2 * t + own), std::sin(1.3 * t + 2 * own), std::cos(1.7 * t + own));
+          balls.push_back(ball(hair.middle + 0.15 * off, 0.01 + 0.002 * own));
+        }
+        return balls;
+      });
+  crowd.head = [path = std::shared_ptr<HeadPath>(path_of(Motion::kTurn))](double seconds) {
+    return path->pose(seconds);
+  };
   all.push_back(std::move(crowd));
   const auto scale_at = [](double seconds) { return std::exp2(-std::cos(kHalfTurn * seconds)); };
   Stress growing = with_colliders("head grows beside a hand",

@@ -175,8 +175,8 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   const Rig rig = solver.model ? in_model(sample_.rig, *solver.model) : sample_.rig;
   SolverScene scene = stress_.scene;
   if (stress_.colliders) scene.moving_colliders = kMaxMovingColliders;
-  const SolverAtWork at_work = make_solver(stress_.colliders ? solver_on_a_character() : solver, asset_, sample_, scene,
-                                           solver.efforts.front());
+  const SolverAtWork at_work =
+      make_solver(stress_.colliders ? solver_on_a_character() : solver, asset_, sample_, scene, solver.efforts.front());
   StressRun watched(rig, top_speed_, *at_work.solver);
   HeadPose head = stress_.head(0);
   at_work.solver->reset(head);
