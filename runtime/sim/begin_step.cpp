@@ -20,11 +20,14 @@ bool same(const DynamicsScale& a, const DynamicsScale& b) {
   return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
 }
 
-/// False where hair at rest under the one would move under the other.
+}  // namespace
+
 bool rests_under_both(const StepSettings& a, const StepSettings& b) {
   return a.environment.gravity == b.environment.gravity && a.environment.wind == b.environment.wind &&
          same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
 }
+
+namespace {
 
 void wake_all(CrowdState& crowd) {
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
@@ -155,14 +158,33 @@ void set_row_coefficients(CrowdState& crowd, std::size_t index, const StepTerms&
 }
 
 /// Nothing where they are those of the interval's last step.
-void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, const DynamicsScale& scale) {
-  IntervalStep& interval = crowd.intervals[interval_power];
-  const float dt = interval.parts.part_dt();
-  if (interval.terms.dt == dt && same(interval.terms.scale, scale)) return;
-  interval.terms = {dt, scale};
-  const std::size_t bytes = crowd.coefficient_bytes;
-  std::byte* const all = crowd.coefficients.data() + interval_power * crowd.row_bone_count() * bytes;
-  for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, interval.terms, all);
+void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::uint32_t set,
+                        const DynamicsScale& scale) {
+  const float dt = crowd.intervals[interval_power].parts.part_dt();
+  const std::uint32_t table = set * crowd.interval_count + interval_power;
+  StepTerms& terms = crowd.terms[table];
+  if (terms.dt == dt && same(terms.scale, scale)) return;
+  terms = {dt, scale};
+  std::byte* const all = crowd.coefficients.data() + table * crowd.row_bone_count() * crowd.coefficient_bytes;
+  for (std::size_t row = 0; row < crowd.rows.size(); ++row) set_row_coefficients(crowd, row, terms, all);
+}
+
+/// What a set of dynamics and the step multiply by.
+DynamicsScale scale_of(const CrowdState& crowd, std::uint32_t set, const DynamicsScale& all) {
+  if (crowd.set_scales.empty()) return all;
+  const DynamicsScale& own = crowd.set_scales[set];
+  return {smaller(own.stiffness * all.stiffness, kMostScale), smaller(own.damping * all.damping, kMostScale),
+          smaller(own.friction * all.friction, kMostScale)};
+}
+
+void renew_interval(CrowdState& crowd, std::uint32_t power, const StepSettings& settings) {
+  IntervalStep& interval = crowd.intervals[power];
+  if (interval.due_sets == 0) return;
+  interval.parts = parts_of(crowd, settings, last_frames(crowd, 1u << power));
+  for (std::uint32_t left = interval.due_sets; left != 0; left &= left - 1) {
+    const auto set = std::uint32_t(std::countr_zero(left));
+    renew_coefficients(crowd, power, set, scale_of(crowd, set, settings.dynamics));
+  }
 }
 
 bool is_still(const HeadLanes& heads, std::uint32_t i) {
@@ -185,21 +207,23 @@ void choose_blocks(CrowdState& crowd) {
   for (std::uint32_t block = 0; block < crowd.treatments.size(); ++block) {
     const std::uint32_t treatment = crowd.treatments[block];
     if (treatment == kIdle || !has_its_turn(crowd, treatment)) continue;
-    crowd.intervals[interval_power_of(crowd, treatment)].is_due = true;
+    crowd.intervals[interval_power_of(crowd, treatment)].due_sets |= 1u << set_of(crowd, treatment);
     crowd.jobs[crowd.job_count++] = block;
   }
 }
 
 }  // namespace
 
+bool fits(const DynamicsScale& scale) {
+  return is_within(scale.stiffness, 0.0f, kMostScale) && is_within(scale.damping, 0.0f, kMostScale) &&
+         is_within(scale.friction, 0.0f, kMostScale);
+}
+
 Status check_settings(const StepSettings& settings) {
   if (!is_within(settings.dt, 0.0f, std::numeric_limits<float>::max())) return Status::kBadTimeStep;
   if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
   if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
-  const DynamicsScale& scale = settings.dynamics;
-  const bool scales_fit = is_within(scale.stiffness, 0.0f, kMostScale) && is_within(scale.damping, 0.0f, kMostScale) &&
-                          is_within(scale.friction, 0.0f, kMostScale);
-  if (!scales_fit || !is_within(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
+  if (!fits(settings.dynamics) || !is_within(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
   if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
   if (!(settings.sleep_after >= 0.0f && settings.sleep_speed >= 0.0f)) return Status::kBadArgument;
   return check_environment(settings.environment);
@@ -217,13 +241,10 @@ void begin_step(CrowdState& crowd, const StepSettings& settings) {
   ++crowd.step_index;
   for (std::uint32_t i = kMaxInterval - 1; i > 0; --i) crowd.last_dts[i] = crowd.last_dts[i - 1];
   crowd.last_dts[0] = settings.dt;
-  for (IntervalStep& interval : crowd.intervals) interval.is_due = false;
+  if (crowd.character.code != nullptr) crowd.character.code->pass_time(crowd, settings.dt);
+  for (IntervalStep& interval : crowd.intervals) interval.due_sets = 0;
   choose_blocks(crowd);
-  for (std::uint32_t power = 0; power < crowd.interval_count; ++power) {
-    if (!crowd.intervals[power].is_due) continue;
-    crowd.intervals[power].parts = parts_of(crowd, settings, last_frames(crowd, 1u << power));
-    renew_coefficients(crowd, power, settings.dynamics);
-  }
+  for (std::uint32_t power = 0; power < crowd.interval_count; ++power) renew_interval(crowd, power, settings);
 }
 
 void finish_step(CrowdState& crowd) {

@@ -3,6 +3,7 @@
 namespace coif {
 
 const Solver kCascadeSolver{.state_bytes = sizeof(CoifState),
+                            .velocity_at = offsetof(CoifState, velocity),
                             .coefficient_bytes = sizeof(CoifCoefficients),
                             .scratch_bytes = 0,
                             .scratch_from = 0,

@@ -2,6 +2,7 @@
 
 #include <coif/hair.h>
 
+#include "character_air.h"
 #include "followed_pose.h"
 #include "memory_carver.h"
 #include "vector_math.h"
@@ -26,6 +27,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::
   character.body_sets = carver.take<std::uint32_t>(character.body_colliders != 0 ? row_bones * kLanes : 0);
   character.poses = carver.take<PoseLanes>(desc.follows_poses ? states : 0);
   character.is_posed = carver.take<std::uint8_t>(desc.follows_poses ? desc.instances : 0);
+  carve_air(carver, desc, blocks, character);
 }
 
 /// How far from the head's position the bones of a chain get, whatever way they are turned.
@@ -81,6 +83,7 @@ void set_up(const CrowdState& crowd, std::uint32_t index, std::int32_t only_head
   const Block& block = crowd.blocks[index];
   const bool by_heads = only_head < 0;
   to.only_head = only_head;
+  set_up_air(from, index, to);
   to.body_colliders = from.body_colliders;
   to.poses = any_posed(crowd, block) ? &from.poses[state] : nullptr;
   to.collider_count = 0;
@@ -124,8 +127,10 @@ void appear(CrowdState& crowd, std::uint32_t slot) {
 
 const CharacterCode kCharacterCode{.carve = &carve,
                                    .create = &create,
+                                   .pass_time = &pass_time,
                                    .begin = &begin_colliders,
                                    .set_up = &set_up,
+                                   .blow = &blow,
                                    .finish = &finish,
                                    .appear = &appear};
 

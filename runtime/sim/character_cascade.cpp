@@ -3,6 +3,7 @@
 namespace coif {
 
 const Solver kCharacterCascadeSolver{.state_bytes = sizeof(CoifState),
+                                     .velocity_at = offsetof(CoifState, velocity),
                                      .coefficient_bytes = sizeof(CoifCoefficients),
                                      .carries_frames = true,
                                      .has_substeps = true,

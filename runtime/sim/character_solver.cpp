@@ -5,8 +5,9 @@ namespace coif {
 namespace {
 
 const Solver kPassive{.state_bytes = sizeof(PassiveState),
+                      .velocity_at = offsetof(PassiveState, velocity),
                       .coefficient_bytes = sizeof(PassiveCoefficients),
-                      .scratch_bytes = kPassiveScratch,
+                      .scratch_bytes = kCharacterScratch,
                       .scratch_from = kPassiveBonesOnStack,
                       .has_substeps = true,
                       .character = &kCharacterCode,

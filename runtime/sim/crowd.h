@@ -44,8 +44,7 @@ inline constexpr std::uint32_t kIdle = 0;          ///< The treatment of heads t
 /// What has to be known to step all blocks of one interval.
 struct IntervalStep {
   StepParts parts;
-  StepTerms terms;  ///< Of the coefficients at hand; dt 0: none yet.
-  bool is_due = false;
+  std::uint32_t due_sets = 0;  ///< A bit for each set of dynamics of which some head is stepped.
 };
 
 /// What a character brings along, as far as the hair was asked to know it. Empty under other solvers.
@@ -62,6 +61,9 @@ struct CharacterState {
   std::span<std::uint32_t> body_sets;   ///< Per bone of the rows, per lane.
   std::span<PoseLanes> poses;           ///< As CrowdState::states.
   std::span<std::uint8_t> is_posed;     ///< Per instance.
+  std::span<HeadAir> airs;              ///< Per instance.
+  std::span<GustLanes> gust_lanes;      ///< Per block: during a part of a step.
+  std::span<GustField> gusts;           ///< One, or none.
 };
 
 /// Arrays "per block" or "per instance" hold one value for each.
@@ -77,12 +79,15 @@ struct CrowdState {
 
   std::span<Row> rows;
   std::span<RowBone> row_bones;
-  std::span<BoneLanes> constants;     ///< Per bone of the rows.
-  std::span<LimitLanes> limits;       ///< Per bone of the rows; empty where the asset has none.
-  std::span<std::byte> coefficients;  ///< Per interval, per bone of the rows.
-  std::span<std::byte> states;        ///< Per block, or per instance for kChains; per bone of the rows.
-  std::span<std::byte> scratch;       ///< Per block.
-  std::span<TwistState> twists;       ///< As states; empty where nothing twists.
+  std::span<BoneLanes> constants;       ///< Per bone of the rows.
+  std::span<LimitLanes> limits;         ///< Per bone of the rows; empty where the asset has none.
+  std::span<std::byte> coefficients;    ///< Per set of dynamics, per interval, per bone of the rows.
+  std::span<StepTerms> terms;           ///< Per set, per interval: of the coefficients at hand; dt 0: none yet.
+  std::span<DynamicsScale> set_scales;  ///< Per set; empty where there is one.
+  std::span<std::uint8_t> sets;         ///< Per instance, the same.
+  std::span<std::byte> states;          ///< Per block, or per instance for kChains; per bone of the rows.
+  std::span<std::byte> scratch;         ///< Per block.
+  std::span<TwistState> twists;         ///< As states; empty where nothing twists.
   CharacterState character;
   std::span<Mat34> palettes;  ///< Per instance, per bone.
   std::span<Block> blocks;

@@ -9,6 +9,12 @@ namespace coif {
 /// kOk where a step may be made with these, whatever the asset; else kBadTimeStep or kBadArgument.
 [[nodiscard]] Status check_settings(const StepSettings& settings);
 
+/// Whether all factors are in their range.
+[[nodiscard]] bool fits(const DynamicsScale& scale);
+
+/// False where hair at rest under the one would move under the other.
+[[nodiscard]] bool rests_under_both(const StepSettings& a, const StepSettings& b);
+
 /// Chooses the blocks to step and computes what they have in common. `settings` have been checked.
 void begin_step(CrowdState& crowd, const StepSettings& settings);
 
@@ -18,15 +24,16 @@ void step_block(CrowdState& crowd, std::uint32_t block);
 /// Lets those fall asleep that have come to rest.
 void finish_step(CrowdState& crowd);
 
-/// Number of treatments: idle, and each level of detail at each phase of each interval. With the interval 2^p, every
+/// Number of treatments: idle, and for each set of dynamics each level of detail at each phase of each interval. With the interval 2^p, every
 /// 2^p-th group of sixteen instances is stepped in the same step, so that steps cost about the same; the group is that of
 /// the instance's number, so that its turn does not depend on what the others do.
-[[nodiscard]] std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals);
+[[nodiscard]] std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals, std::uint32_t sets);
 
 /// Blocks that suffice for any division of the instances among the treatments.
 [[nodiscard]] std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments);
 
 [[nodiscard]] std::uint32_t treatment_of(const CrowdState& crowd, std::uint32_t instance);
+[[nodiscard]] std::uint32_t set_of(const CrowdState& crowd, std::uint32_t treatment);
 [[nodiscard]] std::uint32_t level_of(const CrowdState& crowd, std::uint32_t treatment);
 [[nodiscard]] std::uint32_t interval_power_of(const CrowdState& crowd, std::uint32_t treatment);
 /// Whether the treatment, not kIdle, is to be stepped in the present step.

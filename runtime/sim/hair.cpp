@@ -18,7 +18,9 @@ Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (desc.instances < 1 || desc.instances > kMaxInstances || desc.solver == nullptr) return Status::kBadArgument;
   if (!is_interval(desc.longest_interval) || !can_run(desc.instruction_set)) return Status::kBadArgument;
-  const bool asks = desc.moving_colliders != 0 || desc.follows_body || desc.follows_poses;
+  const bool asks =
+      desc.moving_colliders != 0 || desc.follows_body || desc.follows_poses || desc.has_own_air || desc.feels_gusts;
+  if (desc.dynamics_sets < 1 || desc.dynamics_sets > kMaxDynamicsSets) return Status::kBadArgument;
   if (asks && desc.solver->character == nullptr) return Status::kBadArgument;
   if (desc.moving_colliders > kMaxMovingColliders) return Status::kBadArgument;
   return Status::kOk;
@@ -43,7 +45,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   const LaneOrder order = choose_lane_order(asset, *desc.solver, desc.instances);
   const RowCount rows = count_rows(asset, *desc.solver, order);
   const std::uint32_t intervals = power_of(desc.longest_interval) + 1;
-  const std::uint32_t treatments = treatment_count(levels_of(asset), intervals);
+  const std::uint32_t treatments = treatment_count(levels_of(asset), intervals, desc.dynamics_sets);
   const std::uint32_t blocks = block_count(desc.instances, treatments);
   const std::uint64_t states = std::uint64_t(rows.bones) * (order == LaneOrder::kHeads ? blocks : desc.instances);
   crowd.order = order;
@@ -55,7 +57,8 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.row_bones = carver.take<RowBone>(rows.bones);
   crowd.constants = carver.take<BoneLanes>(rows.bones);
   crowd.limits = carver.take<LimitLanes>(asset.limits().empty() ? 0 : rows.bones);
-  crowd.coefficients = carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * rows.coefficient_bytes);
+  crowd.coefficients =
+      carver.take<std::byte>(std::uint64_t(rows.bones) * intervals * desc.dynamics_sets * rows.coefficient_bytes);
   crowd.states = carver.take<std::byte>(states * rows.state_bytes);
   crowd.scratch = carver.take<std::byte>(std::uint64_t(blocks) * rows.scratch_bytes);
   if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
@@ -67,6 +70,9 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
   crowd.details = carver.take<InstanceDetail>(desc.instances);
   crowd.told = carver.take<HeadPose>(desc.instances);
+  crowd.terms = carver.take<StepTerms>(intervals * desc.dynamics_sets);
+  crowd.set_scales = carver.take<DynamicsScale>(desc.dynamics_sets > 1 ? desc.dynamics_sets : 0);
+  crowd.sets = carver.take<std::uint8_t>(desc.dynamics_sets > 1 ? desc.instances : 0);
   crowd.last_block = carver.take<std::uint32_t>(treatments);
   crowd.jobs = carver.take<std::uint32_t>(blocks);
 }

@@ -4,6 +4,7 @@
 namespace coif {
 
 const Solver kPassiveSolver{.state_bytes = sizeof(PassiveState),
+                            .velocity_at = offsetof(PassiveState, velocity),
                             .coefficient_bytes = sizeof(PassiveCoefficients),
                             .scratch_bytes = kPassiveScratch,
                             .scratch_from = kPassiveBonesOnStack,

@@ -74,10 +74,15 @@ std::uint64_t signature_of(const CrowdState& crowd) {
                                   crowd.interval_count, std::uint64_t{solver.reads_asked}};
     mixer.add(kind, sizeof kind);
   }
+  const CharacterState& character = crowd.character;
+  const std::uint64_t asked[] = {crowd.set_scales.size(), std::uint64_t{!character.airs.empty()},
+                                 character.gusts.size()};
+  if (asked[0] + asked[1] + asked[2] != 0) mixer.add(asked, sizeof asked);
   return mixer.hash();
 }
 
 // Written as they lie in memory: nothing between their members.
+static_assert(sizeof(Gusts) == 28 && sizeof(HeadAir) == 16 && sizeof(GustWaves) == 384);
 static_assert(sizeof(StepSettings) == 18 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
 
 /// Where bytes go to or come from; the same walk through the state does all three, so that they cannot disagree.
@@ -124,6 +129,19 @@ void pass_time(CrowdState& crowd, Tape& tape) {
 template <typename Tape>
 void pass_details(CrowdState& crowd, Tape& tape) {
   tape.pass(crowd.details.data(), crowd.details.size_bytes());
+  tape.pass(crowd.sets.data(), crowd.sets.size_bytes());
+}
+
+/// What hosts said of the air and of dynamics, and how far gusts have come.
+template <typename Tape>
+void pass_air(CrowdState& crowd, Tape& tape) {
+  tape.pass(crowd.set_scales.data(), crowd.set_scales.size_bytes());
+  tape.pass(crowd.character.airs.data(), crowd.character.airs.size_bytes());
+  for (GustField& field : crowd.character.gusts) {
+    tape.pass(&field.told, sizeof field.told);
+    tape.pass(&field.way, sizeof field.way);
+    tape.pass(&field.waves, sizeof field.waves);
+  }
 }
 
 /// A collider that was told, with nothing between its members; zero where none is there.
@@ -222,6 +240,7 @@ template <typename Tape>
 void pass_all(CrowdState& crowd, Tape& tape) {
   pass_details(crowd, tape);
   pass_time(crowd, tape);
+  pass_air(crowd, tape);
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) pass_head(crowd, instance, tape);
 }
 
@@ -230,6 +249,7 @@ std::size_t size_of(CrowdState& crowd) {
   pass_head(crowd, 0, head);
   pass_details(crowd, once);
   pass_time(crowd, once);
+  pass_air(crowd, once);
   return sizeof(SavedHeader) + once.size + head.size * crowd.instance_count();
 }
 
@@ -240,7 +260,11 @@ SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> conten
 }
 
 /// Details that this crowd may have; a bool is 0 or 1.
-bool are_possible(const CrowdState& crowd, std::span<const std::byte> details) {
+bool are_possible(const CrowdState& crowd, std::span<const std::byte> content) {
+  const std::span<const std::byte> details = content.first(crowd.details.size_bytes());
+  for (const std::byte set : content.subspan(details.size(), crowd.sets.size())) {
+    if (std::size_t(set) >= crowd.set_scales.size()) return false;
+  }
   const std::uint32_t levels = levels_of(crowd.asset);
   for (std::size_t at = 0; at < details.size(); at += sizeof(InstanceDetail)) {
     std::uint8_t raw[sizeof(InstanceDetail)];
@@ -257,6 +281,7 @@ bool are_possible(const CrowdState& crowd, std::span<const std::byte> details) {
 void read_all(CrowdState& crowd, Reading tape) {
   pass_details(crowd, tape);
   pass_time(crowd, tape);
+  pass_air(crowd, tape);
   crowd.has_asked = false;
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
     sort_in(crowd, instance);
@@ -292,8 +317,7 @@ Status Hair::restore(std::span<const std::byte> bytes) {
   if (header.crowd != signature_of(*crowd_)) return Status::kForeignState;
   const std::span<const std::byte> content = bytes.subspan(sizeof header);
   const SavedHeader whole = header_of(*crowd_, content);
-  const bool is_whole = bytes.size() == size_of(*crowd_) && header.hash == whole.hash &&
-                        are_possible(*crowd_, content.first(crowd_->details.size_bytes()));
+  const bool is_whole = bytes.size() == size_of(*crowd_) && header.hash == whole.hash && are_possible(*crowd_, content);
   if (!is_whole) return Status::kDamagedState;
   read_all(*crowd_, {content.data()});
   return Status::kOk;

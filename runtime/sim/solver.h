@@ -50,6 +50,8 @@ struct CharacterCode {
                 std::uint32_t blocks, CharacterState& character) = nullptr;
   /// Fills them.
   void (*create)(CrowdState& crowd) = nullptr;
+  /// Once per step that takes `dt` seconds.
+  void (*pass_time)(CrowdState& crowd, float dt) = nullptr;
   /// Before a block's bones move: `put` has a bit for each head that was put somewhere.
   void (*begin)(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
                 const StepParts& parts) = nullptr;
@@ -57,6 +59,9 @@ struct CharacterCode {
   /// row's numbers begin, in bones.
   void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row,
                  std::size_t state, RowCharacter& character) = nullptr;
+  /// Before part `part` of the step: what the air around each head of the block adds to `move`.
+  void (*blow)(CrowdState& crowd, std::uint32_t block, const StepParts& parts, std::uint32_t part,
+               MoveLanes& move) = nullptr;
   void (*finish)(CrowdState& crowd, std::uint32_t block) = nullptr;
   /// The head of `slot` is where it is without having got there: nor have its colliders and its pose.
   void (*appear)(CrowdState& crowd, std::uint32_t slot) = nullptr;
@@ -68,7 +73,9 @@ struct Solver {
   /// Set where each chain says which solver moves it; then nothing else is.
   const Solver* (*for_model)(ChainModel model) = nullptr;
 
-  std::size_t state_bytes = 0;        ///< Per bone of a row.
+  std::size_t state_bytes = 0;        ///< Per bone of a row. A bone's state begins with its direction, or
+  bool keeps_places = false;          ///< with its particle's place.
+  std::size_t velocity_at = 0;        ///< Byte of the state at which its particle's velocity begins.
   std::size_t coefficient_bytes = 0;  ///< Per bone of a row.
   std::size_t scratch_bytes = 0;      ///< Per bone of the longest row, for each block,
   std::uint32_t scratch_from = 0;     ///< if that has more bones than this.

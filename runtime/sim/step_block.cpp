@@ -147,6 +147,7 @@ void run_parts(BlockStep& step) {
   for (std::uint32_t part = 0; part < parts.count; ++part) {
     crowd.heads.move(step.block.heads, step.heads, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_heads(step, carried);
+    if (crowd.character.code != nullptr) crowd.character.code->blow(crowd, step.index, parts, part, move);
     step.motion = Lanes{};
     if (crowd.order == LaneOrder::kHeads) {
       step_heads(step, move, part);
@@ -175,8 +176,9 @@ void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
 void step_block(CrowdState& crowd, std::uint32_t index) {
   Block& block = crowd.blocks[index];
   const std::uint32_t power = interval_power_of(crowd, crowd.treatments[index]);
+  const std::uint32_t table = set_of(crowd, crowd.treatments[index]) * crowd.interval_count + power;
   const std::size_t stride = crowd.row_bone_count() * crowd.coefficient_bytes;
-  BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + power * stride, {}, 0, {}};
+  BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + table * stride, {}, 0, {}};
   look_ahead(step);
   crowd.heads.begin(block.heads, step.interval.parts, step.heads);
   const CharacterCode* const character = crowd.character.code;

@@ -53,6 +53,8 @@ void tails(const ChainLane& chain, const Quat& head_rotation, std::span<const Ma
 }  // namespace
 
 const Solver kThesisSolver{.state_bytes = sizeof(ThesisState),
+                           .keeps_places = true,
+                           .velocity_at = offsetof(ThesisState, velocity),
                            .coefficient_bytes = sizeof(ThesisCoefficients),
                            .scratch_bytes = 0,
                            .scratch_from = 0,

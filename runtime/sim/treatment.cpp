@@ -80,8 +80,8 @@ bool has_room(const CrowdState& crowd, std::uint32_t block) {
 
 }  // namespace
 
-std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals) {
-  return 1 + levels * phase_count(intervals);
+std::uint32_t treatment_count(std::uint32_t levels, std::uint32_t intervals, std::uint32_t sets) {
+  return 1 + sets * levels * phase_count(intervals);
 }
 
 std::uint32_t block_count(std::uint32_t instances, std::uint32_t treatments) {
@@ -94,11 +94,19 @@ std::uint32_t treatment_of(const CrowdState& crowd, std::uint32_t instance) {
   const InstanceDetail& detail = crowd.details[instance];
   if (!detail.simulated || detail.asleep) return kIdle;
   const std::uint32_t interval = 1u << detail.interval_power, phase = instance / kLanes % interval;
-  return 1 + detail.level * phase_count(crowd.interval_count) + (interval - 1) + phase;
+  const std::uint32_t set = crowd.sets.empty() ? 0 : crowd.sets[instance],
+                      kind = set * levels_of(crowd.asset) + detail.level;
+  return 1 + kind * phase_count(crowd.interval_count) + (interval - 1) + phase;
+}
+
+std::uint32_t set_of(const CrowdState& crowd, std::uint32_t treatment) {
+  if (crowd.sets.empty()) return 0;
+  return (treatment - 1) / (phase_count(crowd.interval_count) * levels_of(crowd.asset));
 }
 
 std::uint32_t level_of(const CrowdState& crowd, std::uint32_t treatment) {
-  return (treatment - 1) / phase_count(crowd.interval_count);
+  const std::uint32_t kind = (treatment - 1) / phase_count(crowd.interval_count);
+  return crowd.sets.empty() ? kind : kind % levels_of(crowd.asset);
 }
 
 std::uint32_t interval_power_of(const CrowdState& crowd, std::uint32_t treatment) {

@@ -39,6 +39,14 @@ coif_cli_case(gallery_without_output EXIT 1 STDERR "coif gallery: error: .*--out
 coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"
   ARGS render a.coif --size 4x4 -o out.png)
 coif_cli_case(render_bad_view EXIT 1 STDERR "--view: '30' is not YAW,PITCH" ARGS render a.coif --view 30 -o out.png)
+coif_cli_case(render_bad_gusts EXIT 1 STDERR "--gusts: '3,x' is not AMPLITUDE.*: 0 to 1000 m/s, 0.05 to 10000 m"
+  ARGS render a.coif --gusts 3,x -o out.png)
+coif_cli_case(render_gusts_too_short EXIT 1 STDERR "--gusts: '3,0.01' is not AMPLITUDE"
+  ARGS render a.coif --gusts 3,0.01 -o out.png)
+coif_cli_case(render_gusts_of_four_numbers EXIT 1 STDERR "--gusts: '3,1,2,4' is not AMPLITUDE"
+  ARGS render a.coif --gusts 3,1,2,4 -o out.png)
+coif_cli_case(render_gusts_with_another_solver EXIT 1 STDERR "coif render: error: --gusts: hair feels gusts with --solver coif alone"
+  ARGS render a.coif --gusts 3 --solver thesis -o out.png)
 coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner"
   ARGS render a.coif --shading phong -o out.png)
 coif_cli_case(render_bad_order EXIT 1 STDERR "--order: 'depth' is not one of cooked, bones"

@@ -48,6 +48,7 @@ struct RenderOptions {
   ViewAngles view{30, 5};
   Shown shown;
   HeadMotion motion;
+  GustOptions gusts;
   bool moves = false;
   std::string body;
   std::string body_mesh;
@@ -82,6 +83,11 @@ PictureSettings picture_settings(const RenderOptions& options) {
   settings.patches = options.shown.patches;
   settings.colliders = options.shown.colliders;
   if (options.moves) settings.motion = options.motion.motion;
+  if (options.gusts.amplitude > 0) {
+    HairCompany company;
+    company.gusts = gusts_in(settings.step.environment.wind, options.gusts);
+    settings.company = std::make_shared<HairCompany>(company);
+  }
   return settings;
 }
 
@@ -108,6 +114,9 @@ std::string result_text(const RenderOptions& options, const PictureSettings& set
 
 tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
   if (auto png = choose_suffix(options.output, {".png"}); !png) return tl::unexpected(png.error());
+  if (options.gusts.amplitude > 0 && options.picture.solver != &kCoifSolver) {
+    return tl::unexpected(ToolError{ToolError::Kind::kUsage, "--gusts: hair feels gusts with --solver coif alone"});
+  }
   const auto file = AssetFile::open(options.file);
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
@@ -139,6 +148,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   motion->each([&options](const std::string&) { options.moves = true; });
   add_solver(app, options.picture.solver);
   add_wind(app, options.picture.step.environment.wind);
+  add_gusts(app, options.gusts);
   app.add_option("--time", options.picture.time, "Seconds into the motion")
       ->check(CLI::Range(0.0, 3600.0))
       ->needs(motion);

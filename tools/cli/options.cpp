@@ -72,6 +72,46 @@ CLI::Option* add_wind(CLI::App& app, Vec3& wind) {
       ->type_name("X,Y,Z");
 }
 
+CLI::Option* add_gusts(CLI::App& app, GustOptions& gusts) {
+  const auto parse = [&gusts](const std::string& text) {
+    std::vector<std::optional<float>> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      numbers.push_back(parse_number<float>(std::string_view(text).substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    const auto is_within = [&](std::size_t i, float least, float most) {
+      return i >= numbers.size() || (numbers[i] && *numbers[i] >= least && *numbers[i] <= most);
+    };
+    if (numbers.size() > 3 || !is_within(0, 0, kMostGust) || !is_within(1, kShortestGust, kLongestGust) ||
+        !is_within(2, 0, kMostGust)) {
+      throw CLI::ValidationError(
+          "--gusts", fmt::format("'{}' is not AMPLITUDE[,LENGTH[,SPEED]]: 0 to {} m/s, {} to {} m, 0 to {} m/s", text,
+                                 kMostGust, kShortestGust, kLongestGust, kMostGust));
+    }
+    gusts.amplitude = *numbers[0];
+    if (numbers.size() > 1) gusts.length = numbers[1];
+    if (numbers.size() > 2) gusts.speed = numbers[2];
+  };
+  return app
+      .add_option_function<std::string>(
+          "--gusts", parse,
+          "Gusts on top of the wind: the strongest in m/s, how long in metres (default: 1.5), how fast they run in m/s "
+          "(default: with the wind, or 3)")
+      ->type_name("AMPLITUDE[,LENGTH[,SPEED]]");
+}
+
+Gusts gusts_in(const Vec3& wind, const GustOptions& options) {
+  Gusts gusts;
+  gusts.amplitude = options.amplitude;
+  const float blows = std::hypot(wind.x, wind.y, wind.z);
+  if (blows > 0) gusts.direction = wind;
+  if (blows > 0) gusts.speed = std::min(blows, kMostGust);
+  gusts.length = options.length.value_or(gusts.length);
+  gusts.speed = options.speed.value_or(gusts.speed);
+  return gusts;
+}
+
 CLI::Option* add_view(CLI::App& app, ViewAngles& view) {
   const auto parse = [&view](const std::string& text) {
     const auto pair = parse_pair<double>(text, ',');

@@ -7,9 +7,9 @@
 #include "cli/messages.h"
 #include "motion/head_path.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 #include <tl/expected.hpp>
 
 #include <charconv>
@@ -100,6 +100,18 @@ CLI::Option* add_solver(CLI::App& app, const Solver*& solver);
 
 /// --wind X,Y,Z: velocity of the air in m/s, world axes, at most 1000.
 CLI::Option* add_wind(CLI::App& app, Vec3& wind);
+
+/// What --gusts asks for; what it leaves out follows the wind.
+struct GustOptions {
+  float amplitude = 0;
+  std::optional<float> length, speed;
+};
+
+/// --gusts AMPLITUDE[,LENGTH[,SPEED]] in the ranges of Gusts.
+CLI::Option* add_gusts(CLI::App& app, GustOptions& gusts);
+
+/// They run with the wind, as fast as it blows, where there is any and nothing else was asked for.
+[[nodiscard]] Gusts gusts_in(const Vec3& wind, const GustOptions& options);
 
 struct ViewAngles {
   double yaw_degrees = 0;

@@ -5,10 +5,12 @@ namespace coif {
 HairDesc HairCompany::description(const Solver* usual) const {
   HairDesc desc;
   desc.solver = usual;
-  if (!colliders && !pose) return desc;
+  const bool in_gusts = gusts.amplitude > 0;
+  if (!colliders && !pose && !in_gusts) return desc;
   if (usual == &kCoifSolver) desc.solver = &kCharacterSolver;
   if (colliders) desc.moving_colliders = kMaxMovingColliders;
   desc.follows_poses = bool(pose);
+  desc.feels_gusts = in_gusts;
   return desc;
 }
 
@@ -16,6 +18,9 @@ Status HairCompany::tell(Hair& hair, double seconds) const {
   if (colliders) {
     const auto now = colliders(seconds);
     if (const Status status = hair.set_colliders(0, now); status != Status::kOk) return status;
+  }
+  if (gusts.amplitude > 0) {
+    if (const Status status = hair.set_gusts(gusts); status != Status::kOk) return status;
   }
   if (!pose) return Status::kOk;
   return hair.set_pose(0, pose(seconds), {&pose_weight, 1});

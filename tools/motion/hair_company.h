@@ -16,6 +16,7 @@ struct HairCompany {
   std::function<std::vector<Quat>(double seconds)> pose{};
   float pose_weight = 1;  ///< 1: the pose is what pulls, 0: the hair is the pose.
   float scale = 1;        ///< Of the head.
+  Gusts gusts{};          ///< Of amplitude 0: none.
 
   /// Which solver it needs: `usual` where it asks for nothing more.
   [[nodiscard]] HairDesc description(const Solver* usual) const;

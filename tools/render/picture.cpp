@@ -148,7 +148,8 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
                                                                      const PictureSettings& settings,
                                                                      const HeadPath* path) {
   const Vec3& wind = settings.step.environment.wind;
-  const bool is_still = path == nullptr && wind.x == 0 && wind.y == 0 && wind.z == 0;
+  const bool is_still = path == nullptr && wind.x == 0 && wind.y == 0 && wind.z == 0 &&
+                        (settings.company == nullptr || settings.company->gusts.amplitude == 0);
   if (is_still) return framed_points(asset);
   return points_in_motion(asset, path, settings.time, settings.step, settings.solver, settings.company.get());
 }

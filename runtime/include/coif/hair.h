@@ -1,5 +1,6 @@
 #pragma once
 
+#include <coif/air.h>
 #include <coif/asset.h>
 #include <coif/character.h>
 #include <coif/export.h>
@@ -22,6 +23,7 @@ inline constexpr float kMaxTimeStep = 0.1f;  ///< Seconds that are computed at o
 /// Seconds that one step simulates. Of more the hair is carried along with its head through what is over, keeping its
 /// shape, before the rest is simulated.
 inline constexpr float kLongestStep = 0.5f;
+inline constexpr float kLongestSettling = 600.0f;  ///< Seconds, of Hair::settle().
 
 /// How bones are moved. A program links only those that it names.
 struct Solver;
@@ -45,10 +47,13 @@ struct HairDesc {
   /// Changes the speed and nothing else. kBadArgument for one that can_run() denies.
   InstructionSet instruction_set = InstructionSet::kBest;
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
+  std::uint32_t dynamics_sets = 1;  ///< That heads choose from, 1..kMaxDynamicsSets; each more up to 1 KB for each bone.
   // Of kCharacterSolver; for others kBadArgument.
   std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
   bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.
   bool follows_poses = false;          ///< set_pose() will be called; 60 bytes for each simulated bone.
+  bool has_own_air = false;            ///< set_air() will be called; 16 bytes for each head.
+  bool feels_gusts = false;            ///< set_gusts() will be called; 36 bytes for each head.
 };
 
 /// What acts on all instances during a step.
@@ -228,6 +233,42 @@ class COIF_API Hair {
   /// first one is there at once. No rotations and no weights: the rest pose again.
   /// kNotAsked without HairDesc::follows_poses, kSizeMismatch, kBadPose for what is no rotation, kBadArgument for weights beyond 0..1.
   Status set_pose(std::uint32_t instance, std::span<const Quat> rotations, std::span<const float> weights);
+
+  // Air. Heads that sleep wake where it changes.
+
+  /// The air around one head, until it is said again: what blows there besides StepSettings' wind, and how much of that and of the
+  /// gusts reaches it. kNotAsked without HairDesc::has_own_air (kCharacterSolver), kBadArgument for numbers that are not finite or
+  /// out of their range.
+  Status set_air(std::uint32_t instance, const HeadAir& air);
+
+  /// Gusts for the whole crowd, until they are said again, besides the wind; each bone feels them where it starts. Another amplitude or
+  /// speed only changes that; another length, direction or seed are other gusts, which come at once, so fade `amplitude`. As long as
+  /// they blow, no head that they reach falls asleep.
+  /// kNotAsked without HairDesc::feels_gusts (kCharacterSolver), kBadArgument for numbers that are not finite or out of their range.
+  Status set_gusts(const Gusts& gusts);
+
+  [[nodiscard]] double gusts_way() const;  ///< How far the gusts' air has come in all steps so far, metres.
+
+  /// What a set of dynamics multiplies the asset's by, besides StepSettings::dynamics; wet, frozen, calm. Sets begin with factors of 1.
+  /// kThesisSolver, which has no such factors, takes no notice. kNotAsked for a set beyond HairDesc::dynamics_sets, kBadArgument.
+  Status set_dynamics(std::uint32_t set, const DynamicsScale& scale);
+
+  /// From the next step on the head's hair has this set's dynamics; heads begin with set 0. kNotAsked as set_dynamics().
+  Status choose_dynamics(std::uint32_t instance, std::uint32_t set);
+
+  /// Changes the hair's speed at once, between two steps, where it is now: an explosion, a blow, a hand. No bone is stretched or put
+  /// elsewhere. A head that it reaches wakes. kBadArgument for numbers that are not finite or a radius that is not above 0.
+  Status push(std::uint32_t instance, const Impulse& impulse);
+
+  /// Lets the hair of these heads, which stand where they were last told to be, come to rest for up to `seconds` (0..kLongestSettling) in
+  /// steps of 1/60 s, whatever settings.dt is: for the start of a scene. It ends before where all of them have come to rest. For everything
+  /// else no time passes: other heads, the gusts and the turns of intervals are as before, to the bit. Settle many heads at once: each
+  /// call costs about as much as a copy of the others' state. Hair that comes to rest under other gravity, wind or sleep settings than the
+  /// last step's, or before the first step, stays awake until the next step. kBadIndex, kBadTimeStep for the seconds, or as step().
+  Status settle(std::span<const std::uint32_t> instances, float seconds, const StepSettings& settings);
+  Status settle(std::uint32_t instance, float seconds, const StepSettings& settings) {
+    return settle(std::span(&instance, 1), seconds, settings);
+  }
 
   /// The whole crowd's state as bytes, to go back to: for rollback and replays. Two crowds of the same asset, solver and number of
   /// heads that are in the same state save the same bytes, and go on to the same bits after restore(), whatever the

@@ -2,6 +2,7 @@
 // What a row of chains meets on a character, besides its head.
 
 #include "../moving_colliders.h"
+#include "gust_waves.h"
 #include "lane_layout.h"
 
 #include <cstdint>
@@ -25,8 +26,10 @@ struct RowCharacter {
   std::uint32_t body_colliders = 0;  ///< ColliderWay::place below this: one of the asset's.
   const std::uint32_t* body_sets = nullptr;  ///< For each bone, for each lane: which of the asset's it may touch.
   const PoseLanes* poses = nullptr;          ///< For each bone; null: no pose.
-  float from = 0, to = 1;                    ///< Shares of the step at which the part begins and ends.
-  float per_dt = 0;                          ///< One by the whole step's length, 1/s.
+  const GustLanes* gusts = nullptr;          ///< Of the block's heads; null: none blow.
+  const GustWaves* waves = nullptr;
+  float from = 0, to = 1;  ///< Shares of the step at which the part begins and ends.
+  float per_dt = 0;        ///< One by the whole step's length, 1/s.
 };
 
 }  // namespace coif

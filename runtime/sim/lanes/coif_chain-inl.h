@@ -4,6 +4,7 @@
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
 #include "contact-inl.h"
+#include "gusts-inl.h"
 #include "lane_math-inl.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
@@ -94,6 +95,15 @@ class CoifChain {
     return target;
   }
 
+  /// Velocity of the air at a place in head space.
+  HWY_INLINE V3<D> air_at(const V3<D>& position) const {
+    const V3<D> air = load(d_, row_.move->air, lane_);
+    if constexpr (kOnCharacter<D>) {
+      if (feels_gusts(d_, row_)) return add(d_, air, gust_at(d_, *row_.character, lane_, rotate(d_, turn_, position)));
+    }
+    return air;
+  }
+
   /// Section 2 and 3: the exact answer of the oscillator about the moving default position, then the force that keeps the
   /// length.
   HWY_INLINE BoneMotion<D> move_freely(std::size_t i, const RowBone& shape, const Carrier<D>& from,
@@ -111,7 +121,7 @@ class CoifChain {
     V3<D> free = scale(d_, gravity, load(d_, c.offset_from_gravity, lane_));
     V3<D> velocity = scale(d_, gravity, load(d_, c.velocity_from_gravity, lane_));
     if (shape.features & kRowFeelsAir) {
-      const V3<D> air = load(d_, row_.move->air, lane_);
+      const V3<D> air = air_at(from.position);
       free = add_scaled(d_, free, air, load(d_, c.offset_from_air, lane_));
       velocity = add_scaled(d_, velocity, air, load(d_, c.velocity_from_air, lane_));
     }

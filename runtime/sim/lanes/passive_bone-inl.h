@@ -6,6 +6,7 @@
 
 #include "../passive_method.h"
 #include "coif_bone-inl.h"
+#include "gusts-inl.h"
 #include "lane_math-inl.h"
 
 #if defined(COIF_SIM_LANES_PASSIVE_BONE_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -151,6 +152,7 @@ struct PassiveBone {
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V<D> turn[2];
+  [[no_unique_address]] BoneAirOf<D> felt;
 
   /// Nothing hangs from it yet but its own weight.
   HWY_INLINE void clear(D d, V<D> inertia) {

@@ -127,14 +127,14 @@ HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
   const PassiveState& state = state_[i];
   PassiveBone<D>& bone = bones_[i];
   const Carrier<D>& from = carrier_of(i);
-  const auto one = hn::Set(d_, 1.0f);
+  feel_air(d_, row_, lane_, i, turn_, load(d_, state.direction, lane_), bones_);
   const V3<D> before = load(d_, state.direction, lane_), relative = load(d_, state.velocity, lane_);
   const V3<D> of_start = is_first(i) ? scale(d_, sub(d_, from.velocity, from.velocity_before), method_.per_dt)
                                      : load(d_, state_[row_.bones[i].parent].acceleration, lane_);
   const V3<D> change = sub(d_, load(d_, state.acceleration, lane_), of_start);
   const V3<D> way = add_scaled(d_, scale(d_, relative, method_.dt), change, load(d_, coefficients_[i].reach, lane_));
   const V3<D> turn = scale(d_, across(d_, way, before), load(d_, constants.per_length, lane_));
-  const auto turn2 = dot(d_, turn, turn);
+  const auto one = hn::Set(d_, 1.0f), turn2 = dot(d_, turn, turn);
   const auto kept = hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))));
   bone.direction = direction_or(d_, add_scaled(d_, before, turn, kept), before);
   bone.tail.velocity_before = add(d_, from.velocity_before, relative);
@@ -155,7 +155,7 @@ HWY_INLINE void PassiveChain<D>::find_forces(std::size_t i) {
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   bone.tail.velocity = pace.velocity;
   const V3<D> weight = scale(d_, load(d_, row_.move->gravity, lane_), load(d_, c.gravity_scale, lane_));
-  const V3<D> wind = sub(d_, pace.velocity, load(d_, row_.move->air, lane_));
+  const V3<D> wind = sub(d_, pace.velocity, air_of(d_, row_, lane_, bone));
   bone.load = scale(d_, add_scaled(d_, sub(d_, pace.acceleration, weight), wind, friction), length);
   bone.clear(d_, hn::Mul(load(d_, c.inertia, lane_), length));
   bone.find_sides(d_);

@@ -120,7 +120,7 @@ template <class D>
 HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   PassiveBone<D>& bone = bones_[i];
   const auto length = load(d_, row_.constants[i].length, lane_);
-  const V3<D> wind = sub(d_, bone.tail.velocity, load(d_, row_.move->air, lane_));
+  const V3<D> wind = sub(d_, bone.tail.velocity, air_of(d_, row_, lane_, bone));
   bone.links.force = add(d_, bone.links.force,
                          add_scaled(d_, bone.load, wind, hn::Mul(length, load(d_, coefficients_[i].friction, lane_))));
   const auto tension = hn::Neg(dot(d_, bone.links.force, bone.direction));
@@ -195,7 +195,7 @@ HWY_NOINLINE void step_passive_on_stack(D d, const RowStep& row) {
 
 template <class D>
 HWY_INLINE void step_passive_by(D d, const RowStep& row) {
-  static_assert(sizeof(PassiveBone<D>) <= kPassiveScratch);
+  static_assert(sizeof(PassiveBone<D>) <= (kOnCharacter<D> ? kCharacterScratch : kPassiveScratch));
   if (row.bones.size() <= kPassiveBonesOnStack) return step_passive_on_stack(d, row);
   step_passive_with(d, row, static_cast<PassiveBone<D>*>(row.scratch));
 }

@@ -39,7 +39,8 @@ HairDesc desc_of(const CrowdSettings& settings) {
           .instruction_set = settings.instruction_set,
           .longest_interval = settings.detail.interval,
           .moving_colliders = settings.character.room,
-          .follows_poses = settings.character.weight.has_value()};
+          .follows_poses = settings.character.weight.has_value(),
+          .feels_gusts = settings.character.in_gusts};
 }
 
 constexpr float kColliderRadius = 0.04f;  // metres
@@ -105,7 +106,8 @@ tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const C
   }
   const Status created = crowd.hair_.create(asset, desc, {crowd.memory_.get(), need.bytes});
   if (created != Status::kOk) return refused(ToolError::Kind::kBadInput, describe(created));
-  const Status placed = crowd.place_heads();
+  Status placed = crowd.place_heads();
+  if (placed == Status::kOk && settings.character.in_gusts) placed = crowd.hair_.set_gusts({.amplitude = 1});
   if (placed != Status::kOk) return refused(ToolError::Kind::kUsage, describe(placed));
   if (!crowd.step()) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
   for (unsigned frame = 0; frame < kMostFramesToSleep && !crowd.is_at_rest(); ++frame) (void)crowd.step();
@@ -214,6 +216,7 @@ void add_characters(const CrowdSettings& usual, std::vector<CrowdFeature>& featu
   add("scale", "every head is twice as large", {.scale = 2});
   add("character", "on characters, with room for four colliders, of which none is given",
       {.is_one = true, .room = kRoom});
+  add("gusts", "on characters, in gusts, which each bone feels where it starts", {.is_one = true, .in_gusts = true});
   for (const std::uint32_t count : {1u, kRoom}) {
     const bool is_one = count == 1;
     add(is_one ? "collider-far" : "4-colliders-far",

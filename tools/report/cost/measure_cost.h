@@ -37,6 +37,7 @@ struct CrowdCharacter {
   bool are_near = false;          ///< In the hair; else five metres away.
   std::optional<float> weight{};  ///< Of a pose that changes from frame to frame; none: the rest pose.
   float scale = 1;
+  bool in_gusts = false;
 };
 
 struct CrowdSettings {

@@ -1,0 +1,172 @@
+// Blows between two steps. Whatever the solver, a bone's state says where it is or which way it points, and how fast its particle goes.
+
+#include <coif/hair.h>
+
+#include "crowd_step.h"
+#include "float_environment.h"
+#include "vector_math.h"
+
+#include <cmath>
+
+namespace coif {
+namespace {
+
+bool is_impulse(const Impulse& impulse) {
+  for (const double metres : impulse.center) {
+    if (!std::isfinite(metres)) return false;
+  }
+  const bool has_reach = impulse.radius > 0.0f && std::isfinite(impulse.radius);
+  return has_reach && std::isfinite(impulse.speed) && is_finite(impulse.axis) && is_finite(impulse.velocity);
+}
+
+/// An impulse as a head feels it: seen from the head's position, in world axes and the hair's metres.
+struct FeltImpulse {
+  Vec3 center, axis;
+  float per_axis2 = 0;  ///< 0 for a ball.
+  float radius = 0;
+  float speed = 0;
+  Vec3 velocity;
+  bool strokes = false;
+};
+
+/// False where the head is too far away to feel any.
+bool feel(const Impulse& impulse, const HeadLanes& heads, std::uint32_t i, FeltImpulse& felt) {
+  const float per_scale = heads.per_scale.v[i];
+  const Vec3 left = lane(heads.way, i);
+  const double ahead[3] = {double(left.x), double(left.y), double(left.z)};
+  double way[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    way[axis] = (impulse.center[axis] - (heads.next_position[axis][i] - ahead[axis])) * double(per_scale);
+    if (!(std::fabs(way[axis]) < 1e15)) return false;
+  }
+  felt.center = {float(way[0]), float(way[1]), float(way[2])};
+  felt.axis = impulse.axis * per_scale;
+  const float size2 = dot(felt.axis, felt.axis);
+  felt.per_axis2 = size2 > 1e-18f ? 1.0f / size2 : 0.0f;
+  felt.radius = impulse.radius * per_scale;
+  felt.speed = impulse.speed * per_scale;
+  felt.velocity = impulse.velocity * per_scale;
+  felt.strokes = impulse.strokes;
+  return true;
+}
+
+/// By how much what is at `place` and goes at `velocity` becomes faster.
+Vec3 change_of(const FeltImpulse& impulse, const Vec3& place, const Vec3& velocity) {
+  Vec3 from = place - impulse.center;
+  const float along = dot(from, impulse.axis) * impulse.per_axis2;
+  from = from - impulse.axis * (along < 0.0f ? 0.0f : along > 1.0f ? 1.0f : along);
+  const float distance = length(from);
+  if (!(distance < impulse.radius)) return {};
+  const float share = 1.0f - distance / impulse.radius;
+  const Vec3 given = impulse.strokes ? impulse.velocity - velocity : impulse.velocity;
+  const Vec3 outwards = distance > 1e-9f ? from * (impulse.speed / distance) : Vec3{};
+  return (given + outwards) * share;
+}
+
+/// One chain's numbers, whatever else its solver's state has.
+class PushedChain {
+ public:
+  PushedChain(const Solver& solver, const ChainLane& chain) : solver_(solver), chain_(chain) {}
+
+  [[nodiscard]] Vec3 first(std::size_t bone) const { return lane(lanes(bone, 0), chain_.state_lane); }
+  [[nodiscard]] Vec3 velocity(std::size_t bone) const {
+    return lane(lanes(bone, solver_.velocity_at), chain_.state_lane);
+  }
+  void set_velocity(std::size_t bone, const Vec3& value) {
+    set_lane(lanes(bone, solver_.velocity_at), chain_.state_lane, value);
+  }
+
+ private:
+  [[nodiscard]] Lanes3& lanes(std::size_t bone, std::size_t at) const {
+    return *reinterpret_cast<Lanes3*>(static_cast<std::byte*>(chain_.state) + bone * solver_.state_bytes + at);
+  }
+  const Solver& solver_;
+  const ChainLane& chain_;
+};
+
+/// Particles that go where they go: Algorithm 1 has world velocities.
+bool push_particles(PushedChain pushed, std::size_t bones, const FeltImpulse& impulse) {
+  bool any = false;
+  for (std::size_t i = 0; i < bones; ++i) {
+    const Vec3 change = change_of(impulse, pushed.first(i), pushed.velocity(i));
+    any = any || !(change == Vec3{});
+    pushed.set_velocity(i, pushed.velocity(i) + change);
+  }
+  return any;
+}
+
+/// Where a bone ends.
+struct Tail {
+  Vec3 place, velocity, change;
+};
+
+/// The head as its joints feel it.
+struct Carrying {
+  Quat rotation;
+  Vec3 velocity, turning;
+};
+
+/// Bones that turn about their starts: what an impulse would add along them is lost, and what it adds to a start its bone has already.
+/// Parents come first.
+class PushedBones {
+ public:
+  PushedBones(const PushedChain& pushed, const ChainLane& chain, const Carrying& head, const FeltImpulse& impulse)
+      : pushed_(pushed), chain_(chain), head_(head), impulse_(impulse) {}
+
+  bool run() {
+    bool any = false;
+    for (std::size_t i = 0; i < chain_.bones.size(); ++i) {
+      const RowBone& shape = chain_.bones[i];
+      const Tail start = shape.parent < 0 ? joint(i) : open_[shape.parent_slot];
+      const Vec3 direction = pushed_.first(i), own = pushed_.velocity(i);
+      Tail tail;
+      tail.place = start.place + direction * chain_.constants[i].length.v[chain_.constant_lane];
+      tail.velocity = start.velocity + own;
+      const Vec3 relative = change_of(impulse_, tail.place, tail.velocity) - start.change;
+      const Vec3 change = relative - direction * dot(relative, direction);
+      any = any || !(change == Vec3{});
+      pushed_.set_velocity(i, own + change);
+      tail.change = start.change + change;
+      if ((shape.features & kRowHasChildren) != 0) open_[shape.slot] = tail;
+    }
+    return any;
+  }
+
+ private:
+  [[nodiscard]] Tail joint(std::size_t bone) const {
+    const Vec3 place = rotate(head_.rotation, lane(chain_.constants[bone].joint, chain_.constant_lane));
+    return {place, head_.velocity + cross(head_.turning, place), {}};
+  }
+
+  PushedChain pushed_;
+  const ChainLane& chain_;
+  const Carrying& head_;
+  const FeltImpulse& impulse_;
+  Tail open_[kMaxOpenBones];
+};
+
+}  // namespace
+
+Status Hair::push(std::uint32_t instance, const Impulse& impulse) {
+  const Block* const block = block_of(crowd_, instance);
+  if (block == nullptr) return missing(crowd_);
+  const FloatEnvironment plain;
+  if (!is_impulse(impulse)) return Status::kBadArgument;
+  const std::uint32_t slot = crowd_->slots[instance], i = slot % kLanes;
+  const HeadLanes& heads = block->heads;
+  FeltImpulse felt;
+  if (!feel(impulse, heads, i, felt)) return Status::kOk;
+  const Carrying head{lane(heads.rotation, i), lane(heads.velocity, i) * heads.per_scale.v[i],
+                      lane(heads.angular_velocity, i)};
+  bool any = false;
+  for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
+    const PushedChain pushed(solver, chain);
+    const bool hit = solver.keeps_places ? push_particles(pushed, chain.bones.size(), felt)
+                                         : PushedBones(pushed, chain, head, felt).run();
+    any = any || hit;
+  });
+  if (any && crowd_->details[instance].asleep) wake(*crowd_, instance);
+  return Status::kOk;
+}
+
+}  // namespace coif

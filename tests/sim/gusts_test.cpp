@@ -1,0 +1,120 @@
+// Gusts as a field: coif/air.h says what it is.
+
+#include <coif/air.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace coif::gusts_test {
+
+Gusts strong() { return {.amplitude = 3, .length = 1.5f, .speed = 2, .direction = {0, 0, -1}, .seed = 7}; }
+
+TEST(GustField, TheirMeanOverTimeIsZeroInEveryPlace) {
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    const Gusts gusts{.amplitude = 4, .length = 1.5f, .direction = {1, 0.1f, -2}, .seed = seed};
+    for (const double x : {0.0, 0.37, -12.5}) {
+      const double place[3] = {x, 1.7, 3};
+      double sum[3] = {};
+      constexpr int kCount = 8000;
+      for (int i = 0; i < kCount; ++i) {
+        const Vec3 air = gust_at(gusts, i * 0.3731, place);
+        sum[0] += air.x, sum[1] += air.y, sum[2] += air.z;
+      }
+      for (const double axis : sum) EXPECT_LT(std::fabs(axis / kCount), 0.004 * gusts.amplitude) << seed;
+    }
+  }
+}
+
+TEST(GustField, NoneIsStrongerThanTheAmplitudeAndTheirSizeIsAsDocumented) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const Gusts gusts{.amplitude = 4, .length = 2, .direction = {0, 0, 3}, .seed = seed};
+    double most = 0, along2 = 0;
+    constexpr int kCount = 8000;
+    for (int i = 0; i < kCount; ++i) {
+      const double place[3] = {0.013 * i, 0.0071 * i, 0.0031 * i};
+      const Vec3 air = gust_at(gusts, 0.0123 * i, place);
+      most = std::max(most, std::sqrt(double(air.x) * air.x + double(air.y) * air.y + double(air.z) * air.z));
+      along2 += double(air.z) * air.z;
+    }
+    EXPECT_LE(most, 4.0 * (1 + 1e-5)) << seed;
+    EXPECT_GE(most, 2.0) << seed;
+    EXPECT_NEAR(std::sqrt(along2 / kCount), 0.28 * 4, 0.05 * 4) << seed;
+  }
+}
+
+/// Gusts stand still in air that moves: what was here is there later.
+TEST(GustField, TravelAtTheirSpeedInTheirDirection) {
+  const Gusts gusts{.amplitude = 2, .length = 1, .speed = 5, .direction = {3, 0, 4}, .seed = 3};
+  for (int i = 0; i < 50; ++i) {
+    const double way = 0.7 * i, place[3] = {0.3 * i, 1, -0.2 * i}, on = 2.5;
+    const double there[3] = {place[0] + 0.6 * on, place[1], place[2] + 0.8 * on};
+    const Vec3 now = gust_at(gusts, way, place), later = gust_at(gusts, way + on, there);
+    EXPECT_NEAR(now.x, later.x, 1e-4);
+    EXPECT_NEAR(now.y, later.y, 1e-4);
+    EXPECT_NEAR(now.z, later.z, 1e-4);
+  }
+}
+
+TEST(GustField, AreSmoothFarFromTheOrigin) {
+  const Gusts gusts{.amplitude = 1, .length = 1};
+  for (const double far : {0.0, 1e6, -3e7}) {
+    double last = 0;
+    for (int i = 0; i < 400; ++i) {
+      const double place[3] = {far, far, far + 0.002 * i};
+      const Vec3 air = gust_at(gusts, 1e5, place);
+      // The steepest: 2 pi by the shortest wavelength, by its share of the amplitude; all of them together.
+      if (i > 0) {
+        EXPECT_LT(std::fabs(air.z - last), 0.002 * 2 * 3.15 * 5) << far;
+      }
+      last = air.z;
+    }
+  }
+}
+
+TEST(GustField, OtherSeedsAreOtherGusts) {
+  const double place[3] = {1, 2, 3};
+  Gusts one = strong(), other = strong();
+  other.seed = 8;
+  EXPECT_GT(std::fabs(gust_at(one, 1, place).z - gust_at(other, 1, place).z), 1e-3f);
+}
+
+/// Directions as short and as long as a float can have them.
+TEST(GustField, OnlyTheWayOfTheirDirectionMatters) {
+  const double place[3] = {1, 2, 3};
+  for (const float size : {1e-37f, 1e-3f, 1e30f}) {
+    Gusts gusts = strong();
+    gusts.direction = {0, 0, -size};
+    EXPECT_NEAR(gust_at(gusts, 1, place).z, gust_at(strong(), 1, place).z, 1e-5f);
+    gusts.direction = {0, size, 0};
+    EXPECT_TRUE(std::isfinite(gust_at(gusts, 1, place).y));
+  }
+}
+
+TEST(GustField, IsTheSameSeenFromAPlaceNearby) {
+  const double place[3] = {100, 2, -50};
+  std::vector<Vec3> offsets, air;
+  for (int i = 0; i < 40; ++i) offsets.push_back({0.11f * float(i), -0.07f * float(i), 0.3f});
+  air.resize(offsets.size());
+  ASSERT_EQ(gusts_near(strong(), 12.5, place, offsets, air), Status::kOk);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const double there[3] = {100 + double(offsets[i].x), 2 + double(offsets[i].y), -50 + double(offsets[i].z)};
+    const Vec3 alone = gust_at(strong(), 12.5, there);
+    EXPECT_NEAR(air[i].x, alone.x, 1e-4f);
+    EXPECT_NEAR(air[i].z, alone.z, 1e-4f);
+  }
+}
+
+TEST(GustField, BadArgumentsChangeNothing) {
+  const double place[3] = {};
+  const std::vector<Vec3> offsets(3);
+  std::vector<Vec3> air(3, Vec3{7, 7, 7});
+  EXPECT_EQ(gusts_near(strong(), 0, place, offsets, std::span(air).first(2)), Status::kSizeMismatch);
+  EXPECT_EQ(gusts_near({.length = 0}, 0, place, offsets, air), Status::kBadArgument);
+  for (const Vec3& one : air) EXPECT_EQ(one.x, 7);
+}
+
+}  // namespace coif::gusts_test
