@@ -162,7 +162,7 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::ui
                         const DynamicsScale& scale) {
   const float dt = crowd.intervals[interval_power].parts.part_dt();
   const std::uint32_t table = set * crowd.interval_count + interval_power;
-  StepTerms& terms = crowd.terms[table];
+  StepTerms& terms = crowd.dynamics_sets[set].terms[interval_power];
   if (terms.dt == dt && same(terms.scale, scale)) return;
   terms = {dt, scale};
   std::byte* const all = crowd.coefficients.data() + table * crowd.row_bone_count() * crowd.coefficient_bytes;
@@ -171,8 +171,7 @@ void renew_coefficients(CrowdState& crowd, std::uint32_t interval_power, std::ui
 
 /// What a set of dynamics and the step multiply by.
 DynamicsScale scale_of(const CrowdState& crowd, std::uint32_t set, const DynamicsScale& all) {
-  if (crowd.set_scales.empty()) return all;
-  const DynamicsScale& own = crowd.set_scales[set];
+  const DynamicsScale& own = crowd.dynamics_sets[set].scale;
   return {smaller(own.stiffness * all.stiffness, kMostScale), smaller(own.damping * all.damping, kMostScale),
           smaller(own.friction * all.friction, kMostScale)};
 }

@@ -47,6 +47,12 @@ struct IntervalStep {
   std::uint32_t due_sets = 0;  ///< A bit for each set of dynamics of which some head is stepped.
 };
 
+/// A set of dynamics that heads may choose.
+struct DynamicsSet {
+  DynamicsScale scale;
+  StepTerms terms[kMaxIntervals];  ///< Of the coefficients at hand; dt 0: none yet.
+};
+
 /// What a character brings along, as far as the hair was asked to know it. Empty under other solvers.
 struct CharacterState {
   const CharacterCode* code = nullptr;
@@ -79,15 +85,14 @@ struct CrowdState {
 
   std::span<Row> rows;
   std::span<RowBone> row_bones;
-  std::span<BoneLanes> constants;       ///< Per bone of the rows.
-  std::span<LimitLanes> limits;         ///< Per bone of the rows; empty where the asset has none.
-  std::span<std::byte> coefficients;    ///< Per set of dynamics, per interval, per bone of the rows.
-  std::span<StepTerms> terms;           ///< Per set, per interval: of the coefficients at hand; dt 0: none yet.
-  std::span<DynamicsScale> set_scales;  ///< Per set; empty where there is one.
-  std::span<std::uint8_t> sets;         ///< Per instance, the same.
-  std::span<std::byte> states;          ///< Per block, or per instance for kChains; per bone of the rows.
-  std::span<std::byte> scratch;         ///< Per block.
-  std::span<TwistState> twists;         ///< As states; empty where nothing twists.
+  std::span<BoneLanes> constants;        ///< Per bone of the rows.
+  std::span<LimitLanes> limits;          ///< Per bone of the rows; empty where the asset has none.
+  std::span<std::byte> coefficients;     ///< Per set of dynamics, per interval, per bone of the rows.
+  std::span<DynamicsSet> dynamics_sets;  ///< One at least.
+  std::span<std::byte> sets;             ///< Per instance: which of them; empty where there is one.
+  std::span<std::byte> states;           ///< Per block, or per instance for kChains; per bone of the rows.
+  std::span<std::byte> scratch;          ///< Per block.
+  std::span<TwistState> twists;          ///< As states; empty where nothing twists.
   CharacterState character;
   std::span<Mat34> palettes;  ///< Per instance, per bone.
   std::span<Block> blocks;

@@ -70,9 +70,8 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   crowd.slots = carver.take<std::uint32_t>(desc.instances);
   crowd.details = carver.take<InstanceDetail>(desc.instances);
   crowd.told = carver.take<HeadPose>(desc.instances);
-  crowd.terms = carver.take<StepTerms>(intervals * desc.dynamics_sets);
-  crowd.set_scales = carver.take<DynamicsScale>(desc.dynamics_sets > 1 ? desc.dynamics_sets : 0);
-  crowd.sets = carver.take<std::uint8_t>(desc.dynamics_sets > 1 ? desc.instances : 0);
+  crowd.dynamics_sets = carver.take<DynamicsSet>(desc.dynamics_sets);
+  crowd.sets = carver.take<std::byte>(desc.dynamics_sets > 1 ? desc.instances : 0);
   crowd.last_block = carver.take<std::uint32_t>(treatments);
   crowd.jobs = carver.take<std::uint32_t>(blocks);
 }

@@ -75,8 +75,8 @@ std::uint64_t signature_of(const CrowdState& crowd) {
     mixer.add(kind, sizeof kind);
   }
   const CharacterState& character = crowd.character;
-  const std::uint64_t asked[] = {crowd.set_scales.size(), std::uint64_t{!character.airs.empty()},
-                                 character.gusts.size()};
+  const std::uint64_t asked[] = {crowd.sets.empty() ? 0 : crowd.dynamics_sets.size(),
+                                 std::uint64_t{!character.airs.empty()}, character.gusts.size()};
   if (asked[0] + asked[1] + asked[2] != 0) mixer.add(asked, sizeof asked);
   return mixer.hash();
 }
@@ -135,7 +135,9 @@ void pass_details(CrowdState& crowd, Tape& tape) {
 /// What hosts said of the air and of dynamics, and how far gusts have come.
 template <typename Tape>
 void pass_air(CrowdState& crowd, Tape& tape) {
-  tape.pass(crowd.set_scales.data(), crowd.set_scales.size_bytes());
+  if (!crowd.sets.empty()) {
+    for (DynamicsSet& set : crowd.dynamics_sets) tape.pass(&set.scale, sizeof set.scale);
+  }
   tape.pass(crowd.character.airs.data(), crowd.character.airs.size_bytes());
   for (GustField& field : crowd.character.gusts) {
     tape.pass(&field.told, sizeof field.told);
@@ -263,7 +265,7 @@ SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> conten
 bool are_possible(const CrowdState& crowd, std::span<const std::byte> content) {
   const std::span<const std::byte> details = content.first(crowd.details.size_bytes());
   for (const std::byte set : content.subspan(details.size(), crowd.sets.size())) {
-    if (std::size_t(set) >= crowd.set_scales.size()) return false;
+    if (std::size_t(set) >= crowd.dynamics_sets.size()) return false;
   }
   const std::uint32_t levels = levels_of(crowd.asset);
   for (std::size_t at = 0; at < details.size(); at += sizeof(InstanceDetail)) {

@@ -94,19 +94,17 @@ std::uint32_t treatment_of(const CrowdState& crowd, std::uint32_t instance) {
   const InstanceDetail& detail = crowd.details[instance];
   if (!detail.simulated || detail.asleep) return kIdle;
   const std::uint32_t interval = 1u << detail.interval_power, phase = instance / kLanes % interval;
-  const std::uint32_t set = crowd.sets.empty() ? 0 : crowd.sets[instance],
-                      kind = set * levels_of(crowd.asset) + detail.level;
+  const std::uint32_t set = crowd.sets.empty() ? 0 : std::uint32_t(crowd.sets[instance]);
+  const std::uint32_t kind = detail.level * std::uint32_t(crowd.dynamics_sets.size()) + set;
   return 1 + kind * phase_count(crowd.interval_count) + (interval - 1) + phase;
 }
 
 std::uint32_t set_of(const CrowdState& crowd, std::uint32_t treatment) {
-  if (crowd.sets.empty()) return 0;
-  return (treatment - 1) / (phase_count(crowd.interval_count) * levels_of(crowd.asset));
+  return (treatment - 1) / phase_count(crowd.interval_count) % std::uint32_t(crowd.dynamics_sets.size());
 }
 
 std::uint32_t level_of(const CrowdState& crowd, std::uint32_t treatment) {
-  const std::uint32_t kind = (treatment - 1) / phase_count(crowd.interval_count);
-  return crowd.sets.empty() ? kind : kind % levels_of(crowd.asset);
+  return (treatment - 1) / phase_count(crowd.interval_count) / std::uint32_t(crowd.dynamics_sets.size());
 }
 
 std::uint32_t interval_power_of(const CrowdState& crowd, std::uint32_t treatment) {
