@@ -74,7 +74,6 @@ std::uint64_t signature_of(const CrowdState& crowd) {
                                   crowd.interval_count, std::uint64_t{solver.reads_asked}};
     mixer.add(kind, sizeof kind);
   }
-  const CharacterState& character = crowd.character;
   const std::uint64_t asked[] = {crowd.sets.empty() ? 0 : crowd.dynamics_sets.size(),
                                  std::uint64_t{!character.airs.empty()}, character.gusts.size()};
   if (asked[0] + asked[1] + asked[2] != 0) mixer.add(asked, sizeof asked);
