@@ -5,8 +5,8 @@
 
 #include "check_collider.h"
 #include "crowd_step.h"
+#include "mixer.h"
 
-#include <bit>
 #include <cstring>
 
 namespace coif {
@@ -23,36 +23,9 @@ struct SavedHeader {
   std::uint64_t hash;   ///< Of all that follows.
 };
 
-/// Against accidents. Order and place of every byte count.
-class Mixer {
- public:
-  void add(const void* data, std::size_t size) {
-    const std::byte* bytes = static_cast<const std::byte*>(data);
-    for (; size >= sizeof(std::uint64_t); size -= sizeof(std::uint64_t), bytes += sizeof(std::uint64_t)) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes, sizeof word);
-      mix(word);
-    }
-    std::uint64_t rest = size;
-    for (; size > 0; --size, ++bytes) rest = rest << 8 | std::uint64_t(*bytes);
-    mix(rest);
-  }
-  template <typename T>
-  void add(std::span<const T> values) {
-    add(values.data(), values.size_bytes());
-  }
-  [[nodiscard]] std::uint64_t hash() const { return state_ ^ state_ >> 32; }
-
- private:
-  void mix(std::uint64_t word) {
-    state_ = std::rotl(state_ ^ word * 0x9E37'79B9'7F4A'7C15u, 29) * 0xBF58'476D'1CE4'E5B9u + 1;
-  }
-  std::uint64_t state_ = kVersion;
-};
-
 /// The same for crowds whose numbers mean the same: of one asset's bones, under the same solvers.
 std::uint64_t signature_of(const CrowdState& crowd) {
-  Mixer mixer;
+  Mixer mixer(kVersion);
   const Asset& asset = crowd.asset;
   mixer.add(&asset.skeleton(), sizeof(SkeletonRecord));
   mixer.add(asset.bones());
@@ -255,7 +228,7 @@ std::size_t size_of(CrowdState& crowd) {
 }
 
 SavedHeader header_of(const CrowdState& crowd, std::span<const std::byte> content) {
-  Mixer mixer;
+  Mixer mixer(kVersion);
   mixer.add(content);
   return {kMagic, kVersion, crowd.instance_count(), signature_of(crowd), mixer.hash()};
 }
