@@ -57,6 +57,8 @@ coif_cli_case(gallery_text_file EXIT 3 STDERR "coif gallery: error: notes.coif: 
   TEXT notes.coif "this text is long enough for a header" ARGS gallery notes.coif -o sheet.png)
 coif_cli_case(gallery_no_folder EXIT 2 SAMPLE STDERR "coif gallery: error: .*nowhere"
   ARGS gallery ${COIF_COOKED_SAMPLE} --only 1 -o nowhere/sheet.png)
+coif_cli_case(render_gusts EXIT 0 SAMPLE WRITES bob.png STDOUT "bob.png: 320x240, 1 head "
+  ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --motion still --time 0.5 --wind 3,0,0 --gusts 4,1,3 -o bob.png)
 coif_cli_case(render_direction EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --component direction -o bob.png)
 coif_cli_case(render_patches EXIT 0 SAMPLE WRITES bob.png
