@@ -5,7 +5,7 @@ namespace {
 
 COIF_SAME(coif_body_pose, position, coif::BodyPose, position);
 COIF_SAME(coif_body_pose, rotation, coif::BodyPose, rotation);
-static_assert(int(COIF_COLLIDER_BOX) == int(coif::ColliderShape::kBox));
+static_assert(int(COIF_BOX) == int(coif::ColliderShape::kBox));
 
 using coif::c::code;
 using coif::c::span_of;

@@ -40,6 +40,9 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.moving_colliders = from->moving_colliders;
   desc.follows_body = from->follows_body != 0;
   desc.follows_poses = from->follows_poses != 0;
+  desc.has_own_air = from->has_own_air != 0;
+  desc.feels_gusts = from->feels_gusts != 0;
+  desc.dynamics_sets = from->dynamics_sets;
   return true;
 }
 
@@ -103,7 +106,7 @@ void coif_head_pose_init(coif_head_pose* pose) {
 
 void coif_hair_desc_init(coif_hair_desc* desc) {
   const coif::HairDesc usual;
-  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval, 0, 0, 0};
+  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval, 0, 0, 0, 0, 0, usual.dynamics_sets};
 }
 
 void coif_step_settings_init(coif_step_settings* settings) {
@@ -216,6 +219,14 @@ void coif_hair_run_job(coif_hair* hair, uint32_t job) {
 
 void coif_hair_finish_step(coif_hair* hair) {
   if (hair != nullptr) hair->hair.finish_step();
+}
+
+coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_t count, float seconds,
+                             const coif_step_settings* settings) {
+  if (hair == nullptr) return COIF_NOT_CREATED;
+  if (settings == nullptr) return COIF_BAD_ARGUMENT;
+  const std::span<const uint32_t> chosen(instances, instances == nullptr ? 0 : count);
+  return code(hair->hair.settle(chosen, seconds, settings_of(*settings)));
 }
 
 size_t coif_hair_saved_bytes(const coif_hair* hair) { return hair == nullptr ? 0 : hair->hair.saved_bytes(); }

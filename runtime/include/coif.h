@@ -1,16 +1,19 @@
 #ifndef COIF_H
 #define COIF_H
 /* coif for hosts that are not written in C++: engines with a C interface, and languages that call C. This header is all of
- * it: simulation below and in coif/c/character.h, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h. Each function is the
+ * it: simulation below, in coif/c/character.h and coif/c/air.h, the asset in coif/c/asset.h, what a renderer needs in coif/c/drawing.h and
+ * coif/c/observing.h. Each function is the
  * function or method of coif/hair.h, coif/asset.h, coif/lod.h, coif/drawing.h or coif/skinning.h of that name, where the rules
  * are: nothing allocates, throws, locks, reads a file or keeps anything global; whatever the error, everything stays as it was.
  *
  * Plain data has the same layout as in C++. Descriptions are filled with their defaults by the function beside them, so
  * that members which later versions add (minor versions before 1.0, major versions from then on) have values. */
 
+#include <coif/c/air.h>
 #include <coif/c/asset.h>
 #include <coif/c/character.h>
 #include <coif/c/drawing.h>
+#include <coif/c/observing.h>
 #include <coif/c/types.h>
 
 #ifdef __cplusplus
@@ -27,6 +30,8 @@ typedef struct coif_hair_desc {
   /* Of COIF_SOLVER_CHARACTER, see coif/c/character.h; 0 for others. */
   uint32_t moving_colliders;
   uint32_t follows_body, follows_poses; /* 0 or 1 */
+  uint32_t has_own_air, feels_gusts;    /* 0 or 1; see coif/c/air.h */
+  uint32_t dynamics_sets;               /* 1..8, of any solver */
 } coif_hair_desc;
 
 typedef struct coif_step_settings {
@@ -82,6 +87,10 @@ coif_status coif_hair_begin_step(coif_hair* hair, const coif_step_settings* sett
 uint32_t coif_hair_job_count(const coif_hair* hair);
 void coif_hair_run_job(coif_hair* hair, uint32_t job);
 void coif_hair_finish_step(coif_hair* hair);
+
+/* Before a scene: the hair of these heads comes to rest where they stand, in up to `seconds`; nothing else moves. */
+coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_t count, float seconds,
+                             const coif_step_settings* settings);
 
 /* The crowd's state as bytes, to go back to: see Hair::save() in coif/hair.h. `bytes` are exactly coif_hair_saved_bytes(). */
 size_t coif_hair_saved_bytes(const coif_hair* hair);

@@ -277,10 +277,8 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
     page.heading("How does it swing?");
     page.paragraph(
         "After a charge from 0 to 8 m/s in 0.3 s, at 60 frames per second: how far each tip is thrown, how far it then "
-        "comes to "
-        "the other side, and when it stays within a twentieth of the first. As the asset asks for, and by Algorithm 1 "
-        "with the "
-        "artist's resistance and friction and eight iterations; apart is the RMS distance of the two, their different rests "
+        "comes to the other side, and when it stays within a twentieth of the first. As the asset asks for, and by Algorithm 1 "
+        "with the artist's resistance and friction and eight iterations; apart is the RMS distance of the two, their different rests "
         "included.");
     page.figure(swing_figure(report.swings.longest));
     page.table(page_table(swing_columns(), report.swings.rows));
@@ -288,11 +286,9 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   if (!report.stroke.empty()) {
     page.heading("With a hand in it");
     page.paragraph(
-        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the "
-        "same hand "
+        "On a character, a hand stroking the hair of a head that stands still: against the same solver, told of the same hand "
         "3840 times a second. What that differs by from half as many steps is beside it: smaller errors say nothing. "
-        "Penetration is "
-        "the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that start in there "
+        "Penetration is the deepest that any part of a bone was in the hand, in % of the hand's radius, bones that start in there "
         "aside.");
     page.table(page_table(stroke_columns(), report.stroke));
   }

@@ -4,20 +4,12 @@
  * are those of the methods of coif::Hair of that name (coif/hair.h, coif/character.h, coif/air.h). Structs are filled with
  * their defaults by the function beside them. */
 
+#include <coif/c/asset.h>
 #include <coif/c/types.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef enum coif_collider_shape {
-  COIF_COLLIDER_SPHERE = 0,
-  COIF_COLLIDER_ELLIPSOID,
-  COIF_COLLIDER_CAPSULE,
-  COIF_COLLIDER_PLANE,
-  COIF_COLLIDER_TAPERED_CAPSULE,
-  COIF_COLLIDER_BOX
-} coif_collider_shape;
 
 /* Rotation, unit. */
 typedef struct coif_quat {
@@ -32,7 +24,7 @@ typedef struct coif_moving_collider {
   coif_vec3 half_extents; /* box; ellipsoid: semi-axes */
   float radius;
   float end_radius;
-  uint32_t shape;             /* coif_collider_shape */
+  uint32_t shape;             /* coif_collider_shape, of coif/c/asset.h */
   uint32_t is_velocity_known; /* 0 or 1: how fast `center` moves when it arrives */
   coif_head_velocity velocity;
 } coif_moving_collider;
