@@ -26,4 +26,16 @@ inline constexpr float kLargestCollider = 1e6f;  ///< Metres.
   return is_finite(c.velocity.linear) && is_finite(c.velocity.angular) ? Status::kOk : Status::kBadArgument;
 }
 
+/// Metres from the collider's `center` within which all of it is.
+[[nodiscard]] inline float extent_of(const MovingCollider& c) {
+  const float radius = c.radius > c.end_radius ? c.radius : c.end_radius;
+  switch (c.shape) {
+    case ColliderShape::kSphere: return c.radius;
+    case ColliderShape::kBox:
+    case ColliderShape::kEllipsoid: return c.radius + length(c.half_extents);
+    case ColliderShape::kPlane: return 3e18f;
+    default: return radius + length(c.axis);
+  }
+}
+
 }  // namespace coif

@@ -4,7 +4,6 @@
 #include "vector_math.h"
 
 #include <cmath>
-#include <cstring>
 
 namespace coif {
 namespace {
@@ -36,11 +35,8 @@ struct HeadAt {
 
 /// Head space, metres of the hair.
 Vec3 seen_from(const HeadAt& head, const double (&place)[3]) {
-  Vec3 offset;
-  offset.x = float((place[0] - head.position[0]) * double(head.per_scale));
-  offset.y = float((place[1] - head.position[1]) * double(head.per_scale));
-  offset.z = float((place[2] - head.position[2]) * double(head.per_scale));
-  return rotate(conjugate(head.rotation), offset);
+  const auto offset = [&](int axis) { return float((place[axis] - head.position[axis]) * double(head.per_scale)); };
+  return rotate(conjugate(head.rotation), {offset(0), offset(1), offset(2)});
 }
 
 constexpr std::uint32_t kMostLooks = 64;
@@ -111,17 +107,15 @@ void set_velocity(const ToldCollider& told, const HeadAt& before, const HeadAt& 
   way.turning = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0.0f ? -2.0f * per_second : 2.0f * per_second);
 }
 
-float distance_of(const Vec3& a, const Vec3& b) { return length(b - a); }
-
 /// How far any of its surface goes, at most.
 float longest_way(const ColliderWay& way) {
-  const float straight = distance_of(way.center[0], way.center[1]);
+  const float straight = length(way.center[1] - way.center[0]);
   if (has_axes(way.shape)) {
     const Vec3 corner0 = way.axes[0].x * way.radii.x + way.axes[0].y * way.radii.y + way.axes[0].z * way.radii.z;
     const Vec3 corner1 = way.axes[1].x * way.radii.x + way.axes[1].y * way.radii.y + way.axes[1].z * way.radii.z;
-    return straight + distance_of(corner0, corner1) + distance_of(way.axes[0].x, way.axes[1].x) * length(way.radii);
+    return straight + length(corner1 - corner0) + length(way.axes[1].x - way.axes[0].x) * length(way.radii);
   }
-  return straight + distance_of(way.axis[0], way.axis[1]);
+  return straight + length(way.axis[1] - way.axis[0]);
 }
 
 float thickness_of(const ColliderWay& way) {
@@ -139,16 +133,19 @@ bool turns_over(const ColliderWay& way) {
   return !(dot(way.axes[0].x, way.axes[1].x) > 0.0f && dot(way.axes[0].y, way.axes[1].y) > 0.0f);
 }
 
+void stay(ColliderWay& way) {
+  way.center[0] = way.center[1];
+  way.axis[0] = way.axis[1];
+  way.axes[0] = way.axes[1];
+}
+
 /// Half a thickness from look to look: then what is in front of it stays in front. Further than so many looks show it has been
 /// put there.
 void find_looks(ColliderWay& way, bool& has_way) {
   const float looks = std::ceil(longest_way(way) / (0.5f * thickness_of(way)));
   has_way = has_way && looks <= float(kMostLooks) && !turns_over(way);
   way.looks = has_way && looks > 1.0f ? std::uint32_t(looks) : 1;
-  if (has_way) return;
-  way.center[0] = way.center[1];
-  way.axis[0] = way.axis[1];
-  way.axes[0] = way.axes[1];
+  if (!has_way) stay(way);
 }
 
 }  // namespace
@@ -178,6 +175,8 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
 
 namespace {
 
+bool is_endless(const ColliderWay& way) { return way.keeps_inside || way.shape == ColliderShape::kPlane; }
+
 /// What is told of a collider, at the step's ends. False where hair cannot reach it.
 bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& after, const HeadPace& pace, bool is_put,
               float reach, ColliderWay& way) {
@@ -185,38 +184,52 @@ bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& afte
   set_end(told, after, told.now.center, told.now.rotation, 1, way);
   bool has_way = told.has_way && !is_put;
   if (has_way) set_end(told, before, told.center_before, told.rotation_before, 0, way);
-  if (!has_way) {
-    way.center[0] = way.center[1];
-    way.axis[0] = way.axis[1];
-    way.axes[0] = way.axes[1];
-  }
+  if (!has_way) stay(way);
   find_looks(way, has_way);
   way.velocity = way.turning = {};
   if (has_way || told.now.is_velocity_known) set_velocity(told, before, after, pace, way);
   if (!is_finite(way.center[0]) || !is_finite(way.center[1]) || !is_finite(way.velocity)) return false;
-  if (way.keeps_inside || way.shape == ColliderShape::kPlane) return true;
+  if (is_endless(way)) return true;
   PlacedCollider ends[2];
   for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
   const float nearest0 = length(ends[0].bound_center) - ends[0].bound_radius;
   const float nearest1 = length(ends[1].bound_center) - ends[1].bound_radius;
-  const float travel = distance_of(ends[0].bound_center, ends[1].bound_center);
+  const float travel = length(ends[1].bound_center - ends[0].bound_center);
   return nearest0 <= reach + travel && nearest1 <= reach + travel;
 }
 
 void set_bounds(const ColliderWay& way, std::uint32_t lane, ColliderBounds& bounds) {
   PlacedCollider ends[2];
   for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
-  const bool is_endless = way.keeps_inside || way.shape == ColliderShape::kPlane;
   const float larger = ends[0].bound_radius > ends[1].bound_radius ? ends[0].bound_radius : ends[1].bound_radius;
-  const float around = larger + 0.5f * distance_of(ends[0].bound_center, ends[1].bound_center) * kBoundMargin;
+  const float around = larger + 0.5f * length(ends[1].bound_center - ends[0].bound_center) * kBoundMargin;
   set_lane(bounds.center, lane, mix(ends[0].bound_center, ends[1].bound_center, 0.5f));
-  bounds.radius.v[lane] = is_endless ? 1e15f : around;
+  bounds.radius.v[lane] = is_endless(way) ? 1e15f : around;
 }
 
 /// Nothing comes near it.
 void set_no_bounds(std::uint32_t lane, ColliderBounds& bounds) {
   set_lane(bounds.center, lane, {1e15f, 1e15f, 1e15f});
   bounds.radius.v[lane] = 0.0f;
+}
+
+/// World metres, squared.
+double distance2(const double (&a)[3], const double (&b)[3]) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  return sum;
+}
+
+/// Too far away at both ends of the step to be looked at, whatever it is, as most are.
+bool is_far(const ToldCollider& told, const HeadAt& before, const HeadAt& after, float reach) {
+  const double scale = 1.0 / double(after.per_scale);
+  const double radius = scale * double(reach) + double(told.extent) * (told.is_of_body ? scale : 1.0);
+  const double now2 = distance2(told.now.center, after.position);
+  if (told.keeps_inside || told.now.shape == ColliderShape::kPlane || now2 <= 4 * radius * radius) return false;
+  // Further than all the way that it can have made.
+  const double before2 = distance2(told.center_before, before.position);
+  const double way2 = distance2(told.now.center, told.center_before) + distance2(after.position, before.position);
+  return before2 > 4 * radius * radius && 4 * way2 < now2;
 }
 
 /// The colliders of the head in lane `i`, of which the last step's places are now forgotten.
@@ -244,7 +257,8 @@ std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const 
     for (int axis = 0; axis < 3; ++axis) {
       told.center_before[axis] += (told.now.center[axis] - told.center_before[axis]) * double(parts.carried);
     }
-    if (find_way(told, before, after, pace, is_put, character.reach, to)) {
+    if (!is_far(told, before, after, character.reach) &&
+        find_way(told, before, after, pace, is_put, character.reach, to)) {
       to.place = place;
       ++count;
     }

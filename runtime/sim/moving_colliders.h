@@ -24,6 +24,7 @@ struct ToldCollider {
   MovingCollider now;
   double center_before[3] = {};  ///< At the end of the head's last step.
   Quat rotation_before;
+  float extent = 0;  ///< From its center, in its own metres: all of it is within.
   bool is_there = false;
   bool has_way = false;     ///< It was there at the end of the last step too.
   bool is_of_body = false;  ///< Its lengths are the hair's, not the world's.

@@ -18,18 +18,6 @@ bool same_collider(const MovingCollider& a, const MovingCollider& b) {
          a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular;
 }
 
-/// World metres from the collider's `center` within which all of it is.
-float extent_of(const MovingCollider& c) {
-  const float radius = c.radius > c.end_radius ? c.radius : c.end_radius;
-  switch (c.shape) {
-    case ColliderShape::kSphere: return c.radius;
-    case ColliderShape::kBox:
-    case ColliderShape::kEllipsoid: return c.radius + length(c.half_extents);
-    case ColliderShape::kPlane: return 3e18f;
-    default: return radius + length(c.axis);
-  }
-}
-
 /// Whether hair of the head could touch it where it is told to be.
 bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldCollider& told) {
   const std::uint32_t slot = crowd.slots[instance], i = slot % kLanes;
@@ -40,7 +28,7 @@ bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldColl
     const double way = told.now.center[axis] - heads.next_position[axis][i];
     distance2 += way * way;
   }
-  const double extent = double(extent_of(told.now)) * (told.is_of_body ? scale : 1.0);
+  const double extent = double(told.extent) * (told.is_of_body ? scale : 1.0);
   const double reach = double(crowd.character.reach) * scale + extent;
   return told.keeps_inside || distance2 < reach * reach;
 }
@@ -52,6 +40,7 @@ void tell(CrowdState& crowd, std::uint32_t instance, std::uint32_t place, const 
   const bool matters =
       (told.is_there && is_in_reach(crowd, instance, told)) || (next.is_there && is_in_reach(crowd, instance, next));
   const bool has_way = told.has_way && next.is_there && told.now.shape == next.now.shape;
+  told.extent = next.extent;
   told.now = next.now;
   told.is_there = next.is_there;
   told.has_way = has_way;
@@ -92,6 +81,7 @@ Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollide
     ToldCollider next;
     next.is_there = i < colliders.size();
     if (next.is_there) next.now = colliders[i];
+    next.extent = extent_of(next.now);
     tell(*crowd_, instance, character.body_colliders + i, next);
   }
   return Status::kOk;
@@ -118,6 +108,7 @@ Status Hair::set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
     ToldCollider next;
     next.now = carried_by(record, asset.body_bones()[record.bone], unit, scale);
     next.is_there = next.is_of_body = true;
+    next.extent = extent_of(next.now);
     next.keeps_inside = (record.flags & kColliderKeepsInside) != 0;
     tell(*crowd_, instance, i, next);
   }

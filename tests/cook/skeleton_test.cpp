@@ -303,7 +303,7 @@ TEST(ColliderReach, RestPenetrationIsReportedWithItsDepth) {
   ball.radii.setConstant(0.04);
   colliders.shapes.push_back(ball);
   Findings findings;
-  report_rest_penetration(skeleton, colliders, findings);
+  report_rest_penetration(skeleton, colliders, "collider", "cure", findings);
   ASSERT_EQ(findings.warnings.size(), 1u);
   EXPECT_NE(findings.warnings[0].find("1 bones are inside a collider at rest, 'hair_2' by 10.0 mm"), std::string::npos)
       << findings.warnings[0];

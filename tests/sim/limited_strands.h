@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <string>
 
@@ -52,7 +53,7 @@ inline double violation(const LimitRecord& limit, const Point& d) {
 
 /// The worst of the rig's bones under head `instance`. `posed`: frames are turned by these first, one for each bone.
 inline double worst_violation(const TestRig& rig, const TestHair& test, std::uint32_t instance = 0,
-                       std::span<const Quat> posed = {}) {
+                              std::span<const Quat> posed = {}) {
   const auto palette = test.hair.palette(instance);
   double worst = 0;
   for (std::size_t i = 1; i < rig.limits.size(); ++i) {
@@ -117,6 +118,27 @@ inline void for_all(const std::function<void(ChainModel, LimitKind)>& visit) {
       visit(model, kind);
     }
   }
+}
+
+/// The ends of every frame of a violent motion.
+inline std::vector<Vec3> violent_ends(const TestRig& rig, const HairDesc& desc = {}) {
+  TestHair test(rig, desc);
+  Violence violence(5);
+  std::vector<Vec3> all;
+  for (int frame = 0; frame < 40; ++frame) {
+    const HeadPose pose = frame % 2 == 0 ? violence.next() : wander(frame / 60.0);
+    for (std::uint32_t i = 0; i < desc.instances; ++i) {
+      if (test.hair.set_head(i, pose) != Status::kOk) return {};
+    }
+    if (test.hair.step(at_rate(60)) != Status::kOk) return {};
+    const auto ends = test.ends(desc.instances - 1);
+    all.insert(all.end(), ends.begin(), ends.end());
+  }
+  return all;
+}
+
+inline bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return a.size() == b.size() && !a.empty() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
 }
 
 }  // namespace coif::limits_test

@@ -61,27 +61,6 @@ TEST(Limits, AngleOfZeroLocksTheBoneToItsMiddle) {
   });
 }
 
-/// The ends of every frame of a violent motion.
-std::vector<Vec3> violent_ends(const TestRig& rig, const HairDesc& desc = {}) {
-  TestHair test(rig, desc);
-  Violence violence(5);
-  std::vector<Vec3> all;
-  for (int frame = 0; frame < 40; ++frame) {
-    const HeadPose pose = frame % 2 == 0 ? violence.next() : wander(frame / 60.0);
-    for (std::uint32_t i = 0; i < desc.instances; ++i) {
-      if (test.hair.set_head(i, pose) != Status::kOk) return {};
-    }
-    if (test.hair.step(at_rate(60)) != Status::kOk) return {};
-    const auto ends = test.ends(desc.instances - 1);
-    all.insert(all.end(), ends.begin(), ends.end());
-  }
-  return all;
-}
-
-bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  return a.size() == b.size() && !a.empty() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
-}
-
 TEST(Limits, HalfATurnIsNoneToTheBit) {
   for (const ChainModel model : kModels) {
     TestRig free = strands(model, {LimitKind::kCone, kNoAngleLimit});

@@ -198,10 +198,9 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto path = played_path(asset, settings);
   constexpr double kFrame = 1.0 / 60;  // seconds
   const double moments[2] = {std::max(settings.time - kFrame, 0.0), settings.time};
-  auto poses = simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
+  const auto poses = simulate_poses(asset, path.get(), moments, settings.step, settings.solver, settings.company.get());
   if (!poses) return tl::unexpected(poses.error());
   const std::vector<SolidMesh> meshes = stage_meshes(asset, settings, poses->back());
-  for (HairPose& each : *poses) each.head.scale = 1;  // in the hair's own metres, as it is framed
   const HairPose &before = poses->front(), &pose = poses->back();
   std::optional<StudioShadow> shadow;
   if (settings.shadows != nullptr && !settings.colliders) {

@@ -55,9 +55,8 @@ struct PictureSettings {
   double time = 0;                       ///< Seconds into the motion.
   StepSettings step;
   const Solver* solver = &kCoifSolver;
-  std::shared_ptr<const HairCompany>
-      company;  ///< Null: none. Of its colliders balls and capsules are drawn, solid. Heads are drawn as
-                ///< large as any, whatever their scale.
+  /// Null: none. Of its colliders balls and capsules are drawn, solid.
+  std::shared_ptr<const HairCompany> company;
   Component component = Component::kAll;
   std::optional<MaterialRecord> material;  ///< Instead of the asset's.
   bool patches = false;    ///< Instead of shaded hair: each patch in a colour of its own, without holes.

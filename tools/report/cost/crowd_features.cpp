@@ -16,6 +16,8 @@
 namespace coif {
 namespace {
 
+constexpr std::string_view kAlgorithm1 = "thesis";
+
 bool touches_colliders(const Asset& asset) {
   return std::ranges::any_of(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
@@ -114,7 +116,7 @@ std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings
   features.push_back(
       {"poses-only", "telling where the heads are, which is part of all the others, and no step", usual});
   features.back().steps = false;
-  if (usual.solver != kPublished) add_characters(usual, features);
+  if (usual.solver != kAlgorithm1) add_characters(usual, features);
   add_instruction_sets(usual, features);
   return features;
 }
