@@ -183,7 +183,10 @@ coif_status coif_write_head(const coif_drawn_hair* hair, const coif_matrix_layou
   const size_t need = sizeof(coif::Mat34) * (has_bones ? 1 + matrices.size() : 1);
   const bool is_right = bytes == need && size_t{layout->rows_of_head} * coif::MatrixLayout::kRowBytes == need;
   if (out == nullptr || !is_right) return COIF_SIZE_MISMATCH;
-  const coif::MatrixLayout rows{layout->rows_of_head, layout->heads_of_batch, layout->bones_in_texture != 0};
+  coif::MatrixLayout rows;
+  rows.rows_of_head = layout->rows_of_head;
+  rows.heads_of_batch = layout->heads_of_batch;
+  rows.bones_in_texture = layout->bones_in_texture != 0;
   coif::write_head(rows, instance, vector_of(*eye), static_cast<std::byte*>(out));
   return COIF_OK;
 }

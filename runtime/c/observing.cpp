@@ -83,14 +83,14 @@ coif_status coif_draw_debug_lines(const coif_asset* asset, const coif_head_pose*
   Drawer drawer{draw, user};
   const coif::DebugLines lines{&hand_over, &drawer};
   coif::Status status = coif::Status::kOk;
-  if ((what & COIF_DRAW_BONES) != 0) status = coif::draw_bone_lines(opened, instance, lines);
-  if (status == coif::Status::kOk && (what & COIF_DRAW_COLLIDERS) != 0) {
+  if ((what & uint32_t{COIF_DRAW_BONES}) != 0) status = coif::draw_bone_lines(opened, instance, lines);
+  if (status == coif::Status::kOk && (what & uint32_t{COIF_DRAW_COLLIDERS}) != 0) {
     status = coif::draw_collider_lines(opened, instance.head, lines);
   }
-  if (status == coif::Status::kOk && (what & COIF_DRAW_LIMITS) != 0) {
+  if (status == coif::Status::kOk && (what & uint32_t{COIF_DRAW_LIMITS}) != 0) {
     status = coif::draw_limit_lines(opened, instance, lines);
   }
-  if (status == coif::Status::kOk && (what & COIF_DRAW_CONTACTS) != 0) {
+  if (status == coif::Status::kOk && (what & uint32_t{COIF_DRAW_CONTACTS}) != 0) {
     status = coif::draw_contact_lines(opened, instance, lines);
   }
   return code(status);

@@ -57,7 +57,7 @@ TEST_F(Recorded, AtWeightZeroIsThePose) {
   settings.company.pose_weight = 1;
   const auto free = record(asset(), settings);
   ASSERT_TRUE(free);
-  EXPECT_GT(largest_move(free->frames.front(), free->frames.back()), 1e-3f);
+  EXPECT_GT(largest_move(free->frames.front(), free->frames.back()), 1e-4f);
 }
 
 TEST_F(Recorded, FollowsAPoseByOurSolverAlone) {

@@ -139,7 +139,7 @@ TEST(CObserving, BoundsBonesAndLinesAreThoseOfCpp) {
   Asset mine;
   ASSERT_TRUE(mine.open(file.bytes()));
   coif_asset asset;
-  ASSERT_TRUE(coif_asset_open(&asset, file.bytes().data(), file.bytes().size(), nullptr, 0));
+  ASSERT_EQ(coif_asset_open(&asset, file.bytes().data(), file.bytes().size(), nullptr, 0), COIF_OK);
   const auto bones = std::uint32_t(mine.bones().size());
   const std::vector<Mat34> palette(bones);
   const auto* const in_c = reinterpret_cast<const coif_mat34*>(palette.data());
@@ -164,7 +164,7 @@ TEST(CObserving, BoundsBonesAndLinesAreThoseOfCpp) {
   coif_head_pose_init(&head);
   int counts[5] = {};
   const auto count = [](const coif_debug_line* line, void* user) { ++static_cast<int*>(user)[line->kind]; };
-  ASSERT_EQ(coif_draw_debug_lines(&asset, &head, in_c, bones, COIF_DRAW_BONES | COIF_DRAW_COLLIDERS | COIF_DRAW_LIMITS, count,
+  ASSERT_EQ(coif_draw_debug_lines(&asset, &head, in_c, bones, std::uint32_t{COIF_DRAW_BONES} | std::uint32_t{COIF_DRAW_COLLIDERS} | std::uint32_t{COIF_DRAW_LIMITS}, count,
                                   counts),
             COIF_OK);
   EXPECT_EQ(counts[COIF_LINE_BONE] + counts[COIF_LINE_RIGID_BONE], int(bones) - 1);

@@ -46,10 +46,13 @@ TEST(PlacedSolid, IsAsDeepAsTheDeepestOfManyPoints) {
       for (int k = 0; k <= 2000; ++k) {
         least = std::min(least, solid.gap(segment.start + segment.direction * (segment.length * k / 2000)));
       }
-      EXPECT_NEAR(avoidable_depth(solid, segment), std::max(0.0, segment.radius - least), 1e-6) << int(collider.shape);
+      // Between two points it may be deeper by half of what lies between them, and no more.
+      const double depth = avoidable_depth(solid, segment), looked = std::max(0.0, segment.radius - least);
+      EXPECT_GE(depth, looked - 1e-6) << int(collider.shape);
+      EXPECT_LE(depth, looked + 0.5 * segment.length / 2000 + 1e-6) << int(collider.shape);
       met += least < segment.radius;
     }
-    if (collider.shape != ColliderShape::kPlane) EXPECT_GT(met, 5) << int(collider.shape);
+    if (collider.shape != ColliderShape::kPlane) EXPECT_GT(met, 2) << int(collider.shape);
   }
 }
 
@@ -61,8 +64,9 @@ TEST(PlacedSolid, HasASurfaceWhereItsShapeSays) {
   };
   EXPECT_NEAR(gap_at(all[0], {0, 0.05f, 0}), 0, 1e-8);
   EXPECT_NEAR(gap_at(all[1], {0.05f, 0.1f, 0.05f}), 0, 1e-8);
-  EXPECT_NEAR(gap_at(all[2], {0, 0, 0.05f}), -0.05 * (1 - std::sqrt(1 - 0.03 * 0.03 / 0.0125)), 1e-4)
-      << "a cone is wider than its end's ball beside that";
+  EXPECT_NEAR(gap_at(all[2], {0, 0, 0.05f}), 0, 1e-8);
+  EXPECT_NEAR(gap_at(all[2], {0.05f, 0.1f, 0.02f}), -0.02 * (1 - std::sqrt(1 - 0.03 * 0.03 / 0.0125)), 1e-8)
+      << "a cone is wider than its thin end's ball beside that";
   EXPECT_NEAR(gap_at(all[3], {0.03f, 0, 0.03f}), 0, 1e-8) << "a box's face is rounded outwards";
   EXPECT_NEAR(gap_at(all[3], {0, 0, 0}), -0.03, 1e-8) << "and the middle is as deep as its nearest face";
   EXPECT_NEAR(gap_at(all[4], {0.03f, 0, 0}), 0, 1e-8);

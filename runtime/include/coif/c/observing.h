@@ -59,10 +59,12 @@ typedef struct coif_debug_line {
 typedef void (*coif_draw_line)(const coif_debug_line* line, void* user);
 
 /* Which lines coif_draw_debug_lines() draws: a sum of these. Colliders are the asset's. */
-#define COIF_DRAW_BONES 1u
-#define COIF_DRAW_COLLIDERS 2u
-#define COIF_DRAW_LIMITS 4u
-#define COIF_DRAW_CONTACTS 8u
+typedef enum coif_line_choice {
+  COIF_DRAW_BONES = 1,
+  COIF_DRAW_COLLIDERS = 2,
+  COIF_DRAW_LIMITS = 4,
+  COIF_DRAW_CONTACTS = 8
+} coif_line_choice;
 /* Calls `draw` for each line of one head, one kind after the other. */
 coif_status coif_draw_debug_lines(const coif_asset* asset, const coif_head_pose* head, const coif_mat34* palette,
                                   uint32_t palette_count, uint32_t what, coif_draw_line draw, void* user);
