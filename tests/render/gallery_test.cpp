@@ -154,7 +154,7 @@ TEST_F(GalleryTest, SettingsOutOfRangeAreRefusedByName) {
   };
   EXPECT_NE(refusal({.width = 63}).find("64 to 1024 pixels each way, not 63 x 320"), std::string::npos);
   EXPECT_NE(refusal({.height = 1025}).find("not 320 x 1025"), std::string::npos);
-  EXPECT_NE(refusal({.only = 7}).find("no gallery 7"), std::string::npos);
+  EXPECT_NE(refusal({.only = 8}).find("no gallery 8"), std::string::npos);
 }
 
 TEST_F(GalleryTest, SameSheetTwice) {
