@@ -46,7 +46,7 @@ coif_cli_case(look_no_png EXIT 1 SAMPLE STDERR "coif look: error: look.jpg: the 
   ARGS look ${COIF_COOKED_SAMPLE} -o look.jpg)
 
 coif_cli_case(gallery_text EXIT 0 SAMPLE WRITES sheet.png TIMEOUT 120
-  STDOUT "sheet.png: 440x[0-9]+, 72 pictures, drawn in [0-9.]+ ms\n  device: "
+  STDOUT "sheet.png: 440x[0-9]+, 96 pictures, drawn in [0-9.]+ ms\n  device: "
   ARGS gallery ${COIF_COOKED_SAMPLE} --size 64x64 -o sheet.png)
 coif_cli_case(gallery_json EXIT 0 SAMPLE WRITES sheet.png JSON output width height pictures draw_ms device
   ARGS gallery ${COIF_COOKED_SAMPLE} --only 4 --size 64x80 -o sheet.png --format json)

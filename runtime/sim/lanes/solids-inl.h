@@ -283,6 +283,7 @@ HWY_INLINE V3<D> clear_of(D d, const PlacedCollider& collider, V<D> hit_radius, 
     case ColliderShape::kCapsule:
     case ColliderShape::kTaperedCapsule: return clear_of_capsule(d, collider, hit_radius, position);
     case ColliderShape::kPlane: break;
+    case ColliderShape::kBox: break;  // in no asset
   }
   return clear_of_plane(d, collider, hit_radius, position);
 }
