@@ -29,7 +29,8 @@ struct Axes {
 
 Axes axes_of(const Vec3& direction) {
   // Of any length that a float can have: made comparable first.
-  const float largest = std::fmax(std::fabs(direction.x), std::fmax(std::fabs(direction.y), std::fabs(direction.z)));
+  const float x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+  const float side = x > y ? x : y, largest = side > z ? side : z;
   const Vec3 even{direction.x / largest, direction.y / largest, direction.z / largest};
   Axes axes;
   axes.along = even * (1.0f / length(even));
