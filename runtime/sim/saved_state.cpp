@@ -65,6 +65,7 @@ struct Counting {
 struct Writing {
   std::byte* to;
   void pass(const void* from, std::size_t bytes) {
+    if (bytes == 0) return;  // of nothing, which may be nowhere
     std::memcpy(to, from, bytes);
     to += bytes;
   }
@@ -72,6 +73,7 @@ struct Writing {
 struct Reading {
   const std::byte* from;
   void pass(void* to, std::size_t bytes) {
+    if (bytes == 0) return;
     std::memcpy(to, from, bytes);
     from += bytes;
   }
