@@ -119,8 +119,9 @@ TEST(Impulse, StretchesNothing) {
     for (int frame = 0; frame < 60; ++frame) {
       ASSERT_EQ(test.hair.set_head(0, wander(frame * 0.02)), Status::kOk);
       if (frame % 10 == 0) {
-        const auto at = wander(frame * 0.02).position;
-        ASSERT_EQ(test.hair.push(0, {.center = {at[0] + 0.1, at[1], at[2]}, .radius = 0.5f, .speed = 30}), Status::kOk);
+        const HeadPose at = wander(frame * 0.02);
+        const auto& [x, y, z] = at.position;
+        ASSERT_EQ(test.hair.push(0, {.center = {x + 0.1, y, z}, .radius = 0.5f, .speed = 30}), Status::kOk);
       }
       ASSERT_EQ(test.hair.step({}), Status::kOk);
       ASSERT_LT(worst_stretch(rig, test.ends()), 1e-5f);
