@@ -6,12 +6,12 @@
 namespace {
 
 using coif::c::code;
-using coif::c::to_vector;
+using coif::c::vector_of;
 
 coif_vec3 in_c(const coif::Vec3& from) { return {from.x, from.y, from.z}; }
 
 coif::Gusts gusts_of(const coif_gusts& from) {
-  return {from.amplitude, from.length, from.speed, to_vector(from.direction), from.seed};
+  return {from.amplitude, from.length, from.speed, vector_of(from.direction), from.seed};
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void coif_head_air_init(coif_head_air* air) {
 coif_status coif_hair_set_air(coif_hair* hair, uint32_t instance, const coif_head_air* air) {
   if (hair == nullptr) return COIF_NOT_CREATED;
   if (air == nullptr) return COIF_BAD_ARGUMENT;
-  return code(hair->hair.set_air(instance, {to_vector(air->wind), air->exposure}));
+  return code(hair->hair.set_air(instance, {vector_of(air->wind), air->exposure}));
 }
 
 void coif_gusts_init(coif_gusts* gusts) {
@@ -69,10 +69,10 @@ coif_status coif_hair_push(coif_hair* hair, uint32_t instance, const coif_impuls
   if (impulse == nullptr) return COIF_BAD_ARGUMENT;
   coif::Impulse its;
   for (int axis = 0; axis < 3; ++axis) its.center[axis] = impulse->center[axis];
-  its.axis = to_vector(impulse->axis);
+  its.axis = vector_of(impulse->axis);
   its.radius = impulse->radius;
   its.speed = impulse->speed;
-  its.velocity = to_vector(impulse->velocity);
+  its.velocity = vector_of(impulse->velocity);
   its.strokes = impulse->strokes != 0;
   return code(hair->hair.push(instance, its));
 }

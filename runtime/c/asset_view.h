@@ -3,8 +3,10 @@
 
 #include <coif.h>
 #include <coif/asset.h>
+#include <coif/math.h>
 #include <coif/status.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,6 +38,17 @@ const InC* list(std::span<const Record> records, std::uint32_t* count) {
   if (count != nullptr) *count = static_cast<std::uint32_t>(records.size());
   return records.empty() ? nullptr : reinterpret_cast<const InC*>(records.data());
 }
+
+/// The same bytes in the other language's type.
+template <typename To, typename From>
+To copied(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  return std::bit_cast<To>(from);
+}
+
+inline coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
+
+inline coif::HeadPose pose_of(const coif_head_pose& from) { return copied<coif::HeadPose>(from); }
 
 }  // namespace coif::c
 

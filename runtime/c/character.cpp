@@ -9,21 +9,21 @@ static_assert(int(COIF_BOX) == int(coif::ColliderShape::kBox));
 
 using coif::c::code;
 using coif::c::span_of;
-using coif::c::to_vector;
+using coif::c::vector_of;
 
-coif::Vec3 vector_of(const float (&from)[3]) { return {from[0], from[1], from[2]}; }
+coif::Vec3 of_three(const float (&from)[3]) { return {from[0], from[1], from[2]}; }
 
 coif::MovingCollider collider_of(const coif_moving_collider& from) {
   coif::MovingCollider to;
   to.shape = static_cast<coif::ColliderShape>(from.shape);
   for (int axis = 0; axis < 3; ++axis) to.center[axis] = from.center[axis];
   to.rotation = {from.rotation.x, from.rotation.y, from.rotation.z, from.rotation.w};
-  to.axis = to_vector(from.axis);
+  to.axis = vector_of(from.axis);
   to.radius = from.radius;
   to.end_radius = from.end_radius;
-  to.half_extents = to_vector(from.half_extents);
+  to.half_extents = vector_of(from.half_extents);
   to.is_velocity_known = from.is_velocity_known != 0;
-  to.velocity = {vector_of(from.velocity.linear), vector_of(from.velocity.angular)};
+  to.velocity = {of_three(from.velocity.linear), of_three(from.velocity.angular)};
   return to;
 }
 

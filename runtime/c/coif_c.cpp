@@ -19,6 +19,8 @@ static_assert(alignof(coif_hair) <= kAlignment);
 
 using coif::c::bytes_of;
 using coif::c::code;
+using coif::c::pose_of;
+using coif::c::vector_of;
 
 /// Null for an enumerator that this version does not know.
 const coif::Solver* solver_of(std::uint32_t solver) {
@@ -45,17 +47,6 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.dynamics_sets = from->dynamics_sets;
   return true;
 }
-
-coif::HeadPose pose_of(const coif_head_pose& from) {
-  coif::HeadPose pose;
-  for (int i = 0; i < 3; ++i) pose.position[i] = from.position[i];
-  pose.rotation = {from.rotation[0], from.rotation[1], from.rotation[2], from.rotation[3]};
-  pose.scale = from.scale;
-  pose.reserved = from.reserved;
-  return pose;
-}
-
-coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
 
 coif::StepSettings settings_of(const coif_step_settings& from) {
   coif::StepSettings settings;

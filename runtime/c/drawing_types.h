@@ -5,23 +5,11 @@
 
 #include <coif/drawing.h>
 
-#include <bit>
 #include <cstring>
 
 namespace coif::c {
 
 static_assert(sizeof(coif_mat34) == sizeof(coif::Mat34));
-
-/// The same bytes in the other language's type.
-template <typename To, typename From>
-To copied(const From& from) {
-  static_assert(sizeof(To) == sizeof(From));
-  return std::bit_cast<To>(from);
-}
-
-inline coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }
-
-inline coif::HeadPose pose_of(const coif_head_pose& from) { return copied<coif::HeadPose>(from); }
 
 /// What culling, orders and matrices take of it; not its levels' ranges, alpha and material.
 inline coif::DrawnHair hair_of(const coif_drawn_hair& from) {

@@ -13,8 +13,6 @@ struct coif_hair {
 
 namespace coif::c {
 
-inline Vec3 to_vector(const coif_vec3& from) { return {from.x, from.y, from.z}; }
-
 /// A list of C's type, which has the same layout; empty for null.
 template <typename T, typename InC>
 std::span<const T> span_of(const InC* list, std::uint32_t count) {

@@ -16,10 +16,6 @@ Status check_environment(const Environment& environment) {
   return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
 }
 
-bool same(const DynamicsScale& a, const DynamicsScale& b) {
-  return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
-}
-
 }  // namespace
 
 bool rests_under_both(const StepSettings& a, const StepSettings& b) {

@@ -12,6 +12,10 @@ namespace coif {
 /// Whether all factors are in their range.
 [[nodiscard]] bool fits(const DynamicsScale& scale);
 
+[[nodiscard]] inline bool same(const DynamicsScale& a, const DynamicsScale& b) {
+  return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
+}
+
 /// False where hair at rest under the one would move under the other.
 [[nodiscard]] bool rests_under_both(const StepSettings& a, const StepSettings& b);
 

@@ -5,14 +5,6 @@
 #include "crowd_step.h"
 
 namespace coif {
-namespace {
-
-bool same(const DynamicsScale& a, const DynamicsScale& b) {
-  return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
-}
-
-}  // namespace
-
 Status Hair::set_dynamics(std::uint32_t set, const DynamicsScale& scale) {
   if (crowd_ == nullptr) return Status::kNotCreated;
   if (crowd_->sets.empty() || set >= crowd_->dynamics_sets.size()) return Status::kNotAsked;

@@ -10,8 +10,6 @@
 namespace coif {
 namespace {
 
-Quat unit_of(const Quat& q) { return renormalised(q); }
-
 Quat towards(const Quat& near, const Quat& q) {
   const bool is_far = near.x * q.x + near.y * q.y + near.z * q.z + near.w * q.w < 0.0f;
   return is_far ? Quat{-q.x, -q.y, -q.z, -q.w} : q;
@@ -38,7 +36,7 @@ Status check_pose(const CrowdState& crowd, std::span<const Quat> rotations, std:
 Quat posed_rotation(const Asset& asset, std::span<const Quat> rotations, std::uint32_t bone) {
   Quat all;
   for (; bone != kNone && asset.bones()[bone].kind == BoneKind::kSimulated; bone = asset.bones()[bone].parent) {
-    all = unit_of(rotations[bone]) * all;
+    all = renormalised(rotations[bone]) * all;
   }
   return renormalised(all);
 }
@@ -56,7 +54,7 @@ Status Hair::set_pose(std::uint32_t instance, std::span<const Quat> rotations, s
                 [&](std::uint32_t bone, std::uint32_t chain, PoseLanes& pose, std::uint32_t lane, const Vec3& pull) {
                   if (is_rest) return set_rest_pose(pose, lane, pull);
                   const float weight = weights[weights.size() == 1 ? 0 : chain];
-                  const Quat next = towards(coif::lane(pose.before, lane), unit_of(rotations[bone]));
+                  const Quat next = towards(coif::lane(pose.before, lane), renormalised(rotations[bone]));
                   changes = changes || !(coif::lane(pose.now, lane) == next) || pose.weight.v[lane] != weight;
                   set_lane(pose.now, lane, next);
                   set_lane(pose.pull_now, lane, rotate(posed_rotation(crowd_->asset, rotations, bone), pull));

@@ -8,10 +8,6 @@
 namespace coif {
 namespace {
 
-bool is_capsule(ColliderShape shape) {
-  return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
-}
-
 Vec3 mix(const Vec3& a, const Vec3& b, float s) { return a + (b - a) * s; }
 
 Vec3 unit(const Vec3& v) { return v * (1.0f / length(v)); }
@@ -23,8 +19,6 @@ OwnAxes straightened(const OwnAxes& axes) {
 }
 
 bool has_axes(ColliderShape shape) { return shape == ColliderShape::kBox || shape == ColliderShape::kEllipsoid; }
-
-OwnAxes axes_of(const Quat& q) { return {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})}; }
 
 /// Where the head is at one end of the step.
 struct HeadAt {
@@ -162,11 +156,6 @@ void place_at(const ColliderWay& way, float s, PlacedCollider& placed) {
   if (has_axes(way.shape)) {
     const OwnAxes &a = way.axes[0], &b = way.axes[1];
     placed.axes = straightened({mix(a.x, b.x, s), mix(a.y, b.y, s), mix(a.z, b.z, s)});
-    const Vec3& radii = way.radii;
-    if (way.shape == ColliderShape::kEllipsoid) {
-      placed.unit_axes = {placed.axes.x * (1.0f / radii.x), placed.axes.y * (1.0f / radii.y),
-                          placed.axes.z * (1.0f / radii.z)};
-    }
   }
   complete(placed);
   constexpr float kLeastSize = 1e-3f;  // metres; what is thinner is not felt more exactly
@@ -189,29 +178,18 @@ bool find_way(const ToldCollider& told, const HeadAt& before, const HeadAt& afte
   way.velocity = way.turning = {};
   if (has_way || told.now.is_velocity_known) set_velocity(told, before, after, pace, way);
   if (!is_finite(way.center[0]) || !is_finite(way.center[1]) || !is_finite(way.velocity)) return false;
-  if (is_endless(way)) return true;
-  PlacedCollider ends[2];
-  for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
-  const float nearest0 = length(ends[0].bound_center) - ends[0].bound_radius;
-  const float nearest1 = length(ends[1].bound_center) - ends[1].bound_radius;
-  const float travel = length(ends[1].bound_center - ends[0].bound_center);
-  return nearest0 <= reach + travel && nearest1 <= reach + travel;
-}
-
-void set_bounds(const ColliderWay& way, std::uint32_t lane, ColliderBounds& bounds) {
   PlacedCollider ends[2];
   for (int end = 0; end < 2; ++end) place_at(way, float(end), ends[end]);
   const float larger = ends[0].bound_radius > ends[1].bound_radius ? ends[0].bound_radius : ends[1].bound_radius;
-  const float around = larger + 0.5f * length(ends[1].bound_center - ends[0].bound_center) * kBoundMargin;
-  set_lane(bounds.center, lane, mix(ends[0].bound_center, ends[1].bound_center, 0.5f));
-  bounds.radius.v[lane] = is_endless(way) ? 1e15f : around;
+  const float travel = length(ends[1].bound_center - ends[0].bound_center);
+  way.bound_center = mix(ends[0].bound_center, ends[1].bound_center, 0.5f);
+  way.bound_radius = is_endless(way) ? 1e15f : larger + 0.5f * travel * kBoundMargin;
+  const float nearest0 = length(ends[0].bound_center) - ends[0].bound_radius;
+  const float nearest1 = length(ends[1].bound_center) - ends[1].bound_radius;
+  return is_endless(way) || (nearest0 <= reach + travel && nearest1 <= reach + travel);
 }
 
-/// Nothing comes near it.
-void set_no_bounds(std::uint32_t lane, ColliderBounds& bounds) {
-  set_lane(bounds.center, lane, {1e15f, 1e15f, 1e15f});
-  bounds.radius.v[lane] = 0.0f;
-}
+constexpr Vec3 kNowhere{1e15f, 1e15f, 1e15f};  ///< Nothing comes near it.
 
 /// World metres, squared.
 double distance2(const double (&a)[3], const double (&b)[3]) {
@@ -289,8 +267,9 @@ void begin_colliders(CrowdState& crowd, std::uint32_t index, const HeadStepLanes
     const std::uint32_t count = i < block.count ? character.way_counts[instance] : 0;
     const std::size_t first = std::size_t(instance) * character.places;
     for (std::uint32_t k = 0; k < most; ++k) {
-      if (k < count) set_bounds(character.ways[first + k], i, bounds[k]);
-      if (k >= count) set_no_bounds(i, bounds[k]);
+      const bool is_there = k < count;
+      set_lane(bounds[k].center, i, is_there ? character.ways[first + k].bound_center : kNowhere);
+      bounds[k].radius.v[i] = is_there ? character.ways[first + k].bound_radius : 0.0f;
     }
   }
 }

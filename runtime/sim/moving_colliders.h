@@ -43,6 +43,8 @@ struct ColliderWay {
   OwnAxes axes[2];          ///< Box.
   Vec3 velocity;            ///< At the end, against what is rigid to the head, head axes: of the centre, m/s,
   Vec3 turning;             ///< and rad/s.
+  Vec3 bound_center;        ///< A ball around the whole way.
+  float bound_radius = 0;
   std::uint32_t looks = 1;  ///< So many moments of the step have to be looked at so that it jumps through nothing.
 };
 

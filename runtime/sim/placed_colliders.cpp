@@ -7,10 +7,6 @@
 namespace coif {
 namespace {
 
-bool is_capsule(ColliderShape shape) {
-  return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
-}
-
 float largest(const Vec3& radii) {
   const float side = radii.x > radii.y ? radii.x : radii.y;
   return side > radii.z ? side : radii.z;
@@ -22,10 +18,10 @@ float smallest(const Vec3& radii) {
   return radii.z > 0.0f && radii.z < side ? radii.z : side;
 }
 
-void place_ellipsoid(PlacedCollider& placed, const Quat& rotation) {
-  const Vec3 x = rotate(rotation, {1, 0, 0}), y = rotate(rotation, {0, 1, 0}), z = rotate(rotation, {0, 0, 1});
-  placed.axes = {x, y, z};
-  placed.unit_axes = {x * (1.0f / placed.radii.x), y * (1.0f / placed.radii.y), z * (1.0f / placed.radii.z)};
+void place_ellipsoid(PlacedCollider& placed) {
+  const OwnAxes& axes = placed.axes;
+  const Vec3& radii = placed.radii;
+  placed.unit_axes = {axes.x * (1.0f / radii.x), axes.y * (1.0f / radii.y), axes.z * (1.0f / radii.z)};
 }
 
 void place_capsule(PlacedCollider& placed) {
@@ -54,15 +50,18 @@ PlacedCollider place(const ColliderRecord& record) {
   placed.axis = to_vec3(record.axis);
   placed.radii = to_vec3(record.radii);
   placed.way_out = rotate(to_quat(record.rotation), {0, 1, 0});
-  if (placed.shape == ColliderShape::kEllipsoid) place_ellipsoid(placed, to_quat(record.rotation));
+  if (placed.shape == ColliderShape::kEllipsoid) placed.axes = axes_of(to_quat(record.rotation));
   complete(placed);
   return placed;
 }
 
 }  // namespace
 
+OwnAxes axes_of(const Quat& q) { return {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})}; }
+
 void complete(PlacedCollider& placed) {
   placed.size = smallest(placed.radii);
+  if (placed.shape == ColliderShape::kEllipsoid) place_ellipsoid(placed);
   if (is_capsule(placed.shape)) {
     placed.way_out = any_perpendicular(placed.axis * (1.0f / length(placed.axis)));
     place_capsule(placed);

@@ -40,7 +40,14 @@ struct PlacedCollider {
   float farthest = 0;  ///< See PlacedColliders::farthest().
 };
 
-/// Fills in of a sphere, capsule, plane or box what follows from its shape, centre, axis and radii.
+[[nodiscard]] inline bool is_capsule(ColliderShape shape) {
+  return shape == ColliderShape::kCapsule || shape == ColliderShape::kTaperedCapsule;
+}
+
+/// A collider's own axes, turned by the unit quaternion `q`.
+[[nodiscard]] OwnAxes axes_of(const Quat& q);
+
+/// Fills in what follows from shape, centre, axis, radii and, of an ellipsoid or box, axes.
 void complete(PlacedCollider& placed);
 
 /// The colliders of an asset. Small enough for the stack.

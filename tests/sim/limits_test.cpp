@@ -87,7 +87,9 @@ TEST(Limits, OfOneChainChangeNoBitOfItsNeighbour) {
     bool differs = false;
     for (std::size_t i = 0; i < beside.size(); ++i) {
       const bool is_same = std::memcmp(&beside[i], &alone[i], sizeof(Vec3)) == 0;
-      if (i % 8 < 4) EXPECT_TRUE(is_same) << named(model, LimitKind::kSpherical) << " " << i;
+      if (i % 8 < 4) {
+        EXPECT_TRUE(is_same) << named(model, LimitKind::kSpherical) << " " << i;
+      }
       differs = differs || !is_same;
     }
     EXPECT_TRUE(differs) << "the other chain is limited";
@@ -210,7 +212,9 @@ TEST(Limits, TheNearestAllowedDirectionIsContinuousAndStaysWhereItIs) {
       const Vec3 end = test.ends()[0];
       ASSERT_EQ(test.hair.step(at_rate(60)), Status::kOk);
       EXPECT_LT(distance(end, test.ends()[0]), 2e-5f);
-      if (has_last) EXPECT_LT(distance(last, end), 0.02f) << int(kind) << " at " << k;
+      if (has_last) {
+        EXPECT_LT(distance(last, end), 0.02f) << int(kind) << " at " << k;
+      }
       last = end;
       has_last = true;
     }

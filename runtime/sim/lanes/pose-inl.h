@@ -3,6 +3,7 @@
 #include "character_row.h"
 #include "coif_bone-inl.h"
 #include "lane_math-inl.h"
+#include "quaternion-inl.h"
 
 #if defined(COIF_SIM_LANES_POSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COIF_SIM_LANES_POSE_INL_H_
@@ -28,19 +29,6 @@ template <class D>
 HWY_INLINE V3<D> mixed(D d, const Lanes3& before, const Lanes3& now, float s, std::size_t lane) {
   const V3<D> from = load(d, before, lane);
   return add_scaled(d, from, sub(d, load(d, now, lane), from), hn::Set(d, s));
-}
-
-/// The columns of a unit quaternion's matrix.
-template <class D>
-HWY_INLINE M3<D> columns_of(D d, V<D> x, V<D> y, V<D> z, V<D> w) {
-  const auto one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
-  const auto twice = [&](V<D> a, V<D> b) { return hn::Mul(two, hn::Mul(a, b)); };
-  return {{hn::Sub(one, hn::Add(twice(y, y), twice(z, z))), hn::Add(twice(x, y), twice(z, w)),
-           hn::Sub(twice(x, z), twice(y, w))},
-          {hn::Sub(twice(x, y), twice(z, w)), hn::Sub(one, hn::Add(twice(x, x), twice(z, z))),
-           hn::Add(twice(y, z), twice(x, w))},
-          {hn::Add(twice(x, z), twice(y, w)), hn::Sub(twice(y, z), twice(x, w)),
-           hn::Sub(one, hn::Add(twice(x, x), twice(y, y)))}};
 }
 
 /// Turns the frame of what a bone hangs from as the pose says, and tells how fast that goes: then the bone's rest direction in it
@@ -70,7 +58,7 @@ HWY_NOINLINE void follow_pose(D d, const RowCharacter& character, const PoseLane
   const V3<D> in_world = rotate(d, turn, rotate(d, carrier.frame, scale(d, turning, per_second)));
   carrier.angular_velocity = add(d, carrier.angular_velocity, in_world);
   carrier.angular_velocity_before = add(d, carrier.angular_velocity_before, in_world);
-  const M3<D> posed = columns_of(d, axis.x, axis.y, axis.z, w);
+  const M3<D> posed = matrix_of(d, Q<D>{axis.x, axis.y, axis.z, w});
   const M3<D> frame = carrier.frame;
   copy(d, {rotate(d, frame, posed.x), rotate(d, frame, posed.y), rotate(d, frame, posed.z)}, carrier.frame);
 }
