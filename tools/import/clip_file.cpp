@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
+#include "import/clip_document.h"
 #include "import/clip_track.h"
 #include "import/gltf_document.h"
 #include "import/import.h"
@@ -24,11 +25,7 @@ using nlohmann::json;
 template <class T>
 using Expected = tl::expected<T, std::string>;  ///< The error without the file's name.
 
-constexpr std::uint64_t kMostClipBytes = std::uint64_t{1} << 30;
-constexpr std::size_t kMostClipNumbers =
-    16'000'000;                        ///< Of all tracks, so that one buffer named often fills no memory.
 constexpr double kLeastSpan = 1.0e-4;  ///< Seconds; the promise of ClipFile::keys.
-constexpr const char* kExportAgain = "export the clip again as .glb";
 
 /// A clip being read: one node and its parents, and what moves them.
 class ClipReader {
@@ -225,19 +222,10 @@ class ClipReader {
 }  // namespace
 
 tl::expected<ClipFile, ToolError> read_clip(const fs::path& path, std::string_view node) try {
-  using Kind = ToolError::Kind;
-  if (auto readable = check_readable(path, kMostClipBytes); !readable) return tl::unexpected(readable.error());
-  const auto suffix = find_suffix(path);
-  if (!suffix || suffix->format != SourceFormat::kGltf) {
-    return file_failure(Kind::kUnsupported, path,
-                        "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool");
-  }
-  constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
-  const auto document = read_gltf_json(path, kMembers);
-  if (!document)
-    return file_failure(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportAgain);
+  const auto document = read_clip_document(path);
+  if (!document) return tl::unexpected(document.error());
   auto clip = ClipReader(path, *document).read(node);
-  if (!clip) return file_failure(Kind::kBadInput, path, "{}", clip.error());
+  if (!clip) return file_failure(ToolError::Kind::kBadInput, path, "{}", clip.error());
   for (std::string& note : clip->notes) note = path.string() + ": " + note;
   return std::move(*clip);
 } catch (const std::bad_alloc&) {

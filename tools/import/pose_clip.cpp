@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/text.h"
+#include "import/clip_document.h"
 #include "import/gltf_document.h"
 #include "import/import.h"
 
@@ -20,10 +21,6 @@ namespace fs = std::filesystem;
 using Eigen::Quaterniond;
 using nlohmann::json;
 
-constexpr std::uint64_t kMostPoseBytes = std::uint64_t{1} << 30;
-constexpr std::size_t kMostPoseNumbers =
-    16'000'000;  ///< Of all tracks, so that one buffer named often fills no memory.
-constexpr const char* kExportPose = "export the clip again as .glb";
 
 Quaterniond turn_of(const Eigen::Affine3d& place) { return Quaterniond(rotation_part(place)).normalized(); }
 
@@ -101,7 +98,7 @@ class PoseReader {
       if (is_new) {
         auto moves = ClipNode::from(tree_.node(index));
         if (!moves) {
-          return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportPose);
+          return fault("node '{}' has a place that is not made of finite numbers; {}", tree_.label(index), kExportAgain);
         }
         clip_->nodes_.push_back({parent, std::move(*moves)});
       }
@@ -138,7 +135,7 @@ class PoseReader {
   tl::expected<void, std::string> read_animation() {
     const json& animations = list_of(member(document_, "animations"));
     const auto used = std::ranges::find_if(animations, [this](const json& one) { return turns_bones(one); });
-    if (used == animations.end()) return fault("no animation turns a bone of the hair; {}", kExportPose);
+    if (used == animations.end()) return fault("no animation turns a bone of the hair; {}", kExportAgain);
     for (const json& channel : list_of(member(*used, "channels"))) {
       const auto node = turned_by(channel);
       if (!node) continue;
@@ -150,15 +147,15 @@ class PoseReader {
   tl::expected<void, std::string> read_channel(const json& animation, const json& channel, PoseClip::Node& node) {
     const json& samplers = list_of(member(animation, "samplers"));
     const auto sampler = index_of(member(channel, "sampler"), samplers.size());
-    if (!sampler) return fault("no such sampler among {}; {}", samplers.size(), kExportPose);
+    if (!sampler) return fault("no such sampler among {}; {}", samplers.size(), kExportAgain);
     auto track = read_track(document_, buffers_, samplers[*sampler], NodeProperty::kRotation);
-    if (!track) return fault("a bone's rotation: {}; {}", track.error(), kExportPose);
+    if (!track) return fault("a bone's rotation: {}; {}", track.error(), kExportAgain);
     numbers_ += track->seconds.size() + track->values.size();
-    if (numbers_ > kMostPoseNumbers) {
-      return fault("more than {} numbers of animation; export a shorter clip", kMostPoseNumbers);
+    if (numbers_ > kMostClipNumbers) {
+      return fault("more than {} numbers of animation; export a shorter clip", kMostClipNumbers);
     }
     if (node.moves.animate(NodeProperty::kRotation, std::move(*track))) return {};
-    return fault("a bone is animated twice, or given as a matrix; {}", kExportPose);
+    return fault("a bone is animated twice, or given as a matrix; {}", kExportAgain);
   }
 
   const json& document_;
@@ -171,20 +168,10 @@ class PoseReader {
 
 tl::expected<std::shared_ptr<const PoseClip>, ToolError> read_pose_clip(const fs::path& path,
                                                                         std::span<const PosedBone> bones) try {
-  using Kind = ToolError::Kind;
-  if (auto readable = check_readable(path, kMostPoseBytes); !readable) return tl::unexpected(readable.error());
-  const auto suffix = find_suffix(path);
-  if (!suffix || suffix->format != SourceFormat::kGltf) {
-    return file_failure(Kind::kUnsupported, path,
-                        "clips are read from .glb, .gltf and .vrm only; convert it to glTF in a modelling tool");
-  }
-  constexpr std::string_view kMembers[] = {"accessors", "animations", "bufferViews", "buffers", "nodes"};
-  const auto document = read_gltf_json(path, kMembers);
-  if (!document) {
-    return file_failure(Kind::kBadInput, path, "cannot be read as glTF 2.0: {}; {}", document.error(), kExportPose);
-  }
+  const auto document = read_clip_document(path);
+  if (!document) return tl::unexpected(document.error());
   auto clip = PoseReader(path, *document).read(bones);
-  if (!clip) return file_failure(Kind::kBadInput, path, "{}", clip.error());
+  if (!clip) return file_failure(ToolError::Kind::kBadInput, path, "{}", clip.error());
   return std::move(*clip);
 } catch (const std::bad_alloc&) {
   return file_failure(ToolError::Kind::kBadInput, path, "not enough memory for this clip");
