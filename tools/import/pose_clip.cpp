@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 using Eigen::Quaterniond;
 using nlohmann::json;
 
-
 Quaterniond turn_of(const Eigen::Affine3d& place) { return Quaterniond(rotation_part(place)).normalized(); }
 
 }  // namespace
