@@ -18,6 +18,7 @@ LoadStatus check_needed_chunks(const Asset& asset);
 LoadStatus check_names(const Asset& asset);
 LoadStatus check_skeleton(const Asset& asset);
 LoadStatus check_dynamics(const Asset& asset);
+LoadStatus check_links(const Asset& asset);
 LoadStatus check_colliders(const Asset& asset);
 LoadStatus check_body(const Asset& asset);
 /// Chunks that others are refused without: of what is drawn.
@@ -34,8 +35,8 @@ using ContentCheck = LoadStatus (*)(const Asset&);
 
 /// One after the other: each relies on those before it.
 inline constexpr ContentCheck kContentChecks[] = {
-    check_needed_chunks, check_names, check_skeleton, check_dynamics, check_colliders, check_needs,  check_body,
-    check_lods,          check_mesh,  check_orders,   check_material, check_textures,  check_tuning, check_provenance};
+    check_needed_chunks, check_names, check_skeleton, check_dynamics, check_links,  check_colliders, check_needs, check_body,
+    check_lods,          check_mesh,  check_orders,   check_material, check_textures, check_tuning, check_provenance};
 
 inline bool is_rigid(const BoneRecord& bone) { return bone.kind != BoneKind::kSimulated; }
 

@@ -66,6 +66,7 @@ const char* describe(LoadCode code) {
     case LoadCode::kBoneJoint: return "bone does not start where its simulated parent ends";
     case LoadCode::kColliderSet: return "bone's set names colliders that do not exist, or the bone is rigid";
     case LoadCode::kChainCover: return "chains do not cover the simulated bones exactly once";
+    case LoadCode::kLinkOrder: return "links are not trees between bones of equal depth in different chains, by depth";
     case LoadCode::kOpenBones: return "too many bones of the chain wait for their children; store it depth first";
     case LoadCode::kPatchCover: return "patches do not cover the index list exactly once in order";
     case LoadCode::kLodCover: return "levels of detail do not cover the patches exactly once in order";

@@ -21,6 +21,7 @@ constexpr ChunkGroup kGroups[] = {
     {"asked", "Algorithm 1 reads the friction that chains were given so that they have one motion"},
     {"tuning", "it is simulated with the host's sub-steps"},
     {"limits", "bones swing as far as they are pulled"},
+    {"links", "strips that hang on two chains are torn apart"},
     {"body", "hair passes through the body"},
     {"colliders", "hair passes through the head and the body"},
     {"motion", "hair is rigid with the head"},

@@ -44,6 +44,8 @@ COIF_SAME(coif_limit, kind, coif::LimitRecord, kind);
 COIF_SAME(coif_limit, angles, coif::LimitRecord, angles);
 COIF_SAME(coif_limit, rotation, coif::LimitRecord, rotation);
 static_assert(COIF_SPHERICAL == int(coif::LimitKind::kSpherical));
+COIF_SAME(coif_link, bone, coif::LinkRecord, bone);
+COIF_SAME(coif_link, longest, coif::LinkRecord, longest);
 COIF_SAME(coif_body_bone, name, coif::BodyBoneRecord, name);
 COIF_SAME(coif_body_bone, joint, coif::BodyBoneRecord, joint);
 COIF_SAME(coif_body_bone, rotation, coif::BodyBoneRecord, rotation);
@@ -132,6 +134,10 @@ const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* cou
 
 const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count) {
   return list<coif_limit>(view_of(asset).limits(), count);
+}
+
+const coif_link* coif_asset_links(const coif_asset* asset, uint32_t* count) {
+  return list<coif_link>(view_of(asset).links(), count);
 }
 
 const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count) {

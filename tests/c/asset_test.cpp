@@ -49,6 +49,7 @@ TEST_F(CAsset, ListsAreTheAssetsOwnRecords) {
   check(coif_asset_chains, same_.chains());
   check(coif_asset_colliders, same_.colliders());
   check(coif_asset_limits, same_.limits());
+  check(coif_asset_links, same_.links());
   check(coif_asset_body_bones, same_.body_bones());
   check(coif_asset_body_colliders, same_.body_colliders());
   check(coif_asset_body_sets, same_.body_sets());
@@ -89,6 +90,7 @@ TEST_F(CAsset, MembersMeanWhatTheRecordsOnesDo) {
   EXPECT_STREQ(coif_asset_body_bone_name(&asset_, 99), "");
   EXPECT_EQ(coif_asset_body_bones(&asset_, nullptr)[0].joint[1], same_.body_bones()[0].joint[1]);
   EXPECT_EQ(coif_asset_limits(&asset_, nullptr)[2].angles[0], same_.limits()[2].angles[0]);
+  EXPECT_EQ(coif_asset_links(&asset_, nullptr)[0].longest, same_.links()[0].longest);
 }
 
 TEST_F(CAsset, LevelsAreTheSame) {

@@ -153,6 +153,7 @@ TEST(Strip, WithoutMotionNothingTouchesTheBodyAndNothingIsLimited) {
   OpenFile left(whole.without({chunk::kDynamics}).file);
   ASSERT_TRUE(left.status);
   EXPECT_TRUE(left.asset.limits().empty());
+  EXPECT_TRUE(left.asset.links().empty());
   ASSERT_EQ(left.asset.body_sets().size(), left.asset.bones().size());
   for (const std::uint32_t set : left.asset.body_sets()) EXPECT_EQ(set, 0u);
 }

@@ -135,6 +135,7 @@ AssetContents small_asset() {
   add_colliders(asset);
   add_body(asset);
   add_limits(asset);
+  asset.links = {{4, 2, 0.02f, 0.06f}};
   add_tuning(asset);
   add_mesh(asset);
   MaterialRecord material{};
@@ -181,6 +182,9 @@ double touch_asset(const Asset& asset) {
     }
   }
   for (const LimitRecord& limit : asset.limits()) sum += limit.angles[0] + limit.angles[1] + limit.rotation[3];
+  for (const LinkRecord& link : asset.links()) {
+    sum += asset.bones()[link.bone].length + asset.bones()[link.to].length + link.shortest + link.longest;
+  }
   if (const TuningRecord* t = asset.tuning(); t != nullptr) sum += t->substep_rate + t->reached_error + t->cost;
   for (const QualityRecord& q : asset.quality()) {
     sum += q.frame_rate + q.rms_error + q.max_error + q.stretch + q.penetration + q.cost + float(q.worst_motion);

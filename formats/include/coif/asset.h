@@ -67,6 +67,8 @@ class COIF_API Asset {
   [[nodiscard]] std::span<const AskedRecord> asked() const { return records<chunk::kAsked>(); }
   /// One per bone, or empty where no bone has one.
   [[nodiscard]] std::span<const LimitRecord> limits() const { return records<chunk::kLimits>(); }
+  /// Between chains; empty where none hang together. Ascending by depth, and a bone's own link before those that hang on it.
+  [[nodiscard]] std::span<const LinkRecord> links() const { return records<chunk::kLinks>(); }
   [[nodiscard]] std::span<const ColliderRecord> colliders() const { return records<chunk::kColliders>(); }
 
   /// Bones of the body that body_colliders() hang from, at most kMaxBodyColliders; their poses are the host's.

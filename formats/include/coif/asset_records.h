@@ -135,6 +135,16 @@ struct LimitRecord {
 };
 static_assert(sizeof(LimitRecord) == 32);
 
+/// Two bones of equal depth in two chains, whose particles stay together as those of one sheet do. The links of a depth are trees:
+/// each says how a bone hangs on one that was named before it.
+struct LinkRecord {
+  std::uint32_t bone;
+  std::uint32_t to;
+  float shortest;  ///< Between their particles, metres, 0..longest.
+  float longest;   ///< > 0.
+};
+static_assert(sizeof(LinkRecord) == 16);
+
 /// The default direction at rest, unit: where a bone with this unit rest direction is pulled to. `lean` (length at most 1) goes
 /// along two directions at right angles to it (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"), what is left of a
 /// unit along itself. A bone whose pull leans against its weight rests where it was modelled. `solver thesis` knows no lean.

@@ -62,6 +62,8 @@ static_assert(sizeof(ChunkEntry) == 32);
       "asked motion", "how each bone moves by the artist's own numbers")                                                 \
   ROW(kLimits, "LIMT", LimitRecord, kMany, limits, 16, kSimulation, idle_without(chunk::kDynamics),                      \
       "limits motion", "which directions each bone may have")                                                            \
+  ROW(kLinks, "LINK", LinkRecord, kMany, links, 16, kSimulation, idle_without(chunk::kDynamics),                         \
+      "links motion", "which bones of neighbouring chains stay together")                                                \
   ROW(kColliders, "COLL", ColliderRecord, kMany, colliders, 16, kSimulation, needs_nothing(),                            \
       "colliders motion", "colliders")                                                                                   \
   ROW(kBodyBones, "BODB", BodyBoneRecord, kMany, body_bones, 16, kSimulation,                                            \

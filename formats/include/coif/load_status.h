@@ -38,6 +38,7 @@ enum class LoadCode : std::uint8_t {
   kOrderCover,        ///< A draw order does not have every triangle of a level of detail exactly once.
   kWeightSum,         ///< Skin weights of a vertex do not add up to one.
   kName,              ///< Names do not end with a zero byte.
+  kLinkOrder,         ///< Links are not trees between bones of equal depth in different chains, by depth.
 };
 
 /// The result of opening an asset; carries its own evidence.

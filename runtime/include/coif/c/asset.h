@@ -51,6 +51,14 @@ typedef struct coif_bone {
 
 typedef enum coif_limit_kind { COIF_UNLIMITED = 0, COIF_CONE = 1, COIF_HINGE = 2, COIF_SPHERICAL = 3 } coif_limit_kind;
 
+/* Two bones whose particles stay together: LinkRecord in coif/asset_records.h. */
+typedef struct coif_link {
+  uint32_t bone;
+  uint32_t to;
+  float shortest; /* Between their particles, metres. */
+  float longest;
+} coif_link;
+
 /* What bounds a bone's direction: LimitRecord in coif/asset_records.h. */
 typedef struct coif_limit {
   uint32_t kind;   /* coif_limit_kind */
@@ -173,6 +181,7 @@ const coif_bone* coif_asset_bones(const coif_asset* asset, uint32_t* count);
 const char* coif_asset_bone_name(const coif_asset* asset, uint32_t bone);
 const coif_chain* coif_asset_chains(const coif_asset* asset, uint32_t* count);
 const coif_limit* coif_asset_limits(const coif_asset* asset, uint32_t* count); /* One per bone, or none. */
+const coif_link* coif_asset_links(const coif_asset* asset, uint32_t* count); /* Between chains; by depth. */
 const coif_collider* coif_asset_colliders(const coif_asset* asset, uint32_t* count);
 const coif_body_bone* coif_asset_body_bones(const coif_asset* asset, uint32_t* count);
 const char* coif_asset_body_bone_name(const coif_asset* asset, uint32_t body_bone); /* As coif_asset_bone_name(). */
