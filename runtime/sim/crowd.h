@@ -1,6 +1,7 @@
 #pragma once
 // What create() makes of an asset in the caller's memory.
 
+#include "chain_links.h"
 #include "lanes/character_row.h"
 #include "lanes/lane_layout.h"
 #include "moving_colliders.h"
@@ -94,6 +95,7 @@ struct CrowdState {
   std::span<std::byte> scratch;          ///< Per block.
   std::span<TwistState> twists;          ///< As states; empty where nothing twists.
   CharacterState character;
+  LinkState links;
   std::span<Mat34> palettes;  ///< Per instance, per bone.
   std::span<Block> blocks;
   std::span<std::uint32_t> treatments;  ///< Per block; apart, as a step looks at all of them. kIdle: free, or idle.

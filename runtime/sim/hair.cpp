@@ -23,6 +23,9 @@ Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (desc.dynamics_sets < 1 || desc.dynamics_sets > kMaxDynamicsSets) return Status::kBadArgument;
   if (asks && desc.solver->character == nullptr) return Status::kBadArgument;
   if (desc.moving_colliders > kMaxMovingColliders) return Status::kBadArgument;
+  if (desc.links == nullptr) return Status::kOk;
+  const bool fits = desc.links->of_character == (desc.solver->character != nullptr);
+  if (!fits || desc.solver == &kThesisSolver) return Status::kBadArgument;
   return Status::kOk;
 }
 
@@ -64,6 +67,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, Crowd
   if (any_bone_twists(asset, *desc.solver)) crowd.twists = carver.take<TwistState>(states);
   if (desc.solver->character != nullptr)
     desc.solver->character->carve(carver, asset, desc, states, blocks, crowd.character);
+  if (desc.links != nullptr) desc.links->carve(carver, asset, rows.rows, blocks, crowd.links);
   crowd.palettes = carver.take<Mat34>(std::uint64_t(desc.instances) * asset.bones().size());
   crowd.blocks = carver.take<Block>(blocks);
   crowd.treatments = carver.take<std::uint32_t>(blocks);
@@ -110,6 +114,10 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   }
   for (Row& row : crowd.rows) row.step = row.solver->row_code(set);
   if (desc.solver->character != nullptr) desc.solver->character->create(crowd);
+  if (desc.links != nullptr) {
+    desc.links->create(crowd);
+    if (!crowd.links.chains.empty()) crowd.links.code = desc.links;
+  }
   fill_blocks(crowd);
   for (Block& block : crowd.blocks) {
     for (float& w : block.heads.rotation.w.v) w = 1.0f;

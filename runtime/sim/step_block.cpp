@@ -92,21 +92,43 @@ void set_up_character(const BlockStep& step, const Row& row, std::int32_t only_h
   job.character = &character;
 }
 
+/// Keeps what the row was stepped with for what holds its links; its speeds are told after that.
+void keep_for_links(const BlockStep& step, std::size_t r, const RowStep& job, const RowCharacter& character, Mat34* const* palettes) {
+  const LinkState& links = step.crowd.links;
+  const std::uint32_t place = links.code == nullptr ? kNone : links.row_places[r];
+  if (place == kNone) return;
+  LinkedRowStep& kept = links.steps[step.index * std::size_t(links.row_count) + place];
+  kept.solver = step.crowd.rows[r].solver;
+  kept.step = job;
+  kept.character = character;
+  kept.step.character = job.character == nullptr ? nullptr : &kept.character;
+  if (job.palette == nullptr) return;
+  for (std::uint32_t i = 0; i < kLanes; ++i) kept.palettes[i] = palettes[i];
+  kept.step.palette = kept.palettes;
+}
+
 /// The same chain of every head of the block.
 void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
   Mat34* palettes[kLanes] = {};
-  for (const Row& row : crowd.rows) {
+  Lanes unused{};
+  for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
+    const Row& row = crowd.rows[r];
     const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
     for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
     RowStep job = row_step(step, row, step.index * kLanes, move);
     set_up_character(step, row, -1, part, character, job);
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
-    job.motion = &step.motion;
+    job.motion = crowd.links.has(row.first_chain) ? &unused : &step.motion;
     row.step(job);
+    keep_for_links(step, r, job, character, palettes);
+  }
+  if (crowd.links.code == nullptr) return;
+  for (std::uint32_t i = 0; i < step.block.count; ++i) {
+    step.motion.v[i] += crowd.links.code->keep(step.crowd, step.index, std::int32_t(i));
   }
 }
 
@@ -119,7 +141,8 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
   MoveLanes move;
   spread(moves, head, move);
   Mat34* palettes[kLanes] = {};
-  for (const Row& row : crowd.rows) {
+  for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
+    const Row& row = crowd.rows[r];
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       palettes[i] = &palette[crowd.asset.chains()[row.first_chain + i].first_bone];
     }
@@ -131,8 +154,12 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
     job.motion = &motion;
     row.step(job);
     // In the order of the chains, as for kHeads, and without the lanes that are not in use.
-    for (std::uint32_t i = 0; i < row.chain_count; ++i) step.motion.v[head] += motion.v[i];
+    for (std::uint32_t i = 0; i < row.chain_count; ++i) {
+      if (!crowd.links.has(row.first_chain + i)) step.motion.v[head] += motion.v[i];
+    }
+    keep_for_links(step, r, job, character, palettes);
   }
+  if (crowd.links.code != nullptr) step.motion.v[head] += crowd.links.code->keep(step.crowd, step.index, -1);
 }
 
 void turn_heads(BlockStep& step, const Lanes4& by) {

@@ -116,6 +116,11 @@ void TestRig::limit(std::uint32_t bone, LimitKind kind, float first, float secon
   limits[bone] = {kind, {first, second}, 0, {rotation.x, rotation.y, rotation.z, rotation.w}};
 }
 
+void TestRig::link(std::uint32_t bone, std::uint32_t to, float stretch, float shrink) {
+  const float gap = distance(rest_ends()[bone - 1], rest_ends()[to - 1]);
+  links.push_back({bone, to, gap * (1 - shrink), gap * (1 + stretch)});
+}
+
 std::vector<Vec3> TestRig::rest_ends() const {
   std::vector<Vec3> ends;
   for (std::size_t i = 1; i < bones.size(); ++i) {
@@ -148,6 +153,7 @@ AssetContents TestRig::contents() const {
   contents.dynamics = dynamics;
   contents.colliders = colliders;
   add_body(contents, *this);
+  contents.links = links;
   contents.limits = limits;
   if (!limits.empty()) {
     LimitRecord none{};

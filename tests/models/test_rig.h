@@ -44,6 +44,9 @@ class TestRig {
   /// Bounds the bone's direction; `rotation` from the limit's axes to the parent's frame. Bones that are added later have none.
   void limit(std::uint32_t bone, LimitKind kind, float first, float second = 0, const Quat& rotation = {});
 
+  /// Keeps the particles of two bones at 1 - `shrink` to 1 + `stretch` times their distance at rest.
+  void link(std::uint32_t bone, std::uint32_t to, float stretch = 0.1f, float shrink = 0.5f);
+
   [[nodiscard]] std::size_t simulated_count() const { return bones.size() - 1; }
   /// Where the particles rest, head space.
   [[nodiscard]] std::vector<Vec3> rest_ends() const;
@@ -57,6 +60,7 @@ class TestRig {
   std::vector<BodyBoneRecord> body_bones;
   std::vector<ColliderRecord> body_colliders;
   std::vector<LimitRecord> limits;  ///< One for each bone, or empty: see limit().
+  std::vector<LinkRecord> links;  ///< See link(); as LINK demands.
   float substep_rate = 0;  ///< Above 0: the asset is tuned, for this many sub-steps a second.
   /// In how many levels of detail each bone is simulated, bone 0's 0; empty for an asset with one level.
   std::vector<std::uint8_t> levels;

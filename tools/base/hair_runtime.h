@@ -3,6 +3,7 @@
 // What tools need beside the runtime's own interface: memory for its hair, and what people call its shading models.
 
 #include <coif/hair.h>
+#include <coif/links.h>
 #include <coif/shading_models.h>
 
 #include <array>
@@ -22,6 +23,13 @@ using HairMemory = std::unique_ptr<std::byte, decltype(&std::free)>;
 [[nodiscard]] inline HairMemory allocate(const MemoryNeed& need) {
   const std::size_t units = need.bytes == 0 ? 1 : (need.bytes + need.alignment - 1) / need.alignment;
   return {static_cast<std::byte*>(std::aligned_alloc(need.alignment, units * need.alignment)), &std::free};
+}
+
+/// What keeps the asset's linked chains together under `solver`; null where it links none, and for Algorithm 1, which knows no links.
+[[nodiscard]] inline const LinkCode* links_of(const Asset& asset, const Solver& solver) {
+  if (asset.links().empty() || &solver == &kThesisSolver) return nullptr;
+  const bool is_worn = &solver == &kCharacterSolver || &solver == &kCharacterCascadeSolver;
+  return is_worn ? &kCharacterLinks : &kLinks;
 }
 
 /// Of an open asset's material.

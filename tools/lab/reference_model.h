@@ -91,12 +91,14 @@ struct HeadStep {
 };
 
 class PassiveModel;
+class ReferenceLinks;
 
-/// The bones that hang from one joint of the head, moved by the classical Runge-Kutta method in double precision: fourth
+/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the classical Runge-Kutta method in double precision: fourth
 /// order where nothing touches, first order through contacts. Trees do not act on each other. Steps allocate nothing.
 class ReferenceTree {
  public:
-  /// `members`: bones of the rig, a root and all that hangs from it, parents first.
+  /// `members`: bones of the rig, roots and all that hangs from them, parents first; where bones are linked, by depth. Linked chains are
+  /// of one model, or the first one's moves all.
   ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members, const SolverScene& scene);
   ReferenceTree(ReferenceTree&&) noexcept;
   ~ReferenceTree();
@@ -126,10 +128,13 @@ class ReferenceTree {
   [[nodiscard]] double least_steps_per_second() const;
 
  private:
+  void find_links(const Rig& rig, std::span<const int> place);
   void integrate(const HeadStep& step);
   void find_rates(const HeadState& head, const std::vector<BoneState>& states, std::vector<BoneRates>& rates);
   void untwist_all(const Eigen::Quaterniond& head_rotation);
   void hold(const HeadState& head);
+  void hold_bone(std::size_t i, const HeadState& head);
+  void hold_links(std::size_t begin, std::size_t end, const HeadState& head);
   bool hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
   bool hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const;
   bool hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head, BoneState& state) const;
@@ -137,6 +142,8 @@ class ReferenceTree {
   std::vector<std::uint32_t> members_;
   std::vector<RigBone> bones_;             ///< Parents are indices into bones_.
   std::unique_ptr<PassiveModel> passive_;  ///< Null: a cascade.
+  std::unique_ptr<ReferenceLinks> links_;  ///< Null: none.
+  std::vector<std::size_t> level_ends_;    ///< Where depths end in bones_, if some are linked.
   std::vector<SolidShape> solids_;
   SolverScene scene_;
   bool is_free_ = true;  ///< No bone can touch anything or has an angle limit.
@@ -151,7 +158,8 @@ class ReferenceTree {
   std::vector<char> moved_;
 };
 
-/// Each root of the rig with all that hangs from it; bones in the rig's order.
+/// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in the rig's order, or by
+/// depth where some are linked.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig);
 
 }  // namespace coif

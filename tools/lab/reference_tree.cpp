@@ -1,4 +1,5 @@
 #include "lab/passive_model.h"
+#include "lab/reference_links.h"
 #include "lab/reference_model.h"
 
 #include <algorithm>
@@ -90,6 +91,7 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
     place[members_[i]] = int(i);
     bones_.push_back(bone);
   }
+  find_links(rig, place);
   if (bones_.front().model == ChainModel::kPassive) passive_ = std::make_unique<PassiveModel>(bones_);
   states_.resize(bones_.size());
   trial_.resize(bones_.size());
@@ -98,6 +100,23 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   for (auto& rates : rates_) rates.resize(bones_.size());
   moved_.resize(bones_.size());
   before_.resize(bones_.size());
+}
+
+void ReferenceTree::find_links(const Rig& rig, std::span<const int> place) {
+  std::vector<RigLink> links;
+  for (const RigLink& link : rig.links) {
+    if (place[link.bone] < 0) continue;
+    links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
+  }
+  if (links.empty()) return;
+  is_free_ = false;
+  std::vector<int> depths;
+  for (const RigBone& bone : bones_) {
+    depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
+    if (depths.size() > 1 && depths.back() > depths[depths.size() - 2]) level_ends_.push_back(depths.size() - 1);
+  }
+  level_ends_.push_back(bones_.size());
+  links_ = std::make_unique<ReferenceLinks>(std::move(links), bones_);
 }
 
 ReferenceTree::ReferenceTree(ReferenceTree&&) noexcept = default;
@@ -164,26 +183,52 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
 }
 
 void ReferenceTree::hold(const HeadState& head) {
+  std::size_t begin = 0, level = 0;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    const RigBone& bone = bones_[i];
-    const bool is_root = bone.parent < 0;
-    const BoneMotion joint = is_root ? motion_of_joint(bone.joint, head) : BoneMotion{};
-    const auto up = std::size_t(is_root ? 0 : bone.parent);
-    const BoneMotion& parent = is_root ? joint : motions_[up];
-    free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
-    moved_[i] = !is_root && moved_[up];
-    if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
-    const bool at_limit = hold_limit(bone, parent, head, states_[i]);
-    const bool at_bounds = hold_bounds(bone, parent, states_[i]);
-    bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit || at_bounds;
-    held = hold_bounds(bone, parent, states_[i]) || held;
-    if (held) moved_[i] = true;
-    untwist(bone, parent.frame, states_[i]);
-    motions_[i] = motion_of(bone, parent, states_[i]);
-    // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
-    if (passive_ && !held) motions_[i].velocity = free_motions_[i].velocity;
+    hold_bone(i, head);
+    if (!links_ || i + 1 != level_ends_[level]) continue;
+    hold_links(begin, i + 1, head);
+    begin = level_ends_[level++];
   }
   if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) passive_->keep_links(head, motions_, states_);
+}
+
+void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
+  const RigBone& bone = bones_[i];
+  const bool is_root = bone.parent < 0;
+  const BoneMotion joint = is_root ? motion_of_joint(bone.joint, head) : BoneMotion{};
+  const auto up = std::size_t(is_root ? 0 : bone.parent);
+  const BoneMotion& parent = is_root ? joint : motions_[up];
+  free_motions_[i] = motion_of(bone, is_root ? joint : free_motions_[up], states_[i]);
+  moved_[i] = !is_root && moved_[up];
+  if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
+  const bool at_limit = hold_limit(bone, parent, head, states_[i]);
+  const bool at_bounds = hold_bounds(bone, parent, states_[i]);
+  bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit || at_bounds;
+  held = hold_bounds(bone, parent, states_[i]) || held;
+  if (held) moved_[i] = true;
+  untwist(bone, parent.frame, states_[i]);
+  motions_[i] = motion_of(bone, parent, states_[i]);
+  // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
+  if (passive_ && !held) motions_[i].velocity = free_motions_[i].velocity;
+}
+
+void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadState& head) {
+  const auto start_of = [&](std::size_t i) {
+    const int up = bones_[i].parent;
+    return up < 0 ? motion_of_joint(bones_[i].joint, head) : motions_[std::size_t(up)];
+  };
+  std::vector<char> turned(bones_.size());
+  links_->hold(begin, end, start_of, states_, motions_, turned);
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!turned[i]) continue;
+    const BoneMotion parent = start_of(i);
+    moved_[i] = true;
+    // Colliders last: as in the runtime, where both cannot be.
+    (void)hold_colliders(bones_[i], parent, head, states_[i]);
+    untwist(bones_[i], parent.frame, states_[i]);
+    motions_[i] = motion_of(bones_[i], parent, states_[i]);
+  }
 }
 
 bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
@@ -275,18 +320,6 @@ double ReferenceTree::least_steps_per_second() const {
     fastest = std::max({fastest, std::sqrt(bone.stiffness), bone.damping + bone.friction, torsion});
   }
   return fastest;
-}
-
-std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
-  std::vector<std::vector<std::uint32_t>> trees;
-  std::vector<std::size_t> tree_of(rig.bones.size());
-  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
-    const int parent = rig.bones[i].parent;
-    tree_of[i] = parent >= 0 ? tree_of[std::size_t(parent)] : trees.size();
-    if (parent < 0) trees.emplace_back();
-    trees[tree_of[i]].push_back(std::uint32_t(i));
-  }
-  return trees;
 }
 
 }  // namespace coif

@@ -69,6 +69,9 @@ Rig rig_of(const Asset& asset) {
     if (!asset.asked().empty()) rig.bones.back().asked = changed_from(asset.asked()[i], asset.dynamics()[i]);
   }
   rig.colliders.assign(asset.colliders().begin(), asset.colliders().end());
+  for (const LinkRecord& link : asset.links()) {
+    rig.links.push_back({link.bone - rig.rigid_count, link.to - rig.rigid_count, double(link.shortest), double(link.longest)});
+  }
   find_tips(asset, rig);
   return rig;
 }
@@ -118,6 +121,10 @@ RigSample sample_of(const Rig& rig, std::size_t most_bones) {
     if (bone.parent >= 0) bone.parent = place[std::size_t(bone.parent)];
     place[sample.bones[i]] = int(i);
     sample.rig.bones.push_back(bone);
+  }
+  for (const RigLink& link : rig.links) {
+    if (place[link.bone] < 0) continue;
+    sample.rig.links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
   }
   for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
     if (place[rig.tips[tip]] < 0) continue;

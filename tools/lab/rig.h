@@ -44,10 +44,17 @@ struct RigBone {
   [[nodiscard]] const Eigen::Vector3d& pull_direction() const { return leaning.isZero() ? rest_direction : leaning; }
 };
 
+/// Two bones of a rig whose particles stay together: LinkRecord.
+struct RigLink {
+  std::uint32_t bone = 0, to = 0;         ///< Of Rig::bones.
+  double shortest = 0, longest = 0;       ///< Metres.
+};
+
 /// What of an asset moves, for solvers that are not the runtime's. Parents come first.
 struct Rig {
   std::vector<RigBone> bones;
   std::vector<ColliderRecord> colliders;
+  std::vector<RigLink> links;  ///< By depth.
   /// Bones without children: where errors are measured.
   std::vector<std::uint32_t> tips;
   std::vector<double> tip_length;        ///< Of the chain that ends there, joint to tip, metres.
@@ -69,8 +76,8 @@ struct RigSample {
   std::vector<std::uint32_t> bones;  ///< Of the whole rig: one for each bone of `rig`.
 };
 
-/// Whole trees of bones, evenly chosen over the head, with at most `most_bones` bones, but at least one tree: trees do not
-/// act on each other, so each moves as it does among all.
+/// Whole trees of bones (trees_of()), evenly chosen over the head, with at most `most_bones` bones, but at least one tree: these do
+/// not act on each other, so each moves as it does among all.
 [[nodiscard]] RigSample sample_of(const Rig& rig, std::size_t most_bones);
 
 /// An asset made in memory, and the bytes it lives in: what is to be measured is run as a game would run it.

@@ -11,6 +11,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   HairDesc desc;
   desc.solver = &solver;
   desc.moving_colliders = scene.moving_colliders;
+  desc.links = links_of(asset, solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   memory_ = allocate(need);
   if (!memory_) throw std::bad_alloc();

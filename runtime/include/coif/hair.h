@@ -41,6 +41,8 @@ extern COIF_API const Solver kPassiveSolver;
 extern COIF_API const Solver kCharacterSolver;
 extern COIF_API const Solver kCharacterCascadeSolver;  ///< The same for kCascadeSolver.
 
+struct LinkCode;
+
 struct HairDesc {
   std::uint32_t instances = 1;  ///< Heads that wear this asset, 1..kMaxInstances.
   const Solver* solver = &kCoifSolver;
@@ -48,6 +50,7 @@ struct HairDesc {
   InstructionSet instruction_set = InstructionSet::kBest;
   std::uint32_t longest_interval = 1;  ///< The largest Detail::interval that will be asked for: 1, 2 or 4.
   std::uint32_t dynamics_sets = 1;  ///< That heads choose from, 1..kMaxDynamicsSets; each more up to 1 KB for each bone.
+  const LinkCode* links = nullptr;  ///< coif/links.h: what the asset links stays together. Null: chains know nothing of each other.
   // Of kCharacterSolver; for others kBadArgument.
   std::uint32_t moving_colliders = 0;  ///< Most that set_colliders() will give one head, up to kMaxMovingColliders; 300 bytes each.
   bool follows_body = false;           ///< The asset's body colliders take part, as set_body() moves them.

@@ -1,0 +1,87 @@
+#pragma once
+// Chains that hang together: which bones of a crowd's rows links are about, and what keeps them in their lengths. Once per head and
+// part of a step, after the rows.
+
+#include "lanes/character_row.h"
+#include "lanes/linked_bone.h"
+#include "lanes/row.h"
+
+#include <coif/asset.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coif {
+
+struct CrowdState;
+struct LinkCode;
+struct Solver;
+class MemoryCarver;
+
+/// A chain that some link is about, with all of its bones.
+struct LinkedChain {
+  std::uint32_t row = 0;   ///< Of LinkState::rows.
+  std::uint32_t lane = 0;  ///< Of the row, for kChains; 0 for kHeads.
+  std::uint32_t first = 0;  ///< Of its bones in LinkState::places.
+  std::uint32_t bone_count = 0;
+};
+
+/// A bone of such a chain.
+struct LinkedBone {
+  std::uint32_t chain = 0;    ///< Of LinkState::chains.
+  std::uint32_t bone = 0;     ///< Of its row.
+  std::int32_t parent = -1;   ///< Of LinkState::bones; -1: the head.
+  bool has_children = false;
+  float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre; 0: firm.
+};
+
+/// LinkRecord, of LinkState::bones.
+struct ChainLink {
+  std::uint32_t bone = 0, to = 0;
+  float shortest = 0, longest = 0;
+};
+
+/// Bones of one depth, and the links between them.
+struct LinkLevel {
+  std::uint32_t first_bone = 0, bone_count = 0;
+  std::uint32_t first_link = 0, link_count = 0;
+};
+
+/// A row that has linked chains, as it was stepped.
+struct LinkedRowStep {
+  const Solver* solver = nullptr;
+  RowStep step;
+  RowCharacter character;
+  Mat34* palettes[kLanes] = {};
+};
+
+/// Empty where nothing is linked.
+struct LinkState {
+  const LinkCode* code = nullptr;
+  std::span<std::uint32_t> row_places;    ///< Per row of the crowd: which of `rows`, or kNone.
+  std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: which of `chains`, or kNone.
+  std::uint32_t row_count = 0;
+  std::span<LinkedChain> chains;
+  std::span<LinkedBone> bones;      ///< By depth.
+  std::span<std::uint32_t> places;  ///< Of the bones of each chain, in its order, in `bones`.
+  std::span<ChainLink> links;       ///< By depth.
+  std::span<LinkLevel> levels;
+  std::span<LinkedRowStep> steps;  ///< Per block, per linked row. During a part of a step.
+  std::span<HeldBone> held;        ///< Per block, per linked bone.
+  std::span<char> moved;           ///< Per block, per linked chain.
+
+  [[nodiscard]] bool has(std::uint32_t chain) const { return !chain_places.empty() && chain_places[chain] != ~0u; }
+};
+
+struct LinkCode {
+  bool of_character = false;
+  void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks,
+                LinkState& links) = nullptr;
+  void (*create)(CrowdState& crowd) = nullptr;
+  /// Of one head of a block, whose linked rows are in LinkState::steps: `lane` is its own in these rows, -1 where each chain has one.
+  /// Returns the sum of the squared speeds of the linked chains' tips against the head, (m/s)^2.
+  float (*keep)(CrowdState& crowd, std::uint32_t block, std::int32_t lane) = nullptr;
+};
+
+}  // namespace coif

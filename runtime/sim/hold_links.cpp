@@ -1,0 +1,279 @@
+#include "hold_links.h"
+
+#include "crowd.h"
+#include "vector_math.h"
+
+#include <limits>
+
+namespace coif {
+namespace {
+
+constexpr int kPlaceRounds = 16, kVelocityRounds = 8;
+constexpr float kMargin = 1e-4f;      ///< Share of its length by which a link that was beyond it is brought within.
+constexpr float kMostWay = 0.25f;     ///< Of a bone's length in one round: further the linear model says nothing.
+constexpr float kNoLever2 = 1e-4f;    ///< Squared sine: a bone this nearly along its link cannot be turned by it.
+constexpr float kSlowest = 1e-6f;     ///< m/s
+
+/// Around a link's end, nearest first.
+constexpr int kLooks = 8;
+constexpr struct {
+  float cosine, sine;
+} kAround[kLooks] = {{1, 0},           {0.70710678f, 0.70710678f},   {0.70710678f, -0.70710678f},  {0, 1},
+                     {0, -1},          {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
+
+float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
+
+Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
+
+Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
+  const float length2 = dot(v, v);
+  return length2 > 1e-18f && length2 < 1e38f ? v * (1.0f / std::sqrt(length2)) : fallback;
+}
+
+/// A link of one length is between its margins.
+float inner_shortest(const ChainLink& link) {
+  const float within = link.shortest * (1 + kMargin), most = link.longest * (1 - kMargin);
+  return within < most ? within : most;
+}
+
+/// What lies between the particles of a link.
+struct Gap {
+  Vec3 towards;      ///< Unit, from `bone` to `to`.
+  float size = 0;    ///< Metres.
+  float excess = 0;  ///< By how much it has to become shorter, or, below zero, longer; 0 within its lengths.
+};
+
+class LinkedHead {
+ public:
+  LinkedHead(const LinkState& links, const LinkedBoneCode& code, std::uint32_t block, std::int32_t lane)
+      : links_(links),
+        code_(code),
+        steps_(links_.steps.subspan(block * std::size_t(links_.row_count), links_.row_count)),
+        held_(links_.held.subspan(block * links_.bones.size(), links_.bones.size())),
+        moved_(links_.moved.subspan(block * links_.chains.size(), links_.chains.size())),
+        lane_(lane) {}
+
+  float run() {
+    for (char& moved : moved_) moved = 0;
+    float motion = 0;
+    for (const LinkLevel& level : links_.levels) {
+      const std::uint32_t end = level.first_bone + level.bone_count;
+      for (std::uint32_t b = level.first_bone; b < end; ++b) begin(b);
+      hold_places(level);
+      hold_velocities(level);
+      for (std::uint32_t b = level.first_bone; b < end; ++b) {
+        if (held_[b].is_turned && moved_[links_.bones[b].chain] == 0) move_chain(links_.bones[b].chain, level.first_bone);
+      }
+      for (std::uint32_t b = level.first_bone; b < end; ++b) {
+        if (moved_[links_.bones[b].chain] != 0) code_.finish(at(b), links_.bones[b].bone, parent_of(b), held_[b]);
+        if (!links_.bones[b].has_children) motion += dot(held_[b].end_velocity, held_[b].end_velocity);
+      }
+    }
+    return motion;
+  }
+
+ private:
+  [[nodiscard]] LinkedLane at(std::uint32_t b) const {
+    const LinkedChain& chain = links_.chains[links_.bones[b].chain];
+    const RowStep& row = steps_[chain.row].step;
+    return {&row, lane_ < 0 ? chain.lane : std::uint32_t(lane_), steps_[chain.row].solver->carries_frames};
+  }
+
+  [[nodiscard]] const HeldBone* parent_of(std::uint32_t b) const {
+    const std::int32_t parent = links_.bones[b].parent;
+    return parent < 0 ? nullptr : &held_[std::size_t(parent)];
+  }
+
+  void begin(std::uint32_t b);
+  void place_end(HeldBone& bone) const {
+    bone.end = bone.start + bone.direction * bone.length;
+    bone.end_velocity = bone.start_velocity + bone.velocity;
+  }
+  void clear(std::uint32_t b) {
+    code_.clear(at(b), links_.bones[b].bone, parent_of(b), held_[b]);
+    place_end(held_[b]);
+  }
+  void move_chain(std::uint32_t chain, std::uint32_t before);
+
+  [[nodiscard]] Gap gap_of(const ChainLink& link) const;
+  bool shorten(const ChainLink& link);
+  void close(const ChainLink& link);
+  void turn(HeldBone& bone, const Vec3& way);
+  void hold_places(const LinkLevel& level);
+  float slow(const ChainLink& link);
+  void hold_velocities(const LinkLevel& level);
+
+  const LinkState& links_;
+  const LinkedBoneCode& code_;
+  const std::span<const LinkedRowStep> steps_;
+  const std::span<HeldBone> held_;
+  const std::span<char> moved_;
+  const std::int32_t lane_;
+};
+
+/// As the row's step left it, and where that is now.
+void LinkedHead::begin(std::uint32_t b) {
+  const LinkedBone& linked = links_.bones[b];
+  const LinkedLane lane = at(b);
+  const Solver& solver = *steps_[links_.chains[linked.chain].row].solver;
+  const auto* const state = static_cast<const std::byte*>(lane.row->state) + linked.bone * solver.state_bytes;
+  HeldBone& bone = held_[b];
+  bone.direction = coif::lane(*reinterpret_cast<const Lanes3*>(state), lane.lane);
+  bone.velocity = coif::lane(*reinterpret_cast<const Lanes3*>(state + solver.velocity_at), lane.lane);
+  bone.length = lane.row->constants[linked.bone].length.v[lane.lane];
+  bone.mobility = linked.mobility > 0.0f && !code_.is_rigid(lane, linked.bone) ? linked.mobility : 0.0f;
+  bone.is_turned = false;
+  bone.turning_change = {};
+  bone.free_swing = cross(bone.direction, bone.velocity) * (1.0f / bone.length);
+  const HeldBone* const parent = parent_of(b);
+  if (parent == nullptr) {
+    code_.hang(lane, linked.bone, bone);
+    place_end(bone);
+    bone.free_end = bone.end;
+    bone.free_velocity = bone.end_velocity;
+    return;
+  }
+  bone.start = parent->end;
+  bone.start_velocity = parent->end_velocity;
+  bone.free_end = parent->free_end + bone.direction * bone.length;
+  bone.free_velocity = parent->free_velocity + bone.velocity;
+  if (moved_[linked.chain] != 0) code_.follow(lane, linked.bone, *parent, bone);
+  place_end(bone);
+}
+
+/// From now on the frames of the chain's bones are needed: of those of lesser depth, which stay as they were, too.
+void LinkedHead::move_chain(std::uint32_t chain, std::uint32_t before) {
+  moved_[chain] = 1;
+  const LinkedChain& linked = links_.chains[chain];
+  for (std::uint32_t i = 0; i < linked.bone_count; ++i) {
+    const std::uint32_t b = links_.places[linked.first + i];
+    if (b < before) code_.finish(at(b), i, parent_of(b), held_[b]);
+  }
+}
+
+Gap LinkedHead::gap_of(const ChainLink& link) const {
+  const Vec3 way = held_[link.to].end - held_[link.bone].end;
+  Gap gap;
+  gap.size = length(way);
+  gap.towards = unit_or(way, any_perpendicular(held_[link.bone].direction));
+  if (gap.size > link.longest) gap.excess = gap.size - link.longest * (1 - kMargin);
+  if (gap.size < link.shortest) gap.excess = gap.size - inner_shortest(link);
+  return gap;
+}
+
+void LinkedHead::turn(HeldBone& bone, const Vec3& way) {
+  const float most = kMostWay * bone.length, size2 = dot(way, way);
+  const Vec3 part = size2 > most * most ? way * (most / std::sqrt(size2)) : way;
+  bone.direction = unit_or(bone.direction + part * (1.0f / bone.length), bone.direction);
+  bone.velocity = across(bone.velocity, bone.direction);
+  bone.is_turned = true;
+  place_end(bone);
+}
+
+/// Turns both bones by the least that brings the link to its length, to first order. Returns whether it was beyond.
+bool LinkedHead::shorten(const ChainLink& link) {
+  HeldBone &bone = held_[link.bone], &to = held_[link.to];
+  const Gap gap = gap_of(link);
+  if (gap.excess == 0.0f) return false;
+  Vec3 side = across(gap.towards, bone.direction), to_side = across(gap.towards, to.direction);
+  // Where a bone points along its link, any side is as good: which one, its own direction says.
+  if (dot(side, side) < kNoLever2) side = any_perpendicular(bone.direction);
+  if (dot(to_side, to_side) < kNoLever2) to_side = any_perpendicular(to.direction);
+  const float yields = bone.mobility * dot(side, side) + to.mobility * dot(to_side, to_side);
+  if (!(yields > 0.0f)) return true;
+  const float pull = gap.excess / yields;
+  if (bone.mobility > 0.0f) turn(bone, side * (pull * bone.mobility));
+  if (to.mobility > 0.0f) turn(to, to_side * (-pull * to.mobility));
+  return true;
+}
+
+/// Turns one bone of the link alone, exactly: the one that hangs on the other, as those that hang on it come after it. Where a collider
+/// stands in the way the bone goes round the other's end until it is clear of that: else two strands would hang on either side of a neck.
+void LinkedHead::close(const ChainLink& link) {
+  const Gap gap = gap_of(link);
+  if (gap.excess == 0.0f) return;
+  const std::uint32_t b = held_[link.bone].mobility > 0.0f ? link.bone : link.to;
+  HeldBone& bone = held_[b];
+  const Vec3 way = held_[b == link.bone ? link.to : link.bone].end - bone.start;
+  const float distance = length(way), wanted = gap.size - gap.excess;
+  if (!(bone.mobility > 0.0f) || !(distance > 1e-9f)) return;
+  const float sides = bone.length * bone.length + distance * distance - wanted * wanted;
+  const float cosine = within_one(sides / (2 * bone.length * distance)), sine = std::sqrt(1.0f - cosine * cosine);
+  const Vec3 axis = way * (1.0f / distance);
+  const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis)), other = cross(axis, side);
+  HeldBone best;
+  float least = std::numeric_limits<float>::infinity();
+  for (int look = 0; look < kLooks; ++look) {
+    bone.direction = unit_or(axis * cosine + (side * kAround[look].cosine + other * kAround[look].sine) * sine, axis);
+    bone.velocity = across(bone.velocity, bone.direction);
+    bone.is_turned = true;
+    place_end(bone);
+    clear(b);
+    const float left = std::fabs(gap_of(link).excess);
+    if (left == 0.0f) return;
+    if (left < least) best = bone;
+    least = left < least ? left : least;
+  }
+  if (least < std::numeric_limits<float>::infinity()) bone = best;
+}
+
+/// To and fro through the links, so that no end of a sheet leads; what is left goes by one bone after the other. Colliders come first:
+/// hair in a head is seen before a gap is.
+void LinkedHead::hold_places(const LinkLevel& level) {
+  const auto links = links_.links.subspan(level.first_link, level.link_count);
+  const auto clear_turned = [&] {
+    for (std::uint32_t b = level.first_bone; b < level.first_bone + level.bone_count; ++b) {
+      if (held_[b].is_turned) clear(b);
+    }
+  };
+  for (int round = 0; round < kPlaceRounds; ++round) {
+    bool is_beyond = false;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      is_beyond = shorten(links[round % 2 == 0 ? i : links.size() - 1 - i]) || is_beyond;
+    }
+    if (!is_beyond) return;
+    clear_turned();
+  }
+  for (const ChainLink& link : links) close(link);
+}
+
+/// A link that has its longest length gets no longer, one that has its shortest no shorter. Returns the speed that was taken.
+float LinkedHead::slow(const ChainLink& link) {
+  constexpr float kAtLength = 1e-3f;  // Share of the length within which a link counts as taut.
+  HeldBone &bone = held_[link.bone], &to = held_[link.to];
+  const Gap gap = gap_of(link);
+  const float growing = dot(to.end_velocity - bone.end_velocity, gap.towards);
+  const bool is_long = gap.size >= link.longest * (1 - kAtLength) && growing > 0.0f;
+  const bool is_short = gap.size <= link.shortest * (1 + kAtLength) && growing < 0.0f;
+  if (!is_long && !is_short) return 0;
+  const Vec3 side = across(gap.towards, bone.direction), to_side = across(gap.towards, to.direction);
+  const float yields = bone.mobility * dot(side, side) + to.mobility * dot(to_side, to_side);
+  if (!(yields > kNoLever2 * (bone.mobility + to.mobility))) return 0;
+  const float push = growing / yields;
+  bone.velocity = bone.velocity + side * (push * bone.mobility);
+  to.velocity = to.velocity - to_side * (push * to.mobility);
+  bone.is_turned = to.is_turned = true;
+  place_end(bone);
+  place_end(to);
+  return std::fabs(growing);
+}
+
+void LinkedHead::hold_velocities(const LinkLevel& level) {
+  const auto links = links_.links.subspan(level.first_link, level.link_count);
+  for (int round = 0; round < kVelocityRounds; ++round) {
+    float fastest = 0;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const float taken = slow(links[round % 2 == 0 ? i : links.size() - 1 - i]);
+      fastest = taken > fastest ? taken : fastest;
+    }
+    if (!(fastest > kSlowest)) return;
+  }
+}
+
+}  // namespace
+
+float hold_links(CrowdState& crowd, const LinkedBoneCode& code, std::uint32_t block, std::int32_t lane) {
+  return LinkedHead(crowd.links, code, block, lane).run();
+}
+
+}  // namespace coif

@@ -1,0 +1,9 @@
+// One lane at a time, and once for all instruction sets: links are held head by head.
+
+#include "linked_bone-inl.h"
+
+namespace coif {
+
+const LinkedBoneCode kLinkedBones = HWY_NAMESPACE::kHangingBones<HWY_NAMESPACE::Single>;
+
+}  // namespace coif

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "lab/reference_model.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// What holds linked bones together in the reference (runtime/docs/MODEL.md, "Links"): by many small turns until all links have their
+/// lengths to rounding. Not the runtime's way, which is measured against it.
+class ReferenceLinks {
+ public:
+  /// `links` are of `bones`, whose depths do not fall.
+  ReferenceLinks(std::vector<RigLink> links, std::span<const RigBone> bones);
+
+  /// Turns bones of one depth, those from `begin` to before `end`. `start_of(bone)` is the motion of what a bone hangs from. `motions`
+  /// of these bones follow, and `turned` says which were.
+  template <typename StartOf>
+  void hold(std::size_t begin, std::size_t end, const StartOf& start_of, std::span<BoneState> states,
+            std::span<BoneMotion> motions, std::span<char> turned) const {
+    Level level{begin, end, states, motions, turned, {}};
+    for (std::size_t i = begin; i < end; ++i) level.starts.push_back(start_of(i));
+    hold(level);
+  }
+
+ private:
+  struct Level {
+    std::size_t begin = 0, end = 0;
+    std::span<BoneState> states;
+    std::span<BoneMotion> motions;
+    std::span<char> turned;
+    std::vector<BoneMotion> starts;
+  };
+
+  void hold(Level& level) const;
+  double shorten(const RigLink& link, Level& level) const;
+  double slow(const RigLink& link, Level& level) const;
+  void turn(std::size_t i, const Eigen::Vector3d& way, Level& level) const;
+  void push(std::size_t i, const Eigen::Vector3d& velocity, Level& level) const;
+
+  std::vector<RigLink> links_;
+  std::span<const RigBone> bones_;
+  std::vector<double> mobility_;  ///< 1/kg, as carried_at_rest() has masses.
+};
+
+}  // namespace coif
