@@ -1,6 +1,8 @@
 // The simulation in C.
 #include "hair_view.h"
 
+#include <coif/links.h>
+
 #include <cstddef>
 #include <new>
 #include <span>
@@ -45,6 +47,8 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.has_own_air = from->has_own_air != 0;
   desc.feels_gusts = from->feels_gusts != 0;
   desc.dynamics_sets = from->dynamics_sets;
+  const bool is_worn = from->solver == COIF_SOLVER_CHARACTER;
+  if (from->keeps_links != 0) desc.links = is_worn ? &coif::kCharacterLinks : &coif::kLinks;
   return true;
 }
 
@@ -97,7 +101,7 @@ void coif_head_pose_init(coif_head_pose* pose) {
 
 void coif_hair_desc_init(coif_hair_desc* desc) {
   const coif::HairDesc usual;
-  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval, 0, 0, 0, 0, 0, usual.dynamics_sets};
+  *desc = {usual.instances, COIF_SOLVER_COIF, usual.longest_interval, 0, 0, 0, 0, 0, usual.dynamics_sets, 0};
 }
 
 void coif_step_settings_init(coif_step_settings* settings) {

@@ -23,7 +23,7 @@ static class Coif
     public struct HairDesc
     {
         public uint Instances, Solver, LongestInterval;
-        public uint MovingColliders, FollowsBody, FollowsPoses, HasOwnAir, FeelsGusts, DynamicsSets;
+        public uint MovingColliders, FollowsBody, FollowsPoses, HasOwnAir, FeelsGusts, DynamicsSets, KeepsLinks;
     }
 
     // The members of coif_step_settings in their order; vectors are three numbers each.

@@ -32,6 +32,7 @@ typedef struct coif_hair_desc {
   uint32_t follows_body, follows_poses; /* 0 or 1 */
   uint32_t has_own_air, feels_gusts;    /* 0 or 1; see coif/c/air.h */
   uint32_t dynamics_sets;               /* 1..8, of any solver */
+  uint32_t keeps_links; /* 0 or 1: what the asset links stays together; not of COIF_SOLVER_THESIS. Usually 0. */
 } coif_hair_desc;
 
 typedef struct coif_step_settings {

@@ -74,7 +74,7 @@ Status advance(Hair& hair, const HeadPose& pose, const StepSettings& step) {
 tl::expected<Recording, ToolError> record(const Asset& asset, const RecordingSettings& settings) {
   if (auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
 
-  const HairDesc desc = settings.company.description(settings.solver);
+  const HairDesc desc = settings.company.description(asset, settings.solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
   if (!memory) return failure(ToolError::Kind::kInternal, "out of memory");

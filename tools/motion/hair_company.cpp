@@ -1,13 +1,16 @@
 #include "motion/hair_company.h"
 
+#include "base/hair_runtime.h"
+
 namespace coif {
 
-HairDesc HairCompany::description(const Solver* usual) const {
+HairDesc HairCompany::description(const Asset& asset, const Solver* usual) const {
   HairDesc desc;
   desc.solver = usual;
   const bool in_gusts = gusts.amplitude > 0;
+  if ((colliders || pose || in_gusts) && usual == &kCoifSolver) desc.solver = &kCharacterSolver;
+  desc.links = links_of(asset, *desc.solver);
   if (!colliders && !pose && !in_gusts) return desc;
-  if (usual == &kCoifSolver) desc.solver = &kCharacterSolver;
   if (colliders) desc.moving_colliders = kMaxMovingColliders;
   desc.follows_poses = bool(pose);
   desc.feels_gusts = in_gusts;

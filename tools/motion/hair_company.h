@@ -19,7 +19,7 @@ struct HairCompany {
   Gusts gusts{};          ///< Of amplitude 0: none.
 
   /// Which solver it needs: `usual` where it asks for nothing more.
-  [[nodiscard]] HairDesc description(const Solver* usual) const;
+  [[nodiscard]] HairDesc description(const Asset& asset, const Solver* usual) const;
   /// Tells the hair of one head where all will be at the end of the coming step.
   [[nodiscard]] Status tell(Hair& hair, double seconds) const;
 };

@@ -175,7 +175,7 @@ tl::expected<std::vector<HairPose>, ToolError> simulate_poses(const Asset& asset
     return poses;
   }
   step.dt = static_cast<float>(1 / kRate);
-  const HairDesc desc = beside.description(solver);
+  const HairDesc desc = beside.description(asset, solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   const HairMemory memory = allocate(need);
   if (!memory) return not_simulated("out of memory");

@@ -104,7 +104,7 @@ std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings
   std::vector<CrowdFeature> features{{kAsCooked, "all heads run", usual}};
   if (touches_colliders(asset)) {
     features.push_back({"no-colliders", "the hair touches nothing", usual});
-    features.back().touches_colliders = false;
+    features.back().asset = FeatureAsset::kTouchingNothing;
   }
   CrowdSettings varying = usual;
   varying.frame_time_varies = true;
@@ -116,7 +116,10 @@ std::vector<CrowdFeature> crowd_features(const Asset& asset, const CrowdSettings
   features.push_back(
       {"poses-only", "telling where the heads are, which is part of all the others, and no step", usual});
   features.back().steps = false;
-  if (usual.solver != kAlgorithm1) add_characters(usual, features);
+  if (usual.solver != kAlgorithm1) {
+    features.push_back({"links", "each chain hangs together with the one next to it", usual, FeatureAsset::kLinked});
+    add_characters(usual, features);
+  }
   add_instruction_sets(usual, features);
   return features;
 }

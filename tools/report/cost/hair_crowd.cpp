@@ -32,12 +32,14 @@ std::vector<HeadPose> running_poses() {
   return poses;
 }
 
-HairDesc desc_of(const CrowdSettings& settings) {
+HairDesc desc_of(const Asset& asset, const CrowdSettings& settings) {
   const Solver* const ours = settings.character.is_one ? &kCharacterSolver : &kCoifSolver;
+  const Solver* const solver = settings.solver == kPublished ? &kThesisSolver : ours;
   return {.instances = settings.heads,
-          .solver = settings.solver == kPublished ? &kThesisSolver : ours,
+          .solver = solver,
           .instruction_set = settings.instruction_set,
           .longest_interval = settings.detail.interval,
+          .links = links_of(asset, *solver),
           .moving_colliders = settings.character.room,
           .follows_poses = settings.character.weight.has_value(),
           .feels_gusts = settings.character.in_gusts};
@@ -92,11 +94,11 @@ HairCrowd::HairCrowd(const Asset& asset, const CrowdSettings& settings)
 }
 
 std::uint64_t HairCrowd::memory_bytes(const Asset& asset, const CrowdSettings& settings) {
-  return Hair::memory_need(asset, desc_of(settings)).bytes;
+  return Hair::memory_need(asset, desc_of(asset, settings)).bytes;
 }
 
 tl::expected<HairCrowd, ToolError> HairCrowd::create(const Asset& asset, const CrowdSettings& settings) {
-  const HairDesc desc = desc_of(settings);
+  const HairDesc desc = desc_of(asset, settings);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   if (need.bytes == 0) return refused(ToolError::Kind::kUsage, describe(Status::kBadArgument));
   HairCrowd crowd(asset, settings);

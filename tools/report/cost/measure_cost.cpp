@@ -1,5 +1,6 @@
 #include "report/cost/measure_cost.h"
 
+#include "lab/linked_neighbours.h"
 #include "lab/rig.h"
 #include "write/chunk_words.h"
 
@@ -130,12 +131,18 @@ class CostMeasurement {
     return {};
   }
 
+  /// As cooked, or made of that.
+  const Asset& asset_for(FeatureAsset kind) {
+    if (kind == FeatureAsset::kTouchingNothing) return bald_.emplace(without_colliders(asset_)).asset();
+    if (kind == FeatureAsset::kLinked) return linked_.emplace(with_neighbours_linked(asset_)).asset();
+    return asset_;
+  }
+
   Added add_features() {
     const std::string& solver = solvers_.front();
     const CrowdSettings usual{.heads = compared_heads_, .solver = solver, .substeps = default_substeps(solver)};
     for (const CrowdFeature& feature : crowd_features(asset_, usual)) {
-      if (!feature.touches_colliders) bald_.emplace(without_colliders(asset_));
-      const Asset& asset = feature.touches_colliders ? asset_ : bald_->asset();
+      const Asset& asset = asset_for(feature.asset);
       report_.features.push_back(
           {.feature = feature.name, .description = feature.description, .heads = compared_heads_});
       auto added = feature.steps ? line_up_.add(asset, feature.settings) : line_up_.add_poses(asset, feature.settings);
@@ -157,6 +164,7 @@ class CostMeasurement {
   std::map<std::string, double> pace_;  ///< Seconds a frame of one head.
   std::uint32_t compared_heads_ = 1;
   std::optional<OpenedAsset> bald_;
+  std::optional<OpenedAsset> linked_;
   CrowdLineUp line_up_;
   CostReport report_;  ///< Rows in the order of line_up_: simulation, then features.
 };

@@ -85,13 +85,16 @@ class HairCrowd {
   std::vector<std::vector<Quat>> rotations_;      ///< Of the pose, frame by frame.
 };
 
+/// Which hair a crowd has.
+enum class FeatureAsset { kAsCooked, kTouchingNothing, kLinked };
+
 /// One way in which a crowd can be run otherwise than as it was cooked.
 struct CrowdFeature {
   std::string name;         ///< Short, unique: "no-colliders".
   std::string description;  ///< What is different, one line for people.
   CrowdSettings settings;
-  bool touches_colliders = true;  ///< False: an asset is meant whose bones touch nothing.
-  bool steps = true;              ///< False: only the poses are handed over.
+  FeatureAsset asset = FeatureAsset::kAsCooked;
+  bool steps = true;  ///< False: only the poses are handed over.
 };
 
 /// All that `asset` and this processor have; the first, kAsCooked, is `usual` itself.

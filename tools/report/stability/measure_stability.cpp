@@ -1,9 +1,9 @@
 #include "report/stability/measure_stability.h"
 
 #include "lab/hair_segment.h"
-#include "lab/reference_model.h"
 #include "lab/placed_solid.h"
 #include "lab/reference_solver.h"
+#include "report/stability/stress_meters.h"
 
 #include <fmt/format.h>
 
@@ -42,42 +42,11 @@ double plausible_speed(const Rig& rig, const Stress& stress) {
   return fastest;
 }
 
-/// How far bones get beyond their limits. Their frames are found from their ends, as they are where no bone twists.
-class LimitMeter {
- public:
-  explicit LimitMeter(const Rig& rig) : rig_(rig), frames_(rig.bones.size()) {
-    for (const RigBone& bone : rig.bones) sees_limits_ = sees_limits_ || bone.limit.kind != LimitKind::kUnlimited;
-    for (const RigBone& bone : rig.bones) sees_limits_ = sees_limits_ && (never_twists(bone) || bone.model == ChainModel::kPassive);
-  }
-
-  void look(std::span<const Vector3d> ends) {
-    if (!sees_limits_) return;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const RigBone& bone = rig_.bones[i];
-      const bool is_root = bone.parent < 0;
-      const auto up = std::size_t(is_root ? 0 : bone.parent);
-      const Quaterniond parent = is_root ? Quaterniond::Identity() : frames_[up];
-      const Vector3d direction = (ends[i] - (is_root ? bone.joint : ends[up])).normalized();
-      worst_ = std::max(worst_, bounded(bone, parent, direction).at.beyond);
-      frames_[i] = frame_of_arc(bone, parent, direction);
-    }
-  }
-
-  /// Radians; kNoNumber where nothing could be seen.
-  [[nodiscard]] double worst() const { return sees_limits_ ? worst_ : kNoNumber; }
-
- private:
-  const Rig& rig_;
-  std::vector<Quaterniond> frames_;
-  bool sees_limits_ = false;
-  double worst_ = 0;
-};
-
 /// Watches one solver.
 class StressRun {
  public:
   StressRun(const Rig& rig, double top_speed, ChainSolver& solver)
-      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig), moving_meter_(rig) {}
+      : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig), links_(rig), moving_meter_(rig) {}
 
   /// False once the outcome is decided.
   bool step(const HeadPose& head, double dt, std::span<const MovingCollider> colliders) {
@@ -102,6 +71,7 @@ class StressRun {
   [[nodiscard]] double speed() const { return speed_; }  ///< In the last step.
   [[nodiscard]] const ConstraintMeter& meter() const { return meter_; }
   [[nodiscard]] const LimitMeter& limits() const { return limits_; }
+  [[nodiscard]] const LinkMeter& links() const { return links_; }
   [[nodiscard]] const MovingMeter& moving_meter() const { return moving_meter_; }
 
  private:
@@ -120,6 +90,7 @@ class StressRun {
     }
     meter_.look(ends);
     limits_.look(ends);
+    links_.look(ends);
     fastest_ = std::max(fastest_, speed_);
     fast_steps_ = speed_ > kFastest * top_speed_ ? fast_steps_ + 1 : 0;
     if (fast_steps_ >= kFastSteps) outcome_ = Outcome::kDiverged;
@@ -130,6 +101,7 @@ class StressRun {
   ChainSolver& solver_;
   ConstraintMeter meter_;
   LimitMeter limits_;
+  LinkMeter links_;
   MovingMeter moving_meter_;
   std::vector<Vector3d> before_;
   Outcome outcome_ = Outcome::kOk;
@@ -168,6 +140,7 @@ StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample
       top_speed_(plausible_speed(sample_.rig, stress)) {}
 
 bool StressSubject::is_for(const MeasuredSolver& solver) const {
+  if (!sample_.rig.links.empty() && (!solver.is_runtime() || solver.runtime == &kThesisSolver)) return false;
   return !stress_.colliders || solver.name == solver_on_a_character().name;
 }
 
@@ -202,6 +175,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   row.max_speed = watched.fastest();
   if (row.outcome != Outcome::kNan) row.stretch_max_pct = 100 * watched.meter().worst().stretch;
   if (row.outcome != Outcome::kNan) row.limit_max_rad = watched.limits().worst();
+  if (row.outcome != Outcome::kNan) row.link_stretch_max_pct = 100 * watched.links().worst();
   if (row.outcome != Outcome::kNan && watched.meter().sees_colliders()) {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
   }

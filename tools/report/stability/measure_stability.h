@@ -31,6 +31,8 @@ struct StressRig {
   double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.
   LimitKind limit = LimitKind::kUnlimited;  ///< Of every bone, its middle the rest direction, from bone to bone turned about that.
   float limit_angles[2] = {0.4f, 0.2f};     ///< Radians, as LimitRecord::angles; the second of a spherical limit alone.
+  bool is_linked = false;     ///< Each bone to that of the next chain, at 0.5 to 1 + link_stretch times their distance.
+  double link_stretch = 0.1;
   double root_offset = 0.01;  ///< Metres from the surface to the chains' roots; negative: inside the head.
 };
 
@@ -73,6 +75,9 @@ struct Stress {
 
 /// Those of them with colliders that move, and with heads of other sizes.
 [[nodiscard]] std::vector<Stress> character_cases();
+
+/// Those of them with chains that hang together.
+[[nodiscard]] std::vector<Stress> link_cases();
 
 /// A rig under stress, and where it would come to rest: made once for all solvers.
 class StressSubject {

@@ -19,6 +19,7 @@ void add(StabilityTotal& total, const StabilityRow& row) {
   take_worst(total.stretch_max_pct, row.stretch_max_pct);
   take_worst(total.penetration_max_pct, row.penetration_max_pct);
   take_worst(total.limit_max_rad, row.limit_max_rad);
+  take_worst(total.link_stretch_max_pct, row.link_stretch_max_pct);
   take_worst(total.rest_speed, row.rest_speed);
   take_worst(total.settle_error_pct, row.settle_error_pct);
 }
@@ -87,6 +88,7 @@ Columns<StabilityTotal> stability_total_columns() {
   columns.append({{kNoKey, &Total::stretch_max_pct, {"worst stretch", percent_text}, {"stretch %", 12}},
                   {kNoKey, &Total::penetration_max_pct, {"worst penetration", percent_text}, {"penetration %", 15}},
                   {kNoKey, &Total::limit_max_rad, {"furthest beyond a limit, rad"}, {"limit rad", 11}},
+                  {kNoKey, &Total::link_stretch_max_pct, {"links parted most", percent_text}, {"links %", 9}},
                   {kNoKey, &Total::rest_speed, {"fastest at rest, m/s"}, {"at rest m/s", 13}},
                   {kNoKey, &Total::settle_error_pct, {"worst settle error", percent_text}, {"settle %", 10}}});
   return columns;

@@ -52,6 +52,7 @@ struct StabilityRow {
   double stretch_max_pct = kNoNumber;      ///< Worst |length / rest - 1|.
   double penetration_max_pct = kNoNumber;  ///< Worst depth in % of the head's radius.
   double limit_max_rad = kNoNumber;        ///< Furthest of a bone beyond its limit (LimitRecord), radians.
+  double link_stretch_max_pct = kNoNumber;  ///< By how much linked particles parted, % of their distance at rest.
   double max_speed = kNoNumber;            ///< Of a bone's tail in head space, m/s.
   double rest_speed = kNoNumber;           ///< The same in the last half second of eight with the head at rest.
   /// RMS distance of the tips to the settled pose after the stress has ended, in % of the chain's length.
@@ -66,6 +67,7 @@ struct StabilityRow {
           {"stretch_max_pct", &Row::stretch_max_pct, {"stretch %"}},
           {"penetration_max_pct", &Row::penetration_max_pct, {"penetration %"}},
           {"limit_max_rad", &Row::limit_max_rad, {"beyond limit rad"}},
+          {"link_stretch_max_pct", &Row::link_stretch_max_pct, {"links parted %"}},
           {"max_speed", &Row::max_speed, {"fastest m/s"}},
           {"rest_speed", &Row::rest_speed, {"at rest m/s"}},
           {"settle_error_pct", &Row::settle_error_pct, {"settle error %"}}};
@@ -79,6 +81,7 @@ struct StabilityTotal {
   double stretch_max_pct = kNoNumber;
   double penetration_max_pct = kNoNumber;
   double limit_max_rad = kNoNumber;
+  double link_stretch_max_pct = kNoNumber;
   double rest_speed = kNoNumber;
   double settle_error_pct = kNoNumber;
 };

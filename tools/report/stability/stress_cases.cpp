@@ -261,6 +261,7 @@ std::vector<Stress> stress_cases() {
   add_lively_hair(all);
   add_movements(all);
   add_limits(all);
+  for (Stress& stress : link_cases()) all.push_back(std::move(stress));
   for (Stress& stress : character_cases()) all.push_back(std::move(stress));
   add_soaks(all);
   return all;

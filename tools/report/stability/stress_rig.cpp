@@ -76,6 +76,7 @@ class StressContents {
 
   AssetContents make() {
     for (std::uint32_t chain = 0; chain < rig_.chains; ++chain) add_chain(chain);
+    if (rig_.is_linked) add_links();
     return std::move(contents_);
   }
 
@@ -105,6 +106,18 @@ class StressContents {
       for (std::uint32_t k = rig_.branching; k > 0; --k) {
         const std::uint32_t child = rig_.branching * place.number + k;
         if (child < rig_.bones_per_chain) waiting.push_back({child, here});
+      }
+    }
+  }
+
+  /// By depth, as the format wants them.
+  void add_links() {
+    const std::uint32_t count = rig_.bones_per_chain;
+    for (std::uint32_t depth = 0; depth < count; ++depth) {
+      for (std::uint32_t bone = 1 + count; bone < contents_.bones.size(); ++bone) {
+        if (depth_[(bone - 1) % count] != depth) continue;
+        const auto gap = float((end_of(bone) - end_of(bone - count)).norm());
+        contents_.links.push_back({bone, bone - count, 0.5f * gap, float(1 + rig_.link_stretch) * gap});
       }
     }
   }
