@@ -14,6 +14,7 @@ AssetContents sound_asset() {
   asset.asked.clear();
   clear_group("body", asset);
   clear_group("limits", asset);
+  clear_group("links", asset);
   asset.lod_bones.pop_back();
   for (SkinRecord& skin : asset.skin) skin.bone[0] = std::min<std::uint16_t>(skin.bone[0], 3);
   for (PatchRecord& patch : asset.patches) patch.bone = std::min(patch.bone, 3u);
