@@ -1,0 +1,33 @@
+#pragma once
+
+#include "cook/dynamics/shared_strips.h"
+#include "write/asset_writer.h"
+
+#include <set>
+#include <vector>
+
+namespace coif {
+
+/// How far apart linked bones may get, as shares of their distance at rest.
+struct LinkRoom {
+  double stretch = 0;
+  double shrink = 0;
+};
+
+/// Links of chains, and what did not become one.
+struct LinkForest {
+  std::vector<LinkRecord> links;      ///< As the asset has them: by depth, predecessors first.
+  std::vector<ChainPair> linked;      ///< Pairs that some link holds together.
+  std::vector<ChainPair> roundabout;  ///< Pairs left out, since other pairs hold these chains together already.
+  std::vector<LinkRecord> touching;   ///< Links left out, since both bones end at one place.
+};
+
+/// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Pairs that close a circle
+/// are left out, the widest first, and each tree of chains starts in its middle, since a solver that goes through the links one by one
+/// is the more exact the fewer follow each other. Where a chain is shorter than the next, that one's deeper bones are free.
+[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs, const LinkRoom& room);
+
+/// Where the bone's particle is at rest, head space.
+[[nodiscard]] Eigen::Vector3d resting_tail(const BoneRecord& bone);
+
+}  // namespace coif
