@@ -18,8 +18,8 @@ constexpr std::size_t kMostPairs = 1 << 16;  // wildcards against wildcards; a s
 constexpr std::size_t kMostNamed = 4;        // pairs, in a note
 
 tl::unexpected<ToolError> bad_pair(const std::string& source, std::size_t pair, const std::string& what) {
-  return tl::unexpected(ToolError{ToolError::Kind::kBadInput,
-                                  fmt::format("{}: \"dynamics.links\" [{}]: {}", source, pair, what)});
+  return tl::unexpected(
+      ToolError{ToolError::Kind::kBadInput, fmt::format("{}: \"dynamics.links\" [{}]: {}", source, pair, what)});
 }
 
 std::set<std::uint32_t> chains_called(const AssetContents& contents, const std::string& name) {
@@ -49,8 +49,9 @@ Pairs pairs_of_recipe(const std::string& source, const AssetContents& contents, 
     for (std::size_t k = 0; k < 2; ++k) {
       sides[k] = chains_called(contents, links.pairs[i][k]);
       if (!sides[k].empty()) continue;
-      return bad_pair(source, i, fmt::format("no bone that moves is called {}; chains begin with {}", links.pairs[i][k],
-                                             chain_names(contents)));
+      return bad_pair(source, i,
+                      fmt::format("no bone that moves is called {}; chains begin with {}", links.pairs[i][k],
+                                  chain_names(contents)));
     }
     bool any = false;
     for (const std::uint32_t one : sides[0]) {
@@ -62,9 +63,11 @@ Pairs pairs_of_recipe(const std::string& source, const AssetContents& contents, 
       if (pairs.size() > kMostPairs) return bad_pair(source, i, "names too many pairs of chains; name neighbours");
     }
     if (any) continue;
-    return bad_pair(source, i, fmt::format("{} and {} are of one chain, the one of {}; name a bone of another: chains begin with {}",
-                                           links.pairs[i][0], links.pairs[i][1],
-                                           chain_name(contents, *sides[0].begin()), chain_names(contents)));
+    return bad_pair(
+        source, i,
+        fmt::format("{} and {} are of one chain, the one of {}; name a bone of another: chains begin with {}",
+                    links.pairs[i][0], links.pairs[i][1], chain_name(contents, *sides[0].begin()),
+                    chain_names(contents)));
   }
   return pairs;
 }
@@ -115,9 +118,10 @@ tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& s
     const SharedStrips shared = find_shared_strips(hair, rig);
     if (recipe.links.word == "none") {
       if (shared.count == 0) return std::vector<LinkRecord>{};
-      findings.note(fmt::format("{} on two chains, and may be torn where these drift apart: \"dynamics.links\":"
-                                " \"shared_strips\" keeps them together",
-                                counted(shared.count, "strip hangs", "strips hang")));
+      findings.note(
+          fmt::format("{} on two chains, and may be torn where these drift apart: \"dynamics.links\":"
+                      " \"shared_strips\" keeps them together",
+                      counted(shared.count, "strip hangs", "strips hang")));
       return std::vector<LinkRecord>{};
     }
     for (const auto& [pair, strips] : shared.strips) pairs.insert(pair);

@@ -41,7 +41,8 @@ double mean_gap(const AssetContents& contents, const Depths& one, const Depths& 
   double sum = 0;
   for (std::size_t d = 0; d < depths; ++d) {
     double least = gap(contents, one[d].front(), nearest(contents, one[d].front(), other[d]));
-    for (const std::uint32_t bone : one[d]) least = std::min(least, gap(contents, bone, nearest(contents, bone, other[d])));
+    for (const std::uint32_t bone : one[d])
+      least = std::min(least, gap(contents, bone, nearest(contents, bone, other[d])));
     sum += least;
   }
   return sum / double(depths);

@@ -25,7 +25,8 @@ struct LinkForest {
 /// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Pairs that close a circle
 /// are left out, the widest first, and each tree of chains starts in its middle, since a solver that goes through the links one by one
 /// is the more exact the fewer follow each other. Where a chain is shorter than the next, that one's deeper bones are free.
-[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs, const LinkRoom& room);
+[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs,
+                                     const LinkRoom& room);
 
 /// Where the bone's particle is at rest, head space.
 [[nodiscard]] Eigen::Vector3d resting_tail(const BoneRecord& bone);
