@@ -25,7 +25,8 @@ class BakeLinks : public testing::Test {
     hair_.skeleton.head_rotation[3] = 1;
   }
 
-  /// `parents` are those inside the chain; empty: `bones` one below the other. Bones are called "a.0", "a.1", "b.0", ...
+  /// `parents` are those inside the chain; empty: `bones` one below the other. Bones are called "a.0", "a.1",
+  /// "b.0", ...
   void hang(float x, std::uint32_t bones, std::vector<std::uint32_t> parents = {}) {
     const auto chain = std::uint32_t(hair_.chains.size()), first = std::uint32_t(hair_.bones.size());
     for (std::uint32_t i = 0; i < bones; ++i) {
@@ -123,13 +124,24 @@ TEST_F(BakeLinks, EndWhereTheShorterChainDoes) {
   EXPECT_EQ(opened(forest.links), LoadCode::kOk);
 }
 
+TEST_F(BakeLinks, ReachAcrossAChainThatHasEndedWhereAPairIsThere) {
+  hang(0, 3);      // bones 1 to 3
+  hang(0.03f, 1);  // bone 4
+  hang(0.06f, 3);  // bones 5 to 7
+  const LinkForest forest = link({{0, 1}, {1, 2}, {0, 2}});
+  EXPECT_EQ(bones_of(forest.links), (BonesOfLinks{{1, 4}, {5, 4}, {6, 2}, {7, 3}}));
+  EXPECT_TRUE(forest.roundabout.empty());
+  EXPECT_EQ(opened(forest.links), LoadCode::kOk);
+}
+
 TEST_F(BakeLinks, OfAChainThatBranchesHoldEachBoneOnce) {
   hang(0, 3, {kNone, 0, 0});      // bones 1 > (2, 3)
   hang(0.03f, 3, {kNone, 0, 0});  // bones 4 > (5, 6)
   hair_.bones[3].joint[0] = -0.05f;
   hair_.bones[3].rest_direction[0] = -1, hair_.bones[3].rest_direction[1] = 0;
   const LinkForest forest = link({{0, 1}});
-  // Bones 1 and 2 are those that hang straight down; of 5 and 6, which end at one place, both go to the nearest, which is 2.
+  // Bones 1 and 2 are those that hang straight down; of 5 and 6, which end at one place, both go to the nearest,
+  // which is 2.
   EXPECT_EQ(bones_of(forest.links), (BonesOfLinks{{4, 1}, {5, 2}, {6, 2}}));
 }
 

@@ -16,7 +16,8 @@
 
 namespace coif::shared_strips_test {
 
-/// Share of a bone at a place of the card: across it from 0 left to 1 right, and down it from 0 at the root to 1 at the tip.
+/// Share of a bone at a place of the card: across it from 0 left to 1 right, and down it from 0 at the root to 1
+/// at the tip.
 using Weigh = std::function<double(double across, double down)>;
 
 /// A card, and a head (bone 0) with chains of one bone each; what no chain carries follows the head.
@@ -41,7 +42,8 @@ SharedStrips shared(const CardDesc& card, const std::vector<Weigh>& chains) {
   return find_shared_strips(hair, rig);
 }
 
-/// The nearer a column is to the chain at `middle`, the more that chain carries of it; the next chains are `spacing` away.
+/// The nearer a column is to the chain at `middle`, the more that chain carries of it; the next chains are
+/// `spacing` away.
 Weigh near_to(double middle, double spacing) {
   return [=](double across, double) { return 1 - std::abs(across - middle) / spacing; };
 }

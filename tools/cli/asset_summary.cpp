@@ -146,7 +146,8 @@ ordered_json limits_json(const Asset& asset) {
 
 ordered_json links_json(const Asset& asset) {
   std::set<std::uint32_t> chains;
-  for (const LinkRecord& link : asset.links()) chains.insert({asset.bones()[link.bone].chain, asset.bones()[link.to].chain});
+  for (const LinkRecord& link : asset.links())
+    chains.insert({asset.bones()[link.bone].chain, asset.bones()[link.to].chain});
   return {{"count", asset.links().size()}, {"chains", chains.size()}};
 }
 
@@ -239,7 +240,8 @@ std::string body_text(const ordered_json& summary) {
     for (const auto& [kind, count] : summary["limits"].items()) text += count_line("limit_" + kind, count);
   }
   if (!summary.contains("links")) return text;
-  return text + count_line("links", summary["links"]["count"]) + count_line("linked_chains", summary["links"]["chains"]);
+  return text + count_line("links", summary["links"]["count"]) +
+         count_line("linked_chains", summary["links"]["chains"]);
 }
 
 std::string texture_line(const ordered_json& texture) {

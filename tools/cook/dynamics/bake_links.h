@@ -14,9 +14,10 @@
 
 namespace coif {
 
-/// Which bones of neighbouring chains stay together, as the recipe says it of the bones packed in `contents`. Empty where it wants
-/// none, and then a note tells of strips that hang on two chains. Error (kBadInput): the recipe names bones that are not there or do not
-/// move, or two of one chain, or more pairs than anybody means. `source` is the file's name.
+/// Which bones of neighbouring chains stay together, as the recipe says it of the bones packed in `contents`.
+/// Empty where it wants none, and then a note tells of strips that hang on two chains. Error (kBadInput): the
+/// recipe names bones that are not there or do not move, or two of one chain, or more pairs than anybody means.
+/// `source` is the file's name.
 [[nodiscard]] tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& source,
                                                                           const HairStrips& hair, const HairRig& rig,
                                                                           const AssetContents& contents,

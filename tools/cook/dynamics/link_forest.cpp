@@ -48,29 +48,33 @@ double mean_gap(const AssetContents& contents, const Depths& one, const Depths& 
   return sum / double(depths);
 }
 
-/// Chains that are linked directly.
-using Neighbours = std::vector<std::vector<std::uint32_t>>;
-
-/// Kruskal's: the shortest pairs that hold all together which any pair does.
-Neighbours shortest_forest(const AssetContents& contents, const std::vector<Depths>& chains,
-                           const std::set<ChainPair>& pairs, std::vector<ChainPair>& roundabout) {
+/// The closest pair first.
+std::vector<ChainPair> sorted_by_gap(const AssetContents& contents, const std::vector<Depths>& chains,
+                                     const std::set<ChainPair>& pairs) {
   std::vector<std::pair<double, ChainPair>> by_gap;
   for (const ChainPair& pair : pairs) {
     by_gap.emplace_back(mean_gap(contents, chains[pair.first], chains[pair.second]), pair);
   }
   std::ranges::sort(by_gap);
+  std::vector<ChainPair> sorted;
+  for (const auto& [width, pair] : by_gap) sorted.push_back(pair);
+  return sorted;
+}
+
+/// Chains that are linked directly.
+using Neighbours = std::vector<std::vector<std::uint32_t>>;
+
+/// Kruskal's: the closest pairs that hold all chains of this depth together which any of the pairs do.
+Neighbours closest_forest(const std::vector<ChainPair>& sorted, const std::vector<Depths>& chains, std::size_t depth) {
   std::vector<std::uint32_t> group(chains.size());
   std::iota(group.begin(), group.end(), 0u);
   Neighbours neighbours(chains.size());
-  for (const auto& [width, pair] : by_gap) {
-    const std::uint32_t joins = group[pair.first], joined = group[pair.second];
-    if (joins == joined) {
-      roundabout.push_back(pair);
-      continue;
-    }
+  for (const auto& [one, other] : sorted) {
+    const std::uint32_t joins = group[one], joined = group[other];
+    if (joins == joined || depth >= std::min(chains[one].size(), chains[other].size())) continue;
     std::ranges::replace(group, joined, joins);
-    neighbours[pair.first].push_back(pair.second);
-    neighbours[pair.second].push_back(pair.first);
+    neighbours[one].push_back(other);
+    neighbours[other].push_back(one);
   }
   return neighbours;
 }
@@ -94,8 +98,8 @@ std::vector<Visit> visit_from(const Neighbours& neighbours, std::uint32_t root) 
   return visits;
 }
 
-/// The chain from which the farthest is nearest; of several the longest, and of those the first. It lies halfway between the ends
-/// of the longest way through the tree.
+/// The chain from which the farthest is nearest; of several the longest, and of those the first. It lies halfway
+/// between the ends of the longest way through the tree.
 std::uint32_t middle_of(const Neighbours& neighbours, const std::vector<Depths>& chains, std::uint32_t member) {
   const std::uint32_t one_end = visit_from(neighbours, member).back().chain;
   const std::vector<Visit> across = visit_from(neighbours, one_end);
@@ -109,12 +113,12 @@ std::uint32_t middle_of(const Neighbours& neighbours, const std::vector<Depths>&
   return std::min(middle, other, [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
 }
 
-/// Every tree from its middle on. Chains that nothing is linked to are trees of one.
+/// Every tree from its middle on, but for chains that nothing is linked to.
 std::vector<Visit> visit_trees(const Neighbours& neighbours, const std::vector<Depths>& chains) {
   std::vector<Visit> all;
   std::vector<bool> seen(chains.size(), false);
   for (std::uint32_t chain = 0; chain < chains.size(); ++chain) {
-    if (seen[chain]) continue;
+    if (seen[chain] || neighbours[chain].empty()) continue;
     for (const Visit& visit : visit_from(neighbours, middle_of(neighbours, chains, chain))) {
       seen[visit.chain] = true;
       all.push_back(visit);
@@ -138,22 +142,25 @@ Eigen::Vector3d resting_tail(const BoneRecord& bone) {
 LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs, const LinkRoom& room) {
   LinkForest forest;
   const std::vector<Depths> chains = depths_of_chains(contents);
-  const auto trees = visit_trees(shortest_forest(contents, chains, pairs, forest.roundabout), chains);
-  std::size_t deepest = 0;
-  for (const Depths& depths : chains) deepest = std::max(deepest, depths.size());
-  std::set<ChainPair> linked;
-  for (std::size_t d = 0; d < deepest; ++d) {
+  const std::vector<ChainPair> sorted = sorted_by_gap(contents, chains, pairs);
+  std::set<ChainPair> linked, left_out = pairs;
+  for (std::size_t depth = 0;; ++depth) {
+    const std::vector<Visit> trees = visit_trees(closest_forest(sorted, chains, depth), chains);
+    if (trees.empty()) break;
     for (const Visit& visit : trees) {
-      if (visit.above == kNone || d >= std::min(chains[visit.chain].size(), chains[visit.above].size())) continue;
-      for (const std::uint32_t bone : chains[visit.chain][d]) {
-        const LinkRecord link = link_between(contents, bone, nearest(contents, bone, chains[visit.above][d]), room);
-        const bool is_touching = gap(contents, bone, link.to) < kTouching;
-        (is_touching ? forest.touching : forest.links).push_back(link);
-        if (!is_touching) linked.insert(std::minmax(visit.chain, visit.above));
+      if (visit.above == kNone) continue;
+      const ChainPair pair = std::minmax(visit.chain, visit.above);
+      left_out.erase(pair);
+      for (const std::uint32_t bone : chains[visit.chain][depth]) {
+        const std::uint32_t to = nearest(contents, bone, chains[visit.above][depth]);
+        const bool is_touching = gap(contents, bone, to) < kTouching;
+        (is_touching ? forest.touching : forest.links).push_back(link_between(contents, bone, to, room));
+        if (!is_touching) linked.insert(pair);
       }
     }
   }
   forest.linked.assign(linked.begin(), linked.end());
+  forest.roundabout.assign(left_out.begin(), left_out.end());
   return forest;
 }
 

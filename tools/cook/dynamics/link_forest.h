@@ -22,9 +22,9 @@ struct LinkForest {
   std::vector<LinkRecord> touching;   ///< Links left out, since both bones end at one place.
 };
 
-/// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Pairs that close a circle
-/// are left out, the widest first, and each tree of chains starts in its middle, since a solver that goes through the links one by one
-/// is the more exact the fewer follow each other. Where a chain is shorter than the next, that one's deeper bones are free.
+/// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Of pairs
+/// that close a circle the widest is left out, unless a chain between them has ended. Each tree starts in its middle,
+/// since a solver that goes through the links one by one is the more exact the fewer follow each other.
 [[nodiscard]] LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs,
                                      const LinkRoom& room);
 

@@ -18,9 +18,10 @@ struct SharedStrips {
   std::uint32_t count = 0;                    ///< Strips that hang on some pair.
 };
 
-/// By the skin's weights. A strip is a patch before any was cut, since what was cut still touches. It hangs on two chains where both
-/// carry a good part of it, and of what the weaker one carries a good part lies in triangles that follow both. So neither weights
-/// that were rounded, nor roots that blend into the neighbour, nor two tails that grow out of one cap are taken for a sheet.
+/// By the skin's weights. A strip is a patch before any was cut, since what was cut still touches. It hangs on two
+/// chains where both carry a good part of it, and of what the weaker one carries a good part lies in triangles
+/// that follow both. So neither weights that were rounded, nor roots that blend into the neighbour, nor two tails
+/// that grow out of one cap are taken for a sheet.
 [[nodiscard]] SharedStrips find_shared_strips(const HairStrips& hair, const HairRig& rig);
 
 }  // namespace coif
