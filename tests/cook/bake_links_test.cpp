@@ -13,7 +13,7 @@
 
 namespace coif::bake_links_test {
 
-using Pairs = std::set<ChainPair>;
+using Pairs = std::vector<ChainPair>;
 using BonesOfLinks = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Chains that hang down from a head at places along X, in bones of 0.1 m.
@@ -46,7 +46,12 @@ class BakeLinks : public testing::Test {
     hair_.chains.push_back({first, bones, 0, {}});
   }
 
-  [[nodiscard]] LinkForest link(const Pairs& pairs) const { return link_chains(hair_, pairs, {0.1, 0.5}); }
+  /// As deep as the chains are, or at most `depths`.
+  [[nodiscard]] LinkForest link(const Pairs& pairs, std::uint32_t depths = kNone) const {
+    LinkedDepths linked;
+    for (const ChainPair& pair : pairs) linked[pair] = depths;
+    return link_chains(hair_, linked, {0.1, 0.5});
+  }
 
   /// What an asset of this hair says to links.
   [[nodiscard]] LoadCode opened(std::vector<LinkRecord> links) const {
@@ -134,6 +139,12 @@ TEST_F(BakeLinks, ReachAcrossAChainThatHasEndedWhereAPairIsThere) {
   EXPECT_EQ(opened(forest.links), LoadCode::kOk);
 }
 
+TEST_F(BakeLinks, GoNoDeeperThanWhatIsBetweenTheChains) {
+  hang(0, 3);      // bones 1 to 3
+  hang(0.03f, 3);  // bones 4 to 6
+  EXPECT_EQ(bones_of(link({{0, 1}}, 2).links), (BonesOfLinks{{4, 1}, {5, 2}}));
+}
+
 TEST_F(BakeLinks, OfAChainThatBranchesHoldEachBoneOnce) {
   hang(0, 3, {kNone, 0, 0});      // bones 1 > (2, 3)
   hang(0.03f, 3, {kNone, 0, 0});  // bones 4 > (5, 6)
@@ -165,7 +176,7 @@ TEST_F(BakeLinks, OfEveryPairAreWhatTheFormatAllows) {
   hang(0.2f, 7, {kNone, 0, 0, 1, 1, 2, 2});
   Pairs all;
   for (std::uint32_t one = 0; one < 8; ++one) {
-    for (std::uint32_t other = one + 1; other < 8; ++other) all.insert({one, other});
+    for (std::uint32_t other = one + 1; other < 8; ++other) all.emplace_back(one, other);
   }
   const LinkForest forest = link(all);
   EXPECT_EQ(forest.roundabout.size(), 28u - 7u);

@@ -52,7 +52,10 @@ TEST(SharedStrips, HangOnTheChainsOfTheirTwoEdges) {
   for (const std::uint32_t columns : {1u, 4u, 12u}) {
     const SharedStrips found = shared({.columns = columns}, {near_to(0, 1), near_to(1, 1)});
     EXPECT_EQ(found.count, 1u) << columns;
-    EXPECT_EQ(found.strips, (std::map<ChainPair, std::uint32_t>{{{0, 1}, 1}})) << columns;
+    ASSERT_EQ(found.pairs.size(), 1u) << columns;
+    EXPECT_EQ(found.pairs.begin()->first, (ChainPair{0, 1}));
+    EXPECT_EQ(found.pairs.begin()->second.strips, 1u);
+    EXPECT_EQ(found.pairs.begin()->second.depths, 1u);
   }
 }
 
@@ -67,8 +70,8 @@ TEST(SharedStrips, OfManyChainsHangOnThoseSideBySide) {
   for (int c = 0; c <= 10; ++c) chains.push_back(near_to(c / 10.0, 0.1));
   const SharedStrips found = shared({.columns = 40}, chains);
   EXPECT_EQ(found.count, 1u) << "one sheet";
-  EXPECT_EQ(found.strips.size(), 10u);
-  for (const auto& [pair, strips] : found.strips) EXPECT_EQ(pair.second, pair.first + 1);
+  EXPECT_EQ(found.pairs.size(), 10u);
+  for (const auto& [pair, hair] : found.pairs) EXPECT_EQ(pair.second, pair.first + 1);
 }
 
 TEST(SharedStrips, AreNoneOfOneChain) {
@@ -151,6 +154,7 @@ TEST(SharedStrips, AreSaidToBeSoAndNothingElseWithoutAWordInTheRecipe) {
 
 TEST(SharedStrips, AreWhatChainsAreLinkedFor) {
   const CookResult result = cooked_sheet(R"("shared_strips")");
+  EXPECT_TRUE(notes(result, "1 strip hangs on two chains, which are linked"));
   EXPECT_TRUE(notes(result, "2 links of 2 chains, so that they stay beside each other: 'left_1' and 'right_1'"));
   AlignedBytes file(result.asset);
   Asset asset;

@@ -8,11 +8,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace coif {
 namespace {
 
-using Pairs = tl::expected<std::set<ChainPair>, ToolError>;
+using Pairs = tl::expected<LinkedDepths, ToolError>;
 
 constexpr std::size_t kMostPairs = 1 << 16;  // wildcards against wildcards; a skirt has dozens
 constexpr std::size_t kMostNamed = 4;        // pairs, in a note
@@ -43,7 +44,7 @@ std::string chain_names(const AssetContents& contents) {
 }
 
 Pairs pairs_of_recipe(const std::string& source, const AssetContents& contents, const RecipeLinks& links) {
-  std::set<ChainPair> pairs;
+  LinkedDepths pairs;
   for (std::size_t i = 0; i < links.pairs.size(); ++i) {
     std::set<std::uint32_t> sides[2];
     for (std::size_t k = 0; k < 2; ++k) {
@@ -57,7 +58,7 @@ Pairs pairs_of_recipe(const std::string& source, const AssetContents& contents, 
     for (const std::uint32_t one : sides[0]) {
       for (const std::uint32_t other : sides[1]) {
         if (one == other) continue;
-        pairs.insert(std::minmax(one, other));
+        pairs.emplace(std::minmax(one, other), kNone);
         any = true;
       }
       if (pairs.size() > kMostPairs) return bad_pair(source, i, "names too many pairs of chains; name neighbours");
@@ -109,23 +110,24 @@ void report(const AssetContents& contents, const LinkForest& forest, Findings& f
 tl::expected<std::vector<LinkRecord>, ToolError> bake_links(const std::string& source, const HairStrips& hair,
                                                             const HairRig& rig, const AssetContents& contents,
                                                             const Recipe& recipe, Findings& findings) {
-  std::set<ChainPair> pairs;
+  LinkedDepths pairs;
   if (!recipe.links.pairs.empty()) {
     Pairs named = pairs_of_recipe(source, contents, recipe.links);
     if (!named) return tl::unexpected(named.error());
     pairs = *std::move(named);
   } else {
     const SharedStrips shared = find_shared_strips(hair, rig);
+    const std::string strips = counted(shared.count, "strip hangs", "strips hang");
     if (recipe.links.word == "none") {
       if (shared.count == 0) return std::vector<LinkRecord>{};
-      findings.note(
-          fmt::format("{} on two chains, and may be torn where these drift apart: \"dynamics.links\":"
-                      " \"shared_strips\" keeps them together",
-                      counted(shared.count, "strip hangs", "strips hang")));
+      findings.note(strips +
+                    " on two chains, and may be torn where these drift apart: \"dynamics.links\":"
+                    " \"shared_strips\" keeps them together");
       return std::vector<LinkRecord>{};
     }
-    for (const auto& [pair, strips] : shared.strips) pairs.insert(pair);
-    if (pairs.empty()) findings.note("no strip hangs on two chains, so that none are linked");
+    findings.note(shared.count > 0 ? strips + " on two chains, which are linked"
+                                   : "no strip hangs on two chains, so that none are linked");
+    for (const auto& [pair, hair_of_pair] : shared.pairs) pairs.emplace(pair, hair_of_pair.depths);
   }
   LinkForest forest = link_chains(contents, pairs, {recipe.link_stretch, recipe.link_shrink});
   report(contents, forest, findings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 namespace coif {
@@ -35,9 +36,8 @@ std::uint32_t nearest(const AssetContents& contents, std::uint32_t bone, const s
   return *std::ranges::min_element(others, {}, [&](std::uint32_t other) { return gap(contents, bone, other); });
 }
 
-/// Over the depths that both chains have, between the bones that are nearest to each other.
-double mean_gap(const AssetContents& contents, const Depths& one, const Depths& other) {
-  const std::size_t depths = std::min(one.size(), other.size());
+/// Over so many depths, between the bones that are nearest to each other.
+double mean_gap(const AssetContents& contents, const Depths& one, const Depths& other, std::size_t depths) {
   double sum = 0;
   for (std::size_t d = 0; d < depths; ++d) {
     double least = gap(contents, one[d].front(), nearest(contents, one[d].front(), other[d]));
@@ -48,16 +48,24 @@ double mean_gap(const AssetContents& contents, const Depths& one, const Depths& 
   return sum / double(depths);
 }
 
+struct Candidate {
+  double gap;  ///< Metres at rest, the mean.
+  ChainPair pair;
+  std::size_t depths;  ///< That it can link.
+
+  bool operator<(const Candidate& other) const { return std::tie(gap, pair) < std::tie(other.gap, other.pair); }
+};
+
 /// The closest pair first.
-std::vector<ChainPair> sorted_by_gap(const AssetContents& contents, const std::vector<Depths>& chains,
-                                     const std::set<ChainPair>& pairs) {
-  std::vector<std::pair<double, ChainPair>> by_gap;
-  for (const ChainPair& pair : pairs) {
-    by_gap.emplace_back(mean_gap(contents, chains[pair.first], chains[pair.second]), pair);
+std::vector<Candidate> candidates(const AssetContents& contents, const std::vector<Depths>& chains,
+                                  const LinkedDepths& pairs) {
+  std::vector<Candidate> sorted;
+  for (const auto& [pair, most] : pairs) {
+    const Depths &one = chains[pair.first], &other = chains[pair.second];
+    const std::size_t depths = std::min({one.size(), other.size(), std::size_t(most)});
+    sorted.push_back({mean_gap(contents, one, other, depths), pair, depths});
   }
-  std::ranges::sort(by_gap);
-  std::vector<ChainPair> sorted;
-  for (const auto& [width, pair] : by_gap) sorted.push_back(pair);
+  std::ranges::sort(sorted, std::less<>{});
   return sorted;
 }
 
@@ -65,13 +73,14 @@ std::vector<ChainPair> sorted_by_gap(const AssetContents& contents, const std::v
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
 
 /// Kruskal's: the closest pairs that hold all chains of this depth together which any of the pairs do.
-Neighbours closest_forest(const std::vector<ChainPair>& sorted, const std::vector<Depths>& chains, std::size_t depth) {
-  std::vector<std::uint32_t> group(chains.size());
+Neighbours closest_forest(const std::vector<Candidate>& sorted, std::size_t chain_count, std::size_t depth) {
+  std::vector<std::uint32_t> group(chain_count);
   std::iota(group.begin(), group.end(), 0u);
-  Neighbours neighbours(chains.size());
-  for (const auto& [one, other] : sorted) {
+  Neighbours neighbours(chain_count);
+  for (const Candidate& next : sorted) {
+    const auto [one, other] = next.pair;
     const std::uint32_t joins = group[one], joined = group[other];
-    if (joins == joined || depth >= std::min(chains[one].size(), chains[other].size())) continue;
+    if (joins == joined || depth >= next.depths) continue;
     std::ranges::replace(group, joined, joins);
     neighbours[one].push_back(other);
     neighbours[other].push_back(one);
@@ -139,13 +148,14 @@ Eigen::Vector3d resting_tail(const BoneRecord& bone) {
   return vector(bone.joint) + double(bone.length) * vector(bone.rest_direction);
 }
 
-LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs, const LinkRoom& room) {
+LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs, const LinkRoom& room) {
   LinkForest forest;
   const std::vector<Depths> chains = depths_of_chains(contents);
-  const std::vector<ChainPair> sorted = sorted_by_gap(contents, chains, pairs);
-  std::set<ChainPair> linked, left_out = pairs;
+  const std::vector<Candidate> sorted = candidates(contents, chains, pairs);
+  std::set<ChainPair> linked, left_out;
+  for (const Candidate& candidate : sorted) left_out.insert(candidate.pair);
   for (std::size_t depth = 0;; ++depth) {
-    const std::vector<Visit> trees = visit_trees(closest_forest(sorted, chains, depth), chains);
+    const std::vector<Visit> trees = visit_trees(closest_forest(sorted, chains.size(), depth), chains);
     if (trees.empty()) break;
     for (const Visit& visit : trees) {
       if (visit.above == kNone) continue;

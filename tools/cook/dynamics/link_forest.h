@@ -3,10 +3,14 @@
 #include "cook/dynamics/shared_strips.h"
 #include "write/asset_writer.h"
 
-#include <set>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 namespace coif {
+
+/// Pairs of chains, and how many depths of each are to be linked at most.
+using LinkedDepths = std::map<ChainPair, std::uint32_t>;
 
 /// How far apart linked bones may get, as shares of their distance at rest.
 struct LinkRoom {
@@ -25,7 +29,7 @@ struct LinkForest {
 /// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Of pairs
 /// that close a circle the widest is left out, unless a chain between them has ended. Each tree starts in its middle,
 /// since a solver that goes through the links one by one is the more exact the fewer follow each other.
-[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const std::set<ChainPair>& pairs,
+[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs,
                                      const LinkRoom& room);
 
 /// Where the bone's particle is at rest, head space.
