@@ -221,4 +221,10 @@ TEST_F(BakeLinks, OfWrongNamesAreErrorsThatSayWhichThereAre) {
             " with a.0, b.0");
 }
 
+TEST_F(BakeLinks, OfEverybodyWithEverybodyAreRefusedWhereNobodyMeansThem) {
+  for (int i = 0; i < 400; ++i) hang(0.001f * float(i), 1);
+  EXPECT_EQ(refusal_of(R"([["*", "*"]])"),
+            "hair.glb: \"dynamics.links\" [0]: names too many pairs of chains; name neighbours");
+}
+
 }  // namespace coif::bake_links_test
