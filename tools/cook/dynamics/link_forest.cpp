@@ -28,6 +28,12 @@ std::vector<Depths> depths_of_chains(const AssetContents& contents) {
   return chains;
 }
 
+/// Where the bone's particle is at rest, head space.
+Eigen::Vector3d resting_tail(const BoneRecord& bone) {
+  const auto vector = [](const float(&v)[3]) { return Eigen::Vector3d(double(v[0]), double(v[1]), double(v[2])); };
+  return vector(bone.joint) + double(bone.length) * vector(bone.rest_direction);
+}
+
 double gap(const AssetContents& contents, std::uint32_t a, std::uint32_t b) {
   return (resting_tail(contents.bones[a]) - resting_tail(contents.bones[b])).norm();
 }
@@ -142,11 +148,6 @@ LinkRecord link_between(const AssetContents& contents, std::uint32_t bone, std::
 }
 
 }  // namespace
-
-Eigen::Vector3d resting_tail(const BoneRecord& bone) {
-  const auto vector = [](const float(&v)[3]) { return Eigen::Vector3d(double(v[0]), double(v[1]), double(v[2])); };
-  return vector(bone.joint) + double(bone.length) * vector(bone.rest_direction);
-}
 
 LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs, const LinkRoom& room) {
   LinkForest forest;

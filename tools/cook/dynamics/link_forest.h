@@ -29,10 +29,6 @@ struct LinkForest {
 /// Links each pair of chains, depth by depth: a bone to the nearest one of the other chain that is as deep. Of pairs
 /// that close a circle the widest is left out, unless a chain between them has ended. Each tree starts in its middle,
 /// since a solver that goes through the links one by one is the more exact the fewer follow each other.
-[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs,
-                                     const LinkRoom& room);
-
-/// Where the bone's particle is at rest, head space.
-[[nodiscard]] Eigen::Vector3d resting_tail(const BoneRecord& bone);
+[[nodiscard]] LinkForest link_chains(const AssetContents& contents, const LinkedDepths& pairs, const LinkRoom& room);
 
 }  // namespace coif
