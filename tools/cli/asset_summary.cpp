@@ -146,8 +146,7 @@ ordered_json limits_json(const Asset& asset) {
 
 ordered_json links_json(const Asset& asset) {
   std::set<std::uint32_t> chains;
-  for (const LinkRecord& link : asset.links())
-    chains.insert({asset.bones()[link.bone].chain, asset.bones()[link.to].chain});
+  for (const LinkRecord& l : asset.links()) chains.insert({asset.bones()[l.bone].chain, asset.bones()[l.to].chain});
   return {{"count", asset.links().size()}, {"chains", chains.size()}};
 }
 
