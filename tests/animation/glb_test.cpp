@@ -154,6 +154,7 @@ TEST(GlbOfManyBones, NamesJointsBeyondAByte) {
   contents.chains.clear();
   contents.dynamics.clear();
   contents.limits.clear();
+  contents.links.clear();
   clear_group("body", contents);
   contents.lods.clear();
   contents.lod_bones.clear();

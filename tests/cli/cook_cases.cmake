@@ -35,12 +35,20 @@ coif_cli_case(cook_names_limits_of_no_bone EXIT 3
   STDERR "\"dynamics.limits\" \\[0\\]: no bone that moves is called tail_x; there are "
   TEXT r.json "{\"dynamics\": {\"limits\": [{\"bones\": \"tail_x\", \"kind\": \"cone\", \"angle\": 9}]}}"
   ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_links_no_such_bone EXIT 3
+  STDERR "bob.glb: \"dynamics.links\" \\[0\\]: no bone that moves is called tail_x; chains begin with "
+  TEXT r.json "{\"dynamics\": {\"links\": [[\"tail_x\", \"*\"]]}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
+coif_cli_case(cook_links_by_another_word EXIT 3
+  STDERR "r.json: \"dynamics.links\" wants \"none\", \"shared_strips\" or a list of .*, found \"all\""
+  TEXT r.json "{\"dynamics\": {\"links\": \"all\"}}"
+  ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_finds_recipe_beside EXIT 3
   STDERR "note: braid.recipe.json: used, as it lies beside the source.*error: braid.recipe.json: "
   TEXT braid.obj "v 0 0 0\n" braid.recipe.json "{" ARGS cook braid.obj -o out.coif)
 coif_cli_case(print_recipe EXIT 0 STDOUT "\"dynamics\".*friction.*//|//.*\"dynamics\".*friction" ARGS cook --print-recipe)
 coif_cli_case(print_recipe_has_solver_keys EXIT 0
-  STDOUT "\"preset\": \"natural\".*\"model\": \"auto\".*\"sags\": false.*\"damping_ratio\": null.*\"conditioning\": \"auto\".*\"torsion\": .*\"angle_limit\": 180.*\"parent_share\": 1.*\"budget\".*\"error\": 0.*\"error_mm\": 0.*\"ns_per_frame\": 0.*\"slowest_rate\": 30.*\"fastest_rate\": 120"
+  STDOUT "\"preset\": \"natural\".*\"model\": \"auto\".*\"sags\": false.*\"damping_ratio\": null.*\"conditioning\": \"auto\".*\"torsion\": .*\"angle_limit\": 180.*\"links\": \"none\".*\"link_stretch\": 0.1.*\"link_shrink\": 0.5.*\"parent_share\": 1.*\"budget\".*\"error\": 0.*\"error_mm\": 0.*\"ns_per_frame\": 0.*\"slowest_rate\": 30.*\"fastest_rate\": 120"
   ARGS cook --print-recipe)
 coif_cli_case(cook_over_budget EXIT 4 TIMEOUT 120
   STDERR "bob.glb: \"budget\": an error of 1e-05 % .* was asked for and [0-9.]+ % reached, where 2000 ns .*allowed, with [1-9][0-9]* ns"

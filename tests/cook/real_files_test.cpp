@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -227,6 +228,64 @@ TEST_P(RealTextures, EndHardWhereOneSeesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, RealTextures, testing::ValuesIn(kTexturedFiles),
+                         [](const auto& tested) { return tested.param.name; });
+
+// Which artists' files have strips that hang on two chains.
+
+struct SharedFile {
+  const char* path;  ///< Below the corpus.
+  const char* name;
+  bool shares;
+};
+
+const SharedFile kSharedFiles[] = {
+    {"hair/mh2013_long2/long2.obj", "long2", true},
+    {"hair/mh2013_curly/curly.obj", "curly", true},
+    {"hair/quaternius_witch/Witch.glb", "witch", true},
+    {"hair/unitychan/UnityChan.fbx", "unitychan", false},  // two strips over the head end in both tails
+    {"hair/seedsan/new_seedsan_betterfbx.fbx", "seedsan", false},
+    {"hair/moz_french-braids-double/hair_french-braids-double-brown.glb", "moz_braids", false},
+};
+
+class RealLinks : public testing::TestWithParam<SharedFile> {
+ protected:
+  void SetUp() override {
+    path_ = fs::path(COIF_TEST_ASSETS) / GetParam().path;
+    if (!fs::exists(path_)) GTEST_SKIP() << path_ << ": no corpus of artists' files here";
+  }
+
+  fs::path path_;
+};
+
+TEST_P(RealLinks, AreSuggestedWhereStripsHangOnTwoChains) {
+  const auto& notes = cook_once(path_).result.report.notes;
+  const bool suggested =
+      std::ranges::any_of(notes, [](const std::string& n) { return n.find("\"shared_strips\" keeps them") != n.npos; });
+  EXPECT_EQ(suggested, GetParam().shares);
+}
+
+TEST_P(RealLinks, HoldChainsAsTheyWereModelled) {
+  Recipe recipe = default_recipe();
+  recipe.links.word = "shared_strips";
+  const auto result = cook(cook_once(path_).source, recipe, {.threads = 2, .draft = true});
+  ASSERT_TRUE(result) << result.error().message;
+  AlignedBytes file(result->asset);
+  Asset asset;
+  ASSERT_TRUE(asset.open(file.bytes()));
+  EXPECT_EQ(asset.links().empty(), !GetParam().shares);
+  for (const LinkRecord& link : asset.links()) {
+    double squares = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](const BoneRecord& bone) { return bone.joint[k] + bone.length * bone.rest_direction[k]; };
+      squares += std::pow(double(at(asset.bones()[link.bone]) - at(asset.bones()[link.to])), 2);
+    }
+    EXPECT_NEAR(link.longest, 1.1 * std::sqrt(squares), 1.0e-5);
+    EXPECT_NEAR(link.shortest, 0.5 * std::sqrt(squares), 1.0e-5);
+    EXPECT_LT(link.longest, 0.3) << "no sheet is that wide";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, RealLinks, testing::ValuesIn(kSharedFiles),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace coif::real_files_test

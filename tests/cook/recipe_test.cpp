@@ -139,6 +139,34 @@ TEST(Recipe, LimitsReadBackAsPrintedAndSayWhatTheyLack) {
   EXPECT_NE(said(R"({"bones": "a", "kind": "cone", "angle": 1, "roll": 1})").find("there are bones"), std::string::npos);
 }
 
+TEST(Recipe, LinksAreAWordOrPairsOfNames) {
+  EXPECT_EQ(default_recipe().links.word, "none");
+  EXPECT_EQ(default_recipe().link_stretch, 0.1);
+  EXPECT_EQ(default_recipe().link_shrink, 0.5);
+  const auto again = [](const std::string& links) {
+    const auto recipe = parse_recipe(R"({"dynamics": {"links": )" + links + "}}", "r.json");
+    EXPECT_TRUE(recipe) << (recipe ? "" : recipe.error().message);
+    return parse_recipe(recipe ? print_recipe(*recipe) : "", "r.json").value_or(default_recipe()).links;
+  };
+  EXPECT_EQ(again(R"("shared_strips")").word, "shared_strips");
+  EXPECT_EQ(again("[]").word, "none");
+  const RecipeLinks pairs = again(R"([["skirt_1", "skirt_2"], ["a*", "b?"]])");
+  EXPECT_EQ(pairs.word, "");
+  EXPECT_EQ(pairs.pairs, (std::vector<std::array<std::string, 2>>{{"skirt_1", "skirt_2"}, {"a*", "b?"}}));
+  const auto said = [](const std::string& links) { return message_of(R"({"dynamics": {"links": )" + links + "}}"); };
+  EXPECT_EQ(said(R"("all")"),
+            "r.json: \"dynamics.links\" wants \"none\", \"shared_strips\" or a list of [\"bone of one chain\", \"bone of another\"],"
+            " found \"all\"");
+  EXPECT_EQ(said(R"([["a", "b"], ["a"]])"),
+            "r.json: \"dynamics.links\" [1]: wants two names of bones, * and ? are wildcards, found [\"a\"]");
+  EXPECT_NE(said(R"([["a", ""]])").find("two names"), std::string::npos);
+  EXPECT_NE(said(R"([["a", 3]])").find("two names"), std::string::npos);
+  EXPECT_NE(said("3").find("\"shared_strips\""), std::string::npos);
+  EXPECT_EQ(message_of(R"({"dynamics": {"link_shrink": 1.5}})"),
+            "r.json: \"dynamics.link_shrink\" wants a number from 0 to 1, found 1.5");
+  EXPECT_NE(message_of(R"({"dynamics": {"link_stretch": -1}})").find("from 0 to 1"), std::string::npos);
+}
+
 TEST(Recipe, HalfAHeadIsRefused) {
   EXPECT_NE(message_of(R"({"head": {"center": [0, 1.6, 0]}})").find("come together"), std::string::npos);
 }

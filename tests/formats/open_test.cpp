@@ -86,6 +86,7 @@ AssetContents with_bones(std::uint32_t count) {
   contents.dynamics.resize(count, contents.dynamics.front());
   contents.asked.resize(count, contents.asked.front());
   contents.limits.clear();
+  contents.links.clear();
   clear_group("body", contents);
   for (SkinRecord& skin : contents.skin) skin.bone[0] = std::uint16_t(count - 1);
   return contents;

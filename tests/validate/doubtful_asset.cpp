@@ -14,6 +14,7 @@ AssetContents sound_asset() {
   asset.asked.clear();
   clear_group("body", asset);
   clear_group("limits", asset);
+  clear_group("links", asset);
   asset.lod_bones.pop_back();
   for (SkinRecord& skin : asset.skin) skin.bone[0] = std::min<std::uint16_t>(skin.bone[0], 3);
   for (PatchRecord& patch : asset.patches) patch.bone = std::min(patch.bone, 3u);
@@ -91,6 +92,13 @@ void hang_idle_ball(AssetContents& asset) {
   asset.body_sets.assign(asset.bones.size(), 0);
 }
 
+/// A second chain beside the first, held closer to it than it was modelled.
+void link_too_short(AssetContents& asset) {
+  add_stub(asset);
+  asset.bones[4].joint[0] += 0.1f;
+  asset.links = {{4, 2, 0.01f, 0.05f}};
+}
+
 constexpr Doubt kBodyDoubts[] = {
     {"A202", make_rigid},
     {"A203", [](AssetContents& asset) { reach_no_collider(asset), asset.colliders.clear(); }},
@@ -106,6 +114,7 @@ constexpr Doubt kBodyDoubts[] = {
     {"A221", hang_idle_ball},
     {"A222", [](AssetContents& asset) { asset.dynamics[3].resistance = asset.dynamics[3].stiffness = 0; }},
     {"A223", [](AssetContents& asset) { asset.dynamics[2].resistance = 1; }},
+    {"A224", link_too_short},
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_error = 0.001f; }},
     {"A281", [](AssetContents& asset) { asset.tuning[0].asked_cost = 1000; }},
     {"A282", [](AssetContents& asset) { asset.quality[0].rms_error = 0.05f; }},

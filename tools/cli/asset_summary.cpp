@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -143,6 +144,12 @@ ordered_json limits_json(const Asset& asset) {
   return limits;
 }
 
+ordered_json links_json(const Asset& asset) {
+  std::set<std::uint32_t> chains;
+  for (const LinkRecord& l : asset.links()) chains.insert({asset.bones()[l.bone].chain, asset.bones()[l.to].chain});
+  return {{"count", asset.links().size()}, {"chains", chains.size()}};
+}
+
 std::ptrdiff_t colliding_bones(const Asset& asset) {
   return std::ranges::count_if(asset.bones(), [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
@@ -201,9 +208,8 @@ ordered_json summarize(const Asset& asset) {
                           {"quality", quality_json(asset)}};
   if (!asset.body_colliders().empty()) summary["body"] = body_json(asset);
   if (!asset.limits().empty()) summary["limits"] = limits_json(asset);
-  if (!asset.chains().empty()) {
-    summary["model"] = model_of(asset);
-  }
+  if (!asset.links().empty()) summary["links"] = links_json(asset);
+  if (!asset.chains().empty()) summary["model"] = model_of(asset);
   if (asset.tuning() != nullptr) summary["settings"]["tuning"] = tuning_json(asset);
   if (asset.material() != nullptr) {
     summary["sides"] = (asset.material()->flags & kMaterialDoubleSided) != 0 ? "both" : "front";
@@ -217,7 +223,7 @@ std::string count_line(const std::string& name, const ordered_json& count) {
   return fmt::format("  {:<16}{:>12}\n", name, count.get<std::uint64_t>());
 }
 
-/// Empty where there are no body colliders and no limits.
+/// Empty where there are no body colliders, limits and links.
 std::string body_text(const ordered_json& summary) {
   std::string text;
   if (summary.contains("body")) {
@@ -229,9 +235,12 @@ std::string body_text(const ordered_json& summary) {
     }
     text += count_line("body_touching", body["colliding_bones"]);
   }
-  if (!summary.contains("limits")) return text;
-  for (const auto& [kind, count] : summary["limits"].items()) text += count_line("limit_" + kind, count);
-  return text;
+  if (summary.contains("limits")) {
+    for (const auto& [kind, count] : summary["limits"].items()) text += count_line("limit_" + kind, count);
+  }
+  if (!summary.contains("links")) return text;
+  return text + count_line("links", summary["links"]["count"]) +
+         count_line("linked_chains", summary["links"]["chains"]);
 }
 
 std::string texture_line(const ordered_json& texture) {

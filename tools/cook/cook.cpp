@@ -4,6 +4,7 @@
 #include "cook/cooking.h"
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/bake_limits.h"
+#include "cook/dynamics/bake_links.h"
 #include "cook/dynamics/settle_model.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
@@ -153,6 +154,11 @@ const Pass kPasses[] = {
        return keep(bake_limits(c.source, c.rig.skeleton, c.recipe, c.report), c.contents.limits);
      },
      [](const Cooking& c) { return !c.source.springs.empty() || !c.recipe.limits.empty(); }},
+    {"links",
+     [](Cooking& c) {
+       return keep(bake_links(c.source.path, c.hair, c.rig, c.contents, c.recipe, c.report), c.contents.links);
+     },
+     [](const Cooking& c) { return c.rig.skeleton.simulated_count() > 0; }},
     {"model",
      [](Cooking& c) -> Done {
        const bool is_checked = c.recipe.conditioning != "off" && !c.settings.draft;

@@ -42,7 +42,7 @@ void add_patch_issue(Issues& issues, std::string_view code, std::size_t patch, f
 }
 
 void check_bones(const Asset& asset, Issues& issues);       ///< A202, A207, A211, A212, A213
-void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221, A222, A223
+void check_dynamics(const Asset& asset, Issues& issues);    ///< A203, A205, A221 to A224
 void check_geometry(const Asset& asset, Issues& issues);    ///< A201, A231 to A235
 void check_patches(const Asset& asset, Issues& issues);     ///< A241, A242, A243
 void check_orders(const Asset& asset, Issues& issues);      ///< A251, A253

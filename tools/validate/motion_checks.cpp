@@ -80,6 +80,7 @@ namespace {
 
 constexpr float kRestingDepth = 0.01f;  // of the head's radius
 constexpr float kNeverMoves = 0.9999f;
+constexpr float kRoundedGap = 1.0e-5f;  // metres, and of the gap
 
 /// Rigid bones have length 0 and rest at their joint.
 std::vector<Vec3> resting_particles(const Asset& asset) {
@@ -132,6 +133,19 @@ void find_odd_pulls(const Asset& asset, Issues& issues) {
   }
 }
 
+void find_strained_links(const Asset& asset, Issues& issues) {
+  const std::vector<Vec3> particles = resting_particles(asset);
+  for (const LinkRecord& link : asset.links()) {
+    const Vec3 one = particles[link.bone], other = particles[link.to];
+    const float gap = std::hypot(one.x - other.x, one.y - other.y, one.z - other.z);
+    const float rounding = kRoundedGap * (1 + gap);
+    if (gap >= link.shortest - rounding && gap <= link.longest + rounding) continue;
+    add_issue(issues, "A224", bone_place(asset, link.bone),
+              "modelled {:.4g} mm from {}, and its link keeps it {:.4g} to {:.4g} mm away", 1000 * gap,
+              bone_place(asset, link.to), 1000 * link.shortest, 1000 * link.longest);
+  }
+}
+
 }  // namespace
 
 void check_dynamics(const Asset& asset, Issues& issues) {
@@ -141,6 +155,7 @@ void check_dynamics(const Asset& asset, Issues& issues) {
   find_idle_colliders(asset, issues);
   find_idle_body_colliders(asset, issues);
   find_odd_pulls(asset, issues);
+  find_strained_links(asset, issues);
 }
 
 namespace {

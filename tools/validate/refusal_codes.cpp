@@ -62,6 +62,8 @@ constexpr IssueCode kRefusalCodes[] = {
             "A draw order does not draw every triangle of a level of detail exactly once."),
     refused("A127", kSkin, "weights do not add up", "The skin weights of a vertex do not add up to one."),
     refused("A128", kSkeleton, "names cut off", "The list of bone names does not end with a zero byte."),
+    refused("A129", kSkeleton, "links out of order",
+            "Links are not trees between bones of equal depth in different chains, by depth."),
 };
 
 }  // namespace

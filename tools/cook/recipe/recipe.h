@@ -5,6 +5,7 @@
 #include "base/tool_error.h"
 #include "cook/recipe/body_collider.h"
 #include "cook/recipe/bone_limit.h"
+#include "cook/recipe/chain_links.h"
 #include "cook/recipe/patch_override.h"
 
 #include <tl/expected.hpp>
@@ -76,6 +77,9 @@ struct Recipe {
   std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;         ///< Degrees.
   std::vector<RecipeBoneLimit> limits;  ///< Where two are of one bone, the later one holds.
+  RecipeLinks links;
+  double link_stretch = 0;  ///< Of the distance at rest.
+  double link_shrink = 0;
   double parent_share = 0;
   // budget
   double budget_error = 0;  ///< Percent of the chain's length.

@@ -116,6 +116,13 @@ const RecipeKey kKeys[] = {
   {"dynamics", "limits", &R::limits, "[]", 0, 0, nullptr, "",
    "which directions single bones may have, about the modelled one: {\"bones\": names, \"kind\": \"cone\", \"hinge\", \"spherical\" or"
    " \"none\", \"angle\" and \"yaw\" in degrees, \"axis\": what a hinge turns about}; before the file's own (VRM 1.0)"},
+  {"dynamics", "links", &R::links, "\"none\"", 0, 0, nullptr, "",
+   "which chains stay beside each other, so that strips that hang on two are not torn: \"none\"; \"shared_strips\", those that a strip"
+   " hangs on together; or pairs of bones' names, [[\"left_1\", \"middle_1\"], ...], each standing for its chain, * and ? are wildcards"},
+  {"dynamics", "link_stretch", &R::link_stretch, "0.1", 0, 1, nullptr, "",
+   "how much farther apart than modelled linked bones may get, as a share of their distance"},
+  {"dynamics", "link_shrink", &R::link_shrink, "0.5", 0, 1, nullptr, "",
+   "how much closer together than modelled, as a share of their distance"},
   {"dynamics", "parent_share", &R::parent_share, "1", 0, 1, nullptr, "",
    "share of the pull to the modelled pose that turns with the bone before; the rest turns with the head"},
 

@@ -18,7 +18,8 @@ using RecipeField = std::variant<bool Recipe::*, double Recipe::*, std::uint32_t
                                  std::array<double, 3> Recipe::*, std::array<double, 4> Recipe::*,
                                  std::optional<double> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
                                  std::vector<PatchOverride> Recipe::*,
-                                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*>;
+                                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*,
+                                 RecipeLinks Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -89,5 +90,8 @@ tl::expected<void, std::string> read_body_colliders(const nlohmann::json& json, 
 /// Of "dynamics.limits".
 tl::expected<void, std::string> read_bone_limits(const nlohmann::json& json, std::vector<RecipeBoneLimit>& out);
 [[nodiscard]] nlohmann::json write_bone_limits(const std::vector<RecipeBoneLimit>& limits);
+/// Of "dynamics.links".
+tl::expected<void, std::string> read_chain_links(const nlohmann::json& json, RecipeLinks& out);
+[[nodiscard]] nlohmann::json write_chain_links(const RecipeLinks& links);
 
 }  // namespace coif

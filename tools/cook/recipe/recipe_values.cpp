@@ -90,6 +90,8 @@ Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBodyCollider
 
 Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBoneLimit>& out) { return read_bone_limits(value, out); }
 
+Outcome read(const RecipeKey&, const json& value, RecipeLinks& out) { return read_chain_links(value, out); }
+
 template <std::size_t kCount>
 Outcome read(const RecipeKey& key, const json& value, std::array<double, kCount>& out) {
   const std::string what = fmt::format("{} numbers {}", kCount, number_range(key));
@@ -129,6 +131,8 @@ json write(const std::vector<PatchOverride>& overrides) { return write_overrides
 json write(const std::vector<RecipeBodyCollider>& colliders) { return write_body_colliders(colliders); }
 
 json write(const std::vector<RecipeBoneLimit>& limits) { return write_bone_limits(limits); }
+
+json write(const RecipeLinks& links) { return write_chain_links(links); }
 
 template <typename Value>
 json write(const std::optional<Value>& value) {

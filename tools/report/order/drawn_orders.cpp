@@ -84,6 +84,7 @@ AssetContents finest_level(const Asset& asset) {
   contents.bone_names = bone_names(asset);
   contents.chains = copy(asset.chains());
   contents.dynamics = copy(asset.dynamics());
+  contents.links = copy(asset.links());
   contents.colliders = copy(asset.colliders());
   contents.patches = copy(asset.lod_patches(0));
   contents.indices = copy(asset.lod_indices(0));
