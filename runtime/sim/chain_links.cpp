@@ -66,18 +66,10 @@ std::uint32_t depth_of(std::span<const RowBone> bones, std::uint32_t bone) {
   return depth;
 }
 
-/// One by the mass of everything that hangs from the bone's start, as it were at its particle. A row with limits of its own is firm: what
-/// links would do there, limits would have to undo.
-float mobility_of(const BoneLanes& constants, std::uint32_t lane, bool is_firm) {
+/// One by the mass of everything that hangs from the bone's start, as it were at its particle.
+float mobility_of(const BoneLanes& constants, std::uint32_t lane) {
   const float length = constants.length.v[lane];
-  return is_firm ? 0.0f : length * length / constants.carried.v[lane];
-}
-
-bool is_bounded(std::span<const RowBone> bones) {
-  for (const RowBone& bone : bones) {
-    if ((bone.features & kRowIsBounded) != 0) return true;
-  }
-  return false;
+  return length * length / constants.carried.v[lane];
 }
 
 /// The bones of `depth`, after those of lesser depth. Returns how many there are.
@@ -88,7 +80,6 @@ std::uint32_t place_bones(CrowdState& crowd, std::uint32_t depth, std::uint32_t 
     if (links.row_places[r] == kNone) continue;
     const Row& row = crowd.rows[r];
     const auto shapes = crowd.row_bones.subspan(row.first_bone, row.bone_count);
-    const bool is_firm = is_bounded(shapes);
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
       const std::uint32_t chain = links.chain_places[row.first_chain + lane];
       if (chain == kNone) continue;
@@ -98,7 +89,7 @@ std::uint32_t place_bones(CrowdState& crowd, std::uint32_t depth, std::uint32_t 
         const std::int32_t parent = shapes[i].parent;
         links.places[links.chains[chain].first + i] = next;
         links.bones[next++] = {chain, i, parent < 0 ? -1 : std::int32_t(places[parent]), shapes[i].children != 0,
-                               mobility_of(crowd.constants[row.first_bone + i], lane, is_firm)};
+                               mobility_of(crowd.constants[row.first_bone + i], lane)};
       }
     }
   }
@@ -134,15 +125,28 @@ void create(CrowdState& crowd) {
   }
 }
 
-float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) { return hold_links(crowd, kLinkedBones, block, lane); }
+template <const LinkedBoneCode& kBones>
+float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) {
+  return hold_links(crowd, kBones, block, lane);
+}
 
-float keep_on_character(CrowdState& crowd, std::uint32_t block, std::int32_t lane) {
-  return hold_links(crowd, kLinkedCharacterBones, block, lane);
+/// In constants of other files there is nothing yet when these are made.
+template <const LinkedBoneCode& kBones>
+void keep_alone(void* bone) {
+  kBones.keep_in_limit(bone);
 }
 
 }  // namespace
 
-const LinkCode kLinks{.of_character = false, .carve = &carve, .create = &create, .keep = &keep};
-const LinkCode kCharacterLinks{.of_character = true, .carve = &carve, .create = &create, .keep = &keep_on_character};
+const LinkCode kLinks{.of_character = false,
+                      .keep_in_limit = &keep_alone<kLinkedBones>,
+                      .carve = &carve,
+                      .create = &create,
+                      .keep = &keep<kLinkedBones>};
+const LinkCode kCharacterLinks{.of_character = true,
+                               .keep_in_limit = &keep_alone<kLinkedCharacterBones>,
+                               .carve = &carve,
+                               .create = &create,
+                               .keep = &keep<kLinkedCharacterBones>};
 
 }  // namespace coif

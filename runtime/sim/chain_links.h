@@ -76,6 +76,7 @@ struct LinkState {
 
 struct LinkCode {
   bool of_character = false;
+  LimitFunction* keep_in_limit = nullptr;  ///< LinkedBoneCode::keep_in_limit, for LinkedRowStep::step.
   void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks,
                 LinkState& links) = nullptr;
   void (*create)(CrowdState& crowd) = nullptr;

@@ -8,17 +8,18 @@
 namespace coif {
 namespace {
 
-constexpr int kPlaceRounds = 16, kVelocityRounds = 8;
+constexpr int kPlaceRounds = 32, kVelocityRounds = 8;
 constexpr float kMargin = 1e-4f;      ///< Share of its length by which a link that was beyond it is brought within.
 constexpr float kMostWay = 0.25f;     ///< Of a bone's length in one round: further the linear model says nothing.
 constexpr float kNoLever2 = 1e-4f;    ///< Squared sine: a bone this nearly along its link cannot be turned by it.
 constexpr float kSlowest = 1e-6f;     ///< m/s
 
+constexpr int kPushes = 4;  ///< Of a collider and a link against each other.
+
 /// Around a link's end, nearest first.
-constexpr int kLooks = 8;
 constexpr struct {
   float cosine, sine;
-} kAround[kLooks] = {{1, 0},           {0.70710678f, 0.70710678f},   {0.70710678f, -0.70710678f},  {0, 1},
+} kAround[] = {{1, 0},           {0.70710678f, 0.70710678f},   {0.70710678f, -0.70710678f},  {0, 1},
                      {0, -1},          {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
 
 float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
@@ -58,11 +59,12 @@ class LinkedHead {
     float motion = 0;
     for (const LinkLevel& level : links_.levels) {
       const std::uint32_t end = level.first_bone + level.bone_count;
+      first_of_depth_ = level.first_bone;
       for (std::uint32_t b = level.first_bone; b < end; ++b) begin(b);
       hold_places(level);
       hold_velocities(level);
       for (std::uint32_t b = level.first_bone; b < end; ++b) {
-        if (held_[b].is_turned && moved_[links_.bones[b].chain] == 0) move_chain(links_.bones[b].chain, level.first_bone);
+        if (held_[b].is_turned) need_frames(b);
       }
       for (std::uint32_t b = level.first_bone; b < end; ++b) {
         if (moved_[links_.bones[b].chain] != 0) code_.finish(at(b), links_.bones[b].bone, parent_of(b), held_[b]);
@@ -90,13 +92,15 @@ class LinkedHead {
     bone.end_velocity = bone.start_velocity + bone.velocity;
   }
   void clear(std::uint32_t b) {
+    need_frames(b);
     code_.clear(at(b), links_.bones[b].bone, parent_of(b), held_[b]);
     place_end(held_[b]);
   }
-  void move_chain(std::uint32_t chain, std::uint32_t before);
+  void need_frames(std::uint32_t b);
 
   [[nodiscard]] Gap gap_of(const ChainLink& link) const;
   bool shorten(const ChainLink& link);
+  void aim(HeldBone& bone, const Vec3& place, float wanted, float cosine_around, float sine_around);
   void close(const ChainLink& link);
   void turn(HeldBone& bone, const Vec3& way);
   void hold_places(const LinkLevel& level);
@@ -109,6 +113,7 @@ class LinkedHead {
   const std::span<HeldBone> held_;
   const std::span<char> moved_;
   const std::int32_t lane_;
+  std::uint32_t first_of_depth_ = 0;  ///< Of the bones at hand; those before are done.
 };
 
 /// As the row's step left it, and where that is now.
@@ -141,13 +146,16 @@ void LinkedHead::begin(std::uint32_t b) {
   place_end(bone);
 }
 
-/// From now on the frames of the chain's bones are needed: of those of lesser depth, which stay as they were, too.
-void LinkedHead::move_chain(std::uint32_t chain, std::uint32_t before) {
+/// Of a bone that is turned, limits and children ask for the frames above: of bones that stay as they were, too. From here on the chain's
+/// frames are kept.
+void LinkedHead::need_frames(std::uint32_t b) {
+  const std::uint32_t chain = links_.bones[b].chain;
+  if (moved_[chain] != 0) return;
   moved_[chain] = 1;
   const LinkedChain& linked = links_.chains[chain];
   for (std::uint32_t i = 0; i < linked.bone_count; ++i) {
-    const std::uint32_t b = links_.places[linked.first + i];
-    if (b < before) code_.finish(at(b), i, parent_of(b), held_[b]);
+    const std::uint32_t above = links_.places[linked.first + i];
+    if (above < first_of_depth_) code_.finish(at(above), i, parent_of(above), held_[above]);
   }
 }
 
@@ -187,34 +195,48 @@ bool LinkedHead::shorten(const ChainLink& link) {
   return true;
 }
 
-/// Turns one bone of the link alone, exactly: the one that hangs on the other, as those that hang on it come after it. Where a collider
-/// stands in the way the bone goes round the other's end until it is clear of that: else two strands would hang on either side of a neck.
-void LinkedHead::close(const ChainLink& link) {
-  const Gap gap = gap_of(link);
-  if (gap.excess == 0.0f) return;
-  const std::uint32_t b = held_[link.bone].mobility > 0.0f ? link.bone : link.to;
-  HeldBone& bone = held_[b];
-  const Vec3 way = held_[b == link.bone ? link.to : link.bone].end - bone.start;
-  const float distance = length(way), wanted = gap.size - gap.excess;
-  if (!(bone.mobility > 0.0f) || !(distance > 1e-9f)) return;
+/// Turns one bone alone, by the least, so that its end is `wanted` from `place`.
+void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosine_around, float sine_around) {
+  const Vec3 way = place - bone.start;
+  const float distance = length(way);
+  if (!(distance > 1e-9f)) return;
+  const Vec3 axis = way * (1.0f / distance);
   const float sides = bone.length * bone.length + distance * distance - wanted * wanted;
   const float cosine = within_one(sides / (2 * bone.length * distance)), sine = std::sqrt(1.0f - cosine * cosine);
-  const Vec3 axis = way * (1.0f / distance);
   const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis)), other = cross(axis, side);
-  HeldBone best;
+  bone.direction = unit_or(axis * cosine + (side * cosine_around + other * sine_around) * sine, axis);
+  bone.velocity = across(bone.velocity, bone.direction);
+  bone.is_turned = true;
+  place_end(bone);
+}
+
+/// Turns one bone of the link alone: the one that hangs on the other, as those that hang on it come after it. Where a collider or a limit
+/// stands in the way the bone goes round the other's end until it is clear of that: else two strands would hang on either side of a neck.
+void LinkedHead::close(const ChainLink& link) {
+  if (gap_of(link).excess == 0.0f) return;
+  const std::uint32_t b = held_[link.bone].mobility > 0.0f ? link.bone : link.to;
+  HeldBone& bone = held_[b];
+  const Vec3 place = held_[b == link.bone ? link.to : link.bone].end;
+  if (!(bone.mobility > 0.0f)) return;
+  const HeldBone before = bone;
+  HeldBone best = bone;
   float least = std::numeric_limits<float>::infinity();
-  for (int look = 0; look < kLooks; ++look) {
-    bone.direction = unit_or(axis * cosine + (side * kAround[look].cosine + other * kAround[look].sine) * sine, axis);
-    bone.velocity = across(bone.velocity, bone.direction);
-    bone.is_turned = true;
-    place_end(bone);
-    clear(b);
-    const float left = std::fabs(gap_of(link).excess);
-    if (left == 0.0f) return;
-    if (left < least) best = bone;
-    least = left < least ? left : least;
+  const Gap gap = gap_of(link);
+  // At the length that it has too much of, then half way to the other one, which leaves colliders room to push.
+  for (const float wanted : {gap.size - gap.excess, 0.5f * (link.longest + link.shortest)}) {
+    for (const auto& around : kAround) {
+      bone = before;
+      for (int push = 0; push < kPushes; ++push) {
+        aim(bone, place, wanted, push == 0 ? around.cosine : 1.0f, push == 0 ? around.sine : 0.0f);
+        clear(b);
+        const float left = std::fabs(gap_of(link).excess);
+        if (left == 0.0f) return;
+        if (left < least) best = bone;
+        least = left < least ? left : least;
+      }
+    }
   }
-  if (least < std::numeric_limits<float>::infinity()) bone = best;
+  bone = best;
 }
 
 /// To and fro through the links, so that no end of a sheet leads; what is left goes by one bone after the other. Colliders come first:

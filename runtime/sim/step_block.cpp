@@ -100,6 +100,7 @@ void keep_for_links(const BlockStep& step, std::size_t r, const RowStep& job, co
   LinkedRowStep& kept = links.steps[step.index * std::size_t(links.row_count) + place];
   kept.solver = step.crowd.rows[r].solver;
   kept.step = job;
+  kept.step.keep_in_limit = links.code->keep_in_limit;
   kept.character = character;
   kept.step.character = job.character == nullptr ? nullptr : &kept.character;
   if (job.palette == nullptr) return;

@@ -23,8 +23,7 @@ ReferenceLinks::ReferenceLinks(std::vector<RigLink> links, std::span<const RigBo
     : links_(std::move(links)), bones_(bones) {
   const std::vector<Carried> carried = carried_at_rest(bones);
   for (std::size_t i = 0; i < bones.size(); ++i) {
-    const bool is_firm = bones[i].limit.kind != LimitKind::kUnlimited;
-    mobility_.push_back(is_firm ? 0.0 : bones[i].length * bones[i].length / carried[i].inertia);
+    mobility_.push_back(bones[i].length * bones[i].length / carried[i].inertia);
   }
 }
 

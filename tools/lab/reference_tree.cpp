@@ -226,6 +226,7 @@ void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadSta
     moved_[i] = true;
     // Colliders last: as in the runtime, where both cannot be.
     (void)hold_colliders(bones_[i], parent, head, states_[i]);
+    (void)hold_bounds(bones_[i], parent, states_[i]);
     untwist(bones_[i], parent.frame, states_[i]);
     motions_[i] = motion_of(bones_[i], parent, states_[i]);
   }

@@ -3,6 +3,7 @@
 
 #include "bone_frame-inl.h"
 #include "coif_bone-inl.h"
+#include "limit_turn-inl.h"
 #include "linked_bone.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
@@ -109,7 +110,7 @@ class HangingBone {
   void follow(HeldBone& bone) const;
   void follow_as_cascade(const Carrier<D>& from, const V3<D>& shift, const V3<D>& change, HeldBone& bone) const;
   void clear(HeldBone& bone) const;
-  void clear_of_moving(const Carrier<D>& from, BoneMotion<D>& now, V3<D>& direction) const;
+  void clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) const;
   void finish(HeldBone& bone) const;
 
   const D d_{};
@@ -163,7 +164,8 @@ void HangingBone<D>::follow(HeldBone& bone) const {
 
 /// At the end of the part alone: the way there was the row's.
 template <class D>
-void HangingBone<D>::clear_of_moving(const Carrier<D>& from, BoneMotion<D>& now, V3<D>& direction) const {
+void HangingBone<D>::clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* limited, BoneMotion<D>& now,
+                                     V3<D>& direction) const {
   const RowCharacter& character = *row_.character;
   const std::size_t lane = lane_;
   TouchingBone<D> bone;
@@ -189,7 +191,9 @@ void HangingBone<D>::clear_of_moving(const Carrier<D>& from, BoneMotion<D>& now,
   bone.start_velocity = rotate_back(d_, turn(), sub(d_, from.velocity, load(d_, row_.move->velocity, lane)));
   bone.head_turning = rotate_back(d_, turn(), load(d_, row_.move->angular_velocity, lane));
   const Obstacles<D> obstacles{*row_.colliders, shape().colliders, constants(), lane, &met, met.count};
-  const auto touched = keep_clear_of_all(d_, obstacles, own, 2 * kContactRounds, bone);
+  bone.limited = limited;
+  const int rounds = limited == nullptr ? 2 * kContactRounds : kLimitedRounds;
+  const auto touched = keep_clear_of_all(d_, obstacles, own, rounds, bone);
   if (hn::AllFalse(d_, touched)) return;
   leave_gap(d_, obstacles, touched, bone);
   direction = bone.direction;
@@ -210,11 +214,17 @@ void HangingBone<D>::clear(HeldBone& bone) const {
   }
   const V3<D> before = now.direction;
   V3<D> direction = rotate_back(d_, turn(), now.direction);
+  LimitedBone<V<D>> limits;
+  LimitedBone<V<D>>* limited = nullptr;
+  if (shape().features & kRowIsBounded) {
+    limited = &limits;
+    keep_in_limit(d_, row_, lane_, i_, from, limits, now, direction);
+  }
   if (shape().features & kRowCollides) {
-    keep_clear_of(d_, row_, lane_, turn(), i_, from.position, from.velocity, before, nullptr, now, direction);
+    keep_clear_of(d_, row_, lane_, turn(), i_, from.position, from.velocity, before, limited, now, direction);
   }
   if constexpr (kOnCharacter<D>) {
-    if (row_.character->collider_count != 0) clear_of_moving(from, now, direction);
+    if (row_.character->collider_count != 0) clear_of_moving(from, limited, now, direction);
   }
   bone.direction = plain_of(d_, now.direction);
   bone.velocity = plain_of(d_, now.velocity);
@@ -257,8 +267,15 @@ void HangingBone<D>::finish(HeldBone& bone) const {
   bone.turning_change = plain_of(d_, sub(d_, swing, same(d_, bone.free_swing)));
 }
 
+/// LimitFunction of one lane, whatever the rows have.
 template <class D>
-inline constexpr LinkedBoneCode kHangingBones{.hang = &HangingBone<D>::hang,
+void keep_in_limit_alone(void* bone) {
+  keep(D(), *static_cast<LimitedBone<V<D>>*>(bone));
+}
+
+template <class D>
+inline constexpr LinkedBoneCode kHangingBones{.keep_in_limit = &keep_in_limit_alone<D>,
+                                              .hang = &HangingBone<D>::hang,
                                               .is_rigid = &HangingBone<D>::is_rigid,
                                               .follow = &HangingBone<D>::follow,
                                               .clear = &HangingBone<D>::clear,

@@ -33,6 +33,7 @@ struct LinkedLane {
 
 /// What the lanes' code does for one bone at a time; `parent` is null for one that hangs from the head.
 struct LinkedBoneCode {
+  LimitFunction* keep_in_limit = nullptr;  ///< For LinkedLane::row, of one lane.
   /// The joint of a first bone, and its velocity.
   void (*hang)(const LinkedLane& at, std::uint32_t i, HeldBone& bone) = nullptr;
   /// Whether it is rigid to its parent just now.
