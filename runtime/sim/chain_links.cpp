@@ -80,6 +80,7 @@ std::uint32_t place_bones(CrowdState& crowd, std::uint32_t depth, std::uint32_t 
     if (links.row_places[r] == kNone) continue;
     const Row& row = crowd.rows[r];
     const auto shapes = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+    if (depth == 0) find_carried(shapes, crowd.constants.subspan(row.first_bone, row.bone_count));
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
       const std::uint32_t chain = links.chain_places[row.first_chain + lane];
       if (chain == kNone) continue;

@@ -77,26 +77,31 @@ bool any_posed(const CrowdState& crowd, const Block& block) {
   return false;
 }
 
-void set_up(const CrowdState& crowd, std::uint32_t index, std::int32_t only_head, const Row& row, std::size_t state,
-            RowCharacter& to) {
+void set_up(const CrowdState& crowd, std::uint32_t index, std::int32_t only_head, RowCharacter& to) {
   const CharacterState& from = crowd.character;
   const Block& block = crowd.blocks[index];
   const bool by_heads = only_head < 0;
   to.only_head = only_head;
   set_up_air(from, index, to);
   to.body_colliders = from.body_colliders;
-  to.poses = any_posed(crowd, block) ? &from.poses[state] : nullptr;
+  to.is_posed = any_posed(crowd, block);
   to.collider_count = 0;
   if (from.places == 0) return;
-  to.bounds = &from.bounds[std::size_t(index) * from.places];
-  to.body_sets = from.body_sets.empty() ? nullptr : &from.body_sets[std::size_t(row.first_bone) * kLanes];
   to.collider_count = by_heads ? from.most_ways[index] : from.way_counts[block.instance[only_head]];
+  if (to.collider_count == 0) return;
+  to.bounds = &from.bounds[std::size_t(index) * from.places];
   for (std::uint32_t i = 0; i < kLanes; ++i) {
     const std::uint32_t head = by_heads ? (i < block.count ? i : 0) : std::uint32_t(only_head);
     const std::uint32_t instance = block.instance[head];
     to.of_lane[i] = &from.ways[std::size_t(instance) * from.places];
     to.counts[i] = from.way_counts[instance];
   }
+}
+
+void enter_row(const CrowdState& crowd, const Row& row, std::size_t state, RowCharacter& to) {
+  const CharacterState& from = crowd.character;
+  to.poses = to.is_posed ? &from.poses[state] : nullptr;
+  to.body_sets = from.body_sets.empty() ? nullptr : &from.body_sets[std::size_t(row.first_bone) * kLanes];
 }
 
 /// Poses that were reached are what the next step begins with.
@@ -130,6 +135,7 @@ const CharacterCode kCharacterCode{.carve = &carve,
                                    .pass_time = &pass_time,
                                    .begin = &begin_colliders,
                                    .set_up = &set_up,
+                                   .enter_row = &enter_row,
                                    .blow = &blow,
                                    .finish = &finish,
                                    .appear = &appear};

@@ -3,9 +3,6 @@
 #include "vector_math.h"
 
 namespace coif {
-namespace {
-
-/// And all around the head with it.
 void stand_still(CrowdState& crowd, std::uint32_t slot) {
   if (crowd.character.code != nullptr) crowd.character.code->appear(crowd, slot);
   HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
@@ -19,8 +16,6 @@ void stand_still(CrowdState& crowd, std::uint32_t slot) {
   heads.last_dt.v[i] = 0.0f;
   heads.quiet.v[i] = 0.0f;
 }
-
-}  // namespace
 
 void put_to_rest(CrowdState& crowd, std::uint32_t slot) {
   Block& block = crowd.blocks[slot / kLanes];
@@ -50,17 +45,6 @@ void put_idle_lanes_to_rest(CrowdState& crowd) {
       }
     }
   }
-}
-
-void come_into_view(CrowdState& crowd, std::uint32_t slot) {
-  Block& block = crowd.blocks[slot / kLanes];
-  const std::uint32_t i = slot % kLanes;
-  const Quat turn = lane(block.heads.next_rotation, i) * conjugate(lane(block.heads.rotation, i));
-  turn_hair(crowd, slot, turn);
-  for_each_chain(crowd, slot,
-                 [](const Solver& solver, const ChainRecord&, const ChainLane& chain) { solver.calm(chain); });
-  stand_still(crowd, slot);
-  block.is_lost = std::uint16_t(block.is_lost & ~(1u << i));
 }
 
 void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) {

@@ -179,6 +179,9 @@ void put_to_rest(CrowdState& crowd, std::uint32_t slot);
 /// A head that was out of sight has been put where it is: the hair keeps its shape, at rest.
 void come_into_view(CrowdState& crowd, std::uint32_t slot);
 
+/// The head is at its next pose, at rest, and all around it with it. Its hair is left as it is.
+void stand_still(CrowdState& crowd, std::uint32_t slot);
+
 /// The hair turned by `by` as if it were rigid.
 void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by);
 

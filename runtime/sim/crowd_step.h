@@ -51,6 +51,10 @@ void take_up_interval(CrowdState& crowd, std::uint32_t instance);
 /// All instances, in order, in blocks of the treatment that new instances get.
 void fill_blocks(CrowdState& crowd);
 
+/// What HairDesc and Detail may ask for: 1, 2 or 4, which are 2 to the power 0, 1 and 2.
+[[nodiscard]] inline bool is_interval(std::uint32_t interval) { return interval == 1 || interval == 2 || interval == 4; }
+[[nodiscard]] inline std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }
+
 /// Ends the sleep of an instance: it has to be at rest for the whole time again before the next.
 void wake(CrowdState& crowd, std::uint32_t instance);
 

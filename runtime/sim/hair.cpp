@@ -10,10 +10,6 @@
 namespace coif {
 namespace {
 
-bool is_interval(std::uint32_t interval) { return interval == 1 || interval == 2 || interval == 4; }
-
-std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }  // 1, 2, 4 -> 0, 1, 2
-
 Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   if (desc.instances < 1 || desc.instances > kMaxInstances || desc.solver == nullptr) return Status::kBadArgument;
@@ -134,30 +130,6 @@ std::uint32_t Hair::instance_count() const { return crowd_ == nullptr ? 0 : crow
 
 std::uint32_t Hair::bone_count() const { return crowd_ == nullptr ? 0 : crowd_->bone_count(); }
 
-Status Hair::set_detail(std::uint32_t instance, const Detail& detail) {
-  if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
-  if (detail.level >= levels_of(crowd_->asset) || !is_interval(detail.interval)) return Status::kBadArgument;
-  if (power_of(detail.interval) >= crowd_->interval_count) return Status::kBadArgument;
-  InstanceDetail& own = crowd_->details[instance];
-  const bool appears = detail.simulated && !own.simulated;
-  const bool refines = detail.level < own.level;
-  own.level = std::uint8_t(detail.level);
-  own.asked_power = std::uint8_t(power_of(detail.interval));
-  take_up_interval(*crowd_, instance);  // once as it was, once as it will be: either may be idle
-  own.simulated = detail.simulated;
-  take_up_interval(*crowd_, instance);
-  // Bones that were rigid have to find their own rest.
-  if (own.asleep && (appears || refines)) wake(*crowd_, instance);
-  sort_in(*crowd_, instance);
-  const FloatEnvironment plain;
-  if (appears) come_into_view(*crowd_, crowd_->slots[instance]);
-  return Status::kOk;
-}
-
-bool Hair::is_asleep(std::uint32_t instance) const {
-  return block_of(crowd_, instance) != nullptr && crowd_->details[instance].asleep;
-}
-
 Status Hair::begin_step(const StepSettings& settings) {
   if (crowd_ == nullptr) return Status::kNotCreated;
   crowd_->job_count = 0;
@@ -188,23 +160,6 @@ Status Hair::step(const StepSettings& settings) {
 std::span<const Mat34> Hair::palette(std::uint32_t instance) const {
   if (instance >= instance_count()) return {};
   return crowd_->palette(instance);
-}
-
-Status Hair::bone_ends(std::uint32_t instance, std::span<Vec3> ends) const {
-  const Block* const block = block_of(crowd_, instance);
-  if (block == nullptr) return missing(crowd_);
-  const auto bones = crowd_->asset.bones();
-  if (ends.size() != bones.size()) return Status::kSizeMismatch;
-  for (std::size_t i = 0; i < bones.size(); ++i) ends[i] = to_vec3(bones[i].joint);
-  const std::uint32_t slot = crowd_->slots[instance];
-  const FloatEnvironment plain;
-  const Quat rotation = lane(block->heads.rotation, slot % kLanes);
-  const std::span<const Mat34> palette = crowd_->palette(instance);
-  for_each_chain(*crowd_, slot, [&](const Solver& solver, const ChainRecord& chain, const ChainLane& lane) {
-    solver.tails(lane, rotation, palette.subspan(chain.first_bone, chain.bone_count),
-                 ends.subspan(chain.first_bone, chain.bone_count));
-  });
-  return Status::kOk;
 }
 
 Status step_all(std::span<Hair* const> crowds, const StepSettings& settings) {

@@ -1,3 +1,4 @@
+#include "placed_colliders.h"
 #include "rows.h"
 #include "vector_math.h"
 
@@ -19,11 +20,10 @@ void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) 
   lanes.is_cone.v[lane] = is_round ? 1.0f : 0.0f;
   set_angle(first, kNoAngleLimit, -1.0f, lane, lanes.first_cosine, lanes.first_sine);
   set_angle(limit.angles[1], kMostYaw, 0.0f, lane, lanes.second_cosine, lanes.second_sine);
-  const Quat axes = renormalised(to_quat(limit.rotation));
-  Lanes3* const columns[] = {&lanes.axes.x, &lanes.axes.y, &lanes.axes.z};
-  for (int k = 0; k < 3; ++k) {
-    set_lane(*columns[k], lane, rotate(axes, {k == 0 ? 1.0f : 0.0f, k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f}));
-  }
+  const OwnAxes axes = axes_of(renormalised(to_quat(limit.rotation)));
+  set_lane(lanes.axes.x, lane, axes.x);
+  set_lane(lanes.axes.y, lane, axes.y);
+  set_lane(lanes.axes.z, lane, axes.z);
 }
 
 }  // namespace

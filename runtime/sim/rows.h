@@ -48,6 +48,9 @@ struct RowCount {
 void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
                std::span<BoneLanes> constants);
 
+/// Fills BoneLanes::carried of a row, for those that ask for it: the passive model, and links.
+void find_carried(std::span<const RowBone> bones, std::span<BoneLanes> constants);
+
 /// Fills LimitLanes, which lie as `bones`, and says which of these are bounded. `asset` has limits.
 void set_limits(const Asset& asset, std::span<const Row> rows, std::span<RowBone> bones, std::span<LimitLanes> limits);
 

@@ -55,10 +55,11 @@ struct CharacterCode {
   /// Before a block's bones move: `put` has a bit for each head that was put somewhere.
   void (*begin)(CrowdState& crowd, std::uint32_t block, const HeadStepLanes& step, std::uint16_t put,
                 const StepParts& parts) = nullptr;
-  /// Of one part of the step, for a row of the block, or of the head in its lane `only_head` where that is not -1. `state` is where the
-  /// row's numbers begin, in bones.
-  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head, const Row& row,
-                 std::size_t state, RowCharacter& character) = nullptr;
+  /// Of one part of the step, for the rows of the block, or of the head in its lane `only_head` where that is not -1.
+  void (*set_up)(const CrowdState& crowd, std::uint32_t block, std::int32_t only_head,
+                 RowCharacter& character) = nullptr;
+  /// For one of those rows then. `state` is where its numbers begin, in bones.
+  void (*enter_row)(const CrowdState& crowd, const Row& row, std::size_t state, RowCharacter& character) = nullptr;
   /// Before part `part` of the step: what the air around each head of the block adds to `move`.
   void (*blow)(CrowdState& crowd, std::uint32_t block, const StepParts& parts, std::uint32_t part,
                MoveLanes& move) = nullptr;
@@ -85,6 +86,8 @@ struct Solver {
   bool reads_asked = false;  ///< Friction as the artist asked for, whatever the chain was given to have one motion.
 
   RowFunction* (*row_code)(InstructionSet set) = nullptr;
+  /// Fills what only this solver asks of a row's constants; null: nothing.
+  void (*complete_row)(std::span<const RowBone> bones, std::span<BoneLanes> constants) = nullptr;
   void (*set_coefficients)(const StepTerms& terms, const DynamicsRecord& dynamics, float length,
                            const CoefficientLanes& to) = nullptr;
   /// The rest pose under a head with this rotation, at rest.

@@ -19,16 +19,6 @@ struct BlockStep {
   Lanes motion;           ///< See RowStep; of each head.
 };
 
-/// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
-void spread(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) {
-  const Lanes* const source = reinterpret_cast<const Lanes*>(&from);
-  Lanes* const goal = reinterpret_cast<Lanes*>(&to);
-  for (std::size_t n = 0; n < sizeof(MoveLanes) / sizeof(Lanes); ++n) {
-    const float value = source[n].v[lane];
-    for (float& number : goal[n].v) number = value;
-  }
-}
-
 /// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by
 /// with the hair as it is.
 void carry_along(BlockStep& step, std::uint32_t i) {
@@ -58,7 +48,8 @@ void look_ahead(BlockStep& step) {
   if (moved) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
 }
 
-RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move) {
+RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move,
+                 RowCharacter& character) {
   const CrowdState& crowd = step.crowd;
   const std::size_t state = crowd.first_state(slot) + row.first_bone;
   RowStep job;
@@ -75,21 +66,22 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.iterations = crowd.settings.iterations;
   job.level = level_of(crowd, crowd.treatments[step.index]);
   job.colliders = &crowd.colliders;
+  if (crowd.character.code != nullptr) {
+    crowd.character.code->enter_row(crowd, row, state, character);
+    job.character = &character;
+  }
   return job;
 }
 
-/// `only_head`: of the block's, where the row's lanes are its chains; else -1.
-void set_up_character(const BlockStep& step, const Row& row, std::int32_t only_head, std::uint32_t part,
-                      RowCharacter& character, RowStep& job) {
+/// `only_head`: of the block's, where the rows' lanes are its chains; else -1. What all rows have in common.
+void set_up_character(const BlockStep& step, std::int32_t only_head, std::uint32_t part, RowCharacter& character) {
   const CrowdState& crowd = step.crowd;
   if (crowd.character.code == nullptr) return;
   const StepParts& parts = step.interval.parts;
-  const std::uint32_t slot = step.index * kLanes + (only_head < 0 ? 0 : std::uint32_t(only_head));
   character.from = float(part) / float(parts.count);
   character.to = float(part + 1) / float(parts.count);
   character.per_dt = 1.0f / parts.dt;
-  crowd.character.code->set_up(crowd, step.index, only_head, row, crowd.first_state(slot) + row.first_bone, character);
-  job.character = &character;
+  crowd.character.code->set_up(crowd, step.index, only_head, character);
 }
 
 /// Keeps what the row was stepped with for what holds its links; its speeds are told after that.
@@ -113,14 +105,14 @@ void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
+  set_up_character(step, -1, part, character);
   Mat34* palettes[kLanes] = {};
   Lanes unused{};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
     const Row& row = crowd.rows[r];
     const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
     for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
-    RowStep job = row_step(step, row, step.index * kLanes, move);
-    set_up_character(step, row, -1, part, character, job);
+    RowStep job = row_step(step, row, step.index * kLanes, move, character);
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
     job.motion = crowd.links.has(row.first_chain) ? &unused : &step.motion;
@@ -138,17 +130,17 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
   const CrowdState& crowd = step.crowd;
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
+  set_up_character(step, std::int32_t(head), part, character);
   const std::span<Mat34> palette = crowd.palette(step.block.instance[head]);
   MoveLanes move;
-  spread(moves, head, move);
+  crowd.heads.spread(moves, head, move);
   Mat34* palettes[kLanes] = {};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
     const Row& row = crowd.rows[r];
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       palettes[i] = &palette[crowd.asset.chains()[row.first_chain + i].first_bone];
     }
-    RowStep job = row_step(step, row, step.index * kLanes + head, move);
-    set_up_character(step, row, std::int32_t(head), part, character, job);
+    RowStep job = row_step(step, row, step.index * kLanes + head, move, character);
     job.lanes = row.chain_count;
     job.palette = is_last ? palettes : nullptr;
     Lanes motion{};

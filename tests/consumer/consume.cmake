@@ -106,7 +106,8 @@ function(smallest_package)
   # For the instruction set that games ask for, where this is a machine of its kind.
   set(simd -D COIF_SIMD=static)
   set(march "")
-  if(CMAKE_HOST_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  cmake_host_system_information(RESULT processor QUERY OS_PLATFORM)  # a script has no CMAKE_HOST_SYSTEM_PROCESSOR
+  if(processor STREQUAL "x86_64")
     set(simd -D COIF_SIMD=avx2)
     set(march " -march=x86-64-v3")
   endif()

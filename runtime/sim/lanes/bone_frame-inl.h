@@ -26,7 +26,7 @@ struct Bent {
 /// The same for `to` nearly opposite to `from`, where 1 + from to is mostly rounding: the reflection that swaps the two,
 /// then the one that brings what this made of `from` to `to`. However inexact the sum is, the result is a rotation.
 template <class D>
-HWY_NOINLINE M3<D> bend_back(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
+COIF_RARE M3<D> bend_back(D d, const M3<D>& parent, const V3<D>& rest, const V3<D>& from, const V3<D>& to) {
   const auto two = hn::Set(d, 2.0f);
   const auto reflected = [&](const M3<D>& frame, const V3<D>& normal) {
     const V3<D> share = scale(d, rotate_back(d, frame, normal), hn::Div(two, dot(d, normal, normal)));

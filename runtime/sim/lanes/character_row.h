@@ -16,15 +16,16 @@ struct PoseLanes {
   Lanes weight;                  ///< 1: simulated, 0: as posed.
 };
 
-/// Of one part of a step. For kChains all lanes are of one head.
+/// Of one part of a step, and of the row at hand. For kChains all lanes are of one head.
 struct RowCharacter {
   std::uint32_t collider_count = 0;         ///< Of the head that has most.
   const ColliderBounds* bounds = nullptr;   ///< For each, one lane for each head of the block.
-  const ColliderWay* of_lane[kLanes] = {};  ///< The first of each head's.
-  std::uint32_t counts[kLanes] = {};
+  const ColliderWay* of_lane[kLanes];       ///< The first of each head's. Not set where there are none,
+  std::uint32_t counts[kLanes];             ///< since this is made in every part of a step.
   std::int32_t only_head = -1;       ///< Lane in the block of the head that all lanes are of; -1: lanes are heads.
   std::uint32_t body_colliders = 0;  ///< ColliderWay::place below this: one of the asset's.
   const std::uint32_t* body_sets = nullptr;  ///< For each bone, for each lane: which of the asset's it may touch.
+  bool is_posed = false;                     ///< Some head of the block has a pose.
   const PoseLanes* poses = nullptr;          ///< For each bone; null: no pose.
   const GustLanes* gusts = nullptr;          ///< Of the block's heads; null: none blow.
   const GustWaves* waves = nullptr;

@@ -125,7 +125,7 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bon
 /// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
 /// bone is another.
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
+COIF_RARE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
                                     const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,
                                     TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);

@@ -23,7 +23,7 @@ inline constexpr float kStartsIn = 1e-4f;
 /// Where the bone in this direction lies in the collider. Of one whose start is in there, that counts the end alone; of one whose
 /// start is on its surface what is deeper than the start.
 template <class D>
-HWY_INLINE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
+COIF_RARE hn::Mask<D> lies_in(D d, hn::Mask<D> asked, const PlacedCollider& collider, const TouchingBone<D>& bone,
                                const V3<D>& direction) {
   if (hn::AllFalse(d, asked)) return asked;
   const auto most = hn::Set(d, kLiesIn * collider.size);

@@ -164,8 +164,8 @@ HWY_INLINE V3<D> rate_of_turning(D d, const V3<D>& r, const V3<D>& rate) {
 }
 
 template <class D>
-HWY_INLINE V3<D> blend(D d, const Hermite& weights, const V3<D>& start_slope, const V3<D>& end,
-                       const V3<D>& end_slope) {
+HWY_NOINLINE V3<D> blend(D d, const Hermite& weights, const V3<D>& start_slope, const V3<D>& end,
+                         const V3<D>& end_slope) {
   const V3<D> sum = add_scaled(d, scale(d, start_slope, hn::Set(d, weights.start_slope)), end, hn::Set(d, weights.end));
   return add_scaled(d, sum, end_slope, hn::Set(d, weights.end_slope));
 }

@@ -53,11 +53,21 @@ struct Heads {
     const D d;
     for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) finish_path(d, heads, i, step);
   }
+
+  static void spread(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) {
+    const D d;
+    const Lanes* const source = reinterpret_cast<const Lanes*>(&from);
+    Lanes* const goal = reinterpret_cast<Lanes*>(&to);
+    for (std::size_t n = 0; n < sizeof(MoveLanes) / sizeof(Lanes); ++n) {
+      const auto value = hn::Set(d, source[n].v[lane]);
+      for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) store(d, value, goal[n], i);
+    }
+  }
 };
 
 template <class D>
 HeadCode code_of() {
-  return {&Heads<D>::look_ahead, &Heads<D>::begin, &Heads<D>::move, &Heads<D>::finish};
+  return {&Heads<D>::look_ahead, &Heads<D>::begin, &Heads<D>::move, &Heads<D>::finish, &Heads<D>::spread};
 }
 
 HeadCode follow_heads() { return code_of<Widest>(); }

@@ -26,6 +26,8 @@ struct HeadCode {
   void (*move)(const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts, std::uint32_t part,
                MoveLanes& move, Lanes4& carried) = nullptr;
   void (*finish)(HeadLanes& heads, const HeadStepLanes& step) = nullptr;
+  /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
+  void (*spread)(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) = nullptr;
 };
 HeadCode head_code(InstructionSet set);
 

@@ -23,6 +23,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 #define COIF_HAS_SINGLY (HWY_TARGETS != HWY_STATIC_TARGET && HWY_TARGET == HWY_STATIC_TARGET)
 #endif
 
+/// A function that few bones come to: it is there once, and compiled for size.
+#ifndef COIF_RARE
+#define COIF_RARE HWY_NOINLINE __attribute__((cold))
+#endif
+
 /// As many lanes as the instruction set has, 16 at most. Sizeless vectors (SVE) cannot be members; NEON serves there.
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;

@@ -72,11 +72,11 @@ HWY_INLINE void stop(D d, hn::Mask<D> is_beyond, V<D> sine, const V3<D>& way, V3
 
 // Out of line: few limits are met, and every program with hair has this code.
 template <class D>
-HWY_NOINLINE void turn(D d, const M3<D>& by, V3<D>& v) {
+COIF_RARE void turn(D d, const M3<D>& by, V3<D>& v) {
   v = rotate(d, by, v);
 }
 template <class D>
-HWY_NOINLINE void turn_back(D d, const M3<D>& by, V3<D>& v) {
+COIF_RARE void turn_back(D d, const M3<D>& by, V3<D>& v) {
   v = rotate_back(d, by, v);
 }
 

@@ -91,7 +91,7 @@ using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
 template <class D>
-HWY_NOINLINE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index,
+COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index,
                                       const BoneWay<D>& way, hn::Mask<D> own, Met<D>& met, LimitedBone<V<D>>* limited, TouchingBone<D>& bone,
                                       TailPath<D>& path) {
   const RowCharacter& character = *row.character;
@@ -179,7 +179,7 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
 /// keep_clear_of() for the colliders that move. `from_path` is that of what the bone hangs from, `own_path` for its children; both may
 /// be null.
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
+COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
                                               std::size_t index, const Carrier<D>& from, const V3<D>& before,
                                               const TailPath<D>* from_path, TailPath<D>* own_path,
                                               LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {

@@ -63,7 +63,7 @@ struct Obstacles {
 /// Turns bones out of one collider after the other until none touches more than one, or for so many rounds. Returns the lanes that
 /// touched any. (One loop for both kinds, so that the code is there once.)
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
+COIF_RARE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, hn::Mask<D> here, int rounds,
                                            TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = here, moved = hn::AndNot(here, here);
@@ -97,7 +97,7 @@ HWY_NOINLINE hn::Mask<D> keep_clear_of_all(D d, const Obstacles<D>& obstacles, h
 
 /// Where a bone still lies in something: the nearest direction of those looked at in which it does not.
 template <class D>
-HWY_NOINLINE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, TouchingBone<D>& bone) {
+COIF_RARE void leave_gap(D d, const Obstacles<D>& obstacles, hn::Mask<D> moved, TouchingBone<D>& bone) {
   const auto is_blocked = [&](hn::Mask<D> asked, const V3<D>& direction) {
     auto blocked = hn::AndNot(asked, asked);
     for (std::uint32_t left = obstacles.fixed_set; left != 0; left &= left - 1) {

@@ -62,7 +62,7 @@ HWY_INLINE V<D> nearest_ball(D d, const PlacedCollider& capsule, const V3<D>& po
 template <class D>
 class Solid {
  public:
-  HWY_NOINLINE Solid(D d, const PlacedCollider& collider, const V3<D>& start, V<D> length, V<D> hit_radius);
+  COIF_RARE Solid(D d, const PlacedCollider& collider, const V3<D>& start, V<D> length, V<D> hit_radius);
 
   HWY_INLINE V3<D> into(const V3<D>& v) const {
     return has_axes() ? HWY_NAMESPACE::into(d_, collider_.axes, v) : V3<D>{v.x, v.y, v.z};
@@ -72,7 +72,7 @@ class Solid {
   }
   [[nodiscard]] Vec3 own_way_out() const { return has_axes() ? Vec3{0.0f, 1.0f, 0.0f} : collider_.way_out; }
 
-  HWY_NOINLINE void find_deepest(const V3<D>& direction, Deepest<D>& at) const;
+  COIF_RARE void find_deepest(const V3<D>& direction, Deepest<D>& at) const;
 
  private:
   [[nodiscard]] bool is_ellipsoid() const { return collider_.shape == ColliderShape::kEllipsoid; }

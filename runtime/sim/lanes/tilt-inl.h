@@ -22,7 +22,7 @@ HWY_INLINE V3<D> across(D d, const V3<D>& vector, const V3<D>& direction) {
 
 /// tilted(), in place and out of line: rarely needed, in several places.
 template <class D>
-HWY_NOINLINE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V3<D>& direction) {
+COIF_RARE void tilt(D d, const V3<D>& axis, V<D> cosine, const Vec3& fallback, V3<D>& direction) {
   const auto one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-10f);
   V3<D> side = across(d, direction, axis);
   auto size2 = dot(d, side, side);

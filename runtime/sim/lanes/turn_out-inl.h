@@ -89,7 +89,7 @@ HWY_INLINE void divide_by_looks(D d, V<D>& cosine, V<D>& sine) {
 /// In the lanes of `far`, where the bone went through a round collider on the way from `before`, the shorter way
 /// round, or ended deep in it, it is put back to the last look on the side that it came from. Returns those lanes.
 template <class D>
-HWY_NOINLINE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
+COIF_RARE hn::Mask<D> undo_crossing(D d, hn::Mask<D> far, const PlacedCollider& collider, TouchingBone<D>& bone) {
   const Solid<D> solid(d, collider, bone.start, bone.length, bone.hit_radius);
   const V3<D>& before = bone.before;
   const auto one = hn::Set(d, 1.0f), deep = hn::Set(d, -kDeep * collider.size);
@@ -204,7 +204,7 @@ HWY_INLINE hn::Mask<D> clear_of_plane(D d, hn::Mask<D> takes_part, const PlacedC
 
 /// Keeps the ends in a sphere, or in the ball of a capsule that is nearest to them.
 template <class D>
-HWY_NOINLINE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
+COIF_RARE hn::Mask<D> keep_inside(D d, hn::Mask<D> takes_part, const PlacedCollider& collider, TouchingBone<D>& bone,
                                      Contact<D>& contact) {
   const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const V3<D> start = sub(d, bone.start, same(d, collider.center));
