@@ -126,6 +126,23 @@ void create(CrowdState& crowd) {
   }
 }
 
+void keep_row(CrowdState& crowd, std::uint32_t block, std::size_t row, const RowStep& step) {
+  const LinkState& links = crowd.links;
+  const std::uint32_t place = links.row_places[row];
+  if (place == kNone) return;
+  LinkedRowStep& kept = links.steps[block * std::size_t(links.row_count) + place];
+  kept.solver = crowd.rows[row].solver;
+  kept.step = step;
+  kept.step.keep_in_limit = links.code->keep_in_limit;
+  if (step.character != nullptr) {
+    kept.character = *step.character;
+    kept.step.character = &kept.character;
+  }
+  if (step.palette == nullptr) return;
+  for (std::uint32_t i = 0; i < kLanes; ++i) kept.palettes[i] = step.palette[i];
+  kept.step.palette = kept.palettes;
+}
+
 template <const LinkedBoneCode& kBones>
 float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) {
   return hold_links(crowd, kBones, block, lane);
@@ -143,11 +160,13 @@ const LinkCode kLinks{.of_character = false,
                       .keep_in_limit = &keep_alone<kLinkedBones>,
                       .carve = &carve,
                       .create = &create,
+                      .keep_row = &keep_row,
                       .keep = &keep<kLinkedBones>};
 const LinkCode kCharacterLinks{.of_character = true,
                                .keep_in_limit = &keep_alone<kLinkedCharacterBones>,
                                .carve = &carve,
                                .create = &create,
+                               .keep_row = &keep_row,
                                .keep = &keep<kLinkedCharacterBones>};
 
 }  // namespace coif

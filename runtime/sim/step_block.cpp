@@ -84,22 +84,6 @@ void set_up_character(const BlockStep& step, std::int32_t only_head, std::uint32
   crowd.character.code->set_up(crowd, step.index, only_head, character);
 }
 
-/// Keeps what the row was stepped with for what holds its links; its speeds are told after that.
-void keep_for_links(const BlockStep& step, std::size_t r, const RowStep& job, const RowCharacter& character, Mat34* const* palettes) {
-  const LinkState& links = step.crowd.links;
-  const std::uint32_t place = links.code == nullptr ? kNone : links.row_places[r];
-  if (place == kNone) return;
-  LinkedRowStep& kept = links.steps[step.index * std::size_t(links.row_count) + place];
-  kept.solver = step.crowd.rows[r].solver;
-  kept.step = job;
-  kept.step.keep_in_limit = links.code->keep_in_limit;
-  kept.character = character;
-  kept.step.character = job.character == nullptr ? nullptr : &kept.character;
-  if (job.palette == nullptr) return;
-  for (std::uint32_t i = 0; i < kLanes; ++i) kept.palettes[i] = palettes[i];
-  kept.step.palette = kept.palettes;
-}
-
 /// The same chain of every head of the block.
 void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const CrowdState& crowd = step.crowd;
@@ -117,7 +101,7 @@ void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
     job.palette = is_last ? palettes : nullptr;
     job.motion = crowd.links.has(row.first_chain) ? &unused : &step.motion;
     row.step(job);
-    keep_for_links(step, r, job, character, palettes);
+    if (crowd.links.code != nullptr) crowd.links.code->keep_row(step.crowd, step.index, r, job);
   }
   if (crowd.links.code == nullptr) return;
   for (std::uint32_t i = 0; i < step.block.count; ++i) {
@@ -150,7 +134,7 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       if (!crowd.links.has(row.first_chain + i)) step.motion.v[head] += motion.v[i];
     }
-    keep_for_links(step, r, job, character, palettes);
+    if (crowd.links.code != nullptr) crowd.links.code->keep_row(step.crowd, step.index, r, job);
   }
   if (crowd.links.code != nullptr) step.motion.v[head] += crowd.links.code->keep(step.crowd, step.index, -1);
 }
