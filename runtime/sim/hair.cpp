@@ -21,7 +21,7 @@ Status check_desc(const HairDesc& desc, const Asset& asset) {
   if (desc.moving_colliders > kMaxMovingColliders) return Status::kBadArgument;
   if (desc.links == nullptr) return Status::kOk;
   const bool fits = desc.links->of_character == (desc.solver->character != nullptr);
-  if (!fits || desc.solver == &kThesisSolver) return Status::kBadArgument;
+  if (!fits || desc.solver->keeps_places) return Status::kBadArgument;
   return Status::kOk;
 }
 

@@ -9,18 +9,17 @@ namespace coif {
 namespace {
 
 constexpr int kPlaceRounds = 32, kVelocityRounds = 8;
-constexpr float kMargin = 1e-4f;      ///< Share of its length by which a link that was beyond it is brought within.
-constexpr float kMostWay = 0.25f;     ///< Of a bone's length in one round: further the linear model says nothing.
-constexpr float kNoLever2 = 1e-4f;    ///< Squared sine: a bone this nearly along its link cannot be turned by it.
-constexpr float kSlowest = 1e-6f;     ///< m/s
-
-constexpr int kPushes = 4;  ///< Of a collider and a link against each other.
+constexpr float kMargin = 1e-4f;    ///< Share of its length by which a link that was beyond it is brought within.
+constexpr float kMostWay = 0.25f;   ///< Of a bone's length in one round: further the linear model says nothing.
+constexpr float kNoLever2 = 1e-4f;  ///< Squared sine: a bone this nearly along its link cannot be turned by it.
+constexpr float kSlowest = 1e-6f;   ///< m/s
+constexpr int kPushes = 4;          ///< Of a collider and a link against each other.
 
 /// Around a link's end, nearest first.
 constexpr struct {
   float cosine, sine;
-} kAround[] = {{1, 0},           {0.70710678f, 0.70710678f},   {0.70710678f, -0.70710678f},  {0, 1},
-                     {0, -1},          {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
+} kAround[] = {{1, 0},  {0.70710678f, 0.70710678f},  {0.70710678f, -0.70710678f},  {0, 1},
+               {0, -1}, {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
 
 float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
 

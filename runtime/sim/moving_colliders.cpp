@@ -210,10 +210,19 @@ bool is_far(const ToldCollider& told, const HeadAt& before, const HeadAt& after,
   return before2 > 4 * radius * radius && 4 * way2 < now2;
 }
 
+bool has_any(const CharacterState& character, std::uint32_t instance) {
+  const auto told = character.told.subspan(std::size_t(instance) * character.places, character.places);
+  for (const ToldCollider& one : told) {
+    if (one.is_there) return true;
+  }
+  return false;
+}
+
 /// The colliders of the head in lane `i`, of which the last step's places are now forgotten.
 std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const HeadStepLanes& step, bool is_put,
                         const StepParts& parts) {
   CharacterState& character = crowd.character;
+  if (!has_any(character, block.instance[i])) return 0;
   const HeadLanes& heads = block.heads;
   const Vec3 way = lane(heads.way, i);
   const float per_scale = heads.per_scale.v[i];
@@ -261,6 +270,7 @@ void begin_colliders(CrowdState& crowd, std::uint32_t index, const HeadStepLanes
     most = count > most ? count : most;
   }
   character.most_ways[index] = most;
+  if (most == 0) return;
   ColliderBounds* const bounds = &character.bounds[std::size_t(index) * character.places];
   for (std::uint32_t i = 0; i < kLanes; ++i) {
     const std::uint32_t instance = i < block.count ? block.instance[i] : 0;

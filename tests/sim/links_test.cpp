@@ -85,7 +85,8 @@ TEST(Links, OnACharacterThatNothingHappensToAreTheSame) {
   for (const ChainModel model : kModels) {
     const TestRig rig = sheet_rig({.model = model});
     const auto plain = played(rig, {.links = &kLinks});
-    EXPECT_TRUE(same_bits(plain, played(rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 2})));
+    EXPECT_TRUE(
+        same_bits(plain, played(rig, {.solver = &kCharacterSolver, .links = &kCharacterLinks, .moving_colliders = 2})));
   }
 }
 
@@ -172,7 +173,8 @@ TEST(Links, StayOutOfAHand) {
       ASSERT_EQ(test.hair.set_colliders(0, std::span(&hand, 1)), Status::kOk);
       ASSERT_EQ(test.hair.step(at_rate(60)), Status::kOk);
       for (const Vec3& end : test.ends()) {
-        const float away = float(std::hypot(double(end.x) - hand.center[0], double(end.y) - hand.center[1], double(end.z) - hand.center[2]));
+        const float away = float(
+            std::hypot(double(end.x) - hand.center[0], double(end.y) - hand.center[1], double(end.z) - hand.center[2]));
         EXPECT_GT(away, 0.04f * (1 - 1e-4f)) << frame;
       }
     }

@@ -14,9 +14,7 @@ using Eigen::Vector3f;
 constexpr float kStretch = 0.1f, kShrink = 0.5f;
 constexpr float kLeastGap = 1e-4f;  // metres: nearer particles have no direction between them
 
-Vector3f end_of(const BoneRecord& bone) {
-  return Vector3f(bone.joint) + bone.length * Vector3f(bone.rest_direction);
-}
+Vector3f end_of(const BoneRecord& bone) { return Vector3f(bone.joint) + bone.length * Vector3f(bone.rest_direction); }
 
 std::vector<std::uint32_t> depths_of(const Asset& asset) {
   std::vector<std::uint32_t> depths;
@@ -32,8 +30,8 @@ std::uint32_t nearest_before(const Asset& asset, std::uint32_t chain) {
   std::uint32_t nearest = kNone;
   float least = std::numeric_limits<float>::infinity();
   for (std::uint32_t other = 0; other < chain; ++other) {
-    const Vector3f way =
-        end_of(asset.bones()[asset.chains()[chain].first_bone]) - end_of(asset.bones()[asset.chains()[other].first_bone]);
+    const Vector3f way = end_of(asset.bones()[asset.chains()[chain].first_bone]) -
+                         end_of(asset.bones()[asset.chains()[other].first_bone]);
     if (!(way.norm() < least)) continue;
     least = way.norm();
     nearest = other;

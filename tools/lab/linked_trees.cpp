@@ -1,3 +1,5 @@
+#include "lab/passive_model.h"
+#include "lab/reference_links.h"
 #include "lab/reference_model.h"
 
 #include <algorithm>
@@ -52,6 +54,23 @@ std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
     if (!std::ranges::is_sorted(tree, {}, depth)) std::ranges::stable_sort(tree, {}, depth);
   }
   return trees;
+}
+
+void ReferenceTree::find_links(const Rig& rig, std::span<const int> place) {
+  std::vector<RigLink> links;
+  for (const RigLink& link : rig.links) {
+    if (place[link.bone] < 0) continue;
+    links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
+  }
+  if (links.empty()) return;
+  is_free_ = false;
+  std::vector<int> depths;
+  for (const RigBone& bone : bones_) {
+    depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
+    if (depths.size() > 1 && depths.back() > depths[depths.size() - 2]) level_ends_.push_back(depths.size() - 1);
+  }
+  level_ends_.push_back(bones_.size());
+  links_ = std::make_unique<ReferenceLinks>(std::move(links), bones_);
 }
 
 }  // namespace coif

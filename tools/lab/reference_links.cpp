@@ -11,11 +11,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kRounds = 400;
-constexpr double kNoLever = 1e-2;      ///< Sine: a bone this nearly along its link cannot be turned by it.
-constexpr double kWithin = 1e-10;      ///< Share of a link's length.
-constexpr double kTaut = 1e-6;         ///< Likewise: its speed is looked at.
-constexpr double kSlowest = 1e-10;     ///< m/s
-constexpr double kMostWay = 0.25;      ///< Of a bone's length, in one round.
+constexpr double kNoLever = 1e-2;   ///< Sine: a bone this nearly along its link cannot be turned by it.
+constexpr double kWithin = 1e-10;   ///< Share of a link's length.
+constexpr double kTaut = 1e-6;      ///< Likewise: its speed is looked at.
+constexpr double kSlowest = 1e-10;  ///< m/s
+constexpr double kMostWay = 0.25;   ///< Of a bone's length, in one round.
 
 }  // namespace
 

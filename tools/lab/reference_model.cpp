@@ -121,4 +121,13 @@ void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const 
   }
 }
 
+BoundedBone bounded(const RigBone& bone, const Eigen::Quaterniond& parent_frame, const Eigen::Vector3d& direction) {
+  const float* const q = bone.limit.rotation;
+  BoundedBone out{parent_frame, {direction}};
+  if (bone.limit.kind == LimitKind::kUnlimited) return out;
+  out.axes = parent_frame * Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
+  out.at = bounded(bone.limit, out.axes.conjugate() * direction);
+  return out;
+}
+
 }  // namespace coif

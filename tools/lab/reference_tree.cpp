@@ -102,23 +102,6 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   before_.resize(bones_.size());
 }
 
-void ReferenceTree::find_links(const Rig& rig, std::span<const int> place) {
-  std::vector<RigLink> links;
-  for (const RigLink& link : rig.links) {
-    if (place[link.bone] < 0) continue;
-    links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
-  }
-  if (links.empty()) return;
-  is_free_ = false;
-  std::vector<int> depths;
-  for (const RigBone& bone : bones_) {
-    depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
-    if (depths.size() > 1 && depths.back() > depths[depths.size() - 2]) level_ends_.push_back(depths.size() - 1);
-  }
-  level_ends_.push_back(bones_.size());
-  links_ = std::make_unique<ReferenceLinks>(std::move(links), bones_);
-}
-
 ReferenceTree::ReferenceTree(ReferenceTree&&) noexcept = default;
 ReferenceTree::~ReferenceTree() = default;
 
@@ -255,15 +238,6 @@ bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, co
   const double opening = -(state.turning.dot(axis) + held.dot(axis_turning)) / sine;
   if (opening > 0) state.turning -= opening * (cosine * aside - sine * axis);
   return true;
-}
-
-BoundedBone bounded(const RigBone& bone, const Quaterniond& parent_frame, const Vector3d& direction) {
-  const float* const q = bone.limit.rotation;
-  BoundedBone out{parent_frame, {direction}};
-  if (bone.limit.kind == LimitKind::kUnlimited) return out;
-  out.axes = parent_frame * Quaterniond(q[3], q[0], q[1], q[2]).normalized();
-  out.at = bounded(bone.limit, out.axes.conjugate() * direction);
-  return out;
 }
 
 bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const {

@@ -241,7 +241,8 @@ void HangingBone<D>::finish(HeldBone& bone) const {
   auto spin = hn::Zero(d_);
   const bool twists = at_.is_cascade && (shape().features & kRowTwists) != 0 && !is_rigid();
   if (twists) {
-    const auto unwinding = twist(d_, rest, in_head, load(d_, constants().torsion, lane_), 0.0f, row_.twist[i_], lane_, bent);
+    const auto unwinding =
+        twist(d_, rest, in_head, load(d_, constants().torsion, lane_), 0.0f, row_.twist[i_], lane_, bent);
     spin = hn::Sub(dot(d_, direction, from.angular_velocity), unwinding);
   } else {
     spin = spin_of_arc(d_, rotate(d_, turn(), by_parent), direction, from.angular_velocity, swing, bent.per_fold);

@@ -69,7 +69,8 @@ std::vector<Stress> link_cases() {
   rig = sheet();
   rig.limit = LimitKind::kCone;
   add("linked within cones", "bones with limits, which links do not turn", rig, Motion::kTurn, 1.0 / 60);
-  add("a hand through a sheet", "a fist that moves to and fro between two of the chains", sheet(), Motion::kStill, 1.0 / 60);
+  add("a hand through a sheet", "a fist that moves to and fro between two of the chains", sheet(), Motion::kStill,
+      1.0 / 60);
   all.back().colliders = [](const HairPlace& hair, double seconds) {
     const double off = 0.2 * std::sin(4 * seconds);
     return std::vector<MovingCollider>{fist(hair.middle + hair.outward * off)};
