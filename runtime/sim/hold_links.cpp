@@ -26,8 +26,8 @@ float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
 Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
 
 Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
-  const float length2 = dot(v, v);
-  return length2 > 1e-18f && length2 < 1e38f ? v * (1.0f / std::sqrt(length2)) : fallback;
+  const float size2 = dot(v, v);
+  return size2 > 1e-18f && size2 < 1e38f ? v * (1.0f / std::sqrt(size2)) : fallback;
 }
 
 /// A link of one length is between its margins.
@@ -126,7 +126,7 @@ void LinkedHead::begin(std::uint32_t b) {
   bone.velocity = coif::lane(*reinterpret_cast<const Lanes3*>(state + solver.velocity_at), lane.lane);
   bone.length = lane.row->constants[linked.bone].length.v[lane.lane];
   bone.mobility = linked.mobility > 0.0f && !code_.is_rigid(lane, linked.bone) ? linked.mobility : 0.0f;
-  bone.is_turned = false;
+  bone.is_turned = bone.is_forced = false;
   bone.turning_change = {};
   bone.free_swing = cross(bone.direction, bone.velocity) * (1.0f / bone.length);
   const HeldBone* const parent = parent_of(b);
@@ -205,7 +205,7 @@ void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosi
   const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis)), other = cross(axis, side);
   bone.direction = unit_or(axis * cosine + (side * cosine_around + other * sine_around) * sine, axis);
   bone.velocity = across(bone.velocity, bone.direction);
-  bone.is_turned = true;
+  bone.is_turned = bone.is_forced = true;
   place_end(bone);
 }
 
@@ -255,6 +255,7 @@ void LinkedHead::hold_places(const LinkLevel& level) {
     if (!is_beyond) return;
     clear_turned();
   }
+  for (HeldBone& bone : held_.subspan(level.first_bone, level.bone_count)) bone.is_forced = bone.is_turned;
   for (const ChainLink& link : links) close(link);
 }
 

@@ -200,6 +200,27 @@ TEST(Links, OfBonesThatLevelsOfDetailHoldComeToThem) {
   }
 }
 
+TEST(Links, GoOnFromASavedStateToTheBit) {
+  for (const ChainModel model : kModels) {
+    const TestRig rig = sheet_rig({.model = model});
+    TestHair test(rig, {.instances = 2, .links = &kLinks});
+    const auto go_on = [&](int from) {
+      for (int frame = from; frame < from + 30; ++frame) {
+        for (const std::uint32_t i : {0u, 1u}) EXPECT_EQ(test.hair.set_head(i, wander(frame / 60.0)), Status::kOk);
+        EXPECT_EQ(test.hair.step(at_rate(60)), Status::kOk);
+      }
+      return test.ends(1);
+    };
+    (void)go_on(0);
+    std::vector<std::byte> state(test.hair.saved_bytes());
+    ASSERT_EQ(test.hair.save(state), Status::kOk);
+    const auto once = go_on(30);
+    (void)go_on(90);
+    ASSERT_EQ(test.hair.restore(state), Status::kOk);
+    EXPECT_TRUE(same_bits(once, go_on(30)));
+  }
+}
+
 TEST(Links, AreRefusedWhereTheSolverCannotKeepThem) {
   const TestRig rig = sheet_rig();
   TestHair test(rig);

@@ -113,6 +113,17 @@ class HangingBone {
   void clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) const;
   void finish(HeldBone& bone) const;
 
+  /// Forces go on, but for what of them leads where the bone was held, as in the row's step.
+  void give_way(const V3<D>& push, PassiveState& state) const {
+    const auto push2 = dot(d_, push, push);
+    if (!(hn::GetLane(push2) > 1e-18f)) return;
+    for (Lanes3* const lanes : {&state.acceleration, &state.lagged}) {
+      const V3<D> vector = load(d_, *lanes, lane_);
+      const auto against = hn::Div(hn::Min(dot(d_, vector, push), hn::Zero(d_)), push2);
+      store(d_, without_trace(d_, sub_scaled(d_, vector, push, against)), *lanes, lane_);
+    }
+  }
+
   const D d_{};
   const LinkedLane& at_;
   const RowStep& row_;
@@ -257,6 +268,7 @@ void HangingBone<D>::finish(HeldBone& bone) const {
     PassiveState& state = static_cast<PassiveState*>(row_.state)[i_];
     store(d_, direction, state.direction, lane_);
     store(d_, without_trace(d_, velocity), state.velocity, lane_);
+    if (bone.is_forced) give_way(sub(d_, same(d_, bone.end_velocity), same(d_, bone.free_velocity)), state);
   }
   if (row_.palette != nullptr) {
     store_matrix(d_, bent.frame, load(d_, constants().joint, lane_), from.position, row_.palette + lane_, i_, 1);

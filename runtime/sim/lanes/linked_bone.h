@@ -22,6 +22,7 @@ struct HeldBone {
   float length = 0;
   float mobility = 0;  ///< LinkedBone::mobility; 0 for a bone that is rigid just now.
   bool is_turned = false;
+  bool is_forced = false;  ///< Something stood between it and its neighbour.
 };
 
 /// Of one lane of a row.
