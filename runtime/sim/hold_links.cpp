@@ -9,6 +9,7 @@ namespace coif {
 namespace {
 
 constexpr int kPlaceRounds = 32, kVelocityRounds = 8;
+constexpr float kAtLength = 1e-3f;  ///< Share of its length within which a link is taut.
 constexpr float kMargin = 1e-4f;    ///< Share of its length by which a link that was beyond it is brought within.
 constexpr float kMostWay = 0.25f;   ///< Of a bone's length in one round: further the linear model says nothing.
 constexpr float kNoLever2 = 1e-4f;  ///< Squared sine: a bone this nearly along its link cannot be turned by it.
@@ -22,7 +23,6 @@ constexpr struct {
                {0, -1}, {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
 
 float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
-
 Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
 
 Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
@@ -261,7 +261,6 @@ void LinkedHead::hold_places(const LinkLevel& level) {
 
 /// A link that has its longest length gets no longer, one that has its shortest no shorter. Returns the speed that was taken.
 float LinkedHead::slow(const ChainLink& link) {
-  constexpr float kAtLength = 1e-3f;  // Share of the length within which a link counts as taut.
   HeldBone &bone = held_[link.bone], &to = held_[link.to];
   const Gap gap = gap_of(link);
   const float growing = dot(to.end_velocity - bone.end_velocity, gap.towards);

@@ -62,7 +62,6 @@ class HangingBone {
   [[nodiscard]] const RowBone& shape() const { return row_.bones[i_]; }
   [[nodiscard]] const BoneLanes& constants() const { return row_.constants[i_]; }
   [[nodiscard]] M3<D> turn() const { return load(d_, row_.move->from_head, lane_); }
-
   [[nodiscard]] bool is_rigid() const {
     if (constants().levels[lane_] <= std::int32_t(row_.level)) return true;
     const PoseLanes* const pose = pose_of(d_, row_, i_);
