@@ -3,7 +3,7 @@ function(coif_consumer_test name)
   add_test(NAME consumer.${name}
     COMMAND ${CMAKE_COMMAND} -D WORK=${CMAKE_BINARY_DIR}/consumer/${name} ${ARGN}
             -P ${PROJECT_SOURCE_DIR}/tests/consumer/consume.cmake)
-  set_tests_properties(consumer.${name} PROPERTIES TIMEOUT 300)
+  set_tests_properties(consumer.${name} PROPERTIES TIMEOUT 900)
 endfunction()
 
 coif_consumer_test(sim_only -D SOURCE=${PROJECT_SOURCE_DIR})
@@ -30,5 +30,5 @@ if(TARGET coif_cli)
   add_test(NAME consumer.recook
     COMMAND ${CMAKE_COMMAND} -D PREFIX=${CMAKE_BINARY_DIR}/consumer/installed/installed -D PROJECT=${PROJECT_SOURCE_DIR}
             -D WORK=${CMAKE_BINARY_DIR}/consumer/recook -P ${PROJECT_SOURCE_DIR}/tests/consumer/recook.cmake)
-  set_tests_properties(consumer.recook PROPERTIES FIXTURES_REQUIRED COIF_WHOLE_PACKAGE TIMEOUT 300)
+  set_tests_properties(consumer.recook PROPERTIES FIXTURES_REQUIRED COIF_WHOLE_PACKAGE TIMEOUT 900)
 endif()
