@@ -41,6 +41,14 @@ void carve(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::ui
   links.moved = carver.take<char>(std::uint64_t(blocks) * chains);
 }
 
+void number_row(CrowdState& crowd, std::uint32_t r) {
+  const Row& row = crowd.rows[r];
+  crowd.links.row_places[r] = crowd.links.row_count++;
+  if (row.solver->complete_row != nullptr) return;  // which has done it
+  find_carried(crowd.row_bones.subspan(row.first_bone, row.bone_count),
+               crowd.constants.subspan(row.first_bone, row.bone_count));
+}
+
 /// Rows and chains in the order of the rows.
 void place_chains(CrowdState& crowd) {
   LinkState& links = crowd.links;
@@ -52,18 +60,12 @@ void place_chains(CrowdState& crowd) {
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
       const std::uint32_t chain = row.first_chain + lane;
       if (!is_linked(crowd.asset, chain)) continue;
-      if (links.row_places[r] == kNone) links.row_places[r] = links.row_count++;
+      if (links.row_places[r] == kNone) number_row(crowd, r);
       links.chain_places[chain] = chain_count;
       links.chains[chain_count++] = {links.row_places[r], lane, bone_count, row.bone_count};
       bone_count += row.bone_count;
     }
   }
-}
-
-std::uint32_t depth_of(std::span<const RowBone> bones, std::uint32_t bone) {
-  std::uint32_t depth = 0;
-  for (std::int32_t up = bones[bone].parent; up >= 0; up = bones[std::size_t(up)].parent) ++depth;
-  return depth;
 }
 
 /// One by the mass of everything that hangs from the bone's start, as it were at its particle.
@@ -72,29 +74,51 @@ float mobility_of(const BoneLanes& constants, std::uint32_t lane) {
   return length * length / constants.carried.v[lane];
 }
 
-/// The bones of `depth`, after those of lesser depth. Returns how many there are.
-std::uint32_t place_bones(CrowdState& crowd, std::uint32_t depth, std::uint32_t first) {
-  LinkState& links = crowd.links;
-  std::uint32_t next = first;
-  for (std::uint32_t r = 0; r < crowd.rows.size(); ++r) {
-    if (links.row_places[r] == kNone) continue;
-    const Row& row = crowd.rows[r];
-    const auto shapes = crowd.row_bones.subspan(row.first_bone, row.bone_count);
-    if (depth == 0) find_carried(shapes, crowd.constants.subspan(row.first_bone, row.bone_count));
+/// Calls visit(row of the crowd, lane, its linked chain's number) for each, in the order of the rows.
+template <typename Visit>
+void for_each_linked(const CrowdState& crowd, const Visit& visit) {
+  for (const Row& row : crowd.rows) {
     for (std::uint32_t lane = 0; lane < row.chain_count; ++lane) {
-      const std::uint32_t chain = links.chain_places[row.first_chain + lane];
-      if (chain == kNone) continue;
-      const std::uint32_t* const places = &links.places[links.chains[chain].first];
-      for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-        if (depth_of(shapes, i) != depth) continue;
-        const std::int32_t parent = shapes[i].parent;
-        links.places[links.chains[chain].first + i] = next;
-        links.bones[next++] = {chain, i, parent < 0 ? -1 : std::int32_t(places[parent]), shapes[i].children != 0,
-                               mobility_of(crowd.constants[row.first_bone + i], lane)};
-      }
+      const std::uint32_t chain = crowd.links.chain_places[row.first_chain + lane];
+      if (chain != kNone) visit(row, lane, chain);
     }
   }
-  return next - first;
+}
+
+/// How many bones each level has. Until they have their places, those in LinkState::places are the bones' depths.
+void count_levels(CrowdState& crowd) {
+  LinkState& links = crowd.links;
+  for_each_linked(crowd, [&](const Row& row, std::uint32_t, std::uint32_t chain) {
+    const auto depths = links.places.subspan(links.chains[chain].first, row.bone_count);
+    for (std::uint32_t i = 0; i < row.bone_count; ++i) {
+      const std::int32_t parent = crowd.row_bones[row.first_bone + i].parent;
+      depths[i] = parent < 0 ? 0 : depths[std::size_t(parent)] + 1;
+      ++links.levels[depths[i]].bone_count;
+    }
+  });
+  std::uint32_t first = 0;
+  for (LinkLevel& level : links.levels) {
+    level.first_bone = first;
+    first += level.bone_count;
+    level.bone_count = 0;
+  }
+}
+
+/// By depth, and then in the order of the rows.
+void place_bones(CrowdState& crowd) {
+  LinkState& links = crowd.links;
+  for_each_linked(crowd, [&](const Row& row, std::uint32_t lane, std::uint32_t chain) {
+    const auto shapes = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+    const auto constants = crowd.constants.subspan(row.first_bone, row.bone_count);
+    const auto places = links.places.subspan(links.chains[chain].first, row.bone_count);
+    for (std::uint32_t i = 0; i < row.bone_count; ++i) {
+      LinkLevel& level = links.levels[places[i]];
+      const std::int32_t parent = shapes[i].parent;
+      places[i] = level.first_bone + level.bone_count++;
+      links.bones[places[i]] = {chain, i, parent < 0 ? -1 : std::int32_t(places[std::size_t(parent)]),
+                                shapes[i].children != 0, mobility_of(constants[i], lane)};
+    }
+  });
 }
 
 std::uint32_t place_of(const CrowdState& crowd, std::uint32_t bone) {
@@ -107,13 +131,9 @@ void create(CrowdState& crowd) {
   LinkState& links = crowd.links;
   if (links.chains.empty()) return;
   place_chains(crowd);
-  std::uint32_t next_bone = 0, next_link = 0;
-  for (std::uint32_t depth = 0; depth < links.levels.size(); ++depth) {
-    LinkLevel& level = links.levels[depth];
-    level.first_bone = next_bone;
-    level.bone_count = place_bones(crowd, depth, next_bone);
-    next_bone += level.bone_count;
-  }
+  count_levels(crowd);
+  place_bones(crowd);
+  std::uint32_t next_link = 0;
   for (LinkLevel& level : links.levels) {
     level.first_link = next_link;
     for (; next_link < links.links.size(); ++next_link) {
@@ -133,7 +153,7 @@ void keep_row(CrowdState& crowd, std::uint32_t block, std::size_t row, const Row
   LinkedRowStep& kept = links.steps[block * std::size_t(links.row_count) + place];
   kept.solver = crowd.rows[row].solver;
   kept.step = step;
-  kept.step.keep_in_limit = links.code->keep_in_limit;
+  kept.step.keep_in_limit = links.code->bones->keep_in_limit;
   if (step.character != nullptr) {
     kept.character = *step.character;
     kept.step.character = &kept.character;
@@ -143,30 +163,20 @@ void keep_row(CrowdState& crowd, std::uint32_t block, std::size_t row, const Row
   kept.step.palette = kept.palettes;
 }
 
-template <const LinkedBoneCode& kBones>
-float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) {
-  return hold_links(crowd, kBones, block, lane);
-}
+float keep(CrowdState& crowd, std::uint32_t block, std::int32_t lane) { return hold_links(crowd.links, block, lane); }
 
-/// In constants of other files there is nothing yet when these are made.
-template <const LinkedBoneCode& kBones>
-void keep_alone(void* bone) {
-  kBones.keep_in_limit(bone);
+constexpr LinkCode code_for(const LinkedBoneCode& bones, bool of_character) {
+  return {.of_character = of_character,
+          .bones = &bones,
+          .carve = &carve,
+          .create = &create,
+          .keep_row = &keep_row,
+          .keep = &keep};
 }
 
 }  // namespace
 
-const LinkCode kLinks{.of_character = false,
-                      .keep_in_limit = &keep_alone<kLinkedBones>,
-                      .carve = &carve,
-                      .create = &create,
-                      .keep_row = &keep_row,
-                      .keep = &keep<kLinkedBones>};
-const LinkCode kCharacterLinks{.of_character = true,
-                               .keep_in_limit = &keep_alone<kLinkedCharacterBones>,
-                               .carve = &carve,
-                               .create = &create,
-                               .keep_row = &keep_row,
-                               .keep = &keep<kLinkedCharacterBones>};
+constinit const LinkCode kLinks = code_for(kLinkedBones, false);
+constinit const LinkCode kCharacterLinks = code_for(kLinkedCharacterBones, true);
 
 }  // namespace coif

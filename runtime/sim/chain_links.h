@@ -21,8 +21,8 @@ class MemoryCarver;
 
 /// A chain that some link is about, with all of its bones.
 struct LinkedChain {
-  std::uint32_t row = 0;   ///< Of LinkState::rows.
-  std::uint32_t lane = 0;  ///< Of the row, for kChains; 0 for kHeads.
+  std::uint32_t row = 0;    ///< Of the linked ones: LinkState::row_places.
+  std::uint32_t lane = 0;   ///< Of the row, for kChains; 0 for kHeads.
   std::uint32_t first = 0;  ///< Of its bones in LinkState::places.
   std::uint32_t bone_count = 0;
 };
@@ -33,7 +33,7 @@ struct LinkedBone {
   std::uint32_t bone = 0;     ///< Of its row.
   std::int32_t parent = -1;   ///< Of LinkState::bones; -1: the head.
   bool has_children = false;
-  float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre; 0: firm.
+  float mobility = 0;  ///< One by the mass that its particle has for a link, 1/kg of bones of a kilogram a metre.
 };
 
 /// LinkRecord, of LinkState::bones.
@@ -59,7 +59,7 @@ struct LinkedRowStep {
 /// Empty where nothing is linked.
 struct LinkState {
   const LinkCode* code = nullptr;
-  std::span<std::uint32_t> row_places;    ///< Per row of the crowd: which of `rows`, or kNone.
+  std::span<std::uint32_t> row_places;    ///< Per row of the crowd: its number among those with linked chains, or kNone.
   std::span<std::uint32_t> chain_places;  ///< Per chain of the asset: which of `chains`, or kNone.
   std::uint32_t row_count = 0;
   std::span<LinkedChain> chains;
@@ -71,12 +71,12 @@ struct LinkState {
   std::span<HeldBone> held;        ///< Per block, per linked bone.
   std::span<char> moved;           ///< Per block, per linked chain.
 
-  [[nodiscard]] bool has(std::uint32_t chain) const { return !chain_places.empty() && chain_places[chain] != ~0u; }
+  [[nodiscard]] bool has(std::uint32_t chain) const { return !chain_places.empty() && chain_places[chain] != kNone; }
 };
 
 struct LinkCode {
   bool of_character = false;
-  LimitFunction* keep_in_limit = nullptr;  ///< LinkedBoneCode::keep_in_limit, for LinkedRowStep::step.
+  const LinkedBoneCode* bones = nullptr;
   void (*carve)(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::uint32_t blocks,
                 LinkState& links) = nullptr;
   void (*create)(CrowdState& crowd) = nullptr;

@@ -3,6 +3,7 @@
 #include "vector_math.h"
 
 namespace coif {
+
 void stand_still(CrowdState& crowd, std::uint32_t slot) {
   if (crowd.character.code != nullptr) crowd.character.code->appear(crowd, slot);
   HeadLanes& heads = crowd.blocks[slot / kLanes].heads;

@@ -1,6 +1,7 @@
 #include "hold_links.h"
 
-#include "crowd.h"
+#include "chain_links.h"
+#include "solver.h"
 #include "vector_math.h"
 
 #include <limits>
@@ -15,7 +16,6 @@ constexpr float kMostWay = 0.25f;   ///< Of a bone's length in one round: furthe
 constexpr float kNoLever2 = 1e-4f;  ///< Squared sine: a bone this nearly along its link cannot be turned by it.
 constexpr float kSlowest = 1e-6f;   ///< m/s
 constexpr int kPushes = 4;          ///< Of a collider and a link against each other.
-
 /// Around a link's end, nearest first.
 constexpr struct {
   float cosine, sine;
@@ -23,17 +23,16 @@ constexpr struct {
                {0, -1}, {-0.70710678f, 0.70710678f}, {-0.70710678f, -0.70710678f}, {-1, 0}};
 
 float within_one(float x) { return x > 1.0f ? 1.0f : x < -1.0f ? -1.0f : x; }
-Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
-
-Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
-  const float size2 = dot(v, v);
-  return size2 > 1e-18f && size2 < 1e38f ? v * (1.0f / std::sqrt(size2)) : fallback;
-}
 
 /// A link of one length is between its margins.
 float inner_shortest(const ChainLink& link) {
   const float within = link.shortest * (1 + kMargin), most = link.longest * (1 - kMargin);
   return within < most ? within : most;
+}
+
+/// In every second round from the other end, so that no end of a sheet leads.
+const ChainLink& to_and_fro(std::span<const ChainLink> links, int round, std::size_t i) {
+  return links[round % 2 == 0 ? i : links.size() - 1 - i];
 }
 
 /// What lies between the particles of a link.
@@ -45,9 +44,9 @@ struct Gap {
 
 class LinkedHead {
  public:
-  LinkedHead(const LinkState& links, const LinkedBoneCode& code, std::uint32_t block, std::int32_t lane)
+  LinkedHead(const LinkState& links, std::uint32_t block, std::int32_t lane)
       : links_(links),
-        code_(code),
+        code_(*links.code->bones),
         steps_(links_.steps.subspan(block * std::size_t(links_.row_count), links_.row_count)),
         held_(links_.held.subspan(block * links_.bones.size(), links_.bones.size())),
         moved_(links_.moved.subspan(block * links_.chains.size(), links_.chains.size())),
@@ -76,13 +75,17 @@ class LinkedHead {
  private:
   [[nodiscard]] LinkedLane at(std::uint32_t b) const {
     const LinkedChain& chain = links_.chains[links_.bones[b].chain];
-    const RowStep& row = steps_[chain.row].step;
-    return {&row, lane_ < 0 ? chain.lane : std::uint32_t(lane_), steps_[chain.row].solver->carries_frames};
+    const LinkedRowStep& row = steps_[chain.row];
+    return {&row.step, lane_ < 0 ? chain.lane : std::uint32_t(lane_), row.solver->carries_frames};
   }
 
   [[nodiscard]] const HeldBone* parent_of(std::uint32_t b) const {
     const std::int32_t parent = links_.bones[b].parent;
     return parent < 0 ? nullptr : &held_[std::size_t(parent)];
+  }
+
+  [[nodiscard]] std::span<const ChainLink> links_of(const LinkLevel& level) const {
+    return links_.links.subspan(level.first_link, level.link_count);
   }
 
   void begin(std::uint32_t b);
@@ -101,6 +104,7 @@ class LinkedHead {
   bool shorten(const ChainLink& link);
   void aim(HeldBone& bone, const Vec3& place, float wanted, float cosine_around, float sine_around);
   void close(const ChainLink& link);
+  void turn_to(HeldBone& bone, const Vec3& direction);
   void turn(HeldBone& bone, const Vec3& way);
   void hold_places(const LinkLevel& level);
   float slow(const ChainLink& link);
@@ -125,23 +129,20 @@ void LinkedHead::begin(std::uint32_t b) {
   bone.direction = coif::lane(*reinterpret_cast<const Lanes3*>(state), lane.lane);
   bone.velocity = coif::lane(*reinterpret_cast<const Lanes3*>(state + solver.velocity_at), lane.lane);
   bone.length = lane.row->constants[linked.bone].length.v[lane.lane];
-  bone.mobility = linked.mobility > 0.0f && !code_.is_rigid(lane, linked.bone) ? linked.mobility : 0.0f;
+  bone.mobility = code_.is_rigid(lane, linked.bone) ? 0.0f : linked.mobility;
   bone.is_turned = bone.is_forced = false;
   bone.turning_change = {};
   bone.free_swing = cross(bone.direction, bone.velocity) * (1.0f / bone.length);
   const HeldBone* const parent = parent_of(b);
   if (parent == nullptr) {
     code_.hang(lane, linked.bone, bone);
-    place_end(bone);
-    bone.free_end = bone.end;
-    bone.free_velocity = bone.end_velocity;
-    return;
+  } else {
+    bone.start = parent->end;
+    bone.start_velocity = parent->end_velocity;
   }
-  bone.start = parent->end;
-  bone.start_velocity = parent->end_velocity;
-  bone.free_end = parent->free_end + bone.direction * bone.length;
-  bone.free_velocity = parent->free_velocity + bone.velocity;
-  if (moved_[linked.chain] != 0) code_.follow(lane, linked.bone, *parent, bone);
+  bone.free_end = (parent == nullptr ? bone.start : parent->free_end) + bone.direction * bone.length;
+  bone.free_velocity = (parent == nullptr ? bone.start_velocity : parent->free_velocity) + bone.velocity;
+  if (parent != nullptr && moved_[linked.chain] != 0) code_.follow(lane, linked.bone, *parent, bone);
   place_end(bone);
 }
 
@@ -168,13 +169,17 @@ Gap LinkedHead::gap_of(const ChainLink& link) const {
   return gap;
 }
 
+void LinkedHead::turn_to(HeldBone& bone, const Vec3& direction) {
+  bone.direction = direction;
+  bone.velocity = across(bone.velocity, direction);
+  bone.is_turned = true;
+  place_end(bone);
+}
+
 void LinkedHead::turn(HeldBone& bone, const Vec3& way) {
   const float most = kMostWay * bone.length, size2 = dot(way, way);
   const Vec3 part = size2 > most * most ? way * (most / std::sqrt(size2)) : way;
-  bone.direction = unit_or(bone.direction + part * (1.0f / bone.length), bone.direction);
-  bone.velocity = across(bone.velocity, bone.direction);
-  bone.is_turned = true;
-  place_end(bone);
+  turn_to(bone, unit_or(bone.direction + part * (1.0f / bone.length), bone.direction));
 }
 
 /// Turns both bones by the least that brings the link to its length, to first order. Returns whether it was beyond.
@@ -203,16 +208,15 @@ void LinkedHead::aim(HeldBone& bone, const Vec3& place, float wanted, float cosi
   const float sides = bone.length * bone.length + distance * distance - wanted * wanted;
   const float cosine = within_one(sides / (2 * bone.length * distance)), sine = std::sqrt(1.0f - cosine * cosine);
   const Vec3 side = unit_or(across(bone.direction, axis), any_perpendicular(axis)), other = cross(axis, side);
-  bone.direction = unit_or(axis * cosine + (side * cosine_around + other * sine_around) * sine, axis);
-  bone.velocity = across(bone.velocity, bone.direction);
-  bone.is_turned = bone.is_forced = true;
-  place_end(bone);
+  turn_to(bone, unit_or(axis * cosine + (side * cosine_around + other * sine_around) * sine, axis));
+  bone.is_forced = true;
 }
 
 /// Turns one bone of the link alone: the one that hangs on the other, as those that hang on it come after it. Where a collider or a limit
 /// stands in the way the bone goes round the other's end until it is clear of that: else two strands would hang on either side of a neck.
 void LinkedHead::close(const ChainLink& link) {
-  if (gap_of(link).excess == 0.0f) return;
+  const Gap gap = gap_of(link);
+  if (gap.excess == 0.0f) return;
   const std::uint32_t b = held_[link.bone].mobility > 0.0f ? link.bone : link.to;
   HeldBone& bone = held_[b];
   const Vec3 place = held_[b == link.bone ? link.to : link.bone].end;
@@ -220,7 +224,6 @@ void LinkedHead::close(const ChainLink& link) {
   const HeldBone before = bone;
   HeldBone best = bone;
   float least = std::numeric_limits<float>::infinity();
-  const Gap gap = gap_of(link);
   // At the length that it has too much of, then half way to the other one, which leaves colliders room to push.
   for (const float wanted : {gap.size - gap.excess, 0.5f * (link.longest + link.shortest)}) {
     for (const auto& around : kAround) {
@@ -238,22 +241,19 @@ void LinkedHead::close(const ChainLink& link) {
   bone = best;
 }
 
-/// To and fro through the links, so that no end of a sheet leads; what is left goes by one bone after the other. Colliders come first:
+/// To and fro through the links; what is left goes by one bone after the other. Colliders come first:
 /// hair in a head is seen before a gap is.
 void LinkedHead::hold_places(const LinkLevel& level) {
-  const auto links = links_.links.subspan(level.first_link, level.link_count);
-  const auto clear_turned = [&] {
-    for (std::uint32_t b = level.first_bone; b < level.first_bone + level.bone_count; ++b) {
-      if (held_[b].is_turned) clear(b);
-    }
-  };
+  const auto links = links_of(level);
   for (int round = 0; round < kPlaceRounds; ++round) {
     bool is_beyond = false;
     for (std::size_t i = 0; i < links.size(); ++i) {
-      is_beyond = shorten(links[round % 2 == 0 ? i : links.size() - 1 - i]) || is_beyond;
+      is_beyond = shorten(to_and_fro(links, round, i)) || is_beyond;
     }
     if (!is_beyond) return;
-    clear_turned();
+    for (std::uint32_t b = level.first_bone; b < level.first_bone + level.bone_count; ++b) {
+      if (held_[b].is_turned) clear(b);
+    }
   }
   for (HeldBone& bone : held_.subspan(level.first_bone, level.bone_count)) bone.is_forced = bone.is_turned;
   for (const ChainLink& link : links) close(link);
@@ -280,11 +280,11 @@ float LinkedHead::slow(const ChainLink& link) {
 }
 
 void LinkedHead::hold_velocities(const LinkLevel& level) {
-  const auto links = links_.links.subspan(level.first_link, level.link_count);
+  const auto links = links_of(level);
   for (int round = 0; round < kVelocityRounds; ++round) {
     float fastest = 0;
     for (std::size_t i = 0; i < links.size(); ++i) {
-      const float taken = slow(links[round % 2 == 0 ? i : links.size() - 1 - i]);
+      const float taken = slow(to_and_fro(links, round, i));
       fastest = taken > fastest ? taken : fastest;
     }
     if (!(fastest > kSlowest)) return;
@@ -293,8 +293,8 @@ void LinkedHead::hold_velocities(const LinkLevel& level) {
 
 }  // namespace
 
-float hold_links(CrowdState& crowd, const LinkedBoneCode& code, std::uint32_t block, std::int32_t lane) {
-  return LinkedHead(crowd.links, code, block, lane).run();
+float hold_links(const LinkState& links, std::uint32_t block, std::int32_t lane) {
+  return LinkedHead(links, block, lane).run();
 }
 
 }  // namespace coif

@@ -18,6 +18,15 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
 constexpr bool operator==(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 inline float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
+/// The part of `v` at a right angle to the unit vector `direction`.
+constexpr Vec3 across(const Vec3& v, const Vec3& direction) { return v - direction * dot(v, direction); }
+
+/// `v` made unit; `fallback` where it has no direction or a length that is not finite. As direction_or() of the lanes does it.
+inline Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
+  const float size2 = dot(v, v);
+  return size2 > 1e-18f && size2 < 1e38f ? v * (1.0f / std::sqrt(size2)) : fallback;
+}
+
 /// A unit vector at a right angle to the unit vector `v`.
 inline Vec3 any_perpendicular(const Vec3& v) {
   const Vec3 other = std::fabs(v.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};

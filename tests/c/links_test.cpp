@@ -1,5 +1,6 @@
 // Linked chains, in C.
 
+#include "c/in_c.h"
 #include "sim/linked_sheet.h"
 
 #include <coif.h>
@@ -46,10 +47,7 @@ TEST_F(CLinks, AreKeptAsInCppWhereTheyAreAskedFor) {
       coif_step_settings_init(&settings);
       for (int frame = 1; frame < 40; ++frame) {
         const HeadPose pose = wander(frame / 60.0);
-        coif_head_pose its;
-        coif_head_pose_init(&its);
-        for (int i = 0; i < 3; ++i) its.position[i] = pose.position[i];
-        its.rotation = {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w};
+        const coif_head_pose its = in_c(pose);
         ASSERT_EQ(coif_hair_set_head(hair, 0, &its), COIF_OK);
         ASSERT_EQ(same.hair.set_head(0, pose), Status::kOk);
         ASSERT_EQ(coif_hair_step(hair, &settings), COIF_OK);

@@ -1,5 +1,6 @@
 // coif.h does what coif/hair.h does, and takes what C callers may do wrong.
 
+#include "c/in_c.h"
 #include "models/playback.h"
 #include "models/small_asset.h"
 #include "models/test_rig.h"
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace coif::c_simulation_test {
-
-coif_head_pose in_c(const HeadPose& pose) {
-  return {{pose.position[0], pose.position[1], pose.position[2]},
-          {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w},
-          pose.scale,
-          pose.reserved};
-}
 
 class CSimulation : public testing::Test {
  protected:

@@ -200,6 +200,22 @@ TEST(Links, OfBonesThatLevelsOfDetailHoldComeToThem) {
   }
 }
 
+TEST(Links, HoldTheLongestChainsThatTheFormatHas) {
+  TestRig rig;
+  constexpr int kLong = 2047;  // two of them and the head are all the bones of an asset
+  for (const float side : {0.0f, 0.03f}) {
+    rig.add_strand(kLong,
+                   {.joint = {side, 0, 0}, .length = 0.001f, .stiffness = 400, .damping = 60, .torsion = kShortestArc});
+  }
+  for (std::uint32_t depth = 0; depth < kLong; ++depth) rig.link(1 + kLong + depth, 1 + depth);
+  TestHair test(rig, {.links = &kLinks});
+  for (int frame = 0; frame < 3; ++frame) {
+    ASSERT_EQ(test.hair.set_head(0, wander(frame / 60.0)), Status::kOk);
+    ASSERT_EQ(test.hair.step(at_rate(60)), Status::kOk);
+    EXPECT_LT(worst_excess(rig, test.ends()), 1e-4);
+  }
+}
+
 TEST(Links, GoOnFromASavedStateToTheBit) {
   for (const ChainModel model : kModels) {
     const TestRig rig = sheet_rig({.model = model});

@@ -224,7 +224,7 @@ std::string count_line(const std::string& name, const ordered_json& count) {
 }
 
 /// Empty where there are no body colliders, limits and links.
-std::string body_text(const ordered_json& summary) {
+std::string bounds_text(const ordered_json& summary) {
   std::string text;
   if (summary.contains("body")) {
     const ordered_json& body = summary["body"];
@@ -275,7 +275,7 @@ std::string asset_text(const std::string& name, const Asset& asset) {
   }
   for (const auto& [shape, count] : summary["collider_shapes"].items()) text += count_line("  " + shape, count);
   text += count_line("colliding_bones", summary["colliding_bones"]);
-  text += body_text(summary);
+  text += bounds_text(summary);
   for (const auto& texture : summary["textures"]) text += texture_line(texture);
   for (const char* key : {"model", "sides", "shading"}) {
     if (summary.contains(key)) text += fmt::format("  {:<16}{:>12}\n", key, summary[key].get<std::string>());

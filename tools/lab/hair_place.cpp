@@ -43,11 +43,7 @@ Vector3d middle_of(const Rig& rig, std::size_t tip, const std::vector<Vector3d>&
 HairPlace place_of(const Rig& rig) {
   HairPlace place;
   find_head(rig, place);
-  std::vector<Vector3d> ends;
-  for (const RigBone& bone : rig.bones) {
-    const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
-    ends.push_back(start + bone.length * bone.rest_direction);
-  }
+  const std::vector<Vector3d> ends = resting_ends(rig);
   const auto longest = std::size_t(std::ranges::max_element(rig.tip_length) - rig.tip_length.begin());
   if (longest >= rig.tips.size()) return place;
   place.length = rig.tip_length[longest];

@@ -1,5 +1,7 @@
 #include "lab/linked_neighbours.h"
 
+#include "lab/rig.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -42,13 +44,9 @@ std::uint32_t nearest_before(const Asset& asset, std::uint32_t chain) {
 }  // namespace
 
 AssetContents with_neighbours_linked(const Asset& asset) {
-  AssetContents contents;
-  contents.skeleton = asset.skeleton();
-  contents.bones.assign(asset.bones().begin(), asset.bones().end());
-  for (BoneRecord& bone : contents.bones) bone.name = kNone;
-  contents.chains.assign(asset.chains().begin(), asset.chains().end());
-  contents.dynamics.assign(asset.dynamics().begin(), asset.dynamics().end());
+  AssetContents contents = moving_part(asset);
   contents.colliders.assign(asset.colliders().begin(), asset.colliders().end());
+  contents.limits.assign(asset.limits().begin(), asset.limits().end());
   const std::vector<std::uint32_t> depths = depths_of(asset);
   for (std::uint32_t chain = 1; chain < asset.chains().size(); ++chain) {
     const ChainRecord& own = asset.chains()[chain];

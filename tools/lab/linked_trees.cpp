@@ -25,12 +25,6 @@ class Roots {
   std::vector<std::size_t> up_;
 };
 
-std::vector<int> depths_of(const Rig& rig) {
-  std::vector<int> depths;
-  for (const RigBone& bone : rig.bones) depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
-  return depths;
-}
-
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
@@ -47,7 +41,7 @@ std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
     if (root == i) trees.emplace_back();
     trees[tree_of[i]].push_back(std::uint32_t(i));
   }
-  const std::vector<int> depths = depths_of(rig);
+  const std::vector<int> depths = depths_of(rig.bones);
   for (const RigLink& link : rig.links) {
     auto& tree = trees[tree_of[link.bone]];
     const auto depth = [&](std::uint32_t bone) { return depths[bone]; };
@@ -57,17 +51,12 @@ std::vector<std::vector<std::uint32_t>> trees_of(const Rig& rig) {
 }
 
 void ReferenceTree::find_links(const Rig& rig, std::span<const int> place) {
-  std::vector<RigLink> links;
-  for (const RigLink& link : rig.links) {
-    if (place[link.bone] < 0) continue;
-    links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
-  }
+  std::vector<RigLink> links = links_among(rig, place);
   if (links.empty()) return;
   is_free_ = false;
-  std::vector<int> depths;
-  for (const RigBone& bone : bones_) {
-    depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
-    if (depths.size() > 1 && depths.back() > depths[depths.size() - 2]) level_ends_.push_back(depths.size() - 1);
+  const std::vector<int> depths = depths_of(bones_);
+  for (std::size_t i = 1; i < depths.size(); ++i) {
+    if (depths[i] > depths[i - 1]) level_ends_.push_back(i);
   }
   level_ends_.push_back(bones_.size());
   links_ = std::make_unique<ReferenceLinks>(std::move(links), bones_);

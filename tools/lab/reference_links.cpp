@@ -20,14 +20,14 @@ constexpr double kMostWay = 0.25;   ///< Of a bone's length, in one round.
 }  // namespace
 
 ReferenceLinks::ReferenceLinks(std::vector<RigLink> links, std::span<const RigBone> bones)
-    : links_(std::move(links)), bones_(bones) {
+    : links_(std::move(links)), bones_(bones), starts_(bones.size()) {
   const std::vector<Carried> carried = carried_at_rest(bones);
   for (std::size_t i = 0; i < bones.size(); ++i) {
     mobility_.push_back(bones[i].length * bones[i].length / carried[i].inertia);
   }
 }
 
-void ReferenceLinks::turn(std::size_t i, const Vector3d& way, Level& level) const {
+void ReferenceLinks::turn(std::size_t i, const Vector3d& way, const Level& level) const {
   const RigBone& bone = bones_[i];
   BoneState& state = level.states[i];
   const Vector3d before = state.frame * bone.rest_direction;
@@ -38,10 +38,10 @@ void ReferenceLinks::turn(std::size_t i, const Vector3d& way, Level& level) cons
   push(i, Vector3d::Zero(), level);
 }
 
-void ReferenceLinks::push(std::size_t i, const Vector3d& velocity, Level& level) const {
+void ReferenceLinks::push(std::size_t i, const Vector3d& velocity, const Level& level) const {
   const RigBone& bone = bones_[i];
   BoneState& state = level.states[i];
-  const BoneMotion& start = level.starts[i - level.begin];
+  const BoneMotion& start = starts_[i];
   const Vector3d direction = state.frame * bone.rest_direction;
   state.turning += across(velocity, direction) / bone.length;
   level.motions[i].end = start.end + bone.length * direction;
@@ -49,7 +49,7 @@ void ReferenceLinks::push(std::size_t i, const Vector3d& velocity, Level& level)
   level.turned[i] = 1;
 }
 
-double ReferenceLinks::shorten(const RigLink& link, Level& level) const {
+double ReferenceLinks::shorten(const RigLink& link, const Level& level) const {
   const Vector3d way = level.motions[link.to].end - level.motions[link.bone].end;
   const double size = way.norm();
   const double excess = size > link.longest ? size - link.longest : size < link.shortest ? size - link.shortest : 0.0;
@@ -70,7 +70,7 @@ double ReferenceLinks::shorten(const RigLink& link, Level& level) const {
   return std::abs(excess) / link.longest;
 }
 
-double ReferenceLinks::slow(const RigLink& link, Level& level) const {
+double ReferenceLinks::slow(const RigLink& link, const Level& level) const {
   const Vector3d way = level.motions[link.to].end - level.motions[link.bone].end;
   const double size = way.norm();
   if (!(size > 0)) return 0;
@@ -88,17 +88,18 @@ double ReferenceLinks::slow(const RigLink& link, Level& level) const {
   return std::abs(growing);
 }
 
-void ReferenceLinks::hold(Level& level) const {
-  std::vector<const RigLink*> own;
-  for (const RigLink& link : links_) {
-    if (link.bone >= level.begin && link.bone < level.end) own.push_back(&link);
-  }
+void ReferenceLinks::hold(const Level& level) const {
+  const auto before = [&](std::size_t end) {
+    return std::ranges::partition_point(links_, [end](const RigLink& link) { return link.bone < end; });
+  };
+  const std::span<const RigLink> own(before(level.begin), before(level.end));
   const auto repeat = [&](double least, const auto& part) {
     double most = least * 2;
     for (int round = 0; round < kRounds && most > least; ++round) {
       most = 0;
-      for (const RigLink* const link : own) most = std::max(most, part(*link));
-      std::ranges::reverse(own);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        most = std::max(most, part(own[round % 2 == 0 ? i : own.size() - 1 - i]));
+      }
     }
   };
   repeat(kWithin, [&](const RigLink& link) { return shorten(link, level); });

@@ -21,10 +21,9 @@ class ReferenceLinks {
   /// of these bones follow, and `turned` says which were.
   template <typename StartOf>
   void hold(std::size_t begin, std::size_t end, const StartOf& start_of, std::span<BoneState> states,
-            std::span<BoneMotion> motions, std::span<char> turned) const {
-    Level level{begin, end, states, motions, turned, {}};
-    for (std::size_t i = begin; i < end; ++i) level.starts.push_back(start_of(i));
-    hold(level);
+            std::span<BoneMotion> motions, std::span<char> turned) {
+    for (std::size_t i = begin; i < end; ++i) starts_[i] = start_of(i);
+    hold({begin, end, states, motions, turned});
   }
 
  private:
@@ -33,18 +32,18 @@ class ReferenceLinks {
     std::span<BoneState> states;
     std::span<BoneMotion> motions;
     std::span<char> turned;
-    std::vector<BoneMotion> starts;
   };
 
-  void hold(Level& level) const;
-  double shorten(const RigLink& link, Level& level) const;
-  double slow(const RigLink& link, Level& level) const;
-  void turn(std::size_t i, const Eigen::Vector3d& way, Level& level) const;
-  void push(std::size_t i, const Eigen::Vector3d& velocity, Level& level) const;
+  void hold(const Level& level) const;
+  double shorten(const RigLink& link, const Level& level) const;
+  double slow(const RigLink& link, const Level& level) const;
+  void turn(std::size_t i, const Eigen::Vector3d& way, const Level& level) const;
+  void push(std::size_t i, const Eigen::Vector3d& velocity, const Level& level) const;
 
-  std::vector<RigLink> links_;
+  std::vector<RigLink> links_;  ///< By depth.
   std::span<const RigBone> bones_;
-  std::vector<double> mobility_;  ///< 1/kg, as carried_at_rest() has masses.
+  std::vector<double> mobility_;    ///< 1/kg, as carried_at_rest() has masses.
+  std::vector<BoneMotion> starts_;  ///< Of the bones at hand: what they hang from.
 };
 
 }  // namespace coif

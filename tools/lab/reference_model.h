@@ -93,8 +93,8 @@ struct HeadStep {
 class PassiveModel;
 class ReferenceLinks;
 
-/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the classical Runge-Kutta method in double precision: fourth
-/// order where nothing touches, first order through contacts. Trees do not act on each other. Steps allocate nothing.
+/// The bones that hang from one joint of the head, and from those whose bones are linked to them, moved by the classical
+/// Runge-Kutta method in double precision: fourth order where nothing touches, first order through contacts and links. Trees do not act on each other. Steps allocate nothing.
 class ReferenceTree {
  public:
   /// `members`: bones of the rig, roots and all that hangs from them, parents first; where bones are linked, by depth. Linked chains are
@@ -156,6 +156,7 @@ class ReferenceTree {
   std::vector<BoneRates> rates_[4];
   std::vector<Eigen::Vector3d> before_;  ///< Directions at the start of the step.
   std::vector<char> moved_;
+  std::vector<char> turned_;  ///< By links.
 };
 
 /// What moves by itself: each root of the rig with all that hangs from it, and those that are linked to it. Bones in the rig's order, or by

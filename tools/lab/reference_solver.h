@@ -48,8 +48,8 @@ struct ReferenceRun {
 /// Where hair hangs under a head that stands still: the equilibrium of the model's forces.
 struct StaticPose {
   std::vector<Eigen::Vector3d> ends;  ///< Bone tails, head space, metres; the order of Rig::bones.
-  /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit: the pose then
-  /// says only where it would hang without. And in the passive model, of which it says nothing.
+  /// False where a bone, or one that it hangs from, would be inside a collider or beyond its angle limit, or is linked: the pose
+  /// then says only where it would hang without. And in the passive model, of which it says nothing.
   std::vector<bool> is_free;
 };
 

@@ -99,6 +99,7 @@ ReferenceTree::ReferenceTree(const Rig& rig, std::vector<std::uint32_t> members,
   free_motions_.resize(bones_.size());
   for (auto& rates : rates_) rates.resize(bones_.size());
   moved_.resize(bones_.size());
+  turned_.resize(bones_.size());
   before_.resize(bones_.size());
 }
 
@@ -201,10 +202,9 @@ void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadSta
     const int up = bones_[i].parent;
     return up < 0 ? motion_of_joint(bones_[i].joint, head) : motions_[std::size_t(up)];
   };
-  std::vector<char> turned(bones_.size());
-  links_->hold(begin, end, start_of, states_, motions_, turned);
+  links_->hold(begin, end, start_of, states_, motions_, turned_);
   for (std::size_t i = begin; i < end; ++i) {
-    if (!turned[i]) continue;
+    if (!std::exchange(turned_[i], char(0))) continue;
     const BoneMotion parent = start_of(i);
     moved_[i] = true;
     // Colliders last: as in the runtime, where both cannot be.

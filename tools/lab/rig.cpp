@@ -76,6 +76,30 @@ Rig rig_of(const Asset& asset) {
   return rig;
 }
 
+std::vector<Eigen::Vector3d> resting_ends(const Rig& rig) {
+  std::vector<Eigen::Vector3d> ends;
+  for (const RigBone& bone : rig.bones) {
+    const Eigen::Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
+    ends.push_back(start + bone.length * bone.rest_direction);
+  }
+  return ends;
+}
+
+std::vector<int> depths_of(std::span<const RigBone> bones) {
+  std::vector<int> depths;
+  for (const RigBone& bone : bones) depths.push_back(bone.parent < 0 ? 0 : depths[std::size_t(bone.parent)] + 1);
+  return depths;
+}
+
+std::vector<RigLink> links_among(const Rig& rig, std::span<const int> place) {
+  std::vector<RigLink> links;
+  for (const RigLink& link : rig.links) {
+    if (place[link.bone] < 0) continue;
+    links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
+  }
+  return links;
+}
+
 Rig in_model(Rig rig, ChainModel model) {
   for (RigBone& bone : rig.bones) bone.model = model;
   return rig;
@@ -122,10 +146,7 @@ RigSample sample_of(const Rig& rig, std::size_t most_bones) {
     place[sample.bones[i]] = int(i);
     sample.rig.bones.push_back(bone);
   }
-  for (const RigLink& link : rig.links) {
-    if (place[link.bone] < 0) continue;
-    sample.rig.links.push_back({std::uint32_t(place[link.bone]), std::uint32_t(place[link.to]), link.shortest, link.longest});
-  }
+  sample.rig.links = links_among(rig, place);
   for (std::size_t tip = 0; tip < rig.tips.size(); ++tip) {
     if (place[rig.tips[tip]] < 0) continue;
     sample.rig.tips.push_back(std::uint32_t(place[rig.tips[tip]]));
@@ -133,6 +154,16 @@ RigSample sample_of(const Rig& rig, std::size_t most_bones) {
     sample.rig.tip_chain.push_back(rig.tip_chain[tip]);
   }
   return sample;
+}
+
+AssetContents moving_part(const Asset& asset) {
+  AssetContents contents;
+  contents.skeleton = asset.skeleton();
+  contents.bones.assign(asset.bones().begin(), asset.bones().end());
+  for (BoneRecord& bone : contents.bones) bone.name = kNone;
+  contents.chains.assign(asset.chains().begin(), asset.chains().end());
+  contents.dynamics.assign(asset.dynamics().begin(), asset.dynamics().end());
+  return contents;
 }
 
 namespace {

@@ -46,8 +46,8 @@ struct RigBone {
 
 /// Two bones of a rig whose particles stay together: LinkRecord.
 struct RigLink {
-  std::uint32_t bone = 0, to = 0;         ///< Of Rig::bones.
-  double shortest = 0, longest = 0;       ///< Metres.
+  std::uint32_t bone = 0, to = 0;    ///< Of Rig::bones.
+  double shortest = 0, longest = 0;  ///< Metres.
 };
 
 /// What of an asset moves, for solvers that are not the runtime's. Parents come first.
@@ -64,6 +64,15 @@ struct Rig {
 
 [[nodiscard]] Rig rig_of(const Asset& asset);
 
+/// Where the bones end at rest, head space.
+[[nodiscard]] std::vector<Eigen::Vector3d> resting_ends(const Rig& rig);
+
+/// How many bones are above each.
+[[nodiscard]] std::vector<int> depths_of(std::span<const RigBone> bones);
+
+/// The links of a part of the rig. `place`: where in it each bone of the rig is, -1 for those that are not, nor is what they are linked to.
+[[nodiscard]] std::vector<RigLink> links_among(const Rig& rig, std::span<const int> place);
+
 /// The same bones, all moved by `model`.
 [[nodiscard]] Rig in_model(Rig rig, ChainModel model);
 
@@ -79,6 +88,9 @@ struct RigSample {
 /// Whole trees of bones (trees_of()), evenly chosen over the head, with at most `most_bones` bones, but at least one tree: these do
 /// not act on each other, so each moves as it does among all.
 [[nodiscard]] RigSample sample_of(const Rig& rig, std::size_t most_bones);
+
+/// Skeleton, bones, chains and dynamics of an open asset, without names: for assets that are that hair in other circumstances.
+[[nodiscard]] AssetContents moving_part(const Asset& asset);
 
 /// An asset made in memory, and the bytes it lives in: what is to be measured is run as a game would run it.
 class OpenedAsset {

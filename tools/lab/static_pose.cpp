@@ -34,6 +34,8 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
   const HeadState head{.rotation = Quaterniond::Identity()};
   StaticPose pose;
   std::vector<BoneMotion> motions;
+  std::vector<bool> is_linked(rig.bones.size());
+  for (const RigLink& link : rig.links) is_linked[link.bone] = is_linked[link.to] = true;
   for (const RigBone& bone : rig.bones) {
     const bool is_root = bone.parent < 0;
     const auto up = std::size_t(is_root ? 0 : bone.parent);
@@ -49,7 +51,7 @@ StaticPose static_pose(const Rig& rig, const SolverScene& scene, const Quaternio
     // Of the passive model there is no closed form: every bone's rest depends on all that hangs from it.
     const bool parent_is_free = bone.model == ChainModel::kCascade && (is_root || pose.is_free[up]);
     pose.is_free.push_back(
-        parent_is_free &&
+        parent_is_free && !is_linked[pose.ends.size()] &&
         is_within_limit(bone, target_of(bone, bone.rest_direction, parent, head).direction, direction) &&
         bounded(bone, parent.frame, direction).at.beyond <= kClear &&
         is_clear(rig, solids, bone, {parent.end, direction, bone.length, bone.hit_radius}));

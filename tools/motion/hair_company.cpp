@@ -8,9 +8,9 @@ HairDesc HairCompany::description(const Asset& asset, const Solver* usual) const
   HairDesc desc;
   desc.solver = usual;
   const bool in_gusts = gusts.amplitude > 0;
-  if ((colliders || pose || in_gusts) && usual == &kCoifSolver) desc.solver = &kCharacterSolver;
+  const bool is_worn = colliders || pose || in_gusts;
+  if (is_worn && usual == &kCoifSolver) desc.solver = &kCharacterSolver;
   desc.links = links_of(asset, *desc.solver);
-  if (!colliders && !pose && !in_gusts) return desc;
   if (colliders) desc.moving_colliders = kMaxMovingColliders;
   desc.follows_poses = bool(pose);
   desc.feels_gusts = in_gusts;

@@ -37,9 +37,8 @@ constexpr IssueCode kCodes[] = {
      "Its resistance is 1: it costs as much as any other and keeps the modelled pose.",
      "Make it a scalp bone, or lower \"dynamics.resistance\" at its place."},
     {"A224", kDynamics, kWarning, "link shorter or longer than its gap",
-     "The bones that it links are modelled closer together or farther apart than it lets them be: hair does not rest "
-     "where it was"
-     " modelled.",
+     "The bones that it links are modelled closer together or farther apart than it lets them be: hair does not rest"
+     " where it was modelled.",
      "Cook again; whoever wrote the links takes the distance of the particles at rest into their lengths."},
     {"A231", kGeometry, kWarning, "triangles without area", "They cost work and are never seen.",
      "Merge doubled vertices in the modeller, or cook again."},

@@ -141,7 +141,7 @@ struct LinkRecord {
   std::uint32_t bone;
   std::uint32_t to;
   float shortest;  ///< Between their particles, metres, 0..longest.
-  float longest;   ///< > 0.
+  float longest;   ///< Metres, 1e-6 or more.
 };
 static_assert(sizeof(LinkRecord) == 16);
 

@@ -7,6 +7,7 @@
 #include "linked_bone.h"
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
+#include "passive_bone-inl.h"
 #include "pose-inl.h"
 #include "row.h"
 
@@ -32,41 +33,26 @@ class HangingBone {
   HangingBone(const LinkedLane& at, std::uint32_t i, const HeldBone* parent)
       : at_(at), row_(*at.row), i_(i), lane_(at.lane), parent_(parent) {}
 
-  static void hang(const LinkedLane& at, std::uint32_t i, HeldBone& bone) {
-    const D d;
-    const HangingBone self(at, i, nullptr);
-    const MoveLanes& move = *self.row_.move;
-    const V3<D> joint = load(d, self.constants().joint, self.lane_);
-    const V3<D> start = rotate(d, self.turn(), joint);
-    bone.start = plain_of(d, start);
-    bone.start_velocity = plain_of(d, cross(d, load(d, move.angular_velocity, self.lane_), start));
+  void hang(HeldBone& bone) const {
+    const V3<D> start = rotate(d_, turn(), load(d_, constants().joint, lane_));
+    bone.start = plain_of(d_, start);
+    bone.start_velocity = plain_of(d_, cross(d_, load(d_, row_.move->angular_velocity, lane_), start));
   }
 
-  static bool is_rigid(const LinkedLane& at, std::uint32_t i) { return HangingBone(at, i, nullptr).is_rigid(); }
-
-  static void follow(const LinkedLane& at, std::uint32_t i, const HeldBone& parent, HeldBone& bone) {
-    HangingBone self(at, i, &parent);
-    self.follow(bone);
-    self.clear(bone);
-  }
-
-  static void clear(const LinkedLane& at, std::uint32_t i, const HeldBone* parent, HeldBone& bone) {
-    HangingBone(at, i, parent).clear(bone);
-  }
-
-  static void finish(const LinkedLane& at, std::uint32_t i, const HeldBone* parent, HeldBone& bone) {
-    HangingBone(at, i, parent).finish(bone);
-  }
-
- private:
-  [[nodiscard]] const RowBone& shape() const { return row_.bones[i_]; }
-  [[nodiscard]] const BoneLanes& constants() const { return row_.constants[i_]; }
-  [[nodiscard]] M3<D> turn() const { return load(d_, row_.move->from_head, lane_); }
   [[nodiscard]] bool is_rigid() const {
     if (constants().levels[lane_] <= std::int32_t(row_.level)) return true;
     const PoseLanes* const pose = pose_of(d_, row_, i_);
     return pose != nullptr && pose->weight.v[lane_] <= 0.0f;
   }
+
+  void follow(HeldBone& bone) const;
+  void clear(HeldBone& bone) const;
+  void finish(HeldBone& bone) const;
+
+ private:
+  [[nodiscard]] const RowBone& shape() const { return row_.bones[i_]; }
+  [[nodiscard]] const BoneLanes& constants() const { return row_.constants[i_]; }
+  [[nodiscard]] M3<D> turn() const { return load(d_, row_.move->from_head, lane_); }
 
   /// What the bone hangs from, as far as its own end is concerned. A first bone's parent frame is only known of moved chains' others.
   Carrier<D> carrier(const HeldBone& bone) const {
@@ -90,6 +76,11 @@ class HangingBone {
     return from;
   }
 
+  /// The modelled direction, world.
+  V3<D> arm_at_rest(const Carrier<D>& from) const {
+    return rotate(d_, turn(), rotate(d_, from.frame, load(d_, constants().rest, lane_)));
+  }
+
   /// The default direction, world: Section 2 of MODEL.md, "The step".
   V3<D> arm_of(const Carrier<D>& from) const {
     const bool leans = (shape().features & kRowLeans) != 0;
@@ -106,22 +97,10 @@ class HangingBone {
     return add_scaled(d_, scale(d_, arm, share), rotate(d_, turn(), asked), hn::Sub(hn::Set(d_, 1.0f), share));
   }
 
-  void follow(HeldBone& bone) const;
   void follow_as_cascade(const Carrier<D>& from, const V3<D>& shift, const V3<D>& change, HeldBone& bone) const;
-  void clear(HeldBone& bone) const;
   void clear_of_moving(const Carrier<D>& from, LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) const;
-  void finish(HeldBone& bone) const;
-
-  /// Forces go on, but for what of them leads where the bone was held, as in the row's step.
-  void give_way(const V3<D>& push, PassiveState& state) const {
-    const auto push2 = dot(d_, push, push);
-    if (!(hn::GetLane(push2) > 1e-18f)) return;
-    for (Lanes3* const lanes : {&state.acceleration, &state.lagged}) {
-      const V3<D> vector = load(d_, *lanes, lane_);
-      const auto against = hn::Div(hn::Min(dot(d_, vector, push), hn::Zero(d_)), push2);
-      store(d_, without_trace(d_, sub_scaled(d_, vector, push, against)), *lanes, lane_);
-    }
-  }
+  void remember_as_cascade(const HeldBone& bone, const V3<D>& arm, V<D> spin) const;
+  void remember_as_passive(const HeldBone& bone) const;
 
   const D d_{};
   const LinkedLane& at_;
@@ -158,7 +137,7 @@ void HangingBone<D>::follow(HeldBone& bone) const {
   const V3<D> shift = sub(d_, same(d_, parent_->end), same(d_, parent_->free_end));
   const V3<D> change = sub(d_, same(d_, parent_->end_velocity), same(d_, parent_->free_velocity));
   if (is_rigid()) {
-    const V3<D> arm = rotate(d_, turn(), rotate(d_, from.frame, load(d_, constants().rest, lane_)));
+    const V3<D> arm = arm_at_rest(from);
     bone.direction = plain_of(d_, arm);
     bone.velocity = plain_of(d_, scale(d_, cross(d_, from.angular_velocity, arm), hn::Set(d_, bone.length)));
   } else if (at_.is_cascade) {
@@ -170,6 +149,7 @@ void HangingBone<D>::follow(HeldBone& bone) const {
     bone.direction = plain_of(d_, direction);
     bone.velocity = plain_of(d_, across(d_, sub(d_, same(d_, bone.velocity), change), direction));
   }
+  clear(bone);
 }
 
 /// At the end of the part alone: the way there was the row's.
@@ -218,7 +198,7 @@ void HangingBone<D>::clear(HeldBone& bone) const {
   BoneMotion<D> now{same(d_, bone.direction), same(d_, bone.velocity)};
   if (shape().features & kRowHasLimit) {
     Target<D> target;
-    target.arm = rotate(d_, turn(), rotate(d_, from.frame, load(d_, constants().rest, lane_)));
+    target.arm = arm_at_rest(from);
     target.velocity = scale(d_, cross(d_, from.angular_velocity, target.arm), hn::Set(d_, bone.length));
     keep_in_limit(d_, load(d_, constants().limit_cosine, lane_), target.arm, target, now);
   }
@@ -241,6 +221,28 @@ void HangingBone<D>::clear(HeldBone& bone) const {
 }
 
 template <class D>
+void HangingBone<D>::remember_as_cascade(const HeldBone& bone, const V3<D>& arm, V<D> spin) const {
+  CoifState& state = static_cast<CoifState*>(row_.state)[i_];
+  store(d_, same(d_, bone.direction), state.direction, lane_);
+  store(d_, without_trace(d_, same(d_, bone.velocity)), state.velocity, lane_);
+  store(d_, arm, state.arm, lane_);
+  if (shape().features & kRowHasChildren) store(d_, spin, state.spin, lane_);
+}
+
+template <class D>
+void HangingBone<D>::remember_as_passive(const HeldBone& bone) const {
+  PassiveState& state = static_cast<PassiveState*>(row_.state)[i_];
+  store(d_, same(d_, bone.direction), state.direction, lane_);
+  store(d_, without_trace(d_, same(d_, bone.velocity)), state.velocity, lane_);
+  if (!bone.is_forced) return;
+  V3<D> acceleration = load(d_, state.acceleration, lane_), lagged = load(d_, state.lagged, lane_);
+  const V3<D> push = sub(d_, same(d_, bone.end_velocity), same(d_, bone.free_velocity));
+  give_way(d_, hn::Eq(push.x, push.x), push, acceleration, lagged);
+  store(d_, without_trace(d_, acceleration), state.acceleration, lane_);
+  store(d_, without_trace(d_, lagged), state.lagged, lane_);
+}
+
+template <class D>
 void HangingBone<D>::finish(HeldBone& bone) const {
   const Carrier<D> from = carrier(bone);
   const V3<D> rest = load(d_, constants().rest, lane_), by_parent = rotate(d_, from.frame, rest);
@@ -257,18 +259,7 @@ void HangingBone<D>::finish(HeldBone& bone) const {
   } else {
     spin = spin_of_arc(d_, rotate(d_, turn(), by_parent), direction, from.angular_velocity, swing, bent.per_fold);
   }
-  if (at_.is_cascade) {
-    CoifState& state = static_cast<CoifState*>(row_.state)[i_];
-    store(d_, direction, state.direction, lane_);
-    store(d_, without_trace(d_, velocity), state.velocity, lane_);
-    store(d_, arm_of(from), state.arm, lane_);
-    if (shape().features & kRowHasChildren) store(d_, spin, state.spin, lane_);
-  } else {
-    PassiveState& state = static_cast<PassiveState*>(row_.state)[i_];
-    store(d_, direction, state.direction, lane_);
-    store(d_, without_trace(d_, velocity), state.velocity, lane_);
-    if (bone.is_forced) give_way(sub(d_, same(d_, bone.end_velocity), same(d_, bone.free_velocity)), state);
-  }
+  at_.is_cascade ? remember_as_cascade(bone, arm_of(from), spin) : remember_as_passive(bone);
   if (row_.palette != nullptr) {
     store_matrix(d_, bent.frame, load(d_, constants().joint, lane_), from.position, row_.palette + lane_, i_, 1);
   }
@@ -286,12 +277,16 @@ void keep_in_limit_alone(void* bone) {
 }
 
 template <class D>
-inline constexpr LinkedBoneCode kHangingBones{.keep_in_limit = &keep_in_limit_alone<D>,
-                                              .hang = &HangingBone<D>::hang,
-                                              .is_rigid = &HangingBone<D>::is_rigid,
-                                              .follow = &HangingBone<D>::follow,
-                                              .clear = &HangingBone<D>::clear,
-                                              .finish = &HangingBone<D>::finish};
+inline constexpr LinkedBoneCode kHangingBones{
+    .keep_in_limit = &keep_in_limit_alone<D>,
+    .hang = [](const LinkedLane& at, std::uint32_t i, HeldBone& bone) { HangingBone<D>(at, i, nullptr).hang(bone); },
+    .is_rigid = [](const LinkedLane& at, std::uint32_t i) { return HangingBone<D>(at, i, nullptr).is_rigid(); },
+    .follow = [](const LinkedLane& at, std::uint32_t i, const HeldBone& parent,
+                 HeldBone& bone) { HangingBone<D>(at, i, &parent).follow(bone); },
+    .clear = [](const LinkedLane& at, std::uint32_t i, const HeldBone* parent,
+                HeldBone& bone) { HangingBone<D>(at, i, parent).clear(bone); },
+    .finish = [](const LinkedLane& at, std::uint32_t i, const HeldBone* parent,
+                 HeldBone& bone) { HangingBone<D>(at, i, parent).finish(bone); }};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace coif

@@ -61,6 +61,19 @@ HWY_INLINE Symmetric3<D> inverse_of(D d, const Symmetric3<D>& m) {
           hn::Mul(minor(m.xx, m.yy, m.xy, m.xy), k)};
 }
 
+/// Forces go on where a bone was held, but for what of them leads against what `push` its particle's velocity was changed by. The blow
+/// itself is over. Of PassiveState.
+template <class D>
+HWY_INLINE void give_way(D d, hn::Mask<D> held, const V3<D>& push, V3<D>& acceleration, V3<D>& lagged) {
+  const auto push2 = dot(d, push, push), zero = hn::Zero(d);
+  const auto is_pushed = hn::And(held, hn::Gt(push2, hn::Set(d, 1e-18f)));
+  const auto per_push = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(is_pushed, push2, hn::Set(d, 1.0f)));
+  for (V3<D>* const vector : {&acceleration, &lagged}) {
+    const auto against = hn::Mul(hn::Min(dot(d, *vector, push), zero), per_push);
+    set_where(d, is_pushed, sub_scaled(d, *vector, push, against), *vector);
+  }
+}
+
 /// A particle at the end of a step.
 template <class D>
 struct PassivePace {

@@ -79,15 +79,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const V3<D> end_velocity = add(d_, from.velocity, now.velocity);
   V3<D> acceleration = pace.acceleration, lagged = pace.lagged;
   if (HWY_UNLIKELY(!hn::AllFalse(d_, held))) {
-    // Forces go on, but for what of them leads where the bone was held. The blow itself is over.
-    const V3<D> push = sub(d_, end_velocity, pace.velocity);
-    const auto push2 = dot(d_, push, push), zero = hn::Zero(d_);
-    const auto is_pushed = hn::And(held, hn::Gt(push2, hn::Set(d_, 1e-18f)));
-    const auto per_push = hn::Div(hn::Set(d_, 1.0f), hn::IfThenElse(is_pushed, push2, hn::Set(d_, 1.0f)));
-    for (V3<D>* const vector : {&acceleration, &lagged}) {
-      const auto against = hn::Mul(hn::Min(dot(d_, *vector, push), zero), per_push);
-      set_where(d_, is_pushed, sub_scaled(d_, *vector, push, against), *vector);
-    }
+    give_way(d_, held, sub(d_, end_velocity, pace.velocity), acceleration, lagged);
   }
   store(d_, now.direction, state.direction, lane_);
   store(d_, without_trace(d_, acceleration), state.acceleration, lane_);

@@ -24,12 +24,8 @@ using Added = tl::expected<void, ToolError>;
 
 /// What Hair reads of the asset, with bones that touch nothing.
 AssetContents without_colliders(const Asset& asset) {
-  AssetContents contents;
-  contents.skeleton = asset.skeleton();
-  contents.bones.assign(asset.bones().begin(), asset.bones().end());
+  AssetContents contents = moving_part(asset);
   for (BoneRecord& bone : contents.bones) bone.colliders = 0;
-  contents.chains.assign(asset.chains().begin(), asset.chains().end());
-  contents.dynamics.assign(asset.dynamics().begin(), asset.dynamics().end());
   return contents;
 }
 

@@ -37,11 +37,7 @@ void LimitMeter::look(std::span<const Vector3d> ends) {
 double LimitMeter::worst() const { return sees_limits_ ? worst_ : kNothing; }
 
 LinkMeter::LinkMeter(const Rig& rig) : rig_(rig) {
-  std::vector<Vector3d> ends;
-  for (const RigBone& bone : rig.bones) {
-    const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
-    ends.push_back(start + bone.length * bone.rest_direction);
-  }
+  const std::vector<Vector3d> ends = resting_ends(rig);
   for (const RigLink& link : rig.links) gaps_.push_back((ends[link.bone] - ends[link.to]).norm());
 }
 
