@@ -3,8 +3,8 @@
 // The spans of `asset` are already known to lie inside the file and to hold whole records.
 
 #include <coif/asset.h>
+#include <coif/bit_cast.h>
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -49,7 +49,7 @@ inline bool in_range(float value, float low, float high) { return value >= low &
 /// The top bit is set where `value` is NaN, infinite or larger than kMaxCoordinate: floats without their sign are ordered
 /// as their bits are. For many numbers at once, whose words are joined and looked at once.
 inline std::uint32_t beyond_limit(float value) {
-  return std::bit_cast<std::uint32_t>(kMaxCoordinate) - (std::bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
+  return bit_cast<std::uint32_t>(kMaxCoordinate) - (bit_cast<std::uint32_t>(value) & 0x7FFFFFFFu);
 }
 
 template <std::size_t kCount>

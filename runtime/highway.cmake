@@ -23,11 +23,20 @@ function(coif_find_highway)
     message(FATAL_ERROR "COIF_SIMD=dispatch needs Highway's library for the target system (Debian: libhwy-dev); "
                         "-DCOIF_SIMD=static needs its headers only")
   else()
-    find_path(COIF_HIGHWAY_FOLDER hwy/highway.h DOC "Where hwy/highway.h of Highway is")
+    if(EMSCRIPTEN)
+      set(anywhere PATHS /usr/local/include /usr/include NO_CMAKE_FIND_ROOT_PATH)  # no package of Highway is for it, and headers are for every system
+    endif()
+    find_path(COIF_HIGHWAY_FOLDER hwy/highway.h ${anywhere} DOC "Where hwy/highway.h of Highway is")
     if(NOT COIF_HIGHWAY_FOLDER)
       message(FATAL_ERROR "found no hwy/highway.h: install Highway (Debian: libhwy-dev), or say -DCOIF_HIGHWAY_FOLDER=...")
     endif()
     set(folders ${COIF_HIGHWAY_FOLDER})
+    if(EMSCRIPTEN)
+      # Beside them may lie this machine's own headers, which are for no other system.
+      set(folders ${PROJECT_BINARY_DIR}/highway)
+      file(MAKE_DIRECTORY ${folders})
+      file(CREATE_LINK ${COIF_HIGHWAY_FOLDER}/hwy ${folders}/hwy SYMBOLIC)
+    endif()
   endif()
   set(COIF_HIGHWAY_HEADERS "${folders}" PARENT_SCOPE)
 endfunction()
@@ -53,6 +62,9 @@ extern const char set[] = "coif-instruction-set:scalar";
 #endif
 int main() { return set[0]; }
 ]])
+  if(EMSCRIPTEN)
+    set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # its programs are JavaScript, with the words elsewhere
+  endif()
   try_compile(compiled ${PROJECT_BINARY_DIR}/instruction_set ${source}
     CMAKE_FLAGS "-DINCLUDE_DIRECTORIES=${COIF_HIGHWAY_HEADERS}"
     COMPILE_DEFINITIONS ${definitions} OUTPUT_VARIABLE output COPY_FILE ${source}.bin)

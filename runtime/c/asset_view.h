@@ -3,10 +3,10 @@
 
 #include <coif.h>
 #include <coif/asset.h>
+#include <coif/bit_cast.h>
 #include <coif/math.h>
 #include <coif/status.h>
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,7 +43,7 @@ const InC* list(std::span<const Record> records, std::uint32_t* count) {
 template <typename To, typename From>
 To copied(const From& from) {
   static_assert(sizeof(To) == sizeof(From));
-  return std::bit_cast<To>(from);
+  return bit_cast<To>(from);
 }
 
 inline coif::Vec3 vector_of(const coif_vec3& from) { return {from.x, from.y, from.z}; }

@@ -1,10 +1,10 @@
+#include <coif/bit_cast.h>
 #include <coif/hair.h>
 
 #include "crowd_step.h"
 #include "float_environment.h"
 #include "vector_math.h"
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -21,7 +21,7 @@ bool is_told_again(const HeadPose* poses, const HeadPose* told, std::size_t coun
 }
 
 /// What was told came with a velocity: the same pose without one says something else. The bits are no host's.
-void forget_told(HeadPose& told) { told.position[0] = std::bit_cast<double>(std::uint64_t{0x7FF8'C01F'C01F'C01F}); }
+void forget_told(HeadPose& told) { told.position[0] = bit_cast<double>(std::uint64_t{0x7FF8'C01F'C01F'C01F}); }
 
 /// What has been set replaces what was set before; the way is counted from where the last step left the head.
 void aim_head(Block& block, std::uint32_t lane, const HeadPose& unit) {

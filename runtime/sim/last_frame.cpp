@@ -9,7 +9,8 @@ Status keep_palettes(const Hair& hair, std::span<Mat34> kept) {
   if (heads == 0) return Status::kNotCreated;
   if (kept.size() != std::size_t{heads} * bones) return Status::kSizeMismatch;
   for (std::uint32_t head = 0; head < heads; ++head) {
-    std::ranges::copy(hair.palette(head), kept.begin() + std::ptrdiff_t(std::size_t{head} * bones));
+    const std::span<const Mat34> palette = hair.palette(head);
+    std::copy(palette.begin(), palette.end(), kept.begin() + std::ptrdiff_t(std::size_t{head} * bones));
   }
   return Status::kOk;
 }

@@ -1,6 +1,7 @@
 #include "vector_math.h"
 
-#include <bit>
+#include <coif/bit_cast.h>
+
 #include <cstdint>
 
 namespace coif {
@@ -27,7 +28,7 @@ double exp(double x) {
   constexpr double kLn2High = 0.693147180369123816490, kLn2Low = 1.90821492927058770002e-10;
   const double power = rounded(x * 1.44269504088896340736);
   const double rest = (x - power * kLn2High) - power * kLn2Low;
-  return exponential_tail(rest, 0) * std::bit_cast<double>(std::uint64_t(std::int64_t(power) + 1023) << 52);
+  return exponential_tail(rest, 0) * bit_cast<double>(std::uint64_t(std::int64_t(power) + 1023) << 52);
 }
 
 double expm1(double x) { return x > -0.5 && x < 0.5 ? x * exponential_tail(x, 1) : exp(x) - 1; }

@@ -48,7 +48,7 @@ void set_slope_bias(const ShadowState& shadow, float texels) {
 }
 
 Status HairShadow::create(HairRenderer& hair_renderer, const GlLoader& loader, const ShadowDesc& desc) {
-  static_assert(sizeof(ShadowState) <= kStateBytes && alignof(ShadowState) <= alignof(void*));
+  static_assert(sizeof(ShadowState) <= kStateBytes && alignof(ShadowState) <= alignof(double));
   if (!hair_renderer.is_created()) return Status::kNotCreated;
   if (loader.get_proc == nullptr || !is_valid(desc)) return Status::kBadArgument;
   destroy();

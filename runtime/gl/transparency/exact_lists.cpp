@@ -109,7 +109,7 @@ bool make_lists(const ModeDraw& draw, const PixelArea& area, ListMemory& lists) 
     gl.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     const auto offered = static_cast<std::uint32_t>(most);
     lists.capacity = (offered < draw.renderer.list_bytes ? offered : draw.renderer.list_bytes) / kNodeBytes;
-    lists.nodes = make_buffer(gl, static_cast<GLsizeiptr>(lists.capacity) * kNodeBytes, GL_DYNAMIC_COPY);
+    lists.nodes = make_buffer(gl, static_cast<GLsizeiptr>(lists.capacity) * GLsizeiptr{kNodeBytes}, GL_DYNAMIC_COPY);
   }
   gl.DeleteBuffers(1, &lists.heads);
   lists.heads = make_buffer(gl, head_bytes(pixels), GL_DYNAMIC_READ);

@@ -130,7 +130,7 @@ class COIF_API HairShadow {
   static constexpr std::size_t kStateBytes = 512;
 
   ShadowState* state_ = nullptr;  ///< In room_, from the first create() on.
-  alignas(void*) std::byte room_[kStateBytes];
+  alignas(double) std::byte room_[kStateBytes];
 };
 
 }  // namespace coif
