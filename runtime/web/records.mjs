@@ -96,7 +96,7 @@ function number(value, key) {
 
 function writeVector(view, field, at, value, key) {
   const write = WRITE[field.type];
-  const isList = value?.length !== undefined;
+  const isList = typeof value?.length === 'number'; // three's vectors have a function of that name
   for (let i = 0; i < field.count; ++i) {
     const each = isList ? value[i] : value?.[AXES[i]];
     if (typeof each !== 'number') {
