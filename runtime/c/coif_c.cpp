@@ -28,10 +28,12 @@ using coif::c::vector_of;
 const coif::Solver* solver_of(std::uint32_t solver) {
   switch (solver) {
     case COIF_SOLVER_COIF: return &coif::kCoifSolver;
-    case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
     case COIF_SOLVER_PASSIVE: return &coif::kPassiveSolver;
     case COIF_SOLVER_CASCADE: return &coif::kCascadeSolver;
+#ifndef COIF_C_CROWDS_ALONE
+    case COIF_SOLVER_THESIS: return &coif::kThesisSolver;
     case COIF_SOLVER_CHARACTER: return &coif::kCharacterSolver;
+#endif
   }
   return nullptr;
 }
@@ -47,9 +49,13 @@ bool read(const coif_hair_desc* from, coif::HairDesc& desc) {
   desc.has_own_air = from->has_own_air != 0;
   desc.feels_gusts = from->feels_gusts != 0;
   desc.dynamics_sets = from->dynamics_sets;
+#ifdef COIF_C_CROWDS_ALONE  // what a build that leaves out characters, links and Algorithm 1 does not know, it refuses
+  return from->keeps_links == 0;
+#else
   const bool is_worn = from->solver == COIF_SOLVER_CHARACTER;
   if (from->keeps_links != 0) desc.links = is_worn ? &coif::kCharacterLinks : &coif::kLinks;
   return true;
+#endif
 }
 
 coif::StepSettings settings_of(const coif_step_settings& from) {

@@ -19,6 +19,8 @@ export type Quat = ArrayLike<number> | { x: number; y: number; z: number; w: num
 export interface LoadOptions {
   /** Of all assets and crowds together, bytes; 2 MB to 4 GB, 64 MB when nothing is said. Pages that nothing was put into cost nothing. */
   memoryBytes?: number;
+  /** 'crowd': without the solvers 'character' and 'thesis', and without keepsLinks; a bit more than half as large. */
+  parts?: 'all' | 'crowd';
   /** coif.wasm: where it is, its bytes, or the module. When nothing is said, the file beside this one. */
   wasm?: string | URL | BufferSource | WebAssembly.Module | Response | Promise<Response>;
 }

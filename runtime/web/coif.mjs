@@ -28,7 +28,11 @@ async function compile(wasm) {
   return WebAssembly.compile(await answer.arrayBuffer());
 }
 
-export async function loadCoif({ memoryBytes = 64 << 20, wasm = new URL('./coif.wasm', import.meta.url) } = {}) {
+// Literally, for bundlers, which look for such files.
+const MODULES = { all: new URL('./coif.wasm', import.meta.url), crowd: new URL('./coif-crowd.wasm', import.meta.url) };
+
+export async function loadCoif({ memoryBytes = 64 << 20, parts = 'all', wasm = MODULES[parts] } = {}) {
+  if (wasm === undefined) throw new CoifError(`parts is '${parts}'; it must be all or crowd`, 'COIF_BAD_ARGUMENT');
   if (!(memoryBytes >= LEAST_BYTES && memoryBytes <= 4294901760)) {
     throw new CoifError(`memoryBytes is ${memoryBytes}; it must be ${LEAST_BYTES} to 4294901760`, 'COIF_BAD_ARGUMENT');
   }

@@ -15,7 +15,7 @@ export class Hair {
     const { exports, memory } = coif;
     const wanted = coif.fill('HairDesc', desc, 'coif_hair_desc_init');
     this.bytes = exports.coif_hair_memory_need(asset.open && asset.at, asset.byteLength, wanted) >>> 0;
-    if (this.bytes === 0) throw new CoifError('createHair: a member of the description is out of its range', 'COIF_BAD_ARGUMENT');
+    if (this.bytes === 0) throw new CoifError('createHair: a member of the description is out of its range, or of what the loaded module was built without', 'COIF_BAD_ARGUMENT');
     this.memory = memory.take(this.bytes, 'hair');
     const [out, kept] = [coif.scratch + 512, coif.fill('HairDesc', desc, 'coif_hair_desc_init')];
     const status = exports.coif_hair_create(asset.at, asset.byteLength, kept, this.memory, this.bytes, out);

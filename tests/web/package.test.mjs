@@ -161,3 +161,20 @@ test('a character has colliders, air, poses, and time to settle', async () => {
   moves(() => hair.setPose(0, quarter, [0]));
   hair.setPose(0);
 });
+
+test('the module for crowds gives the same bits, and refuses what it leaves out', async () => {
+  const [all, crowd] = [await loadCoif(), await loadCoif({ parts: 'crowd' })];
+  const play = (coif, solver) => {
+    const hair = coif.openAsset(bob).createHair({ solver });
+    for (let frame = 0; frame < 40; ++frame) {
+      hair.setHead(0, turned(frame));
+      hair.step();
+    }
+    return Float32Array.from(hair.palette(0));
+  };
+  for (const solver of ['coif', 'passive', 'cascade']) assert.deepEqual(play(crowd, solver), play(all, solver));
+  refused(() => play(crowd, 'character'), /built without/, 'COIF_BAD_ARGUMENT');
+  refused(() => play(crowd, 'thesis'), /built without/);
+  refused(() => crowd.openAsset(bob).createHair({ keepsLinks: true }), /built without/);
+  await assert.rejects(loadCoif({ parts: 'some' }), /must be all or crowd/);
+});

@@ -15,7 +15,11 @@ test('the README\'s example runs from an installed tarball', () => {
   try {
     const packed = JSON.parse(run(folder, process.env.NPM, 'pack', '--json', resolve('node_modules/coif')))[0];
     const files = packed.files.map(({ path }) => path).sort();
-    assert.ok(['LICENSE', 'README.md', 'coif.d.ts', 'coif.mjs', 'coif.wasm', 'vrm.d.ts', 'vrm.mjs'].every((name) => files.includes(name)), `${files}`);
+    assert.ok(['LICENSE', 'README.md', 'coif.d.ts', 'coif.mjs', 'coif.wasm', 'coif-crowd.wasm', 'vrm.d.ts', 'vrm.mjs'].every((name) => files.includes(name)), `${files}`);
+    for (const [name, most] of [['coif.wasm', 393216], ['coif-crowd.wasm', 212992]]) {
+      const { size } = packed.files.find(({ path }) => path === name);
+      assert.ok(size <= most, `${name}: ${size} bytes, above ${most}`);
+    }
     writeFileSync(join(folder, 'package.json'), '{"private": true, "type": "module"}');
     run(folder, process.env.NPM, 'install', ...NPM_ARGS, `./${packed.filename}`);
     const readme = readFileSync(join(folder, 'node_modules/coif/README.md'), 'utf8');
