@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const char* name : {"a", "b"}) {
-    const std::vector<std::byte> bytes = coif::write_asset(coif::crowd_contents(*name == 'a' ? coif::kCrowd : coif::kOneHead));
+    const std::vector<std::byte> bytes =
+        coif::write_asset(coif::crowd_contents(*name == 'a' ? coif::kCrowd : coif::kOneHead));
     std::ofstream file(std::string(argv[1]) + "/" + name + ".coif", std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     file.close();
