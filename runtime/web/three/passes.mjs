@@ -15,7 +15,7 @@ const DEPTH_ALPHA = 0.5; // where not writing depth shows more of what is behind
 const pass = (name, from, to, solid, more = {}) => ({
   name, from, to, solid, keep: 'keep_range.glsl', side: DoubleSide, blended: false, writesColor: true, writesDepth: true, ...more });
 
-const thinned = (name, keep, more) => ({ discard, opaque }) => [pass(name, discard, NO_LIMIT, opaque, { keep, thins: true, ...more })];
+const thinned = (name, keep, before) => ({ discard, opaque }) => [pass(name, discard, NO_LIMIT, opaque, { keep, before, thins: true })];
 
 /** For thresholds and flags of a material: the passes in their order. */
 export const MODES = {
@@ -29,8 +29,8 @@ export const MODES = {
     ];
   },
   opaque: ({ opaque }) => [pass('cut', opaque, NO_LIMIT, opaque)],
-  hashed: thinned('hashed', 'keep_hashed.glsl', { scattered: true }),
-  bayer: ({ discard, opaque }) => [pass('bayer', discard, NO_LIMIT, opaque, { keep: 'keep_bayer.glsl', bayer: true, thins: true })],
+  hashed: thinned('hashed', 'keep_hashed.glsl'),
+  bayer: thinned('bayer', 'keep_bayer.glsl', 'bayer_square.glsl'),
   coverage: ({ discard, opaque }) => [pass('coverage', Math.min(opaque, Math.max(discard, DEPTH_ALPHA)), NO_LIMIT, opaque,
     { keep: 'keep_sharpened.glsl', toCoverage: true, thins: true })],
 };

@@ -70,7 +70,7 @@ varying vec2 hair_uv;
 varying vec3 rest_place;
 uniform vec4 base_color;
 ${pieces['hair_base.glsl']}
-${pass.scattered ? pieces['scattered.glsl'] : ''}
+${pass.before === undefined ? '' : pieces[pass.before]}
 ${pieces[pass.keep].replace(/^in vec3 rest_place;.*$/m, '')}
 `;
 
