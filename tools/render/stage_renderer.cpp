@@ -80,9 +80,9 @@ void main() {
   fragment = vec4(color * light, 1.0);
 })glsl";
 
-GLuint upload(const SolidMesh& mesh) {
+/// Returns the vertex array.
+GLuint upload(const SolidMesh& mesh, std::uint32_t (&buffers)[2]) {
   GLuint array = 0;
-  GLuint buffers[2] = {};
   glGenVertexArrays(1, &array);
   glGenBuffers(2, buffers);
   glBindVertexArray(array);
@@ -153,17 +153,31 @@ tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const Sol
   const char* const backdrop_fragment = kBackdropFragment;
   const auto backdrop = build_gl_program(kBackdropVertex, {&backdrop_fragment, 1});
   if (!backdrop) return tl::unexpected(backdrop.error());
-  const auto body = build_body(shadow);
-  if (!body) return tl::unexpected(body.error());
+  const auto body_program = build_body(shadow);
+  if (!body_program) return tl::unexpected(body_program.error());
 
   StageRenderer stage;
   stage.backdrop_program_ = *backdrop;
-  stage.body_program_ = *body;
+  stage.body_program_ = *body_program;
   glGenVertexArrays(1, &stage.empty_vertex_array_);
   for (const SolidMesh& mesh : meshes) {
-    stage.bodies_.push_back({upload(mesh), static_cast<std::int32_t>(mesh.triangles.size()), mesh.color});
+    Body& body = stage.bodies_.emplace_back();
+    body.vertex_array = upload(mesh, body.buffers);
+    body.index_count = static_cast<std::int32_t>(mesh.triangles.size());
+    body.color = mesh.color;
   }
   return stage;
+}
+
+void StageRenderer::destroy() {
+  for (const Body& body : bodies_) {
+    glDeleteVertexArrays(1, &body.vertex_array);
+    glDeleteBuffers(2, body.buffers);
+  }
+  bodies_.clear();
+  glDeleteVertexArrays(1, &empty_vertex_array_);
+  glDeleteProgram(backdrop_program_);
+  glDeleteProgram(body_program_);
 }
 
 void StageRenderer::draw_backdrop() const {
