@@ -124,6 +124,15 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   glUniform2f(glGetUniformLocation(program, "clay"), kClayAmbient, kClayWrap);
 }
 
+/// Once, before the first draw: two kinds of samplers on one unit are an error, whether they are read or not.
+void set_shadow_units(GLuint program, const HairShadow& shadow) {
+  glUseProgram(program);
+  for (GLuint i = 0; i < HairShadow::kTextures; ++i) {
+    if (shadow.sampler(i) != nullptr) glUniform1i(glGetUniformLocation(program, shadow.sampler(i)), GLint(i));
+  }
+  glUseProgram(0);
+}
+
 void set_shadow(GLuint program, const HairShadow& shadow) {
   const ShadowUniforms uniforms = shadow.uniforms({});
   glUniformMatrix4fv(glGetUniformLocation(program, "map_from_world"), 1, GL_FALSE, uniforms.map_from_origin);
@@ -133,7 +142,6 @@ void set_shadow(GLuint program, const HairShadow& shadow) {
     if (shadow.sampler(i) == nullptr) continue;
     glActiveTexture(GL_TEXTURE0 + i);
     glBindTexture(GL_TEXTURE_2D, shadow.texture(i));
-    glUniform1i(glGetUniformLocation(program, shadow.sampler(i)), GLint(i));
   }
   glActiveTexture(GL_TEXTURE0);
 }
@@ -159,6 +167,7 @@ tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const Sol
   StageRenderer stage;
   stage.backdrop_program_ = *backdrop;
   stage.body_program_ = *body_program;
+  if (shadow != nullptr) set_shadow_units(*body_program, *shadow);
   glGenVertexArrays(1, &stage.empty_vertex_array_);
   for (const SolidMesh& mesh : meshes) {
     Body& body = stage.bodies_.emplace_back();
