@@ -1,5 +1,6 @@
 #include "view/page/view_session.h"
 
+#include "base/asset_refusal.h"
 #include "base/geometry.h"
 
 #include <emscripten/emscripten.h>
@@ -29,12 +30,8 @@ tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vec
   session->memory_ = allocate({bytes.size(), kFileAlignment});
   if (!session->memory_) return failure(ToolError::Kind::kBadInput, "out of memory");
   std::copy(bytes.begin(), bytes.end(), session->memory_.get());
-  const LoadStatus status = session->asset_.open({session->memory_.get(), bytes.size()});
-  if (!status) {
-    char text[256];
-    describe(status, text, sizeof text);
-    return failure(ToolError::Kind::kBadInput, text);
-  }
+  const LoadStatus status = open_whole({session->memory_.get(), bytes.size()}, session->asset_);
+  if (!status) return tl::unexpected(refusal_of(status));
   if (!has_mesh(session->asset_)) {
     return failure(ToolError::Kind::kBadInput,
                    "the asset has no mesh to draw; cook it again without leaving the mesh out");
