@@ -7,7 +7,8 @@
 #             hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
-#     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; fma: one of them
+#     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; or one of them by
+#             its preset: fma, avx2, native, clang, x86-32, arm64
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
 set -u
@@ -82,9 +83,10 @@ for part in ${*:-plain}; do
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       variants) install fuzz variants && for preset in fma avx2 native clang x86-32 arm64; do try_variant $preset; done ;;
-      fma) try_variant fma ;;
+      fma | avx2 | native) try_variant "$part" ;;
+      clang | x86-32 | arm64) install fuzz variants && try_variant "$part" ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, variants, fma, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, variants (or one of them), debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done
