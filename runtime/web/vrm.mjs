@@ -87,7 +87,10 @@ export class SimulatedHair {
   #takeSpringsAway() {
     this.removed = [];
     if (this.springs === undefined || this.springs === null) return;
-    const moved = new Set(this.joints.map(({ node }) => node));
+    const moved = new Set();
+    for (let { node } of this.joints) { // with what lies between head and bones, which stands still for coif
+      for (; node !== null && node !== this.head; node = node.parent) moved.add(node);
+    }
     for (const joint of [...this.springs.joints]) {
       if (!moved.has(joint.bone)) continue;
       this.removed.push(joint);
@@ -138,6 +141,7 @@ export class SimulatedHair {
     for (const { node, bone, above, before, after } of this.joints) {
       this.turned.copy(this.absolute[above]).invert().multiply(this.absolute[bone]);
       node.quaternion.copy(before).multiply(this.turned).multiply(after);
+      node.updateMatrix(); // three-vrm took that on itself for nodes of its springs
     }
   }
 
