@@ -69,7 +69,8 @@ try_variant() {
 }
 
 test_web() {
-  install web && build web -DCOIF_TESTS=OFF coif_web && build release -DCOIF_TESTS=ON coif_cli coif_step_motions && run release web -L '^web$'
+  install web && build web -DCOIF_TESTS=OFF coif_web coif_view_html && build release -DCOIF_TESTS=ON coif_cli coif_step_motions &&
+    run release web -L '^web$'
 }
 
 compare_builds() {
