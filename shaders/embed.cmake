@@ -1,11 +1,22 @@
-# Writes shader files into one C++ header, each piece as a string constant kShader<Name>. Run by the build:
+# Writes shader files into one C++ header, each piece as a string constant kShader<Name>, or where OUT is a .mjs into a JavaScript
+# module that exports them as `pieces`, by name. Run by the build:
 #   cmake -D "FILES=a.vert;b.glsl" -D OUT=header.h -P embed.cmake
 # A line `//// keep_range.glsl` begins a piece of that name; what stands before the first such line is about the file. With
 # ` after NAME`, a piece above comes first in it. A file without such lines is one piece. hair_depth.frag becomes
 # kShaderHairDepthFrag. Line numbers in a compiler's log are counted from the first piece's first line.
-set(text "#pragma once\n// Generated from shaders/; do not edit.\n\nnamespace coif {\n")
+get_filename_component(kind "${OUT}" EXT)
+if(kind STREQUAL ".mjs")
+  set(text "// Generated from shaders/; do not edit.\nexport const pieces = {\n")
+else()
+  set(text "#pragma once\n// Generated from shaders/; do not edit.\n\nnamespace coif {\n")
+endif()
 
 function(write_piece name source)
+  if(kind STREQUAL ".mjs")
+    string(REPLACE "`" "'" source "${source}")  # of comments; a template ends there
+    set(text "${text}'${name}': /* glsl */ `${source}`,\n" PARENT_SCOPE)
+    return()
+  endif()
   string(REGEX REPLACE "[_.]" ";" words "${name}")
   set(constant "")
   foreach(word IN LISTS words)
@@ -43,5 +54,9 @@ foreach(file IN LISTS FILES)
     write_piece("${name}" "${piece_${name}}")
   endwhile()
 endforeach()
-string(APPEND text "\n}  // namespace coif\n")
+if(kind STREQUAL ".mjs")
+  string(APPEND text "};\n")
+else()
+  string(APPEND text "\n}  // namespace coif\n")
+endif()
 file(WRITE "${OUT}" "${text}")

@@ -7,8 +7,9 @@
 #             hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
-#     web     the npm package: WebAssembly gives the same bits in node; the tarball; VRM models of three-vrm
-#     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; fma: one of them
+#     web     in WebAssembly: the npm package gives the same bits in node, hair in three's scenes and the page of coif view in Chromium
+#     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; or one of them by
+#             its preset: fma, avx2, native, clang, x86-32, arm64
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
 set -u
@@ -68,7 +69,8 @@ try_variant() {
 }
 
 test_web() {
-  install web && build web -DCOIF_TESTS=OFF coif_web && build release -DCOIF_TESTS=ON coif_cli coif_step_motions && run release web -L '^web$'
+  install web && build web -DCOIF_TESTS=OFF coif_web coif_view_html && build release -DCOIF_TESTS=ON coif_cli coif_step_motions &&
+    run release web -L '^web$'
 }
 
 compare_builds() {
@@ -88,9 +90,10 @@ for part in ${*:-plain}; do
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       web) test_web ;;
       variants) install fuzz variants && for preset in fma avx2 native clang x86-32 arm64; do try_variant $preset; done ;;
-      fma) try_variant fma ;;
+      fma | avx2 | native) try_variant "$part" ;;
+      clang | x86-32 | arm64) install fuzz variants && try_variant "$part" ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, variants, fma, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, variants (or one of them), debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

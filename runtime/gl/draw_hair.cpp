@@ -23,6 +23,7 @@ DrawView view_of(const DrawDesc& desc) {
 
 bool can_order(const DrawDesc& desc, const RendererState& renderer, const ModelState& model) {
   if (desc.order == nullptr) return true;
+  if (renderer.webgl != nullptr) return false;
   return desc.order->fits(model.hair) && bytes_of_ordered_head(renderer, model) <= renderer.stream.most();
 }
 

@@ -20,7 +20,6 @@
   X(BlendFuncSeparate)       \
   X(BufferData)              \
   X(BufferSubData)           \
-  X(ClientWaitSync)          \
   X(ColorMask)               \
   X(CompileShader)           \
   X(CompressedTexSubImage2D) \
@@ -30,7 +29,6 @@
   X(DeleteBuffers)           \
   X(DeleteProgram)           \
   X(DeleteShader)            \
-  X(DeleteSync)              \
   X(DeleteTextures)          \
   X(DeleteVertexArrays)      \
   X(DepthFunc)               \
@@ -39,7 +37,6 @@
   X(DrawElementsInstanced)   \
   X(Enable)                  \
   X(EnableVertexAttribArray) \
-  X(FenceSync)               \
   X(FrontFace)               \
   X(GenBuffers)              \
   X(GenTextures)             \
@@ -53,7 +50,6 @@
   X(GetUniformBlockIndex)    \
   X(GetUniformLocation)      \
   X(LinkProgram)             \
-  X(MapBufferRange)          \
   X(PixelStorei)             \
   X(ShaderSource)            \
   X(TexParameteri)           \
@@ -62,20 +58,27 @@
   X(Uniform1i)               \
   X(Uniform3f)               \
   X(UniformBlockBinding)     \
-  X(UnmapBuffer)             \
   X(UseProgram)              \
   X(VertexAttribIPointer)    \
   X(VertexAttribPointer)
 
+/// Apart, because WebGL 2 has no memory to map.
+#define COIF_GL_MAPPING_FUNCTIONS(X) \
+  X(ClientWaitSync)                  \
+  X(DeleteSync)                      \
+  X(FenceSync)                       \
+  X(MapBufferRange)                  \
+  X(UnmapBuffer)
+
 /// Defines a struct of the functions in LIST, each with its exact type, and load(): fills it, and returns the name of the
 /// first function that the host does not find, null when all are there.
-#define COIF_GL_TABLE(Table, LIST)           \
-  struct Table {                             \
-    LIST(COIF_GL_MEMBER)                     \
+#define COIF_GL_TABLE(Table, LIST)             \
+  struct Table {                               \
+    LIST(COIF_GL_MEMBER)                       \
     const char* load(const GlLoader& loader) { \
-      LIST(COIF_GL_LOAD)                     \
-      return nullptr;                        \
-    }                                        \
+      LIST(COIF_GL_LOAD)                       \
+      return nullptr;                          \
+    }                                          \
   }
 #define COIF_GL_MEMBER(name) decltype(&gl##name) name = nullptr;
 #define COIF_GL_LOAD(name)                                                           \
@@ -84,7 +87,16 @@
 
 namespace coif {
 
-COIF_GL_TABLE(GlFunctions, COIF_GL_FUNCTIONS);
+COIF_GL_TABLE(GlCoreFunctions, COIF_GL_FUNCTIONS);
+COIF_GL_TABLE(GlMappingFunctions, COIF_GL_MAPPING_FUNCTIONS);
+
+struct GlFunctions : GlCoreFunctions, GlMappingFunctions {
+  /// Null where all that is asked for is there.
+  const char* load(const GlLoader& loader, bool maps) {
+    const char* const missing = GlCoreFunctions::load(loader);
+    return missing != nullptr || !maps ? missing : GlMappingFunctions::load(loader);
+  }
+};
 
 void clear_errors(const GlFunctions& gl);
 

@@ -1,6 +1,7 @@
 #include "gl/renderer_state.h"
 #include "gl/shader_programs.h"
 #include "gl/textures.h"
+#include "gl/webgl_code.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -66,10 +67,10 @@ Status HairModel::upload(HairRenderer& hair_renderer, const Asset& asset, const 
   const bool has_indices = fresh.upload_indices(gl, asset);
   reset_unpack_state(gl);
   gl.ActiveTexture(GL_TEXTURE0);
-  fresh.base_texture = upload_texture(gl, asset, TextureRole::kBaseColor);
-  fresh.shift_mask_texture = upload_texture(gl, asset, TextureRole::kShiftMask);
-  fresh.normal_texture = upload_texture(gl, asset, TextureRole::kNormal);
-  fresh.strand_texture = upload_texture(gl, asset, TextureRole::kStrandAxis);
+  fresh.base_texture = upload_texture(renderer, asset, TextureRole::kBaseColor);
+  fresh.shift_mask_texture = upload_texture(renderer, asset, TextureRole::kShiftMask);
+  fresh.normal_texture = upload_texture(renderer, asset, TextureRole::kNormal);
+  fresh.strand_texture = upload_texture(renderer, asset, TextureRole::kStrandAxis);
   if (fresh.layout.bones_in_texture) fresh.palette_texture = make_palette_texture(gl, fresh.hair.bone_count);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   if (!has_indices || gl.GetError() != GL_NO_ERROR) {
@@ -122,6 +123,11 @@ bool ModelState::upload_indices(const GlFunctions& gl, const Asset& asset) {
   gl.BindVertexArray(vertex_array);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+  if (renderer->webgl != nullptr) {
+    renderer->webgl->send_indices(gl, asset, hair, renderer->scratch);
+    gl.BindVertexArray(0);
+    return true;
+  }
   void* const memory = gl.MapBufferRange(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes),
                                          GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
   if (memory != nullptr) {

@@ -14,6 +14,7 @@ static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + kMostBl
 static_assert(kLeastStream / StreamBuffer::kParts >= sizeof(DrawBlock) + 512 + (kMaxBones + 1) * sizeof(Mat34));
 
 bool is_valid(const RendererDesc& desc) {
+  if (desc.webgl != nullptr && desc.scratch.size() < desc.stream_bytes / StreamBuffer::kParts) return false;
   return desc.stream_bytes >= kLeastStream && desc.stream_bytes <= kMostStream && desc.block_bytes >= kLeastBlock &&
          desc.block_bytes <= kMostBlock && desc.list_bytes >= kLeastLists && desc.list_bytes <= kMostLists;
 }
@@ -41,7 +42,7 @@ Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
   state_ = new (static_cast<void*>(room_)) RendererState;
   RendererState& state = *state_;
   const GlFunctions& gl = state.gl;
-  if (const char* missing = state.gl.load(loader)) {
+  if (const char* missing = state.gl.load(loader, desc.webgl == nullptr)) {
     std::snprintf(state.failure, sizeof state.failure, "%s is missing; OpenGL ES 3.0 is needed", missing);
     return Status::kDriver;
   }
@@ -49,21 +50,23 @@ Status HairRenderer::create(const GlLoader& loader, const RendererDesc& desc) {
   GLint major = 0;
   gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   if (major < 3) {
-    std::snprintf(state.failure, sizeof state.failure,
-                  "the current context has version %d; OpenGL ES 3.0 is needed", major);
+    std::snprintf(state.failure, sizeof state.failure, "the current context has version %d; OpenGL ES 3.0 is needed",
+                  major);
     return Status::kDriver;
   }
   GLint minor = 0;
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-  state.storage_blocks = storage_blocks_of(gl, major, minor);
+  state.storage_blocks = desc.webgl != nullptr ? 0 : storage_blocks_of(gl, major, minor);
   state.has_sample_masks = major > 3 || minor >= 2;
   state.loader = loader;
   state.list_bytes = desc.list_bytes;
+  state.webgl = desc.webgl;
+  state.scratch = desc.scratch;
   GLint most = 0;
   gl.GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &most);
   const auto offered = static_cast<std::uint32_t>(most);
   state.block_bytes = (offered < desc.block_bytes ? offered : desc.block_bytes) / 16 * 16;
-  if (!state.stream.create(gl, desc.stream_bytes)) {
+  if (!state.stream.create(gl, desc.stream_bytes, desc.webgl != nullptr ? desc.scratch.data() : nullptr)) {
     state.stream.destroy(gl);
     std::snprintf(state.failure, sizeof state.failure, "no memory for a stream of %u bytes",
                   unsigned{desc.stream_bytes});

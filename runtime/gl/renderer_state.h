@@ -45,6 +45,8 @@ struct RendererState {
   bool has_sample_masks = false;     ///< Fragment shaders may say which samples are drawn.
   std::uint32_t list_bytes = 0;
   std::uint32_t block_bytes = 0;  ///< Of the matrices' uniform block.
+  const WebGlCode* webgl = nullptr;
+  std::span<std::byte> scratch;  ///< With `webgl`.
   bool is_created = false;
   char failure[512] = {};
   std::uint32_t program_count = 0;

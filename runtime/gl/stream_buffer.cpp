@@ -2,7 +2,8 @@
 
 namespace coif {
 
-bool StreamBuffer::create(const GlFunctions& gl, std::uint32_t bytes) {
+bool StreamBuffer::create(const GlFunctions& gl, std::uint32_t bytes, std::byte* scratch) {
+  scratch_ = scratch;
   GLint alignment = 0;
   gl.GetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   alignment_ = alignment > 16 ? static_cast<std::uint32_t>(alignment) : 16;
@@ -42,14 +43,23 @@ std::byte* StreamBuffer::take(const GlFunctions& gl, std::uint32_t bytes, std::u
   end_ = offset_ + bytes;
   for (std::uint32_t part = part_of(offset_); part <= part_of(end_ - 1); ++part) wait_for(gl, part);
   gl.BindBuffer(GL_UNIFORM_BUFFER, buffer_);
+  if (scratch_ != nullptr) return scratch_;
   return static_cast<std::byte*>(
       gl.MapBufferRange(GL_UNIFORM_BUFFER, static_cast<GLintptr>(offset_), static_cast<GLsizeiptr>(bytes),
-                         GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_UNSYNCHRONIZED_BIT));
+                        GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_UNSYNCHRONIZED_BIT));
 }
 
-void StreamBuffer::give(const GlFunctions& gl) { gl.UnmapBuffer(GL_UNIFORM_BUFFER); }
+void StreamBuffer::give(const GlFunctions& gl) {
+  if (scratch_ == nullptr) {
+    gl.UnmapBuffer(GL_UNIFORM_BUFFER);
+  } else {
+    gl.BufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(offset_), static_cast<GLsizeiptr>(end_ - offset_),
+                     scratch_);
+  }
+}
 
 void StreamBuffer::leave(const GlFunctions& gl, std::uint32_t first, std::uint32_t last) {
+  if (scratch_ != nullptr) return;
   for (std::uint32_t part = first; part < last; ++part) {
     if (fences_[part] == nullptr) fences_[part] = gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   }

@@ -14,8 +14,9 @@ class StreamBuffer {
  public:
   static constexpr std::uint32_t kParts = 4;
 
-  /// Leaves the uniform buffer binding empty. False where the driver has no memory.
-  [[nodiscard]] bool create(const GlFunctions& gl, std::uint32_t bytes);
+  /// Leaves the uniform buffer binding empty. False where the driver has no memory. `scratch`: null, or a part's bytes to write
+  /// to where nothing can be mapped; what is sent from there the driver itself keeps apart from what the GPU still reads.
+  [[nodiscard]] bool create(const GlFunctions& gl, std::uint32_t bytes, std::byte* scratch = nullptr);
   void destroy(const GlFunctions& gl);
 
   [[nodiscard]] GLuint name() const { return buffer_; }
@@ -42,6 +43,7 @@ class StreamBuffer {
   void leave(const GlFunctions& gl, std::uint32_t first, std::uint32_t last);
 
   GLuint buffer_ = 0;
+  std::byte* scratch_ = nullptr;
   std::uint32_t bytes_ = 0;
   std::uint32_t cursor_ = 0;
   std::uint32_t alignment_ = 1;  ///< Of what a uniform block may be bound to.

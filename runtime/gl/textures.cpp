@@ -1,5 +1,7 @@
 #include "gl/textures.h"
 
+#include "gl/webgl_code.h"
+
 #include <coif/math.h>
 
 #include <cstddef>
@@ -13,11 +15,13 @@ struct PixelLayout {
   GLenum transfer;  // GL_NONE: compressed
 };
 
-PixelLayout layout_of(TexelFormat format) {
+PixelLayout layout_of(TexelFormat format, bool decodes) {
   switch (format) {
     case TexelFormat::kSrgb8Alpha8: break;
     case TexelFormat::kRg8: return {GL_RG8, GL_RG};
-    case TexelFormat::kRg11Eac: return {GL_COMPRESSED_RG11_EAC, GL_NONE};  // core in OpenGL ES 3.0
+    case TexelFormat::kRg11Eac:
+      if (decodes) return {GL_RG8, GL_RG};
+      return {GL_COMPRESSED_RG11_EAC, GL_NONE};  // core in OpenGL ES 3.0
   }
   return {GL_SRGB8_ALPHA8, GL_RGBA};
 }
@@ -49,8 +53,13 @@ GLuint bind_new_texture(const GlFunctions& gl, GLint wrap) {
   return texture;
 }
 
-void send_mip(const GlFunctions& gl, const Asset& asset, const TextureRecord& record, std::uint32_t mip) {
-  const PixelLayout layout = layout_of(record.format);
+void send_mip(const RendererState& renderer, const Asset& asset, const TextureRecord& record, std::uint32_t mip) {
+  const GlFunctions& gl = renderer.gl;
+  if (renderer.webgl != nullptr && record.format == TexelFormat::kRg11Eac) {
+    renderer.webgl->send_eac(gl, asset, record, mip, renderer.scratch);
+    return;
+  }
+  const PixelLayout layout = layout_of(record.format, false);
   const auto level = static_cast<GLint>(mip);
   const GLsizei width = mip_size(record.width, mip);
   const GLsizei height = mip_size(record.height, mip);
@@ -96,14 +105,16 @@ void reset_unpack_state(const GlFunctions& gl) {
   gl.PixelStorei(GL_UNPACK_SKIP_IMAGES, 0);
 }
 
-GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole role) {
+GLuint upload_texture(const RendererState& renderer, const Asset& asset, TextureRole role) {
+  const GlFunctions& gl = renderer.gl;
   const TextureRecord* const record = asset.texture(role);
   if (record == nullptr) return 0;
   const GLuint texture = bind_new_texture(gl, wrap_of(asset));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count), layout_of(record->format).storage,
-                  static_cast<GLsizei>(record->width), static_cast<GLsizei>(record->height));
-  for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) send_mip(gl, asset, *record, mip);
+  gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(record->mip_count),
+                  layout_of(record->format, renderer.webgl != nullptr).storage, static_cast<GLsizei>(record->width),
+                  static_cast<GLsizei>(record->height));
+  for (std::uint32_t mip = 0; mip < record->mip_count; ++mip) send_mip(renderer, asset, *record, mip);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   return texture;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Textures, and the points where they and uniform blocks are bound.
 
-#include "gl/gl_functions.h"
+#include "gl/renderer_state.h"
 
 #include <coif/asset.h>
 
@@ -32,7 +32,7 @@ void reset_unpack_state(const GlFunctions& gl);
 
 /// Makes the asset's texture of this role with all its mips; 0 where the asset has none. Leaves the texture bound to
 /// the active unit. Errors show in glGetError.
-GLuint upload_texture(const GlFunctions& gl, const Asset& asset, TextureRole role);
+GLuint upload_texture(const RendererState& renderer, const Asset& asset, TextureRole role);
 
 /// One without mips, for what shaders read texel by texel. Leaves it bound to the active unit. Errors show in glGetError.
 [[nodiscard]] GLuint make_texture(const GlFunctions& gl, GLenum format, GLsizei width, GLsizei height);

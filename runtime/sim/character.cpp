@@ -18,6 +18,7 @@ void carve(MemoryCarver& carver, const Asset& asset, const HairDesc& desc, std::
   character.places = character.body_colliders + desc.moving_colliders;
   const std::uint64_t places = std::uint64_t(desc.instances) * character.places;
   character.told = carver.take<ToldCollider>(places);
+  character.there = carver.take<std::uint64_t>(character.places != 0 ? desc.instances : 0);
   character.ways = carver.take<ColliderWay>(places);
   character.way_counts = carver.take<std::uint32_t>(character.places != 0 ? desc.instances : 0);
   character.most_ways = carver.take<std::uint32_t>(character.places != 0 ? blocks : 0);

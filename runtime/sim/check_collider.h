@@ -11,9 +11,7 @@ inline constexpr float kLargestCollider = 1e6f;  ///< Metres.
 /// kBadArgument for a number that is not finite or out of its range.
 [[nodiscard]] inline Status check_collider(const MovingCollider& c) {
   const bool fits = c.shape <= ColliderShape::kBox;
-  const HeadPose pose{{c.center[0], c.center[1], c.center[2]}, c.rotation};
-  HeadPose unit_pose;
-  if (!fits || normalise_pose(pose, unit_pose) != Status::kOk) return Status::kBadArgument;
+  if (!fits || !is_finite(c.center) || !is_unit(c.rotation)) return Status::kBadArgument;
   if (!is_finite(c.axis) || !is_finite(c.half_extents)) return Status::kBadArgument;
   const auto is_length = [](float metres) { return metres >= 0.0f && metres <= kLargestCollider; };
   const Vec3& half = c.half_extents;

@@ -61,6 +61,7 @@ struct CharacterState {
   std::uint32_t body_colliders = 0;
   float reach = 0;                      ///< No bone is further from its head's position, hair's metres.
   std::span<ToldCollider> told;         ///< Per instance, per place.
+  std::span<std::uint64_t> there;       ///< Per instance: a bit for each place in which a collider has been told.
   std::span<ColliderWay> ways;          ///< Per instance, per place: of those within reach. During a step.
   std::span<std::uint32_t> way_counts;  ///< Per instance.
   std::span<std::uint32_t> most_ways;   ///< Per block.

@@ -3,6 +3,7 @@
 #include "crowd.h"
 #include "vector_math.h"
 
+#include <bit>
 #include <cmath>
 
 namespace coif {
@@ -210,19 +211,12 @@ bool is_far(const ToldCollider& told, const HeadAt& before, const HeadAt& after,
   return before2 > 4 * radius * radius && 4 * way2 < now2;
 }
 
-bool has_any(const CharacterState& character, std::uint32_t instance) {
-  const auto told = character.told.subspan(std::size_t(instance) * character.places, character.places);
-  for (const ToldCollider& one : told) {
-    if (one.is_there) return true;
-  }
-  return false;
-}
-
 /// The colliders of the head in lane `i`, of which the last step's places are now forgotten.
 std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const HeadStepLanes& step, bool is_put,
                         const StepParts& parts) {
   CharacterState& character = crowd.character;
-  if (!has_any(character, block.instance[i])) return 0;
+  std::uint64_t there = character.there[block.instance[i]];
+  if (there == 0) return 0;
   const HeadLanes& heads = block.heads;
   const Vec3 way = lane(heads.way, i);
   const float per_scale = heads.per_scale.v[i];
@@ -236,9 +230,9 @@ std::uint32_t find_ways(CrowdState& crowd, Block& block, std::uint32_t i, const 
   const HeadPace pace{parts.dt, lane(step.next_velocity, i) * per_scale, lane(step.next_angular_velocity, i)};
   const std::size_t first = std::size_t(block.instance[i]) * character.places;
   std::uint32_t count = 0;
-  for (std::uint32_t place = 0; place < character.places; ++place) {
+  for (; there != 0; there &= there - 1) {
+    const auto place = std::uint32_t(std::countr_zero(there));
     ToldCollider& told = character.told[first + place];
-    if (!told.is_there) continue;
     ColliderWay& to = character.ways[first + count];
     // Hair was carried along through a share of a frame that took too long.
     for (int axis = 0; axis < 3; ++axis) {

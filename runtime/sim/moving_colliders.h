@@ -18,14 +18,14 @@ struct CrowdState;
 
 /// Of one head: those of its asset that hang on a body, and the game's.
 inline constexpr std::uint32_t kMaxPlaces = kMaxBodyColliders + kMaxMovingColliders;
+static_assert(kMaxPlaces <= 64, "each has a bit");
 
 /// As told: world. Kept for each head and place that it may have a collider in.
 struct ToldCollider {
   MovingCollider now;
   double center_before[3] = {};  ///< At the end of the head's last step.
   Quat rotation_before;
-  float extent = 0;  ///< From its center, in its own metres: all of it is within.
-  bool is_there = false;
+  float extent = 0;         ///< From its center, in its own metres: all of it is within.
   bool has_way = false;     ///< It was there at the end of the last step too.
   bool is_of_body = false;  ///< Its lengths are the hair's, not the world's.
   bool keeps_inside = false;

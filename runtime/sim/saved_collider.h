@@ -17,7 +17,6 @@ static_assert(sizeof(SavedCollider) == 6 * sizeof(double) + 24 * sizeof(float));
 
 inline SavedCollider packed(const ToldCollider& told) {
   SavedCollider saved{};
-  if (!told.is_there) return saved;
   const MovingCollider& now = told.now;
   for (int axis = 0; axis < 3; ++axis) saved.center[axis] = now.center[axis];
   for (int axis = 0; told.has_way && axis < 3; ++axis) saved.center_before[axis] = told.center_before[axis];
@@ -35,6 +34,11 @@ inline SavedCollider packed(const ToldCollider& told) {
   return saved;
 }
 
+/// What is no collider was never told.
+[[nodiscard]] inline bool is_collider(const SavedCollider& saved, const ToldCollider& told) {
+  return (saved.flags & 1u) != 0 && check_collider(told.now) == Status::kOk;
+}
+
 inline ToldCollider unpacked(const SavedCollider& saved) {
   ToldCollider told;
   for (int axis = 0; axis < 3; ++axis) {
@@ -49,13 +53,10 @@ inline ToldCollider unpacked(const SavedCollider& saved) {
   told.now.radius = saved.radius;
   told.now.end_radius = saved.end_radius;
   told.now.shape = ColliderShape(saved.shape);
-  told.is_there = (saved.flags & 1u) != 0;
   told.has_way = (saved.flags & 2u) != 0;
   told.is_of_body = (saved.flags & 4u) != 0;
   told.keeps_inside = (saved.flags & 8u) != 0;
   told.now.is_velocity_known = (saved.flags & 16u) != 0;
-  // What is no collider was never told.
-  told.is_there = told.is_there && check_collider(told.now) == Status::kOk;
   told.extent = extent_of(told.now);
   return told;
 }

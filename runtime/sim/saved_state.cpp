@@ -125,9 +125,12 @@ void pass_character(CrowdState& crowd, std::uint32_t instance, Tape& tape) {
   CharacterState& character = crowd.character;
   for (std::uint32_t place = 0; place < character.places; ++place) {
     ToldCollider& told = character.told[std::size_t(instance) * character.places + place];
-    SavedCollider saved = packed(told);
+    std::uint64_t& there = character.there[instance];
+    const std::uint64_t bit = std::uint64_t{1} << place;
+    SavedCollider saved = (there & bit) != 0 ? packed(told) : SavedCollider{};
     tape.pass(&saved, sizeof saved);
     told = unpacked(saved);
+    there = is_collider(saved, told) ? there | bit : there & ~bit;
   }
   if (character.is_posed.empty()) return;
   std::uint8_t posed = character.is_posed[instance];

@@ -7,6 +7,8 @@
 #include "float_environment.h"
 #include "vector_math.h"
 
+#include <bit>
+
 namespace coif {
 namespace {
 
@@ -33,20 +35,47 @@ bool is_in_reach(const CrowdState& crowd, std::uint32_t instance, const ToldColl
   return told.keeps_inside || distance2 < reach * reach;
 }
 
+/// A head's collider in one place.
+struct Place {
+  Place(CrowdState& all, std::uint32_t head, std::uint32_t index)
+      : crowd(all),
+        instance(head),
+        bit(std::uint64_t{1} << index),
+        told(all.character.told[std::size_t(head) * all.character.places + index]) {}
+
+  [[nodiscard]] bool is_taken() const { return (crowd.character.there[instance] & bit) != 0; }
+  [[nodiscard]] bool holds(const MovingCollider& collider) const {
+    return is_taken() && same_collider(told.now, collider);
+  }
+  /// True of a sleeping head to which it matters that this one comes, goes or moves.
+  [[nodiscard]] bool wakes() const {
+    return crowd.details[instance].asleep && is_taken() && is_in_reach(crowd, instance, told);
+  }
+
+  CrowdState& crowd;
+  std::uint32_t instance;
+  std::uint64_t bit;
+  ToldCollider& told;
+};
+
 /// Takes the place of what was told before; a sleeping head wakes where it matters.
-void tell(CrowdState& crowd, std::uint32_t instance, std::uint32_t place, const ToldCollider& next) {
-  ToldCollider& told = crowd.character.told[std::size_t(instance) * crowd.character.places + place];
-  if (told.is_there == next.is_there && (!next.is_there || same_collider(told.now, next.now))) return;
-  const bool matters =
-      (told.is_there && is_in_reach(crowd, instance, told)) || (next.is_there && is_in_reach(crowd, instance, next));
-  const bool has_way = told.has_way && next.is_there && told.now.shape == next.now.shape;
-  told.extent = next.extent;
-  told.now = next.now;
-  told.is_there = next.is_there;
-  told.has_way = has_way;
-  told.is_of_body = next.is_of_body;
-  told.keeps_inside = next.keeps_inside;
-  if (matters && crowd.details[instance].asleep) wake(crowd, instance);
+void tell(const Place& place, const MovingCollider& next, bool is_of_body, bool keeps_inside) {
+  ToldCollider& told = place.told;
+  const bool woke = place.wakes();
+  told.has_way = place.is_taken() && told.has_way && told.now.shape == next.shape;
+  told.extent = extent_of(next);
+  told.now = next;
+  told.is_of_body = is_of_body;
+  told.keeps_inside = keeps_inside;
+  place.crowd.character.there[place.instance] |= place.bit;
+  if (woke || place.wakes()) wake(place.crowd, place.instance);
+}
+
+void take_away(const Place& place) {
+  const bool woke = place.wakes();
+  place.told.has_way = false;
+  place.crowd.character.there[place.instance] &= ~place.bit;
+  if (woke) wake(place.crowd, place.instance);
 }
 
 /// A collider of the asset as its bone carries it. `rest`: of the bone, from its own axes to head space.
@@ -72,17 +101,22 @@ MovingCollider carried_by(const ColliderRecord& record, const BodyBoneRecord& re
 Status Hair::set_colliders(std::uint32_t instance, std::span<const MovingCollider> colliders) {
   if (block_of(crowd_, instance) == nullptr) return missing(crowd_);
   CharacterState& character = crowd_->character;
-  if (colliders.size() > character.places - character.body_colliders) return Status::kNotAsked;
+  const std::uint32_t first = character.body_colliders, room = character.places - first;
+  if (colliders.size() > room) return Status::kNotAsked;
   const FloatEnvironment plain;
-  for (const MovingCollider& collider : colliders) {
-    if (const Status status = check_collider(collider); status != Status::kOk) return status;
+  std::uint32_t changed = 0;  // what is told again was right before
+  for (std::uint32_t i = 0; i < colliders.size(); ++i) {
+    if (Place(*crowd_, instance, first + i).holds(colliders[i])) continue;
+    if (const Status status = check_collider(colliders[i]); status != Status::kOk) return status;
+    changed |= 1u << i;
   }
-  for (std::uint32_t i = 0; i < character.places - character.body_colliders; ++i) {
-    ToldCollider next;
-    next.is_there = i < colliders.size();
-    if (next.is_there) next.now = colliders[i];
-    next.extent = extent_of(next.now);
-    tell(*crowd_, instance, character.body_colliders + i, next);
+  for (; changed != 0; changed &= changed - 1) {
+    const auto i = std::uint32_t(std::countr_zero(changed));
+    tell(Place(*crowd_, instance, first + i), colliders[i], false, false);
+  }
+  const auto next = first + std::uint32_t(colliders.size());
+  for (std::uint64_t gone = character.there[instance] >> next << next; gone != 0; gone &= gone - 1) {
+    take_away(Place(*crowd_, instance, std::uint32_t(std::countr_zero(gone))));
   }
   return Status::kOk;
 }
@@ -105,12 +139,9 @@ Status Hair::set_body(std::uint32_t instance, std::span<const BodyPose> bones) {
     const ColliderRecord& record = asset.body_colliders()[i];
     const BodyPose& bone = bones[record.bone];
     (void)normalise_pose({{bone.position[0], bone.position[1], bone.position[2]}, bone.rotation}, unit);
-    ToldCollider next;
-    next.now = carried_by(record, asset.body_bones()[record.bone], unit, scale);
-    next.is_there = next.is_of_body = true;
-    next.extent = extent_of(next.now);
-    next.keeps_inside = (record.flags & kColliderKeepsInside) != 0;
-    tell(*crowd_, instance, i, next);
+    const MovingCollider next = carried_by(record, asset.body_bones()[record.bone], unit, scale);
+    const Place place(*crowd_, instance, i);
+    if (!place.holds(next)) tell(place, next, true, (record.flags & kColliderKeepsInside) != 0);
   }
   return Status::kOk;
 }

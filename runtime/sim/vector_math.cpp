@@ -68,16 +68,12 @@ double norm(const Quat& q) {
   return std::sqrt(x * x + y * y + z * z + w * w);
 }
 
-/// False for anything with a NaN or an infinity.
-bool is_unit(const Quat& rotation) { return std::fabs(norm(rotation) - 1.0) <= kUnitTolerance; }
-
 }  // namespace
 
+bool is_unit(const Quat& rotation) { return std::fabs(norm(rotation) - 1.0) <= kUnitTolerance; }
+
 Status normalise_pose(const HeadPose& pose, HeadPose& unit) {
-  for (const double metres : pose.position) {
-    if (!std::isfinite(metres)) return Status::kBadPose;
-  }
-  if (!is_unit(pose.rotation)) return Status::kBadPose;
+  if (!is_finite(pose.position) || !is_unit(pose.rotation)) return Status::kBadPose;
   if (!(pose.scale >= kSmallestScale && pose.scale <= kLargestScale)) return Status::kBadPose;
   const double scale = 1.0 / norm(pose.rotation);
   const Quat& q = pose.rotation;

@@ -34,6 +34,9 @@ inline Vec3 any_perpendicular(const Vec3& v) {
   return sideways * (1.0f / length(sideways));
 }
 
+inline bool is_finite(const double (&place)[3]) {
+  return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
+}
 inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 /// Records store vectors and quaternions as bare arrays.
@@ -90,6 +93,9 @@ inline Quat renormalised(const Quat& q) {
   const float scale = 1.0f / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
+
+/// Its length is off one by no more than hosts may be; false for anything with a NaN or an infinity.
+[[nodiscard]] bool is_unit(const Quat& rotation);
 
 /// Copies `pose` to `unit` with its rotation normalised; kBadPose, with `unit` untouched, where coif/hair.h says so.
 Status normalise_pose(const HeadPose& pose, HeadPose& unit);

@@ -1,5 +1,6 @@
 #include "cook/image_files.h"
 #include "cook/texture/bake_textures.h"
+#include "models/eac_texels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,28 +9,9 @@
 
 namespace coif::eac_rg11_test {
 
-// A decoder written to the Khronos Data Format Specification, apart from the encoder.
-constexpr int kModifier[16][8] = {
-    {-3, -6, -9, -15, 2, 5, 8, 14}, {-3, -7, -10, -13, 2, 6, 9, 12}, {-2, -5, -8, -13, 1, 4, 7, 12},
-    {-2, -4, -6, -13, 1, 3, 5, 12}, {-3, -6, -8, -12, 2, 5, 7, 11},  {-3, -7, -9, -11, 2, 6, 8, 10},
-    {-4, -7, -8, -11, 3, 6, 7, 10}, {-3, -5, -8, -11, 2, 4, 7, 10},  {-2, -6, -8, -10, 1, 5, 7, 9},
-    {-2, -5, -8, -10, 1, 4, 7, 9},  {-2, -4, -8, -10, 1, 3, 7, 9},   {-2, -5, -7, -10, 1, 4, 6, 9},
-    {-3, -4, -7, -10, 2, 3, 6, 9},  {-1, -2, -3, -10, 0, 1, 2, 9},   {-4, -6, -8, -9, 3, 5, 7, 8},
-    {-3, -5, -7, -9, 2, 4, 6, 8},
-};
-
 /// 0..1 as a sampler returns it.
 double decode(std::span<const std::uint8_t> bytes, const Image& like, std::uint32_t x, std::uint32_t y, int channel) {
-  const std::size_t block = std::size_t(y / 4) * ((like.width + 3) / 4) + x / 4;
-  const std::uint8_t* half = &bytes[block * 16 + std::size_t(channel) * 8];
-  const std::uint32_t texel = x % 4 * 4 + y % 4;
-  const std::uint32_t first_bit = 16 + 3 * texel;
-  int index = 0;
-  for (std::uint32_t bit = first_bit; bit < first_bit + 3; ++bit)
-    index = index * 2 + (half[bit / 8] >> (7 - bit % 8) & 1);
-  const int modifier = kModifier[half[1] & 15][index], multiplier = half[1] >> 4;
-  const int value = half[0] * 8 + 4 + (multiplier == 0 ? modifier : modifier * multiplier * 8);
-  return std::clamp(value, 0, 2047) / 2047.0;
+  return eac_rg11_value(bytes, like.width, x, y, channel) / 2047.0;
 }
 
 double worst_difference(const Image& image) {

@@ -41,7 +41,7 @@ Rig pendulum_rig() {
   bone.resistance = 0.1;
   bone.stiffness = 400;
   bone.damping = 40;
-  return {.bones = {bone}, .colliders = {}, .tips = {}, .tip_length = {}, .tip_chain = {}};
+  return {.bones = {bone}, .colliders = {}, .links = {}, .tips = {}, .tip_length = {}, .tip_chain = {}};
 }
 
 Rig mirrored(Rig rig) {

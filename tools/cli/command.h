@@ -56,6 +56,7 @@ Command add_simulate(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_look(CLI::App& program);
 Command add_gallery(CLI::App& program);
+Command add_view_page(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_strip(CLI::App& program);

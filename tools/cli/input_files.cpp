@@ -1,8 +1,8 @@
 #include "cli/input_files.h"
 
+#include "base/asset_refusal.h"
 #include "base/text.h"
 #include "cook/select/select_hair.h"
-#include "validate/find_issues.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,29 +13,10 @@
 #include <utility>
 
 namespace coif {
-namespace {
-
-ToolError::Kind error_kind(LoadCode code) {
-  const bool newer = code == LoadCode::kMajorVersion || code == LoadCode::kChunkUnknown;
-  return newer ? ToolError::Kind::kUnsupported : ToolError::Kind::kBadInput;
-}
-
-const char* cure(LoadCode code) {
-  return code == LoadCode::kMagic ? "give a file written by 'coif cook'" : "cook its source again";
-}
-
-}  // namespace
 
 bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   const bool is_asset = bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
   return !is_asset && find_suffix(path).has_value();
-}
-
-LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset) {
-  LoadStatus status = asset.open(bytes);
-  if (status) status = asset.verify_draw_data();
-  if (!status) asset = Asset{};
-  return status;
 }
 
 tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
@@ -48,8 +29,8 @@ tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& 
   AssetFile file(std::move(bytes));
   const LoadStatus status = open_whole(file.bytes_.span(), file.asset_);
   if (!status) {
-    return tl::unexpected(ToolError{
-        error_kind(status.code), fmt::format("{}: {}; {}", path.string(), describe_text(status), cure(status.code))});
+    const ToolError refusal = refusal_of(status);
+    return tl::unexpected(ToolError{refusal.kind, path.string() + ": " + refusal.message});
   }
   return file;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/asset_refusal.h"
 #include "base/files.h"
 #include "base/tool_error.h"
 #include "cli/messages.h"
@@ -38,9 +39,6 @@ class AssetFile {
   FileBytes bytes_;
   Asset asset_;
 };
-
-/// open() with every hash compared: a tool's files are looked at by people, who want to know.
-LoadStatus open_whole(std::span<const std::byte> bytes, Asset& asset);
 
 /// A file is taken for a source only by a suffix that the importer knows; everything else should be an asset.
 [[nodiscard]] bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes);

@@ -65,6 +65,21 @@ PlacedSolid::PlacedSolid(const MovingCollider& collider, const HeadPose& head)
   size = size_of(*this);
 }
 
+PlacedSolid::PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& moved)
+    : shape(record.shape),
+      center(moved * Vector3d(record.center[0], record.center[1], record.center[2])),
+      axis(record.axis[0], record.axis[1], record.axis[2]),
+      radius(record.radii[0]),
+      end_radius(record.radii[1]),
+      half_extents(record.radii[0], record.radii[1], record.radii[2]) {
+  // The axis of a record is in head space already.
+  const float* const q = record.rotation;
+  const Quaterniond own = Quaterniond(double(q[3]), double(q[0]), double(q[1]), double(q[2])).normalized();
+  to_own_axes = (Quaterniond(moved.rotation()) * own).conjugate();
+  axis = own.conjugate() * axis;
+  size = size_of(*this);
+}
+
 double PlacedSolid::gap(const Vector3d& point) const {
   const Vector3d offset = to_own_axes * (point - center);
   switch (shape) {
@@ -113,7 +128,8 @@ double avoidable_depth(const PlacedSolid& solid, const HairSegment& segment) {
   return std::max(0.0, end - std::max(0.0, -start - segment.length));
 }
 
-void MovingMeter::look(std::span<const Vector3d> ends, std::span<const PlacedSolid> solids) {
+void MovingMeter::look(std::span<const Vector3d> ends, std::span<const PlacedSolid> solids,
+                       std::span<const std::uint32_t> sets) {
   for (std::size_t i = 0; i < rig_.bones.size(); ++i) {
     const RigBone& bone = rig_.bones[i];
     const Vector3d& start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
@@ -122,6 +138,7 @@ void MovingMeter::look(std::span<const Vector3d> ends, std::span<const PlacedSol
     if (!(length > 0) || !std::isfinite(length)) continue;
     const HairSegment segment{start, way / length, length, bone.hit_radius};
     for (std::size_t k = 0; k < solids.size(); ++k) {
+      if (!sets.empty() && ((sets[i] >> k) & 1u) == 0) continue;
       const bool is_plane = solids[k].shape == ColliderShape::kPlane;
       const double size = is_plane ? bone.length : std::max(solids[k].size, kLeastSize);
       const double share = avoidable_depth(solids[k], segment) / size;

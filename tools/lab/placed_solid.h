@@ -22,6 +22,9 @@ struct PlacedSolid {
   /// `collider` as it is beside a head at `head`, whose scale it is divided by.
   PlacedSolid(const MovingCollider& collider, const HeadPose& head);
 
+  /// One of an asset's colliders, of which what is at x in head space at rest is at `moved` * x. It keeps hair outside.
+  PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& moved);
+
   /// Metres from the surface, negative inside: exact, but for an ellipsoid, of which it is to first order. Convex along any line.
   [[nodiscard]] double gap(const Eigen::Vector3d& point) const;
 
@@ -47,8 +50,10 @@ class MovingMeter {
  public:
   explicit MovingMeter(const Rig& rig) : rig_(rig) {}
 
-  /// `ends`: bone tails, head space, metres; the order of Rig::bones. Both at the end of one step.
-  void look(std::span<const Eigen::Vector3d> ends, std::span<const PlacedSolid> solids);
+  /// `ends`: bone tails, head space, metres; the order of Rig::bones. Both at the end of one step. `sets`: for each bone a bit for each
+  /// of the solids that it keeps out of; empty: of all.
+  void look(std::span<const Eigen::Vector3d> ends, std::span<const PlacedSolid> solids,
+            std::span<const std::uint32_t> sets = {});
 
   /// The deepest that a bone was in one, share of its size, or of a millimetre where that is smaller; of a plane, of the bone's length.
   [[nodiscard]] double worst() const { return worst_; }

@@ -11,6 +11,7 @@ RuntimeSolver::RuntimeSolver(const Asset& asset, const SolverScene& scene, const
   HairDesc desc;
   desc.solver = &solver;
   desc.moving_colliders = scene.moving_colliders;
+  desc.follows_body = scene.follows_body;
   desc.links = links_of(asset, solver);
   const MemoryNeed need = Hair::memory_need(asset, desc);
   memory_ = allocate(need);
@@ -32,6 +33,10 @@ bool RuntimeSolver::set_colliders(std::span<const MovingCollider> colliders) {
   if (hair_.set_colliders(0, colliders) != Status::kOk) return false;
   has_colliders_ = !colliders.empty();
   return true;
+}
+
+bool RuntimeSolver::set_body(std::span<const BodyPose> bones) {
+  return bones.empty() || hair_.set_body(0, bones) == Status::kOk;
 }
 
 bool RuntimeSolver::step(const HeadPose& head, double dt) {

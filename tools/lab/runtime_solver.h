@@ -20,6 +20,7 @@ struct SolverScene {
   Eigen::Vector3d gravity{0, -9.81, 0};            ///< World, m/s^2.
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();  ///< World, m/s.
   std::uint32_t moving_colliders = 0;  ///< Most that will be given at once; above 0 of kCharacterSolver alone.
+  bool follows_body = false;           ///< set_body() will be called; of kCharacterSolver alone.
 };
 
 /// A way to move the bones of one head: the runtime's solvers, the reference, and what others do, behind one interface
@@ -38,6 +39,10 @@ class ChainSolver {
   /// solver refuses them, as most refuse any, and keeps those that it had.
   [[nodiscard]] virtual bool set_colliders(std::span<const MovingCollider> colliders) { return colliders.empty(); }
 
+  /// Where the asset's body is at the end of the coming step, as Hair::set_body(), before the head's pose is told. False where the solver
+  /// refuses it, as all do that follow none.
+  [[nodiscard]] virtual bool set_body(std::span<const BodyPose> bones) { return bones.empty(); }
+
   /// Moves the head to `head` within `dt` seconds. False where the solver refuses the input and keeps its state.
   [[nodiscard]] virtual bool step(const HeadPose& head, double dt) = 0;
 
@@ -54,6 +59,7 @@ class RuntimeSolver final : public ChainSolver {
 
   void reset(const HeadPose& head) override;
   [[nodiscard]] bool set_colliders(std::span<const MovingCollider> colliders) override;
+  [[nodiscard]] bool set_body(std::span<const BodyPose> bones) override;
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
   /// As a host that knows how fast the head moves.
   [[nodiscard]] bool step(const HeadPose& head, const HeadVelocity& velocity, double dt);

@@ -67,19 +67,6 @@ void add_line(const Camera& camera, const DebugLine& line, const Eigen::Vector2f
   }
 }
 
-void upload_lines(const std::vector<LineVertex>& vertices) {
-  GLuint array = 0, buffer = 0;
-  glGenVertexArrays(1, &array);
-  glGenBuffers(1, &buffer);
-  glBindVertexArray(array);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(LineVertex)), vertices.data(), GL_STATIC_DRAW);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), reinterpret_cast<const void*>(2 * sizeof(float)));
-  glEnableVertexAttribArray(0);
-  glEnableVertexAttribArray(1);
-}
-
 /// Pictures have no body whose bones move: it stands as it was modelled, upright beneath the head's joint.
 Status draw_resting_body(const Asset& asset, const HeadPose& head, const DebugLines& sink) {
   std::vector<DebugCollider> colliders;
@@ -108,23 +95,48 @@ tl::expected<std::vector<DebugLine>, ToolError> debug_lines_of(const Asset& asse
   return failure(ToolError::Kind::kInternal, std::string("no lines of the hair: ") + describe(status));
 }
 
-tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
-                                        std::uint32_t height, float thickness) {
+tl::expected<LineOverlay, ToolError> LineOverlay::create() {
   const char* const fragment = kLineFragment;
   const auto program = build_gl_program(kLineVertex, {&fragment, 1});
   if (!program) return tl::unexpected(program.error());
+  LineOverlay overlay;
+  overlay.program_ = *program;
+  glGenVertexArrays(1, &overlay.vertex_array_);
+  glGenBuffers(1, &overlay.buffer_);
+  glBindVertexArray(overlay.vertex_array_);
+  glBindBuffer(GL_ARRAY_BUFFER, overlay.buffer_);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), reinterpret_cast<const void*>(2 * sizeof(float)));
+  glEnableVertexAttribArray(0);
+  glEnableVertexAttribArray(1);
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  return overlay;
+}
+
+void LineOverlay::draw(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
+                       std::uint32_t height, float thickness) const {
   const Eigen::Vector2f pixel(2 / float(width), 2 / float(height));
   std::vector<LineVertex> vertices;
   for (const DebugLine& line : lines) add_line(camera, line, pixel, thickness, vertices);
-  upload_lines(vertices);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(LineVertex)), vertices.data(), GL_STREAM_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  glUseProgram(*program);
+  glUseProgram(program_);
+  glBindVertexArray(vertex_array_);
   glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
   glBindVertexArray(0);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
   glUseProgram(0);
+}
+
+tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
+                                        std::uint32_t height, float thickness) {
+  const auto overlay = LineOverlay::create();
+  if (!overlay) return tl::unexpected(overlay.error());
+  overlay->draw(camera, lines, width, height, thickness);
   return {};
 }
 

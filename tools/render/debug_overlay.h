@@ -30,8 +30,25 @@ struct DebugView {
 tl::expected<std::vector<DebugLine>, ToolError> debug_lines_of(const Asset& asset, const HairInstance& head,
                                                                const DebugView& view);
 
-/// Draws `lines` over all that is in the framebuffer of this size (pixels), `thickness` pixels wide, each in its kind's colour. What it
-/// makes is freed with the OpenGL context. kUnsupported where the driver refuses it.
+/// Lines over pictures. Its objects are freed with the OpenGL context.
+class LineOverlay {
+ public:
+  /// kUnsupported where the driver refuses it.
+  static tl::expected<LineOverlay, ToolError> create();
+
+  /// Draws `lines` over all that is in the framebuffer of this size (pixels), `thickness` pixels wide, each in its kind's colour.
+  void draw(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width, std::uint32_t height,
+            float thickness) const;
+
+ private:
+  LineOverlay() = default;
+
+  std::uint32_t program_ = 0;
+  std::uint32_t vertex_array_ = 0;
+  std::uint32_t buffer_ = 0;
+};
+
+/// The same for one picture alone.
 tl::expected<void, ToolError> draw_over(const Camera& camera, std::span<const DebugLine> lines, std::uint32_t width,
                                         std::uint32_t height, float thickness);
 

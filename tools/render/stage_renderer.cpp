@@ -80,9 +80,9 @@ void main() {
   fragment = vec4(color * light, 1.0);
 })glsl";
 
-GLuint upload(const SolidMesh& mesh) {
+/// Returns the vertex array.
+GLuint upload(const SolidMesh& mesh, std::uint32_t (&buffers)[2]) {
   GLuint array = 0;
-  GLuint buffers[2] = {};
   glGenVertexArrays(1, &array);
   glGenBuffers(2, buffers);
   glBindVertexArray(array);
@@ -124,6 +124,15 @@ void set_lights(GLuint program, std::span<const Light> lights) {
   glUniform2f(glGetUniformLocation(program, "clay"), kClayAmbient, kClayWrap);
 }
 
+/// Once, before the first draw: two kinds of samplers on one unit are an error, whether they are read or not.
+void set_shadow_units(GLuint program, const HairShadow& shadow) {
+  glUseProgram(program);
+  for (GLuint i = 0; i < HairShadow::kTextures; ++i) {
+    if (shadow.sampler(i) != nullptr) glUniform1i(glGetUniformLocation(program, shadow.sampler(i)), GLint(i));
+  }
+  glUseProgram(0);
+}
+
 void set_shadow(GLuint program, const HairShadow& shadow) {
   const ShadowUniforms uniforms = shadow.uniforms({});
   glUniformMatrix4fv(glGetUniformLocation(program, "map_from_world"), 1, GL_FALSE, uniforms.map_from_origin);
@@ -133,7 +142,6 @@ void set_shadow(GLuint program, const HairShadow& shadow) {
     if (shadow.sampler(i) == nullptr) continue;
     glActiveTexture(GL_TEXTURE0 + i);
     glBindTexture(GL_TEXTURE_2D, shadow.texture(i));
-    glUniform1i(glGetUniformLocation(program, shadow.sampler(i)), GLint(i));
   }
   glActiveTexture(GL_TEXTURE0);
 }
@@ -153,17 +161,32 @@ tl::expected<StageRenderer, ToolError> StageRenderer::create(std::span<const Sol
   const char* const backdrop_fragment = kBackdropFragment;
   const auto backdrop = build_gl_program(kBackdropVertex, {&backdrop_fragment, 1});
   if (!backdrop) return tl::unexpected(backdrop.error());
-  const auto body = build_body(shadow);
-  if (!body) return tl::unexpected(body.error());
+  const auto body_program = build_body(shadow);
+  if (!body_program) return tl::unexpected(body_program.error());
 
   StageRenderer stage;
   stage.backdrop_program_ = *backdrop;
-  stage.body_program_ = *body;
+  stage.body_program_ = *body_program;
+  if (shadow != nullptr) set_shadow_units(*body_program, *shadow);
   glGenVertexArrays(1, &stage.empty_vertex_array_);
   for (const SolidMesh& mesh : meshes) {
-    stage.bodies_.push_back({upload(mesh), static_cast<std::int32_t>(mesh.triangles.size()), mesh.color});
+    Body& body = stage.bodies_.emplace_back();
+    body.vertex_array = upload(mesh, body.buffers);
+    body.index_count = static_cast<std::int32_t>(mesh.triangles.size());
+    body.color = mesh.color;
   }
   return stage;
+}
+
+void StageRenderer::destroy() {
+  for (const Body& body : bodies_) {
+    glDeleteVertexArrays(1, &body.vertex_array);
+    glDeleteBuffers(2, body.buffers);
+  }
+  bodies_.clear();
+  glDeleteVertexArrays(1, &empty_vertex_array_);
+  glDeleteProgram(backdrop_program_);
+  glDeleteProgram(body_program_);
 }
 
 void StageRenderer::draw_backdrop() const {

@@ -2,7 +2,6 @@
 
 #include "base/studio.h"
 #include "base/tool_error.h"
-#include "import/source_model.h"
 #include "render/camera.h"
 
 #include <coif/asset.h>
@@ -18,9 +17,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace coif {
+
+struct SourceMesh;
+struct SourceModel;
 
 struct SolidVertex {
   Eigen::Vector3f position;
@@ -71,6 +74,9 @@ class StageRenderer {
   static tl::expected<StageRenderer, ToolError> create(std::span<const SolidMesh> meshes,
                                                        const HairShadow* shadow = nullptr);
 
+  /// Frees them before that.
+  void destroy();
+
   /// Clears depth and fills the picture with a vertical gradient.
   void draw_backdrop() const;
 
@@ -87,6 +93,7 @@ class StageRenderer {
 
   struct Body {
     std::uint32_t vertex_array = 0;
+    std::uint32_t buffers[2] = {};
     std::int32_t index_count = 0;
     Eigen::Vector3f color;
   };

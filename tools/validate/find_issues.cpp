@@ -1,5 +1,6 @@
 #include "validate/find_issues.h"
 
+#include "base/asset_refusal.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
 #include "cook/size/settle_size.h"
@@ -23,12 +24,6 @@ std::string place(const LoadStatus& status) {
 }
 
 }  // namespace
-
-std::string describe_text(const LoadStatus& status) {
-  if (status.code == LoadCode::kMagic) return describe(status.code);  // the first byte of a text tells nobody anything
-  char text[256];
-  return std::string(text, describe(status, text, sizeof text));
-}
 
 Issues find_asset_issues(const Asset& asset) {
   Issues issues;

@@ -15,9 +15,6 @@ namespace coif {
 /// Why an asset was refused; `status` is that of a failed open().
 [[nodiscard]] Issue refusal_issue(const LoadStatus& status);
 
-/// The reader's verdict as a sentence with its evidence.
-[[nodiscard]] std::string describe_text(const LoadStatus& status);
-
 /// Whether an asset was cooked from what `now` describes: source and recipe by their hashes, tool and importer by their
 /// versions; versions only where both hashes agree. Hashes do not cover texture files beside source and recipe.
 [[nodiscard]] Issues find_origin_issues(const Asset& asset, const ProvenanceRecord& now);

@@ -6,6 +6,7 @@
 #include <coif/status.h>
 #include <coif/transparency.h>
 #include <coif/triangle_order.h>
+#include <coif/webgl.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,10 @@ struct RendererDesc {
   /// Bytes that kExactMode takes for lists of soft texels where the driver has OpenGL ES 3.1, 64 KiB..1 GiB: 20 for each
   /// that is in front of what is solid. It peels layer by layer where they are too few, which is slower by far.
   std::uint32_t list_bytes = 64u << 20;
+  /// Null: the driver has all of OpenGL ES 3.0. &kWebGl for WebGL 2, where kExactMode and DrawDesc::order are not to be had.
+  const WebGlCode* webgl = nullptr;
+  /// With `webgl`: at least a quarter of stream_bytes, at a multiple of 4, written before it is sent. Must outlive the renderer.
+  std::span<std::byte> scratch{};
 };
 
 class HairModel;
@@ -91,7 +96,7 @@ class COIF_API HairRenderer {
   /// never makes or grows an OpenGL object but a missing program. (Neither is true of kExactMode.)
   ///
   /// With DrawDesc::order each head is drawn by itself with its own order, all passes in turn, from indices that are sent with its
-  /// matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses.
+  /// matrices: the stream's buffer is then bound as GL_ELEMENT_ARRAY_BUFFER too, which WebGL 2 refuses: kBadArgument with RendererDesc::webgl.
   ///
   /// kNotCreated without a created renderer and an uploaded model of it; kSizeMismatch when a palette has not one
   /// matrix per bone (hair without SKIN may also have none); kBadPose, for a scale out of range too; kBadArgument for too many

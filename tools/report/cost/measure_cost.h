@@ -86,14 +86,14 @@ class HairCrowd {
 };
 
 /// Which hair a crowd has.
-enum class FeatureAsset { kAsCooked, kTouchingNothing, kLinked };
+enum class FeatureAsset { kOwn, kTouchingNothing, kLinked };
 
 /// One way in which a crowd can be run otherwise than as it was cooked.
 struct CrowdFeature {
   std::string name;         ///< Short, unique: "no-colliders".
   std::string description;  ///< What is different, one line for people.
   CrowdSettings settings;
-  FeatureAsset asset = FeatureAsset::kAsCooked;
+  FeatureAsset asset = FeatureAsset::kOwn;
   bool steps = true;  ///< False: only the poses are handed over.
 };
 

@@ -3,8 +3,8 @@
 #include "lab/runtime_solver.h"
 #include "report/solvers/historical_solvers.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <utility>
@@ -30,7 +30,8 @@ constexpr int kFew[] = {1, 2, 4, 8};
 constexpr int kNewton[] = {1, 2, 3, 4};
 constexpr int kSmallSteps[] = {1, 2, 4, 8, 16, 32};
 constexpr int kExplicit[] = {4, 16, 64, 256};  // At 60 fps, below 4 even three bones explode.
-constexpr int kHinged[] = {16, 64, 256};  // Three bones hold with the first; a hinge is as strong as all that hangs from it.
+constexpr int kHinged[] = {16, 64,
+                           256};  // Three bones hold with the first; a hinge is as strong as all that hangs from it.
 
 const ListedSolver kSolvers[] = {
     {"mass-spring", "point masses on stiff springs, integrated explicitly",
@@ -43,11 +44,9 @@ const ListedSolver kSolvers[] = {
     {"separate", "positions are put right directly and velocities adjusted to match",
      "thesis 5.2, adjusting positions and velocities separately", kIterations, kFew, iterated<SeparateSolver>},
     {"implicit", "the mass-spring system by backward Euler, one linear solve per step",
-     "thesis 3.1; Baraff and Witkin 1998", kSubSteps, kFew, sub_stepped<ImplicitSolver>,
-     true},
+     "thesis 3.1; Baraff and Witkin 1998", kSubSteps, kFew, sub_stepped<ImplicitSolver>, true},
     {"projective", "rigid sticks, one equation of motion for each of two angles",
-     "thesis 3.2; Anjyo, Usami and Kurihara 1992", kSubSteps, kFew, sub_stepped<ProjectiveSolver>,
-     true},
+     "thesis 3.2; Anjyo, Usami and Kurihara 1992", kSubSteps, kFew, sub_stepped<ProjectiveSolver>, true},
     {"follow-leader", "dynamic follow-the-leader, one pass from root to tip", "Mueller, Kim and Chentanez 2012",
      kSubSteps, kFew, sub_stepped<FollowLeaderSolver>, true},
     {"tridiagonal", "all lengths of a strand by one direct solve per Newton step", "Han and Harada 2013", kIterations,
@@ -74,6 +73,7 @@ class SampledSolver final : public ChainSolver {
   [[nodiscard]] bool set_colliders(std::span<const MovingCollider> colliders) override {
     return whole_->set_colliders(colliders);
   }
+  [[nodiscard]] bool set_body(std::span<const BodyPose> bones) override { return whole_->set_body(bones); }
   [[nodiscard]] bool step(const HeadPose& head, double dt) override { return whole_->step(head, dt); }
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override {
     const auto all = whole_->bone_ends();

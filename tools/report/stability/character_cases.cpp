@@ -1,4 +1,3 @@
-#include "motion/head_path.h"
 #include "report/stability/measure_stability.h"
 
 #include <cmath>
@@ -201,9 +200,7 @@ void add_sizes(std::vector<Stress>& all) {
         }
         return balls;
       });
-  crowd.head = [path = std::shared_ptr<HeadPath>(path_of(Motion::kTurn))](double seconds) {
-    return path->pose(seconds);
-  };
+  crowd.head = moving(Motion::kTurn);
   all.push_back(std::move(crowd));
   const auto scale_at = [](double seconds) { return std::exp2(-std::cos(kHalfTurn * seconds)); };
   Stress growing = with_colliders("head grows beside a hand",

@@ -1,4 +1,3 @@
-#include "motion/head_path.h"
 #include "report/stability/measure_stability.h"
 
 #include <cmath>
@@ -26,7 +25,7 @@ Stress sheet_case(const char* name, const char* description, const StressRig& ri
   Stress stress;
   stress.about = {name, description};
   stress.rig = rig;
-  stress.head = [path = std::shared_ptr<HeadPath>(path_of(motion))](double seconds) { return path->pose(seconds); };
+  stress.head = moving(motion);
   stress.settles = false;  // links hold hair elsewhere than where it would hang alone
   return stress;
 }

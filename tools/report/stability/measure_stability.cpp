@@ -25,6 +25,8 @@ constexpr double kSettleSeconds = 8;
 constexpr double kWatchedAtRest = 0.5;  ///< Seconds, the last of them.
 constexpr double kSettleDt = 1.0 / 60;
 
+bool is_on_character(const Stress& stress) { return bool(stress.colliders) || bool(stress.body); }
+
 bool is_length(double dt) { return dt > 0 && std::isfinite(dt); }
 
 /// How fast a bone's tail can be made by what acts on it, m/s: falling from above to below, carried by the head, and
@@ -49,10 +51,10 @@ class StressRun {
       : rig_(rig), top_speed_(top_speed), solver_(solver), meter_(rig), limits_(rig), links_(rig), moving_meter_(rig) {}
 
   /// False once the outcome is decided.
-  bool step(const HeadPose& head, double dt, std::span<const MovingCollider> colliders) {
+  bool step(const HeadPose& head, double dt, std::span<const MovingCollider> colliders, const StressBody& body) {
     const auto ends = solver_.bone_ends();
     before_.assign(ends.begin(), ends.end());
-    if (!solver_.set_colliders(colliders) || !solver_.step(head, dt)) {
+    if (!solver_.set_colliders(colliders) || !solver_.set_body(body.poses()) || !solver_.step(head, dt)) {
       was_refused_ = true;
       if (!std::ranges::equal(before_, solver_.bone_ends())) outcome_ = Outcome::kDiverged;
     } else {
@@ -60,6 +62,7 @@ class StressRun {
       std::vector<PlacedSolid> solids;
       for (const MovingCollider& collider : colliders) solids.emplace_back(collider, head);
       if (outcome_ == Outcome::kOk) moving_meter_.look(solver_.bone_ends(), solids);
+      if (outcome_ == Outcome::kOk) moving_meter_.look(solver_.bone_ends(), body.solids(), body.sets());
     }
     return outcome_ == Outcome::kOk;
   }
@@ -141,32 +144,36 @@ StressSubject::StressSubject(const Stress& stress, const Asset& asset, RigSample
 
 bool StressSubject::is_for(const MeasuredSolver& solver) const {
   if (!sample_.rig.links.empty() && (!solver.is_runtime() || solver.runtime == &kThesisSolver)) return false;
-  return !stress_.colliders || solver.name == solver_on_a_character().name;
+  if (stress_.body && asset_.body_colliders().empty()) return false;
+  return !is_on_character(stress_) || solver.name == solver_on_a_character().name;
 }
 
 StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   const Rig rig = solver.model ? in_model(sample_.rig, *solver.model) : sample_.rig;
   SolverScene scene = stress_.scene;
   if (stress_.colliders) scene.moving_colliders = kMaxMovingColliders;
-  const SolverAtWork at_work =
-      make_solver(stress_.colliders ? solver_on_a_character() : solver, asset_, sample_, scene, solver.efforts.front());
+  scene.follows_body = bool(stress_.body);
+  const SolverAtWork at_work = make_solver(is_on_character(stress_) ? solver_on_a_character() : solver, asset_, sample_,
+                                           scene, solver.efforts.front());
   StressRun watched(rig, top_speed_, *at_work.solver);
   HeadPose head = stress_.head(0);
   at_work.solver->reset(head);
   double seconds = 0;
   const bool takes_fewer = !solver.is_runtime() && stress_.steps_of_others;
   const std::size_t steps = takes_fewer ? *stress_.steps_of_others : stress_.steps;
+  StressBody body(asset_, sample_);
   double rest_speed = 0;
   bool goes_on = true;
   for (std::size_t i = 0; i < steps && goes_on; ++i) {
     const double dt = stress_.dt[i % stress_.dt.size()];
     if (is_length(dt)) seconds += dt;
     const HeadPose next = stress_.head(seconds);
-    goes_on = watched.step(next, dt, stress_.colliders ? stress_.colliders(place_, seconds) : Colliders());
+    if (stress_.body) body.move(stress_.body, seconds, next);
+    goes_on = watched.step(next, dt, stress_.colliders ? stress_.colliders(place_, seconds) : Colliders(), body);
     if (is_usable(next)) head = next;
   }
   for (double t = 0; t < kSettleSeconds && goes_on; t += kSettleDt) {
-    goes_on = watched.step(head, kSettleDt, {});
+    goes_on = watched.step(head, kSettleDt, {}, body);
     if (t + kWatchedAtRest > kSettleSeconds) rest_speed = std::max(rest_speed, watched.speed());
   }
 
@@ -179,7 +186,7 @@ StabilityRow StressSubject::run(const MeasuredSolver& solver) const {
   if (row.outcome != Outcome::kNan && watched.meter().sees_colliders()) {
     row.penetration_max_pct = 100 * watched.meter().worst().point_depth;
   }
-  if (row.outcome != Outcome::kNan && stress_.colliders) {
+  if (row.outcome != Outcome::kNan && is_on_character(stress_)) {
     const double moving = 100 * watched.moving_meter().worst();
     if (!(row.penetration_max_pct >= moving)) row.penetration_max_pct = moving;
   }
@@ -229,7 +236,7 @@ tl::expected<StabilityReport, ToolError> measure_stability(const Asset& asset, c
   for (const Stress& stress : stress_cases()) {
     if (!stress.rig) {
       // What moves comes to hair anywhere on the head, and the runtime alone is watched.
-      measure(stress, asset, stress.colliders ? kMaxBones : kMostBones, *solvers, progress, report);
+      measure(stress, asset, is_on_character(stress) ? kMaxBones : kMostBones, *solvers, progress, report);
       continue;
     }
     const StressAsset made(*stress.rig);

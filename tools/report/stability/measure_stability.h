@@ -3,9 +3,11 @@
 #include "lab/hair_place.h"
 #include "lab/rig.h"
 #include "lab/runtime_solver.h"
+#include "motion/head_path.h"
 #include "report/page/report_heading.h"
 #include "report/solvers/measured_solvers.h"
 #include "report/stability/stability_report.h"
+#include "report/stability/stress_body.h"
 
 #include <cstdint>
 #include <functional>
@@ -27,11 +29,12 @@ struct StressRig {
   double friction = 1;       ///< 1/s
   double damping_ratio = 1;  ///< At least this share of critical; below 1 not what the resistance brings along either.
   double gravity_scale = 1;
-  double torsion = 20;        ///< 1/s; kShortestArc: never a twist.
-  double head_radius = 0.1;   ///< Metres; the surface stays where it is behind the head's joint.
-  LimitKind limit = LimitKind::kUnlimited;  ///< Of every bone, its middle the rest direction, from bone to bone turned about that.
-  float limit_angles[2] = {0.4f, 0.2f};     ///< Radians, as LimitRecord::angles; the second of a spherical limit alone.
-  bool is_linked = false;     ///< Each bone to that of the next chain, at 0.5 to 1 + link_stretch times their distance.
+  double torsion = 20;       ///< 1/s; kShortestArc: never a twist.
+  double head_radius = 0.1;  ///< Metres; the surface stays where it is behind the head's joint.
+  LimitKind limit =
+      LimitKind::kUnlimited;  ///< Of every bone, its middle the rest direction, from bone to bone turned about that.
+  float limit_angles[2] = {0.4f, 0.2f};  ///< Radians, as LimitRecord::angles; the second of a spherical limit alone.
+  bool is_linked = false;  ///< Each bone to that of the next chain, at 0.5 to 1 + link_stretch times their distance.
   double link_stretch = 0.1;
   double root_offset = 0.01;  ///< Metres from the surface to the chains' roots; negative: inside the head.
 };
@@ -51,16 +54,24 @@ class StressAsset {
   OpenedAsset opened_;
 };
 
+using StressedHead = std::function<HeadPose(double seconds)>;
+
+/// One of the motions that every report measures.
+[[nodiscard]] StressedHead moving(Motion motion);
+
 /// What is done to hair in one StressCase. After it the head stands still where it is, and frames are as usual, until
 /// hair has had time to settle.
 struct Stress {
   StressCase about;
   std::optional<StressRig> rig;  ///< Empty: the asset's own hair.
   SolverScene scene;
-  std::function<HeadPose(double seconds)> head;
+  StressedHead head;
   /// What moves near the hair, world; `hair` is where that is in head space. Such cases are for `coif` alone, on a character
   /// (kCharacterSolver): what others do knows no such colliders. They are gone while hair settles.
   std::function<std::vector<MovingCollider>(const HairPlace& hair, double seconds)> colliders;
+  /// How the asset's own body moves; such cases are for assets that have colliders on one, and for `coif` alone. It stays where it came
+  /// to while hair settles.
+  BodyMotion body;
   /// Step lengths, repeated; seconds. Entries that are no lengths (0, negative, not a number) take no time.
   std::vector<double> dt{1.0 / 60};
   std::size_t steps = 240;
@@ -75,6 +86,9 @@ struct Stress {
 
 /// Those of them with colliders that move, and with heads of other sizes.
 [[nodiscard]] std::vector<Stress> character_cases();
+
+/// Those of them with colliders that hang on a body.
+[[nodiscard]] std::vector<Stress> body_cases();
 
 /// Those of them with chains that hang together.
 [[nodiscard]] std::vector<Stress> link_cases();

@@ -1,4 +1,3 @@
-#include "motion/head_path.h"
 #include "report/stability/measure_stability.h"
 
 #include <fmt/format.h>
@@ -12,16 +11,11 @@ namespace coif {
 namespace {
 
 using Eigen::Vector3d;
-using HeadMotion = std::function<HeadPose(double seconds)>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-HeadMotion moving(Motion motion) {
-  return [path = std::shared_ptr<HeadPath>(path_of(motion))](double seconds) { return path->pose(seconds); };
-}
-
-HeadMotion at_distance(HeadMotion motion, double metres) {
+StressedHead at_distance(StressedHead motion, double metres) {
   return [motion = std::move(motion), metres](double seconds) {
     HeadPose head = motion(seconds);
     for (double& coordinate : head.position) coordinate += metres;
@@ -29,7 +23,7 @@ HeadMotion at_distance(HeadMotion motion, double metres) {
   };
 }
 
-HeadMotion spinning(double radians_per_second) {
+StressedHead spinning(double radians_per_second) {
   return [radians_per_second](double seconds) {
     const double half = 0.5 * radians_per_second * seconds;
     HeadPose head;
@@ -39,7 +33,7 @@ HeadMotion spinning(double radians_per_second) {
 }
 
 /// Away and back, twice a second.
-HeadMotion hopping(double metres) {
+StressedHead hopping(double metres) {
   return [metres](double seconds) {
     HeadPose head;
     head.position[0] = std::fmod(seconds, 0.5) < 0.25 ? 0 : metres;
@@ -48,7 +42,7 @@ HeadMotion hopping(double metres) {
 }
 
 /// Now and then no number.
-HeadMotion failing(HeadMotion motion) {
+StressedHead failing(StressedHead motion) {
   return [motion = std::move(motion)](double seconds) {
     HeadPose head = motion(seconds);
     if (std::fmod(seconds, 0.5) > 0.45) head.position[1] = kNan;
@@ -234,7 +228,8 @@ void add_limits(std::vector<Stress>& all) {
       rig.root_resistance = 0.08;
       rig.tip_resistance = 0.01;
       rig.torsion = double(kShortestArc);
-      all.push_back(shaken_rig(fmt::format("{} of {:g} rad", name, angle), "soft chains whose bones have such limits", rig));
+      all.push_back(
+          shaken_rig(fmt::format("{} of {:g} rad", name, angle), "soft chains whose bones have such limits", rig));
       all.back().dt = {angle < 1 ? 1.0 / 60 : 1.0 / 15};
       all.back().settles = false;
     }
@@ -242,8 +237,7 @@ void add_limits(std::vector<Stress>& all) {
 }
 
 void add_soaks(std::vector<Stress>& all) {
-  Stress soak =
-      shaken_rig("soak", "a million frames of running; ten times fewer for solvers that do not ship", {});
+  Stress soak = shaken_rig("soak", "a million frames of running; ten times fewer for solvers that do not ship", {});
   soak.head = moving(Motion::kRun);
   soak.steps = 1'000'000;
   soak.steps_of_others = 100'000;
@@ -251,6 +245,10 @@ void add_soaks(std::vector<Stress>& all) {
 }
 
 }  // namespace
+
+StressedHead moving(Motion motion) {
+  return [path = std::shared_ptr<HeadPath>(path_of(motion))](double seconds) { return path->pose(seconds); };
+}
 
 std::vector<Stress> stress_cases() {
   std::vector<Stress> all;
@@ -263,6 +261,7 @@ std::vector<Stress> stress_cases() {
   add_limits(all);
   for (Stress& stress : link_cases()) all.push_back(std::move(stress));
   for (Stress& stress : character_cases()) all.push_back(std::move(stress));
+  for (Stress& stress : body_cases()) all.push_back(std::move(stress));
   add_soaks(all);
   return all;
 }

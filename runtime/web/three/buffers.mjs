@@ -1,0 +1,99 @@
+// An asset's mesh and textures as three's: copied once, so that three can upload them again when the context was lost.
+
+import {
+  BufferAttribute, ClampToEdgeWrapping, DataTexture, FloatType, IntType, LinearFilter, LinearMipmapLinearFilter, NearestFilter, RepeatWrapping,
+  RGBAFormat, RGFormat, SRGBColorSpace,
+} from 'three';
+
+import { CoifError } from '../memory.mjs';
+import { decodeRg11 } from './eac.mjs';
+
+const VERTEX_BYTES = 36; // VertexRecord
+const SKIN_BYTES = 12;   // SkinRecord
+const PALETTE_WIDTH = 768;
+const MATRIX_FLOATS = 12;
+
+/** `count` parts of each record of `stride` bytes, from `offset` on. */
+function gather(Type, bytes, stride, offset, count) {
+  const size = Type.BYTES_PER_ELEMENT;
+  const from = new Type(bytes.buffer, bytes.byteOffset, bytes.byteLength / size);
+  const to = new Type((bytes.byteLength / stride) * count);
+  for (let i = 0, at = offset / size; i < to.length; i += count, at += stride / size) {
+    for (let part = 0; part < count; ++part) to[i + part] = from[at + part];
+  }
+  return to;
+}
+
+/** Attributes by the names of shader_code.mjs; `position` and `normal` are three's own names. */
+export function attributesOf(asset) {
+  const { vertices, skin } = asset;
+  const normals = new BufferAttribute(gather(Int16Array, vertices, VERTEX_BYTES, 12, 4), 4, true);
+  const attributes = {
+    position: new BufferAttribute(gather(Float32Array, vertices, VERTEX_BYTES, 0, 3), 3),
+    normal: normals,
+    rest_normal: normals,
+    rest_tangent: new BufferAttribute(gather(Int16Array, vertices, VERTEX_BYTES, 20, 4), 4, true),
+    texture_place: new BufferAttribute(gather(Float32Array, vertices, VERTEX_BYTES, 28, 2), 2),
+  };
+  if (skin.length > 0) {
+    attributes.bones = new BufferAttribute(gather(Uint16Array, skin, SKIN_BYTES, 0, 4), 4);
+    attributes.bones.gpuType = IntType; // as integers, of which the shader makes places
+    attributes.weights = new BufferAttribute(gather(Uint8Array, skin, SKIN_BYTES, 8, 4), 4, true);
+  }
+  return attributes;
+}
+
+/** Repeats only where a vertex's place leaves 0..1: else the roots' row of texels would meet the tips'. */
+function wrapOf(places) {
+  const slack = 1e-3;
+  return places.array.some((place) => place < -slack || place > 1 + slack) ? RepeatWrapping : ClampToEdgeWrapping;
+}
+
+function textureOf(asset, role, wrap) {
+  const stored = asset.texture(role);
+  if (stored === null) return null;
+  const { format, width, height } = stored;
+  const mipmaps = stored.mips.map((bytes, mip) => {
+    const size = { width: Math.max(width >> mip, 1), height: Math.max(height >> mip, 1) };
+    return { data: format === 'rg11-eac' ? decodeRg11(bytes, size.width, size.height) : bytes.slice(), ...size };
+  });
+  const texture = new DataTexture(mipmaps[0].data, width, height, format === 'srgb8-alpha8' ? RGBAFormat : RGFormat);
+  if (format === 'srgb8-alpha8') texture.colorSpace = SRGBColorSpace;
+  texture.mipmaps = mipmaps; // the asset's own: they keep the hair's coverage
+  texture.generateMipmaps = false;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.magFilter = LinearFilter;
+  texture.wrapS = texture.wrapT = wrap;
+  texture.unpackAlignment = 1;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+export function texturesOf(asset, places) {
+  const wrap = wrapOf(places);
+  return {
+    base: textureOf(asset, 'base-color', wrap),
+    shiftMask: textureOf(asset, 'shift-mask', wrap),
+    normals: textureOf(asset, 'normal-map', wrap),
+    strands: textureOf(asset, 'strand-map', wrap),
+  };
+}
+
+/** Matrices of all heads' bones where the simulation leaves them: three uploads them from there, nothing copies them. */
+export function paletteTexture(coif, hair) {
+  const first = hair.palette(0);
+  const floats = MATRIX_FLOATS * hair.boneCount * hair.instances;
+  const last = hair.palette(hair.instances - 1);
+  if (last.byteOffset + last.byteLength !== first.byteOffset + 4 * floats) {
+    throw new CoifError('matrices of heads do not lie one after the other');
+  }
+  const height = Math.ceil(floats / (4 * PALETTE_WIDTH));
+  const { buffer } = coif.memory;
+  const end = first.byteOffset + 16 * PALETTE_WIDTH * height; // the last row may be longer than the matrices are
+  if (end > buffer.byteLength) throw new CoifError('memoryBytes is too small for so many heads', 'COIF_MEMORY_TOO_SMALL');
+  const texels = new Float32Array(buffer, first.byteOffset, 4 * PALETTE_WIDTH * height);
+  const texture = new DataTexture(texels, PALETTE_WIDTH, height, RGBAFormat, FloatType);
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}

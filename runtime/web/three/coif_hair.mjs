@@ -1,0 +1,210 @@
+// Hair in a scene of three's. Types and what each member does are in ../three.d.ts.
+
+import { DynamicDrawUsage, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, BufferAttribute, Matrix4, Mesh, Object3D,
+  Quaternion, Sphere, Vector3, Vector4 } from 'three';
+
+import { attributesOf, paletteTexture, texturesOf } from './buffers.mjs';
+import { passMaterial, passesOf, shadowMaterials } from './passes.mjs';
+
+const HEAD_FLOATS = 16; // three rows of a matrix, the head's number, and nothing
+
+const worldOf = new Matrix4(), toLocal = new Matrix4(), place = new Matrix4();
+const position = new Vector3(), rotation = new Quaternion(), scale = new Vector3(), eye = new Vector3(), back = new Quaternion();
+
+export class CoifHair extends Object3D {
+  constructor(asset, { instances = 1, transparency = 'blend', desc = {}, settings = {}, material = {} } = {}) {
+    super();
+    this.type = 'CoifHair';
+    this.asset = asset;
+    this.settings = { ...settings };
+    this.hair = asset.createHair({ ...desc, instances });
+    this.drawn = asset.drawnHair();
+    this.material = { ...this.drawn.material, ...material };
+    this.skinning = this.drawn.skinning;
+    this.attributes = attributesOf(asset);
+    this.textures = texturesOf(asset, this.attributes.texture_place);
+    this.palettes = this.skinning === 0 ? null : paletteTexture(asset.coif, this.hair);
+    this.index = new BufferAttribute(this.drawn.drawOrders().slice(), 1);
+    this.followed = new Array(instances).fill(this);
+    this.lods = new Array(instances).fill(0);
+    this.matrices = Array.from({ length: instances }, () => new Matrix4());
+    this.reach = new Sphere(new Vector3(...this.drawn.reach.center), this.drawn.reach.radius);
+    this.batches = new Map();
+    this.casts = this.receives = true;
+    this.uniforms = this.#uniforms();
+    this.shadows = shadowMaterials(this);
+    this.transparency = transparency;
+    this.hasStarted = false;
+  }
+
+  /** Values of the shaders that materials share. */
+  #uniforms() {
+    const { base, shiftMask, normals, strands } = this.textures;
+    const uniforms = { base_color: {}, primary: {}, secondary: {}, shift: {}, component: {}, fiber: {},
+      base_texture: { value: base }, shift_mask_texture: { value: shiftMask }, normal_texture: { value: normals },
+      strand_texture: { value: strands }, palette_texture: { value: this.palettes }, bone_count: { value: this.hair.boneCount } };
+    this.uniforms = uniforms;
+    this.updateMaterial();
+    return uniforms;
+  }
+
+  /** After members of `material` were changed. */
+  updateMaterial(changes = {}) {
+    const m = Object.assign(this.material, changes);
+    const { uniforms } = this;
+    uniforms.base_color.value = new Vector4(...m.baseColor);
+    uniforms.primary.value = new Vector4(...m.primaryColor, m.primaryExponent);
+    uniforms.secondary.value = new Vector4(...m.secondaryColor, m.secondaryExponent);
+    uniforms.shift.value = new Vector4(m.primaryShift, m.secondaryShift, 0, 0);
+    const lights = 1 - m.lightCut;
+    uniforms.component.value = new Vector4(1, lights, lights, lights);
+    uniforms.fiber.value = new Vector4(m.tilt, m.roughness, m.scatter, 0);
+    if (this.way !== undefined) this.transparency = this.way; // thresholds and models are in the passes
+  }
+
+  get transparency() {
+    return this.way;
+  }
+  set transparency(mode) {
+    const passes = passesOf(mode, this.material, this.drawn.alpha);
+    this.#dropBatches();
+    this.way = mode;
+    this.passes = passes.map((each) => ({ ...each, material: passMaterial(this, each) }));
+  }
+
+  /** The head's place from now on: that of `object`, of which head space is a part; its own place where none is named. */
+  follow(head, object = this) {
+    if (!(head in this.followed)) throw new RangeError(`there is no head ${head}`);
+    this.followed[head] = object;
+  }
+
+  update(delta, camera) {
+    this.updateWorldMatrix(true, false);
+    toLocal.copy(this.matrixWorld).invert();
+    for (let head = 0; head < this.hair.instances; ++head) this.#place(head);
+    if (this.hasStarted) {
+      this.hair.setHeads();
+      this.settings.dt = delta;
+      this.hair.step(this.settings);
+    } else {
+      this.reset();
+    }
+    if (this.palettes !== null) this.palettes.needsUpdate = true;
+    this.#sort(camera);
+  }
+
+  /** The rest pose, at rest, where the heads are now. */
+  reset() {
+    this.updateWorldMatrix(true, false);
+    toLocal.copy(this.matrixWorld).invert();
+    for (let head = 0; head < this.hair.instances; ++head) {
+      this.#place(head);
+      this.hair.reset(head, { position: position.toArray(), rotation: rotation.toArray(), scale: scale.x });
+    }
+    this.hasStarted = true;
+  }
+
+  #place(head) {
+    const followed = this.followed[head];
+    if (followed !== this) followed.updateWorldMatrix(true, false);
+    worldOf.copy(followed.matrixWorld).decompose(position, rotation, scale);
+    this.hair.writeHead(head, position, rotation, scale.x);
+    this.matrices[head].multiplyMatrices(toLocal, followed.matrixWorld);
+  }
+
+  /** Heads that share a level of detail and an order of triangles are drawn at once, the far ones first. */
+  #sort(camera) {
+    camera.updateWorldMatrix(true, false);
+    eye.setFromMatrixPosition(camera.matrixWorld);
+    for (const batch of this.batches.values()) batch.heads.length = 0;
+    for (let head = 0; head < this.hair.instances; ++head) {
+      this.followed[head].matrixWorld.decompose(position, rotation, scale);
+      const way = position.sub(eye).negate();
+      const distance = way.length();
+      if (camera.isPerspectiveCamera) this.#chooseLevel(head, distance / scale.x, (camera.fov * Math.PI) / 180);
+      const seen = way.applyQuaternion(back.copy(rotation).conjugate());
+      const order = this.drawn.orderCount > 1 ? this.drawn.chooseOrder(seen.toArray()) : 0;
+      this.#batch(this.lods[head], order).heads.push({ head, distance });
+    }
+    for (const batch of this.batches.values()) this.#fill(batch);
+  }
+
+  #chooseLevel(head, distance, fov) {
+    if (this.drawn.lodCount < 2) return;
+    const share = this.asset.coif.screenShare(2 * this.reach.radius, Math.max(distance, 1e-3), fov);
+    this.lods[head] = this.asset.chooseLod(share, this.lods[head]);
+  }
+
+  #batch(lod, order) {
+    const key = lod * this.drawn.orderCount + order;
+    let batch = this.batches.get(key);
+    if (batch === undefined) this.batches.set(key, (batch = this.#makeBatch(lod, order)));
+    return batch;
+  }
+
+  #makeBatch(lod, order) {
+    const rows = new InstancedInterleavedBuffer(new Float32Array(HEAD_FLOATS * this.hair.instances), HEAD_FLOATS);
+    rows.setUsage(DynamicDrawUsage);
+    const geometry = new InstancedBufferGeometry();
+    for (const [name, attribute] of Object.entries(this.attributes)) geometry.setAttribute(name, attribute);
+    ['head_x', 'head_y', 'head_z'].forEach((name, row) => geometry.setAttribute(name, new InterleavedBufferAttribute(rows, 4, 4 * row)));
+    geometry.setAttribute('head', new InterleavedBufferAttribute(rows, 1, 12));
+    geometry.setIndex(this.index);
+    const { first, count } = this.drawn.lods[lod];
+    geometry.setDrawRange(order * this.drawn.indicesOfOrder + first, count);
+    geometry.boundingSphere = new Sphere();
+    const meshes = this.passes.map((each) => this.#makeMesh(geometry, each));
+    meshes[meshes.length - 1].castShadow = this.casts;
+    return { rows, geometry, meshes, heads: [] };
+  }
+
+  #makeMesh(geometry, { name, material, writesColor }) {
+    const mesh = new Mesh(geometry, material);
+    mesh.name = name;
+    mesh.receiveShadow = this.receives && writesColor;
+    mesh.customDepthMaterial = this.shadows.depth;
+    mesh.customDistanceMaterial = this.shadows.distance;
+    mesh.raycast = () => {}; // what is drawn is elsewhere than the mesh at rest
+    this.add(mesh);
+    return mesh;
+  }
+
+  #fill({ rows, geometry, meshes, heads }) {
+    meshes.forEach((mesh) => (mesh.visible = heads.length > 0));
+    geometry.instanceCount = heads.length;
+    if (heads.length === 0) return;
+    heads.sort((a, b) => b.distance - a.distance);
+    const bound = geometry.boundingSphere.makeEmpty();
+    heads.forEach(({ head }, i) => {
+      const matrix = this.matrices[head];
+      const to = rows.array;
+      const at = HEAD_FLOATS * i;
+      place.copy(matrix).transpose(); // rows
+      for (let k = 0; k < 12; ++k) to[at + k] = place.elements[k];
+      to[at + 12] = head;
+      bound.union(sphere.copy(this.reach).applyMatrix4(matrix));
+    });
+    rows.needsUpdate = true;
+  }
+
+  #dropBatches() {
+    for (const { geometry, meshes } of this.batches.values()) {
+      meshes.forEach((mesh) => this.remove(mesh));
+      geometry.dispose();
+    }
+    this.batches.clear();
+    this.passes?.forEach(({ material }) => material.dispose());
+  }
+
+  /** Gives back what it took of three's and the module's memory; the asset stays. */
+  dispose() {
+    this.#dropBatches();
+    for (const texture of [...Object.values(this.textures), this.palettes]) texture?.dispose();
+    this.shadows.depth.dispose();
+    this.shadows.distance.dispose();
+    this.drawn.dispose();
+    this.hair.dispose();
+  }
+}
+
+const sphere = new Sphere();

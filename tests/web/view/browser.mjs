@@ -1,0 +1,43 @@
+// Chromium without a window, with a software renderer, and a page of `coif view` in it.
+
+import { existsSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const kProgram = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+const kArguments = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--js-flags=--expose-gc'];
+
+export async function launch() {
+  if (!kProgram) throw new Error('no Chromium: tools/install_packages.sh web installs it');
+  return chromium.launch({ executablePath: kProgram, args: kArguments });
+}
+
+/** The page from disk, and whatever the browser complained of. Nothing may be asked of any network. */
+export async function open_page(browser, file, viewport = { width: 640, height: 420 }) {
+  const context = await browser.newContext({ viewport, offline: true });
+  const page = await context.newPage();
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(file).href);
+  await page.evaluate(async () => { await window.coif; });
+  return { page, complaints };
+}
+
+/** Pixels of a picture with these settings ({name: value or word}), at the camera of `coif render`. */
+export async function take(page, size, settings = {}) {
+  const text = await page.evaluate(async ([{ width, height }, changes]) => {
+    const view = await window.coif;
+    for (const [name, value] of Object.entries({ zoom: 1, ...changes })) view.set(name, value);
+    const pixels = view.take(width, height);
+    let latin = '';
+    for (let i = 0; i < pixels.length; i += 8192) latin += String.fromCharCode(...pixels.subarray(i, i + 8192));
+    return btoa(latin);
+  }, [size, settings]);
+  return new Uint8Array(Buffer.from(text, 'base64'));
+}

@@ -1,0 +1,16 @@
+# cmake -D NPM= -D SOURCE= -D FOLDER= -P prepare.cmake: the tests' scripts beside the packages that they import, fetched once for
+# each package-lock.json.
+if(NOT NPM)
+  message(FATAL_ERROR "no npm: tools/install_packages.sh web installs it")
+endif()
+file(GLOB files ${SOURCE}/*.mjs ${SOURCE}/package*.json)
+file(COPY ${files} DESTINATION ${FOLDER})
+file(SHA256 ${FOLDER}/package-lock.json wanted)
+set(mark ${FOLDER}/node_modules/.fetched)
+if(EXISTS ${mark})
+  file(READ ${mark} fetched)
+endif()
+if(NOT "${fetched}" STREQUAL wanted)
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${FOLDER} COMMAND_ERROR_IS_FATAL ANY)
+  file(WRITE ${mark} ${wanted})
+endif()

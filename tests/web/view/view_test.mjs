@@ -1,0 +1,238 @@
+// The page of `coif view` as its visitors meet it: node view_test.mjs CASE. What it is given comes in the environment: COIF (the
+// program), ASSET (a cooked sample), SOURCE (what it was cooked from), PAGE (the page without an asset), WORK (a folder of its own).
+
+import { strict as assert } from 'node:assert';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { launch, open_page, take } from './browser.mjs';
+import { psnr, read_png } from './png.mjs';
+
+const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
+const kSize = { width: 480, height: 360 };
+const kLeastDb = 40;
+
+const in_work = (name) => join(WORK, name);
+const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
+
+function rendered(asset, ...options) {
+  coif('render', asset, '-o', 'reference.png', '--size', `${kSize.width}x${kSize.height}`, '--view', '30,5', ...options);
+  return read_png(in_work('reference.png')).rgba;
+}
+
+function make_page(asset = ASSET) {
+  coif('view', asset, '-o', 'page.html', '--page', PAGE);
+  return in_work('page.html');
+}
+
+/** Of a page that shows the sample; nothing may be complained of. */
+async function with_page(act, viewport) {
+  const browser = await launch();
+  try {
+    const { page, complaints } = await open_page(browser, make_page(), viewport);
+    await act(page);
+    assert.deepEqual(complaints, [], 'the browser complains');
+    assert.equal(await page.textContent('#problem'), '');
+  } finally {
+    await browser.close();
+  }
+}
+
+const count_different = (a, b) => a.reduce((sum, value, i) => sum + (value !== b[i] ? 1 : 0), 0);
+
+/** Moves a slider or chooses a word, as a visitor does. */
+async function move(page, id, value) {
+  await page.$eval(id, (input, wanted) => {
+    input.closest('details').open = true;
+    input.value = wanted;
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    input.dispatchEvent(new Event('change', { bubbles: true }));
+  }, String(value));
+}
+
+const recipe_of = (page) => page.evaluate(async () => (await window.coif).recipe());
+
+const cases = {
+  async opens_from_disk() {
+    await with_page(async (page) => {
+      const pixels = await take(page, kSize);
+      assert.ok(new Set(pixels).size > 50, 'the picture is empty');
+      assert.equal(await page.textContent('#name'), 'bob.coif');
+      assert.equal((await page.$$('input:not([id]):not([aria-label]), select:not([id])')).length, 0, 'a control without a name');
+    });
+    const most = statSync(PAGE).size + Math.ceil(statSync(ASSET).size / 3) * 4 + 1000;
+    assert.ok(statSync(in_work('page.html')).size < most, 'the page is larger than its parts');
+  },
+
+  async draws_what_render_draws() {
+    await with_page(async (page) => {
+      const report = [];
+      for (const mode of ['blend', 'opaque', 'coverage', 'proportional', 'jittered', 'screendoor', 'checkerboard', 'bayer', 'hashed']) {
+        const db = psnr(await take(page, kSize, { transparency: mode }), rendered(ASSET, '--transparency', mode));
+        report.push(`${mode} ${db.toFixed(1)} dB`);
+        assert.ok(db >= kLeastDb, `${mode}: ${db} dB`);
+      }
+      for (const shadows of ['none', 'plain', 'opacity', 'deep']) {
+        const db = psnr(await take(page, kSize, { transparency: 'blend', shadows }), rendered(ASSET, '--shadows', shadows));
+        report.push(`${shadows} ${db.toFixed(1)} dB`);
+        assert.ok(db >= kLeastDb, `shadows ${shadows}: ${db} dB`);
+      }
+      const bones = { transparency: 'blend', shadows: 'deep-shadow', bones: 1, colliders: 1 };
+      const db = psnr(await take(page, kSize, bones), rendered(ASSET, '--debug', 'bones,colliders'));
+      report.push(`bones ${db.toFixed(1)} dB`);
+      assert.ok(db >= 35, `bones: ${db} dB`);  // lines of a pixel, drawn by two rasterizers
+      console.log(report.join('\n'));
+    });
+  },
+
+  async moved_sliders_change_picture_and_recipe() {
+    await with_page(async (page) => {
+      await take(page, kSize);
+      assert.deepEqual(await recipe_of(page), {});
+      const before = await take(page, kSize);
+      await move(page, '#control-secondary_exponent', 90);
+      const after = await take(page, kSize);
+      assert.ok(count_different(before, after) > 2000, 'the picture stays');
+      await move(page, '#control-primary_shift', 1.1);
+      await move(page, '#control-base_color', '#8090ff');
+      await move(page, '#control-solver', 2);
+      await move(page, '#control-stiffness', 2);
+      const recipe = await recipe_of(page);
+      assert.equal(recipe.material.secondary_exponent, 90);
+      assert.equal(recipe.material.primary_shift, 1.1);
+      assert.equal(recipe.material.base_color.length, 4);
+      assert.deepEqual(recipe.dynamics, { model: 'passive' });
+      assert.deepEqual(Object.keys(recipe).sort(), ['dynamics', 'material']);
+      await page.click('#copy-recipe');
+      assert.deepEqual(JSON.parse(await page.inputValue('#recipe-text')), recipe);
+      assert.match(await page.textContent('#recipe-note'), /Stiffness/);
+    });
+  },
+
+  async copied_recipe_cooks_what_was_seen() {
+    await with_page(async (page) => {
+      await take(page, kSize);
+      for (const [id, value] of [['primary_exponent', 60], ['primary_shift', 1], ['secondary_shift', 0.2], ['base_color', '#b0a0ff']]) {
+        await move(page, `#control-${id}`, value);
+      }
+      const seen = await take(page, kSize);
+      writeFileSync(in_work('tuned.recipe.json'), JSON.stringify(await recipe_of(page)));
+      coif('cook', SOURCE, '-o', 'tuned.coif', '--recipe', 'tuned.recipe.json', '--threads', '2');
+      const db = psnr(seen, rendered('tuned.coif'));
+      console.log(`the cooked recipe: ${db.toFixed(1)} dB; untuned: ${psnr(seen, rendered(ASSET)).toFixed(1)} dB`);
+      assert.ok(db >= kLeastDb, `${db} dB`);
+      assert.ok(psnr(seen, rendered(ASSET)) < kLeastDb - 5, 'the recipe changes nothing');
+    });
+  },
+
+  async frames_need_no_more_memory() {
+    await with_page(async (page) => {
+      const grown = await page.evaluate(async () => {
+        const view = await window.coif;
+        let made = 0;
+        for (const name of ['createBuffer', 'createTexture', 'createProgram', 'createVertexArray', 'createFramebuffer', 'bufferData']) {
+          const real = WebGL2RenderingContext.prototype[name];
+          WebGL2RenderingContext.prototype[name] = function (...words) { ++made; return real.apply(this, words); };
+        }
+        const run = (frames) => { for (let i = 0; i < frames; ++i) view.draw(48, 40, 1 / 60); };
+        const used = () => { window.gc(); return performance.memory.usedJSHeapSize; };
+        for (const [name, value] of [['motion', 'turn'], ['plays', 1], ['samples', 1], ['shadows', 'plain']]) view.set(name, value);
+        run(200);
+        const before = { script: used(), wasm: view.wasm.module.HEAPU8.length };
+        made = 0;
+        const drawn = view.wasm.numbers().drawn;
+        run(2000);
+        return { made, drawn: view.wasm.numbers().drawn - drawn, script: used() - before.script,
+                 wasm: view.wasm.module.HEAPU8.length - before.wasm };
+      });
+      console.log(JSON.stringify(grown));
+      assert.equal(grown.drawn, 2000);
+      assert.equal(grown.made, 0, 'objects of WebGL are made in frames');
+      assert.equal(grown.wasm, 0);
+      assert.ok(grown.script < 500_000, `scripts keep ${grown.script} bytes`);
+    }, { width: 320, height: 240 });
+  },
+
+  async lost_context_comes_back() {
+    await with_page(async (page) => {
+      const before = await take(page, kSize);
+      await page.evaluate(async () => {
+        const view = await window.coif;
+        const event = (name) => new Promise((done) => view.canvas.addEventListener(name, () => setTimeout(done), { once: true }));
+        const loses = view.canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+        const lost = event('webglcontextlost');
+        loses.loseContext();
+        await lost;
+        view.wake();
+        const restored = event('webglcontextrestored');
+        loses.restoreContext();
+        await restored;
+      });
+      assert.equal(count_different(before, await take(page, kSize)), 0);
+    });
+  },
+
+  async heads_move_and_rest() {
+    await with_page(async (page) => {
+      const still = await take(page, kSize);
+      const moved = await page.evaluate(async () => {
+        const view = await window.coif;
+        view.set('motion', 'turn');
+        view.set('plays', 1);
+        for (let i = 0; i < 20; ++i) view.draw(64, 48, 1 / 60);
+        view.set('plays', 0);
+        view.set('motion', 'still');
+        view.restart();
+        view.set('beside', 'thesis');
+        view.draw(64, 48, 0);
+        view.set('beside', 'none');
+        const held = view.wasm.grab(0.5, 0.5);
+        view.wasm.drag(0.2, 0);
+        for (let i = 0; i < 10; ++i) view.draw(64, 48, 1 / 60);
+        const asleep = view.wasm.numbers().asleep;
+        view.wasm.release();
+        return { held, asleep, cost: view.wasm.numbers().step_ns_of_bone };
+      });
+      assert.deepEqual([moved.held, moved.asleep], [true, 0]);
+      assert.ok(moved.cost >= 0 && moved.cost < 1e5, `${moved.cost} ns a bone`);
+      const rested = await page.evaluate(async () => {
+        const view = await window.coif;
+        for (let i = 0; i < 1200 && !view.wasm.numbers().asleep; ++i) view.draw(64, 48, 1 / 60);
+        return view.wasm.numbers().asleep;
+      });
+      assert.equal(rested, 1, 'the hair never rests');
+      assert.ok(psnr(still, await take(page, kSize)) > 38, 'hair comes back to where it hung');
+    });
+  },
+
+  async bad_files_are_refused_as_on_the_command_line() {
+    const good = readFileSync(ASSET);
+    const files = { 'text.coif': Buffer.from('this text is long enough for a header, and more than that'), 'cut.coif': good.subarray(0, 5000),
+                    'spoilt.coif': Buffer.concat([good.subarray(0, good.length - 9), Buffer.from('spoilt!!!')]), 'empty.coif': Buffer.alloc(0) };
+    const browser = await launch();
+    try {
+      const { page } = await open_page(browser, make_page());
+      for (const [name, bytes] of Object.entries(files)) {
+        writeFileSync(in_work(name), bytes);
+        const told = spawnSync(COIF, ['view', name, '-o', 'no.html', '--page', PAGE], { encoding: 'utf8', cwd: WORK });
+        assert.notEqual(told.status, 0, name);
+        await page.setInputFiles('#file', in_work(name));
+        await page.waitForFunction(() => !document.getElementById('problem').hidden);
+        const shown = await page.textContent('#problem');
+        assert.equal(`coif view: error: ${shown}`, told.stderr.trim());
+        await page.evaluate(async () => (await window.coif).say(''));
+      }
+      copyFileSync(ASSET, in_work('other.coif'));
+      await page.setInputFiles('#file', in_work('other.coif'));
+      await page.waitForFunction(() => document.getElementById('name').textContent === 'other.coif');
+      assert.ok(new Set(await take(page, kSize)).size > 50, 'what was shown is gone');
+    } finally {
+      await browser.close();
+    }
+  },
+};
+
+const wanted = process.argv[2];
+if (!(wanted in cases)) throw new Error(`no case ${wanted}; there are ${Object.keys(cases).join(', ')}`);
+mkdirSync(WORK, { recursive: true });
+await cases[wanted]();

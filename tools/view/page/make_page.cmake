@@ -1,0 +1,23 @@
+# Puts style, program and scripts into the page: cmake -D HTML= -D STYLE= -D WASM= -D SCRIPTS= -D OUT= -P make_page.cmake.
+# A page that opens from disk cannot load modules from files, so that they become one: without lines that import, and names that
+# are the only ones among them.
+file(READ ${HTML} page)
+file(READ ${STYLE} style)
+file(READ ${WASM} program)
+set(scripts "")
+foreach(script IN LISTS SCRIPTS)
+  file(READ ${script} text)
+  string(REGEX REPLACE "(^|\n)import [^\n]*" "\\1" text "${text}")
+  string(REGEX REPLACE "(^|\n)export " "\\1" text "${text}")
+  string(APPEND scripts "${text}")
+endforeach()
+foreach(part style program scripts)
+  string(TOUPPER "@${part}@" place)
+  string(FIND "${page}" "${place}" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "${HTML} has no ${place}")
+  endif()
+  string(REPLACE "${place}" "${${part}}" page "${page}")
+endforeach()
+file(WRITE ${OUT}.new "${page}")
+file(RENAME ${OUT}.new ${OUT})

@@ -1,0 +1,113 @@
+// What the page's scripts call. One asset, one canvas. Functions that may fail return null or a sentence that lives until the
+// next call.
+
+#include "view/page/view_session.h"
+
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+struct Page {
+  EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
+  std::vector<std::byte> incoming;
+  std::unique_ptr<coif::ViewSession> session;
+  std::string said;
+  bool has_drawn = false;
+};
+
+Page& page() {
+  static Page only;
+  return only;
+}
+
+const char* say(std::string text) {
+  page().said = std::move(text);
+  return page().said.c_str();
+}
+
+const char* outcome(const tl::expected<void, coif::ToolError>& done) {
+  return done ? nullptr : say(done.error().message);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// On the canvas with the id "picture".
+EMSCRIPTEN_KEEPALIVE const char* coif_view_start() {
+  EmscriptenWebGLContextAttributes wanted;
+  emscripten_webgl_init_context_attributes(&wanted);
+  wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = false;
+  wanted.preserveDrawingBuffer = true;  // a frame that changes nothing is not drawn
+  wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
+  wanted.majorVersion = 2;
+  page().context = emscripten_webgl_create_context("#picture", &wanted);
+  if (page().context <= 0)
+    return say(
+        "this browser has no WebGL 2, which the picture needs; another browser, or one with its graphics acceleration "
+        "turned on, has");
+  emscripten_webgl_make_context_current(page().context);
+  return nullptr;
+}
+
+/// Where the script writes a file of so many bytes before coif_view_open().
+EMSCRIPTEN_KEEPALIVE void* coif_view_room(std::size_t bytes) {
+  page().incoming.assign(bytes, std::byte{});
+  return page().incoming.data();
+}
+
+/// Opens what was written there. A file that is refused leaves the one that is shown.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
+  auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
+  if (!session) return say(session.error().message);
+  page().session = std::move(*session);
+  return outcome(page().session->start_drawing());
+}
+
+/// After the browser has given the context back, with its extensions.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_restore() {
+  return page().session ? outcome(page().session->start_drawing()) : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
+  return page().session ? say(coif::controls_json(page().session->asset())) : say("[]");
+}
+
+EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }
+EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_setting_count() { return coif::kViewSettings; }
+
+EMSCRIPTEN_KEEPALIVE const float* coif_view_numbers() {
+  return page().session ? &page().session->numbers().step_ns_of_bone : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* coif_view_frame(std::uint32_t width, std::uint32_t height, double seconds) {
+  page().has_drawn = false;
+  if (!page().session) return nullptr;
+  const auto drawn = page().session->frame(width, height, seconds);
+  if (!drawn) return say(drawn.error().message);
+  page().has_drawn = *drawn;
+  return nullptr;
+}
+EMSCRIPTEN_KEEPALIVE bool coif_view_has_drawn() { return page().has_drawn; }
+
+EMSCRIPTEN_KEEPALIVE const char* coif_view_restart() {
+  return page().session ? outcome(page().session->restart()) : nullptr;
+}
+
+EMSCRIPTEN_KEEPALIVE bool coif_view_grab(double x, double y) { return page().session && page().session->grab(x, y); }
+EMSCRIPTEN_KEEPALIVE void coif_view_drag(double across, double down) {
+  if (page().session) page().session->drag(across, down);
+}
+EMSCRIPTEN_KEEPALIVE void coif_view_turn(double across, double down) {
+  if (page().session) page().session->turn(across, down);
+}
+EMSCRIPTEN_KEEPALIVE void coif_view_release() {
+  if (page().session) page().session->release();
+}
+}

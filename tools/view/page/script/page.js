@@ -1,0 +1,238 @@
+// The page: opens its asset, draws while something moves, and lets others in.
+
+import { Controls } from './controls.js';
+import { Hands } from './hands.js';
+import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { WasmPage } from './wasm_page.js';
+
+const at = (id) => document.getElementById(id);
+const kMostPixels = 2;  // of the canvas for one of the page, each way
+
+class Page {
+  constructor(wasm) {
+    this.wasm = wasm;
+    this.canvas = at('picture');
+    this.last = 0;
+    this.waiting = 0;
+    this.rate = 0;
+    this.is_lost = false;
+  }
+
+  /** An asset's bytes, and what the file is called. */
+  open(bytes, name) {
+    this.wasm.open(bytes);
+    this.name = name;
+    this.table = this.wasm.controls();
+    this.original = this.wasm.settings().slice();
+    this.set('zoom', 0.9);  // room for hair that swings
+    if (devicePixelRatio >= 1.5) this.set('samples', 1);
+    this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), () => this.wake());
+    at('name').textContent = name;
+    document.title = `${name} - coif view`;
+    this.say('');
+    this.wake();
+  }
+
+  control(name) {
+    const found = this.table.find((c) => c.name === name);
+    if (!found) throw new Error(`there is no setting "${name}"`);
+    return found;
+  }
+  get(name) { return this.wasm.settings()[this.control(name).at]; }
+  set(name, value) {
+    const { at: place, words } = this.control(name);
+    const values = [value].flat().map((v) => (typeof v === 'string' ? words.split('|').indexOf(v) : Number(v)));
+    this.wasm.settings().set(values, place);
+    this.wake();
+  }
+  look(yaw, pitch, zoom) {
+    this.set('yaw', yaw);
+    this.set('pitch', pitch);
+    if (zoom !== undefined) this.set('zoom', zoom);
+  }
+  play() { this.set('plays', this.get('plays') ? 0 : 1); }
+  restart() { this.wasm.restart(); this.wake(); }
+
+  recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
+
+  /** A red line of text; '': none. */
+  say(problem) {
+    at('problem').textContent = problem;
+    at('problem').hidden = problem === '';
+  }
+
+  wake() {
+    if (this.waiting || this.is_lost || !this.table) return;
+    this.waiting = requestAnimationFrame((now) => this.tick(now));
+  }
+
+  tick(now) {
+    this.waiting = 0;
+    const seconds = this.last ? (now - this.last) / 1000 : 0;
+    this.last = now;
+    const scale = Math.min(devicePixelRatio, kMostPixels);
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    if (this.draw(Math.round(box.width * scale), Math.round(box.height * scale), seconds)) {
+      if (seconds > 0) this.rate += 0.1 * (1 / seconds - this.rate);
+      this.wake();
+    } else {
+      this.last = 0;
+    }
+    this.show_numbers();
+  }
+
+  /** True where something new was drawn. */
+  draw(width, height, seconds) {
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    try {
+      return this.wasm.frame(Math.max(width, 16), Math.max(height, 16), seconds);
+    } catch (error) {
+      this.say(error.message);
+      return false;
+    }
+  }
+
+  show_numbers() {
+    const n = this.wasm.numbers();
+    const size = n.asset_bytes < 1e6 ? `${Math.round(n.asset_bytes / 1024)} KB` : `${(n.asset_bytes / (1 << 20)).toFixed(1)} MB`;
+    const cost = n.step_ns_of_bone > 0 ? `${n.step_ns_of_bone.toFixed(0)} ns` : '-';
+    const numbers = [
+      ['a bone, each sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
+      ['asset', size], ['pictures a second', n.asleep ? 'at rest' : this.rate.toFixed(0)],
+    ];
+    at('numbers').replaceChildren(...numbers.map(([what, value]) => {
+      const cell = document.createElement('span');
+      const strong = document.createElement('b');
+      strong.textContent = value;
+      cell.append(strong, ` ${what}`);
+      return cell;
+    }));
+  }
+
+  /** Pixels of a picture of this size, RGBA, rows top to bottom; time stands still. */
+  take(width, height) {
+    if (!this.draw(width, height, 0)) this.draw(width, height, 0);
+    const gl = this.canvas.getContext('webgl2');
+    const upside_down = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upside_down);
+    const pixels = new Uint8Array(upside_down.length);
+    const row = 4 * width;
+    for (let y = 0; y < height; ++y) pixels.set(upside_down.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
+    this.wake();
+    return pixels;
+  }
+
+  /** The browser may take the graphics card away, and gives it back. */
+  watch_context() {
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.is_lost = true;
+      this.say('The graphics card is gone for a moment.');
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      const gl = this.canvas.getContext('webgl2');
+      for (const name of gl.getSupportedExtensions()) gl.getExtension(name);
+      this.is_lost = false;
+      this.try_to(() => { this.wasm.restore(); this.say(''); this.wake(); });
+    });
+  }
+
+  try_to(act) {
+    try {
+      act();
+    } catch (error) {
+      this.say(error.message);
+    }
+  }
+
+  async open_file(file) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    try {
+      this.open(bytes, file.name);
+    } catch (error) {
+      const cure = file.name.endsWith('.coif') ? '' : ` (an artist's file or a recipe has to be cooked first: coif cook ${file.name} -o hair.coif)`;
+      this.say(`${file.name}: ${error.message}${cure}`);
+    }
+  }
+}
+
+function accept_files(page) {
+  const whole = document.body;
+  whole.addEventListener('dragover', (event) => { event.preventDefault(); whole.classList.add('dropping'); });
+  whole.addEventListener('dragleave', () => whole.classList.remove('dropping'));
+  whole.addEventListener('drop', (event) => {
+    event.preventDefault();
+    whole.classList.remove('dropping');
+    if (event.dataTransfer.files.length > 0) page.open_file(event.dataTransfer.files[0]);
+  });
+  at('file').addEventListener('change', (event) => {
+    if (event.target.files.length > 0) page.open_file(event.target.files[0]);
+    event.target.value = '';
+  });
+}
+
+function offer_recipe(page) {
+  const dialog = at('recipe');
+  at('copy-recipe').addEventListener('click', () => {
+    const text = recipe_text(page.recipe());
+    const unsaid = left_out(page.table, page.wasm.settings(), page.original);
+    at('recipe-text').value = text;
+    at('recipe-note').textContent = unsaid.length > 0
+      ? `Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.` : '';
+    dialog.showModal();
+    at('recipe-text').select();
+    navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
+  });
+  at('close-recipe').addEventListener('click', () => dialog.close());
+}
+
+function wire(page) {
+  new Hands(page.canvas, page);
+  accept_files(page);
+  offer_recipe(page);
+  page.watch_context();
+  at('restart').addEventListener('click', () => page.try_to(() => page.restart()));
+  at('save').addEventListener('click', () => page.canvas.toBlob((blob) => {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = `${page.name.replace(/\.coif$/, '')}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }));
+  at('fold').addEventListener('click', () => {
+    const folded = document.body.classList.toggle('folded');
+    at('fold').setAttribute('aria-expanded', String(!folded));
+    page.wake();
+  });
+  for (const [id, yaw] of [['front', 0], ['side', 90], ['back', 180], ['slanted', 30]]) {
+    at(id).addEventListener('click', () => page.look(yaw, 5));
+  }
+  new ResizeObserver(() => page.wake()).observe(page.canvas.parentElement);
+}
+
+function embedded_asset() {
+  const holder = at('asset');
+  const text = atob(holder.textContent.trim());
+  const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
+  holder.textContent = '';  // the memory is needed once
+  return bytes;
+}
+
+async function begin() {
+  const wasm = new WasmPage(await loadCoifView());
+  const page = new Page(wasm);
+  wasm.start();
+  wire(page);
+  const name = at('asset').dataset.name;
+  if (name) page.open(embedded_asset(), name);
+  else page.say('Drop a .coif file here.');
+  return page;
+}
+
+/** For whoever drives the page from outside: the Page, once it is there. */
+window.coif = begin();
+window.coif.catch((error) => {
+  at('problem').textContent = error.message;
+  at('problem').hidden = false;
+});

@@ -1,0 +1,53 @@
+// The functions of page.cpp, in JavaScript's types.
+
+/** Where numbers lie in ViewNumbers. */
+const kNumbers = ['step_ns_of_bone', 'substeps', 'bones', 'triangles', 'asset_bytes', 'drawn', 'asleep', 'levels', 'time'];
+
+export class WasmPage {
+  constructor(module) {
+    this.module = module;
+  }
+
+  /** Throws what the function says went wrong. */
+  check(name, types = [], values = []) {
+    const problem = this.module.ccall(name, 'string', types, values);
+    if (problem) throw new Error(problem);
+  }
+
+  start() { this.check('coif_view_start'); }
+
+  /** An asset's bytes. Whatever is wrong with them, what is shown stays. */
+  open(bytes) {
+    const room = this.module.ccall('coif_view_room', 'number', ['number'], [bytes.length]);
+    this.module.HEAPU8.set(bytes, room);
+    this.check('coif_view_open');
+  }
+
+  restore() { this.check('coif_view_restore'); }
+  restart() { this.check('coif_view_restart'); }
+
+  controls() { return JSON.parse(this.module.ccall('coif_view_controls', 'string', [], [])); }
+
+  /** A view of the settings. Not to be kept: memory moves when it grows. */
+  settings() {
+    const count = this.module.ccall('coif_view_setting_count', 'number', [], []);
+    const begin = this.module.ccall('coif_view_settings', 'number', [], []) / 4;
+    return this.module.HEAPF32.subarray(begin, begin + count);
+  }
+
+  numbers() {
+    const begin = this.module.ccall('coif_view_numbers', 'number', [], []) / 4;
+    return Object.fromEntries(kNumbers.map((name, i) => [name, this.module.HEAPF32[begin + i]]));
+  }
+
+  /** Goes on by so many seconds, in a canvas of so many pixels; true where something new is on it. */
+  frame(width, height, seconds) {
+    this.check('coif_view_frame', ['number', 'number', 'number'], [width, height, seconds]);
+    return Boolean(this.module.ccall('coif_view_has_drawn', 'boolean', [], []));
+  }
+
+  grab(x, y) { return Boolean(this.module.ccall('coif_view_grab', 'boolean', ['number', 'number'], [x, y])); }
+  drag(across, down) { this.module.ccall('coif_view_drag', null, ['number', 'number'], [across, down]); }
+  turn(across, down) { this.module.ccall('coif_view_turn', null, ['number', 'number'], [across, down]); }
+  release() { this.module.ccall('coif_view_release', null, [], []); }
+}

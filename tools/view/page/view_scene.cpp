@@ -1,0 +1,157 @@
+#include "view/page/view_scene.h"
+
+#include "view/page/gl_loader.h"
+
+#include <coif/webgl.h>
+
+#include <GLES3/gl3.h>
+
+#include <algorithm>
+#include <string>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kShadowTexels = 1024;
+constexpr std::uint32_t kCoveredSamples = 4;
+constexpr float kLineThickness = 1.5f;  // pixels of the canvas
+
+bool covers_samples(const TransparencyMode& mode) {
+  return &mode == &kCoverageMode || &mode == &kProportionalMode || &mode == &kJitteredMode;
+}
+
+std::uint32_t finer_of(const ViewSettings& settings) { return settings.samples >= 2 ? 2 : 1; }
+
+tl::unexpected<ToolError> refused(const char* what, const char* why) {
+  return failure(ToolError::Kind::kUnsupported, std::string("the browser's WebGL refuses ") + what + ": " + why);
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<ViewScene>, ToolError> ViewScene::create(const Asset& asset) {
+  if (!has_mesh(asset)) {
+    return failure(ToolError::Kind::kBadInput,
+                   "the asset has no mesh to draw; cook it again without leaving the mesh out");
+  }
+  std::unique_ptr<ViewScene> scene(new ViewScene(asset));
+  if (auto made = scene->make(); !made) return tl::unexpected(made.error());
+  return scene;
+}
+
+ViewScene::~ViewScene() {
+  if (target_) target_->destroy();
+  shadow_.destroy();
+  model_.destroy();
+  renderer_.destroy();
+}
+
+tl::expected<void, ToolError> ViewScene::make() {
+  RendererDesc desc;
+  scratch_.resize(desc.stream_bytes / 4);
+  desc.webgl = &kWebGl;
+  desc.scratch = scratch_;
+  if (renderer_.create(web_gl_loader(), desc) != Status::kOk) return refused("the renderer", renderer_.failure());
+  if (const Status status = model_.upload(renderer_, asset_); status != Status::kOk) {
+    return refused("the asset", status == Status::kDriver ? renderer_.failure() : describe(status));
+  }
+  auto lines = LineOverlay::create();
+  if (!lines) return tl::unexpected(lines.error());
+  lines_ = *lines;
+  auto target = DevelopedTarget::create();
+  if (!target) return tl::unexpected(target.error());
+  target_ = *target;
+  return {};
+}
+
+tl::expected<void, ToolError> ViewScene::choose_shadow(const ShadowTechnique* technique) {
+  if (stage_ && technique == technique_) return {};
+  shadow_.destroy();
+  if (technique != nullptr) {
+    const ShadowDesc desc{.technique = technique, .size = kShadowTexels};
+    if (shadow_.create(renderer_, web_gl_loader(), desc) != Status::kOk) {
+      return refused("these shadows", renderer_.failure());
+    }
+  }
+  if (stage_) stage_->destroy();
+  auto stage = StageRenderer::create(mannequin_meshes(asset_.colliders()), technique != nullptr ? &shadow_ : nullptr);
+  if (!stage) return tl::unexpected(stage.error());
+  stage_ = std::move(*stage);
+  technique_ = technique;
+  return {};
+}
+
+const CrowdView& ViewScene::view(const ViewSettings& settings, double aspect, std::uint32_t heads) {
+  const Framed wanted{settings.yaw, settings.pitch, settings.zoom, aspect, heads};
+  if (wanted == framed_) return view_;
+  CameraSettings camera;
+  camera.yaw_degrees = double(settings.yaw) + yaw_of_face(asset_);
+  camera.pitch_degrees = double(settings.pitch);
+  camera.aspect = aspect;
+  camera.heads = heads;
+  camera.margin /= std::clamp(double(settings.zoom), 0.1, 20.0);
+  view_ = frame_crowd(points_, camera);
+  framed_ = wanted;
+  return view_;
+}
+
+Status ViewScene::cast(const ViewSettings&, const ShadowCrowd& crowd, std::span<const HairInstance> heads,
+                       const CrowdView& view, const Light& light) {
+  if (const Status begun = shadow_.begin(light, ball_around(points_, view.places)); begun != Status::kOk) return begun;
+  Eigen::Matrix4f clip;
+  float columns[16];
+  shadow_.clip_from_origin({}, columns);
+  clip = Eigen::Map<const Eigen::Matrix4f>(columns);
+  for (const HairInstance& head : heads) stage_->draw_casters(clip, head.head);
+  return shadow_.draw({&crowd, 1});
+}
+
+tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, const CrowdView& view,
+                                              std::span<const HairInstance> heads, std::uint32_t width,
+                                              std::uint32_t height) {
+  if (auto chosen = choose_shadow(shadows_of(settings)); !chosen) return chosen;
+  const std::uint32_t finer = finer_of(settings);
+  const TransparencyMode& mode = transparency_of(settings);
+  const bool needs_samples = finer == 1 || covers_samples(mode);
+  if (!target_->resize(width, height, finer, needs_samples ? kCoveredSamples : 0)) {
+    return refused("a picture of this size", "make the window smaller, or take fewer samples");
+  }
+  const MaterialRecord material = material_of(asset_, settings);
+  const auto lights = studio_lights(view.camera);
+  DrawDesc desc = studio_desc(view.camera, lights);
+  desc.component = component_of(settings);
+  desc.material = &material;
+  desc.transparency = &mode;
+  Status status = Status::kOk;
+  if (technique_ != nullptr) {
+    status = cast(settings, {&model_, heads, &material}, heads, view, lights[0]);
+    desc.shadow = &shadow_;
+  }
+  target_->bind();
+  stage_->draw_backdrop();
+  for (const HairInstance& head : heads) stage_->draw_bodies(view.camera, head.head, lights, desc.shadow);
+  if (status == Status::kOk) status = renderer_.draw(model_, heads, desc);
+  if (status != Status::kOk)
+    return refused("the hair", status == Status::kDriver ? renderer_.failure() : describe(status));
+  if (auto drawn = draw_lines(settings, view.camera, heads); !drawn) return drawn;
+  target_->develop();
+  return {};
+}
+
+tl::expected<void, ToolError> ViewScene::draw_lines(const ViewSettings& settings, const Camera& camera,
+                                                    std::span<const HairInstance> heads) const {
+  const DebugView shown{.bones = settings.bones != 0,
+                        .colliders = settings.colliders != 0,
+                        .contacts = settings.contacts != 0,
+                        .limits = settings.limits != 0};
+  if (!shown.has_lines()) return {};
+  std::vector<DebugLine> lines;
+  for (const HairInstance& head : heads) {
+    const auto own = debug_lines_of(asset_, head, shown);
+    if (!own) return tl::unexpected(own.error());
+    lines.insert(lines.end(), own->begin(), own->end());
+  }
+  lines_->draw(camera, lines, target_->width(), target_->height(), kLineThickness * float(finer_of(settings)));
+  return {};
+}
+
+}  // namespace coif

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "render/camera.h"
+#include "render/debug_overlay.h"
+#include "render/stage_renderer.h"
+#include "view/page/developed_target.h"
+#include "view/page/view_settings.h"
+
+#include <coif/asset.h>
+#include <coif/renderer.h>
+#include <coif/shadow.h>
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// One asset in one WebGL context: all that the GPU holds of the page.
+class ViewScene {
+ public:
+  /// The asset must outlive this object. kUnsupported where the browser refuses something, kBadInput for an asset without a mesh.
+  static tl::expected<std::unique_ptr<ViewScene>, ToolError> create(const Asset& asset);
+  ~ViewScene();
+  ViewScene(const ViewScene&) = delete;
+  ViewScene& operator=(const ViewScene&) = delete;
+
+  /// As `coif render` frames so many heads, and then larger by the settings' zoom.
+  [[nodiscard]] const CrowdView& view(const ViewSettings& settings, double aspect, std::uint32_t heads);
+
+  /// Pixels of the canvas. Of each head, as many as `view` has places, its pose and palette, where it is placed.
+  tl::expected<void, ToolError> draw(const ViewSettings& settings, const CrowdView& view,
+                                     std::span<const HairInstance> heads, std::uint32_t width, std::uint32_t height);
+
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
+
+ private:
+  explicit ViewScene(const Asset& asset) : asset_(asset), points_(framed_points(asset)) {}
+  tl::expected<void, ToolError> make();
+  /// The shadow of this technique, and a stage whose shader looks it up.
+  tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
+  Status cast(const ViewSettings& settings, const ShadowCrowd& crowd, std::span<const HairInstance> heads,
+              const CrowdView& view, const Light& light);
+  tl::expected<void, ToolError> draw_lines(const ViewSettings& settings, const Camera& camera,
+                                           std::span<const HairInstance> heads) const;
+
+  struct Framed {
+    float yaw = 0, pitch = 0, zoom = 0;
+    double aspect = 0;
+    std::uint32_t heads = 0;
+    bool operator==(const Framed&) const = default;
+  };
+
+  const Asset& asset_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<std::byte> scratch_;
+  HairRenderer renderer_;
+  HairModel model_;
+  HairShadow shadow_;
+  const ShadowTechnique* technique_ = nullptr;
+  std::optional<StageRenderer> stage_;
+  std::optional<LineOverlay> lines_;
+  std::optional<DevelopedTarget> target_;
+  Framed framed_;
+  CrowdView view_;
+};
+
+}  // namespace coif

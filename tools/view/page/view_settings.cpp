@@ -1,0 +1,102 @@
+#include "view/page/view_settings.h"
+
+#include "base/geometry.h"
+#include "base/hair_runtime.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace coif {
+namespace {
+
+// The same words as on the command line; exact order is not to be had in WebGL 2.
+constexpr std::array<const TransparencyMode*, 9> kModes{&kBlendMode,        &kOpaqueMode,   &kCoverageMode,
+                                                        &kProportionalMode, &kJitteredMode, &kScreenDoorMode,
+                                                        &kCheckerboardMode, &kBayerMode,    &kHashedMode};
+constexpr std::array<const ShadowTechnique*, 5> kTechniques{nullptr, &kPlainShadow, &kOpacityShadow,
+                                                            &kDeepOpacityShadow, &kDeepShadow};
+constexpr std::array<const Solver*, 4> kSolvers{&kCoifSolver, &kCascadeSolver, &kPassiveSolver, &kThesisSolver};
+
+/// Whatever a script wrote there.
+template <typename Entry, std::size_t kCount>
+const Entry& chosen(const std::array<Entry, kCount>& all, float number) {
+  return all[number >= 0 && number < float(kCount) ? std::size_t(number) : 0];
+}
+
+/// For assets without a material, as the renderer takes it.
+MaterialRecord own_material(const Asset& asset) {
+  return asset.material() != nullptr ? *asset.material() : drawn_hair_of(asset).material;
+}
+
+void fill_in_fiber(MaterialRecord& material) {
+  if (material.roughness >= kLeastRoughness) return;
+  material.tilt = 0.05f;  // never cooked with a recipe that has them
+  material.roughness = 0.14f;
+  material.scatter = 0.8f;
+}
+
+constexpr float kDegreesOfRadian = float(1 / kDegree);
+
+}  // namespace
+
+ViewSettings settings_of(const Asset& asset) {
+  ViewSettings s;
+  MaterialRecord material = own_material(asset);
+  fill_in_fiber(material);
+  s.shading = float(material.shading);
+  std::copy_n(material.ambient, 3, s.ambient);
+  s.opaque_threshold = material.opaque_threshold;
+  s.discard_threshold = material.discard_threshold;
+  std::copy_n(material.primary_color, 3, s.primary_color);
+  s.primary_exponent = material.primary_exponent;
+  s.primary_shift = material.primary_shift;
+  std::copy_n(material.secondary_color, 3, s.secondary_color);
+  s.secondary_exponent = material.secondary_exponent;
+  s.secondary_shift = material.secondary_shift;
+  s.tilt = material.tilt * kDegreesOfRadian;
+  s.roughness = material.roughness * kDegreesOfRadian;
+  s.scatter = material.scatter;
+  return s;
+}
+
+MaterialRecord material_of(const Asset& asset, const ViewSettings& s) {
+  const ViewSettings own = settings_of(asset);
+  MaterialRecord material = own_material(asset);
+  const auto model = std::min(std::uint32_t(std::max(s.shading, 0.0f)), kShadingModelCount - 1);
+  if (model != std::uint32_t(material.shading)) {
+    material.light_cut = 0;  // made for the other model
+    material.shading = ShadingModel(model);
+    fill_in_fiber(material);
+  }
+  for (int k = 0; k < 3; ++k) material.base_color[k] *= s.base_color[k];
+  std::copy_n(s.ambient, 3, material.ambient);
+  material.opaque_threshold = s.opaque_threshold;
+  material.discard_threshold = s.discard_threshold;
+  std::copy_n(s.primary_color, 3, material.primary_color);
+  material.primary_exponent = s.primary_exponent;
+  material.primary_shift = s.primary_shift;
+  std::copy_n(s.secondary_color, 3, material.secondary_color);
+  material.secondary_exponent = s.secondary_exponent;
+  material.secondary_shift = s.secondary_shift;
+  // What nobody touched keeps its bits, which degrees would round.
+  if (s.tilt != own.tilt) material.tilt = s.tilt / kDegreesOfRadian;
+  if (s.roughness != own.roughness) material.roughness = s.roughness / kDegreesOfRadian;
+  if (s.scatter != own.scatter) material.scatter = s.scatter;
+  return material;
+}
+
+const TransparencyMode& transparency_of(const ViewSettings& settings) { return *chosen(kModes, settings.transparency); }
+
+const ShadowTechnique* shadows_of(const ViewSettings& settings) { return chosen(kTechniques, settings.shadows); }
+
+const Solver& solver_of(float choice) { return *chosen(kSolvers, choice); }
+
+Component component_of(const ViewSettings& settings) {
+  static constexpr std::array kShown{Component::kAll,      Component::kAmbient, Component::kDiffuse,
+                                     Component::kSpecular, Component::kPrimary, Component::kSecondary,
+                                     Component::kDirection};
+  return chosen(kShown, settings.component);
+}
+
+}  // namespace coif

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <coif/asset.h>
+#include <coif/asset_records.h>
+#include <coif/drawing.h>
+#include <coif/hair.h>
+#include <coif/shadow.h>
+#include <coif/transparency.h>
+
+#include <cstdint>
+#include <string>
+
+namespace coif {
+
+/// All that a visitor of the page can set. Floats without gaps, so that the page's scripts see one array; a choice is the number of
+/// its word. A control_table() row tells what each is called, its range, and the recipe's key for it.
+struct ViewSettings {
+  float yaw = 30, pitch = 5;  ///< Degrees, as `coif render --view` takes them.
+  float zoom = 1;             ///< 1: all is seen, as `coif render` frames it; 2: twice as large.
+
+  float motion = 0, plays = 0;
+  float rate = 60;  ///< Steps a second.
+  float wind = 0, wind_from = 0, gusts = 0;
+
+  float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
+  float stiffness = 1, damping = 1, friction = 1;
+  float lod = 0;
+
+  float shading = 0;
+  float base_color[3] = {1, 1, 1};  ///< Times the asset's own.
+  float ambient[3] = {};
+  float transparency = 0;
+  float opaque_threshold = 1, discard_threshold = 0;
+  float shadows = 4;
+
+  float primary_color[3] = {};
+  float primary_exponent = 100, primary_shift = 0;
+  float secondary_color[3] = {};
+  float secondary_exponent = 100, secondary_shift = 0;
+  float tilt = 3, roughness = 8, scatter = 0.8f;  ///< Degrees, degrees, share.
+
+  float component = 0;
+  float bones = 0, colliders = 0, contacts = 0, limits = 0;
+  float samples = 2;  ///< Of each pixel, each way.
+};
+inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(float);
+
+/// What the asset itself says.
+[[nodiscard]] ViewSettings settings_of(const Asset& asset);
+
+/// The asset's material with the visitor's changes.
+[[nodiscard]] MaterialRecord material_of(const Asset& asset, const ViewSettings& settings);
+
+[[nodiscard]] const TransparencyMode& transparency_of(const ViewSettings& settings);
+/// Null: none.
+[[nodiscard]] const ShadowTechnique* shadows_of(const ViewSettings& settings);
+/// Of the choice's number.
+[[nodiscard]] const Solver& solver_of(float choice);
+[[nodiscard]] Component component_of(const ViewSettings& settings);
+
+/// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" | "choice" | "switch" |
+/// "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of the array, in floats.
+[[nodiscard]] std::string controls_json(const Asset& asset);
+
+}  // namespace coif

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "base/tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace coif {
+
+/// Where the page lies that view_page() fills in, which the build for the web made: `named` unless empty, else beside the program as it
+/// is installed, else where this build tree was told that the other is. kUnsupported where there is none.
+[[nodiscard]] tl::expected<std::filesystem::path, ToolError> find_view_page(const std::filesystem::path& named);
+
+/// One page that shows this asset, with all that it needs inside; `name` is what the page calls it. `page` as find_view_page() found it.
+/// kBadInput for a file that is no such page.
+[[nodiscard]] tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
+                                                             std::string_view name);
+
+}  // namespace coif
