@@ -136,7 +136,7 @@ const cases = {
         }
         const run = (frames) => { for (let i = 0; i < frames; ++i) view.draw(48, 40, 1 / 60); };
         const used = () => { window.gc(); return performance.memory.usedJSHeapSize; };
-        for (const [name, value] of [['motion', 'turn'], ['plays', 1], ['samples', 1], ['shadows', 'plain']]) view.set(name, value);
+        for (const [name, value] of [['motion', 'turn'], ['plays', 1], ['samples', 1], ['shadows', 'none'], ['transparency', 'opaque']]) view.set(name, value);
         run(200);
         const before = { script: used(), wasm: view.wasm.module.HEAPU8.length };
         made = 0;
@@ -174,7 +174,7 @@ const cases = {
 
   async heads_move_and_rest() {
     await with_page(async (page) => {
-      const still = await take(page, kSize);
+      const still = await take(page, kSize, { shadows: 'none' });
       const moved = await page.evaluate(async () => {
         const view = await window.coif;
         view.set('motion', 'turn');

@@ -44,8 +44,10 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
-  /// Makes anew what the GPU held: after open(), and whenever the browser lost its context.
+  /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
   tl::expected<void, ToolError> start_drawing();
+  /// While the context is lost, which forgets its objects without complaint.
+  void stop_drawing() { scene_.reset(); }
 
   /// The heads go on by `seconds` of wall time. True: something was drawn; false: nothing has changed.
   tl::expected<bool, ToolError> frame(std::uint32_t width, std::uint32_t height, double seconds);

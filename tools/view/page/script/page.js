@@ -128,6 +128,7 @@ class Page {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.is_lost = true;
+      this.wasm.lose();
       this.say('The graphics card is gone for a moment.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
