@@ -21,7 +21,7 @@ namespace coif {
 struct ViewNumbers {
   float step_ns_of_bone =
       0;                ///< Nanoseconds that a sub-step of one bone took, mean of the last steps; 0: nothing moved yet.
-  float substeps = 0;   ///< Of the last step.
+  float substeps = 0;   ///< Of a step.
   float bones = 0;      ///< Simulated, of one head.
   float triangles = 0;  ///< Of the level that is shown, one head.
   float asset_bytes = 0;
@@ -70,7 +70,6 @@ class ViewSession {
   [[nodiscard]] Vec3 wind() const;
   tl::expected<void, ToolError> step(double seconds);
   [[nodiscard]] bool is_moving() const;
-  void count_step(double nanoseconds, std::uint32_t substeps);
 
   HairMemory memory_{nullptr, &std::free};
   Asset asset_;
@@ -84,7 +83,6 @@ class ViewSession {
   HeldHead held_;
   HeadPose pose_;
   double time_ = 0, left_over_ = 0;
-  double step_ns_ = 0;
   std::uint32_t width_ = 0, height_ = 0;
 };
 
