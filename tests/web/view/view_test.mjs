@@ -186,6 +186,7 @@ const cases = {
         view.set('beside', 'thesis');
         view.draw(64, 48, 0);
         view.set('beside', 'none');
+        view.draw(64, 48, 0);
         const held = view.wasm.grab(0.5, 0.5);
         view.wasm.drag(0.2, 0);
         for (let i = 0; i < 10; ++i) view.draw(64, 48, 1 / 60);
