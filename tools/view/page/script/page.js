@@ -26,7 +26,7 @@ class Page {
     this.original = this.wasm.settings().slice();
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
-    this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), () => this.wake());
+    this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
@@ -38,8 +38,9 @@ class Page {
     if (!found) throw new Error(`there is no setting "${name}"`);
     return found;
   }
-  get(name) { return this.wasm.settings()[this.control(name).at]; }
+  get(name) { return this.table ? this.wasm.settings()[this.control(name).at] : 0; }
   set(name, value) {
+    if (!this.table) return;  // nothing is open yet
     const { at: place, words } = this.control(name);
     const values = [value].flat().map((v) => (typeof v === 'string' ? words.split('|').indexOf(v) : Number(v)));
     this.wasm.settings().set(values, place);
@@ -53,6 +54,20 @@ class Page {
   play() { this.set('plays', this.get('plays') ? 0 : 1); }
   restart() { this.wasm.restart(); this.wake(); }
 
+  word(name) { return this.control(name).words.split('|')[this.get(name)]; }
+
+  /** By the visitor. */
+  changed(name) {
+    if (name === 'motion' && this.word('motion') !== 'still') {
+      this.set('plays', 1);
+      this.controls.show();
+    }
+    const beside = this.word('beside');
+    at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
+    this.wake();
+  }
+
+  /** {section: {key: value}} of what was changed. */
   recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
 
   /** A red line of text; '': none. */
@@ -98,11 +113,12 @@ class Page {
     const size = n.asset_bytes < 1e6 ? `${Math.round(n.asset_bytes / 1024)} KB` : `${(n.asset_bytes / (1 << 20)).toFixed(1)} MB`;
     const cost = n.step_ns_of_bone > 0 ? `${n.step_ns_of_bone.toFixed(0)} ns` : '-';
     const numbers = [
-      ['a bone, each sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
-      ['asset', size], ['pictures a second', n.asleep ? 'at rest' : this.rate.toFixed(0)],
+      ['a bone and sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
+      ['asset', size], n.asleep ? ['at rest', ''] : ['pictures a second', this.rate.toFixed(0)],
     ];
     at('numbers').replaceChildren(...numbers.map(([what, value]) => {
       const cell = document.createElement('span');
+      cell.title = what === 'a bone and sub-step' ? 'In a crowd of 64 heads, in this browser' : '';
       const strong = document.createElement('b');
       strong.textContent = value;
       cell.append(strong, ` ${what}`);
@@ -128,6 +144,7 @@ class Page {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.is_lost = true;
+      this.wasm.lose();
       this.say('The graphics card is gone for a moment.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
@@ -175,11 +192,16 @@ function accept_files(page) {
 function offer_recipe(page) {
   const dialog = at('recipe');
   at('copy-recipe').addEventListener('click', () => {
+    if (!page.table) return;
     const text = recipe_text(page.recipe());
     const unsaid = left_out(page.table, page.wasm.settings(), page.original);
     at('recipe-text').value = text;
-    at('recipe-note').textContent = unsaid.length > 0
-      ? `Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.` : '';
+    const notes = [];
+    if (unsaid.length > 0) {
+      notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
+    }
+    if (page.recipe().material?.base_color) notes.push('Where your recipe has a material.base_color, multiply the two.');
+    at('recipe-note').textContent = notes.join(' ');
     dialog.showModal();
     at('recipe-text').select();
     navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
@@ -193,7 +215,7 @@ function wire(page) {
   offer_recipe(page);
   page.watch_context();
   at('restart').addEventListener('click', () => page.try_to(() => page.restart()));
-  at('save').addEventListener('click', () => page.canvas.toBlob((blob) => {
+  at('save').addEventListener('click', () => page.table && page.canvas.toBlob((blob) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
     link.download = `${page.name.replace(/\.coif$/, '')}.png`;
@@ -225,7 +247,7 @@ async function begin() {
   wasm.start();
   wire(page);
   const name = at('asset').dataset.name;
-  if (name) page.open(embedded_asset(), name);
+  if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
   else page.say('Drop a .coif file here.');
   return page;
 }
