@@ -7,6 +7,7 @@
 #             hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
+#     web     the npm package: WebAssembly gives the same bits in node; the tarball; VRM models of three-vrm; the page of coif view in Chromium
 #     variants  reader and simulation, by other compilers and flags, in 32 bits and for ARM, give the same bits; fma: one of them
 #     debug   the program, compiled for a debugger, cooks the bytes that the one for release cooks
 #     all     all of these
@@ -66,6 +67,10 @@ try_variant() {
   build "$1" -DCOIF_TESTS=ON all && run "$1" "$1" -R "$chosen"
 }
 
+test_web() {
+  install web && build web -DCOIF_TESTS=OFF coif_web coif_view_html && build release -DCOIF_TESTS=ON coif_cli coif_step_motions && run release web -L '^web$'
+}
+
 compare_builds() {
   build debug -DCOIF_TESTS=OFF coif_cli && build release -DCOIF_TESTS=ON coif_cli &&
     run release debug -R '^cli[.]builds_cook_alike$'
@@ -73,18 +78,19 @@ compare_builds() {
 
 install program tests
 for part in ${*:-plain}; do
-  [ "$part" = all ] && part='plain asan asan-cook fuzz farm variants debug'
+  [ "$part" = all ] && part='plain asan asan-cook fuzz farm web variants debug'
   for part in $part; do
     case $part in
-      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds)$' ;;
+      plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web)$' ;;
       asan) sanitize asan formats sim c import ;;
       asan-cook) sanitize asan-cook cook cache validate ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
+      web) test_web ;;
       variants) install fuzz variants && for preset in fma avx2 native clang x86-32 arm64; do try_variant $preset; done ;;
       fma) try_variant fma ;;
       debug) compare_builds ;;
-      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, variants, fma, debug, all" >&2; broken=$((broken + 1)) ;;
+      *) echo "run.sh: '$part' is none of plain, asan, asan-cook, fuzz, farm, web, variants, fma, debug, all" >&2; broken=$((broken + 1)) ;;
     esac
   done
 done

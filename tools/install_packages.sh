@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs those packages of the named groups of tools/packages.txt that are missing; does nothing, and needs no rights,
 # when all are there.
-#   tools/install_packages.sh GROUP...     program, tests, farm, fuzz
+#   tools/install_packages.sh GROUP...     program, tests, farm, web, fuzz
 set -eu
 list=$(dirname "$0")/packages.txt
 
@@ -21,9 +21,12 @@ if ! command -v apt-get >/dev/null; then
   exit 0
 fi
 
+# Names that installed packages go by besides their own: other builds of nodejs are npm, too.
+provided=$(dpkg-query -W -f '${db:Status-Abbrev}, ${Provides}\n' | sed -n 's/^ii ,//p' | tr ',' '\n' | sed 's/(.*//; s/ //g')
 missing=
 for package in $wanted; do
-  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+  dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' ||
+    echo "$provided" | grep -qxF "$package" || missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0
 

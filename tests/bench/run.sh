@@ -41,6 +41,15 @@ measure_spring_bones() {
   results="$results $bench/spring_bones.json"
 }
 
+# Of the preset web, where it was built.
+measure_wasm() {
+  echo "measuring WebAssembly"
+  mkdir -p "$bench/web"
+  "$bench/coif_write_workloads" "$bench/web"
+  taskset -c "$core" node tests/bench/web/wasm_crowds.mjs build/web/npm "$bench/web" "$repetitions" 120 >"$bench/wasm.json"
+  results="$results $bench/wasm.json"
+}
+
 measure_cooking() {
   echo "measuring coif cook"
   taskset -c "$core" python3 -B tests/bench/cook_samples.py "$build/tools/cli/coif" 3 >"$bench/cook.json"
@@ -62,6 +71,11 @@ if [ "$filter" = . ]; then
     measure "$bench/coif_bench_bullet" bullet
   else
     echo "without Bullet: libbullet-dev and pkg-config were not found when the build was configured"
+  fi
+  if [ -e build/web/npm/coif.wasm ] && command -v node >/dev/null; then
+    measure_wasm
+  else
+    echo "without WebAssembly: no node, or no build/web; 'tests/run.sh web' makes it"
   fi
   if fetch_spring_bones; then
     measure_spring_bones

@@ -36,6 +36,8 @@ LAYERS = {
     "runtime/gl": SIM | RENDERER,
     "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
+    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it.
+    "tools/view/page": SIM | RENDERER | {"tools/base", "tools/motion", "tools/render"},
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
@@ -61,7 +63,8 @@ HOMES = {
     "stb/stb_image_write.h": ["tools/base", "tests/cook"],
     "EGL/": ["tools/render", "tests/gl", "runtime/examples"],
     "GLES2/": ["tools/render", "tests/gl", "tests/render"],
-    "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples"],
+    "GLES3/": ["runtime/gl", "tools/render", "tools/report/shadow", "tests/gl", "tests/render", "runtime/examples", "tools/view/page"],
+    "emscripten/": ["tools/view/page"],
     "KHR/": ["tools/render"],
     "linux/": ["tools/process"],
     "gtest/": ["tests/"],

@@ -11,7 +11,7 @@ import statistics
 import subprocess
 import sys
 
-CODE = {".h", ".cpp", ".c", ".glsl", ".vert", ".frag", ".py", ".sh", ".cmake", ".txt"}
+CODE = {".h", ".cpp", ".c", ".glsl", ".vert", ".frag", ".py", ".sh", ".cmake", ".txt", ".mjs", ".ts"}
 PRODUCT = ("formats", "runtime", "shaders", "tools")
 SHORT = 40
 

@@ -42,7 +42,8 @@ template <class D>
 struct TailPath {
   static constexpr int kEighths = 8;
   V3<D> at[kEighths];
-  bool is_bent = false;  ///< Else it went straight, and `at` is not set.
+  hn::Mask<D> bent;      ///< The lanes in which it did; in the others it went straight.
+  bool is_bent = false;  ///< In any; else neither `at` nor `bent` is set.
 };
 
 /// How a bone goes through a part of a step as its colliders see it, head space.
@@ -54,10 +55,12 @@ struct BoneWay {
 
   HWY_INLINE V3<D> start_at(D d, float s) const {
     const float eighths = s * float(TailPath<D>::kEighths);
-    if (start_path == nullptr) return add_scaled(d, start[0], sub(d, start[1], start[0]), hn::Set(d, s));
+    const V3<D> straight = add_scaled(d, start[0], sub(d, start[1], start[0]), hn::Set(d, s));
+    if (start_path == nullptr) return straight;
     const int next = eighths < 7.0f ? int(eighths) : 7;
     const V3<D> from = next == 0 ? start[0] : start_path->at[next - 1];
-    return add_scaled(d, from, sub(d, start_path->at[next], from), hn::Set(d, eighths - float(next)));
+    const V3<D> along = add_scaled(d, from, sub(d, start_path->at[next], from), hn::Set(d, eighths - float(next)));
+    return choose<D>(start_path->bent, along, straight);
   }
 };
 
@@ -91,9 +94,9 @@ using PathsOf = std::conditional_t<kOnCharacter<D>, TailPaths<D>, NoPaths>;
 
 /// Moves one head's bones in the lanes of `own` through the part, as often looked at as the fastest collider asks for.
 template <class D>
-COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index,
-                                      const BoneWay<D>& way, hn::Mask<D> own, Met<D>& met, LimitedBone<V<D>>* limited, TouchingBone<D>& bone,
-                                      TailPath<D>& path) {
+COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, std::size_t index, const BoneWay<D>& way,
+                                   hn::Mask<D> own, Met<D>& met, LimitedBone<V<D>>* limited, TouchingBone<D>& bone,
+                                   TailPath<D>& path) {
   const RowCharacter& character = *row.character;
   std::uint32_t looks = 1;
   const float share = character.to - character.from;
@@ -134,6 +137,26 @@ COIF_RARE hn::Mask<D> pass_through(D d, const RowStep& row, std::size_t lane, st
   return moved;
 }
 
+/// Where the bone may touch a moving collider: everywhere, unless it is one of the asset's that hang on the body.
+template <class D>
+HWY_INLINE hn::Mask<D> may_touch_body(D d, const RowCharacter& character, std::size_t lane, std::size_t index,
+                                      const ColliderWay& way) {
+  const auto zero = hn::Zero(d);
+  if (way.place >= character.body_colliders) return hn::Eq(zero, zero);
+  const hn::RebindToUnsigned<D> du;
+  const auto sets = hn::Load(du, character.body_sets + index * kLanes + lane);
+  return hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << way.place)));
+}
+
+/// The first lane of `all`, and those of the same head that meet the same colliders: how often these look, and with that every lane's
+/// bits, then does not depend on who else is in the vector.
+HWY_INLINE std::uint32_t alike(const RowCharacter& character, const std::uint32_t* bits, std::uint32_t all) {
+  const std::uint32_t first = all & (0u - all);
+  if (character.only_head < 0) return first;
+  for (std::uint32_t k = 0; k < character.collider_count; ++k) all &= (bits[k] & first) != 0 ? bits[k] : ~bits[k];
+  return all;
+}
+
 /// Which of the head's colliders come near the bone in some lane of `own`. `bits` has a bit for each lane and collider near.
 template <class D>
 HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t index, const ColliderWay* ways,
@@ -143,13 +166,9 @@ HWY_INLINE void meet(D d, const RowStep& row, std::size_t lane, std::size_t inde
   met.count = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
     if ((bits[k] & own_bits) == 0) continue;
-    auto may_touch = hn::And(own, lanes_of(d, bits[k]));
-    if (ways[k].place < character.body_colliders) {
-      const hn::RebindToUnsigned<D> du;
-      const auto sets = hn::Load(du, character.body_sets + index * kLanes + lane);
-      may_touch = hn::And(may_touch, hn::RebindMask(d, hn::TestBit(sets, hn::Set(du, 1u << ways[k].place))));
-      if (hn::AllFalse(d, may_touch)) continue;
-    }
+    const auto may_touch =
+        hn::And(hn::And(own, lanes_of(d, bits[k])), may_touch_body(d, character, lane, index, ways[k]));
+    if (hn::AllFalse(d, may_touch)) continue;
     met.ways[met.count] = &ways[k];
     met.lanes[met.count] = may_touch;
     ++met.count;
@@ -180,9 +199,9 @@ HWY_INLINE hn::Mask<D> is_near(D d, const RowCharacter& character, std::size_t l
 /// be null.
 template <class D>
 COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t lane, const M3<D>& turn,
-                                              std::size_t index, const Carrier<D>& from, const V3<D>& before,
-                                              const TailPath<D>* from_path, TailPath<D>* own_path,
-                                              LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
+                                           std::size_t index, const Carrier<D>& from, const V3<D>& before,
+                                           const TailPath<D>* from_path, TailPath<D>* own_path,
+                                           LimitedBone<V<D>>* limited, BoneMotion<D>& now, V3<D>& direction) {
   const RowCharacter& character = *row.character;
   const MoveLanes& move = *row.move;
   const BoneLanes& constants = row.constants[index];
@@ -204,19 +223,22 @@ COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t 
 
   const V3<D> start_way = sub(d, way.start[1], way.start[0]);
   auto travel = hn::Sqrt(dot(d, start_way, start_way));
-  if (way.start_path != nullptr) travel = hn::Add(travel, travel);
+  if (way.start_path != nullptr) travel = hn::IfThenElse(way.start_path->bent, hn::Add(travel, travel), travel);
   const auto reach = hn::Add(hn::Add(bone.length, bone.hit_radius), travel);
   const std::uint32_t used = (1u << row.lanes) - 1u;
   std::uint32_t bits[kMaxPlaces], all = 0;
   for (std::uint32_t k = 0; k < character.collider_count; ++k) {
-    bits[k] = bits_of(d, is_near(d, character, lane, k, from.position, reach)) & (used >> lane);
+    auto near = is_near(d, character, lane, k, from.position, reach);
+    if (character.only_head >= 0)
+      near = hn::And(near, may_touch_body(d, character, lane, index, character.of_lane[lane][k]));
+    bits[k] = bits_of(d, near) & (used >> lane);
     all |= bits[k];
   }
   auto moved = hn::Lt(bone.length, hn::Zero(d));
   const V3<D> velocity = bone.velocity;
   Met<D> met;
   while (all != 0) {
-    const std::uint32_t own_bits = character.only_head >= 0 ? all : all & (0u - all);
+    const std::uint32_t own_bits = alike(character, bits, all);
     const std::size_t first = lane + std::size_t(std::countr_zero(own_bits));
     all &= ~own_bits;
     const auto own = lanes_of(d, own_bits);
@@ -225,10 +247,12 @@ COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t 
     copy(d, velocity, bone.velocity);
     if (!path.is_bent) {
       path.is_bent = true;
+      path.bent = hn::AndNot(own, own);
       const V3<D> tail_before = add_scaled(d, way.start[0], way.direction[0], bone.length);
       const V3<D> tail = add_scaled(d, way.start[1], way.direction[1], bone.length);
       draw_path(d, hn::Ge(bone.length, hn::Zero(d)), tail_before, tail, 0.0f, 1.0f, path);
     }
+    path.bent = hn::Or(path.bent, own);
     const auto touched = pass_through(d, row, lane, index, way, own, met, limited, bone, path);
     const auto here = hn::And(own, touched);
     moved = hn::Or(moved, here);
@@ -239,6 +263,7 @@ COIF_RARE hn::Mask<D> keep_clear_of_moving(D d, const RowStep& row, std::size_t 
   if (own_path == nullptr) return moved;
   // Last, since it may take the place of the other.
   own_path->is_bent = path.is_bent;
+  if (path.is_bent) own_path->bent = path.bent;
   for (int i = 0; path.is_bent && i < TailPath<D>::kEighths; ++i) copy(d, path.at[i], own_path->at[i]);
   return moved;
 }

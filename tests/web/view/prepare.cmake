@@ -1,7 +1,7 @@
 # cmake -D NPM= -D SOURCE= -D FOLDER= -P prepare.cmake: the tests' scripts beside the packages that they import, fetched once for
 # each package-lock.json.
 if(NOT NPM)
-  message(FATAL_ERROR "no npm: tools/install_packages.sh browser installs it")
+  message(FATAL_ERROR "no npm: tools/install_packages.sh web installs it")
 endif()
 file(GLOB files ${SOURCE}/*.mjs ${SOURCE}/package*.json)
 file(COPY ${files} DESTINATION ${FOLDER})

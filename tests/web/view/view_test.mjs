@@ -136,7 +136,7 @@ const cases = {
         }
         const run = (frames) => { for (let i = 0; i < frames; ++i) view.draw(48, 40, 1 / 60); };
         const used = () => { window.gc(); return performance.memory.usedJSHeapSize; };
-        for (const [name, value] of [['motion', 'turn'], ['plays', 1], ['samples', 1], ['shadows', 'plain']]) view.set(name, value);
+        for (const [name, value] of [['motion', 'turn'], ['plays', 1], ['samples', 1], ['shadows', 'none'], ['transparency', 'opaque']]) view.set(name, value);
         run(200);
         const before = { script: used(), wasm: view.wasm.module.HEAPU8.length };
         made = 0;
@@ -174,7 +174,7 @@ const cases = {
 
   async heads_move_and_rest() {
     await with_page(async (page) => {
-      const still = await take(page, kSize);
+      const still = await take(page, kSize, { shadows: 'none' });
       const moved = await page.evaluate(async () => {
         const view = await window.coif;
         view.set('motion', 'turn');
@@ -186,6 +186,7 @@ const cases = {
         view.set('beside', 'thesis');
         view.draw(64, 48, 0);
         view.set('beside', 'none');
+        view.draw(64, 48, 0);
         const held = view.wasm.grab(0.5, 0.5);
         view.wasm.drag(0.2, 0);
         for (let i = 0; i < 10; ++i) view.draw(64, 48, 1 / 60);

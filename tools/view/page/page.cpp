@@ -70,7 +70,12 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   return outcome(page().session->start_drawing());
 }
 
-/// After the browser has given the context back, with its extensions.
+/// When the browser has taken the context away.
+EMSCRIPTEN_KEEPALIVE void coif_view_lose() {
+  if (page().session) page().session->stop_drawing();
+}
+
+/// When it has given the context back, with its extensions.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_restore() {
   return page().session ? outcome(page().session->start_drawing()) : nullptr;
 }

@@ -2,8 +2,7 @@
 
 #include "base/asset_refusal.h"
 #include "base/geometry.h"
-
-#include <emscripten/emscripten.h>
+#include "view/page/crowd_cost.h"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +88,8 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
     if (status != Status::kOk) return not_simulated(status);
     heads_.push_back(std::move(head));
   }
+  numbers_.bones = float(asset_.skeleton().simulated_count);
+  numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
   worn_ = std::move(worn);
   shown_.samples = -1;
   return {};
@@ -122,25 +123,11 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
     if (settings_.plays != 0) time_ += dt;
     held_.step(dt);
     pose_ = held_.moved(settings_.plays != 0 || time_ > 0 ? path_->pose(time_) : HeadPose{});
-    const double begin = emscripten_get_now();
     for (const auto& head : heads_) {
       if (const Status status = head->step(pose_, step, gusts()); status != Status::kOk) return not_simulated(status);
     }
-    count_step(1e6 * (emscripten_get_now() - begin), tuned_substeps(asset_, step.dt));
   }
   return {};
-}
-
-/// Clocks of browsers are coarse: the mean of many steps tells more than one.
-void ViewSession::count_step(double nanoseconds, std::uint32_t substeps) {
-  const std::uint32_t bones = asset_.skeleton().simulated_count;
-  numbers_.bones = float(bones);
-  numbers_.substeps = float(substeps);
-  if (!is_moving()) return;
-  constexpr double kNew = 0.03;
-  step_ns_ = step_ns_ == 0 ? nanoseconds : step_ns_ + kNew * (nanoseconds - step_ns_);
-  const double moved = double(std::max(bones, 1u)) * double(heads_.size()) * std::max(substeps, 1u);
-  numbers_.step_ns_of_bone = float(step_ns_ / moved);
 }
 
 bool ViewSession::is_moving() const {
@@ -159,6 +146,7 @@ tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint3
   if (auto stepped = step(seconds); !stepped) return tl::unexpected(stepped.error());
   numbers_.asleep = is_moving() ? 0 : 1;
   numbers_.time = float(time_);
+  numbers_.substeps = float(tuned_substeps(asset_, step_settings().dt));
   numbers_.triangles = float(asset_.lod_indices(level).size() / 3);
   const bool is_new = !is_same(settings_, shown_) || width != width_ || height != height_;
   if (!is_new && !is_moving()) return false;

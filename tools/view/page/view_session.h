@@ -21,7 +21,7 @@ namespace coif {
 struct ViewNumbers {
   float step_ns_of_bone =
       0;                ///< Nanoseconds that a sub-step of one bone took, mean of the last steps; 0: nothing moved yet.
-  float substeps = 0;   ///< Of the last step.
+  float substeps = 0;   ///< Of a step.
   float bones = 0;      ///< Simulated, of one head.
   float triangles = 0;  ///< Of the level that is shown, one head.
   float asset_bytes = 0;
@@ -44,8 +44,10 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
-  /// Makes anew what the GPU held: after open(), and whenever the browser lost its context.
+  /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
   tl::expected<void, ToolError> start_drawing();
+  /// While the context is lost, which forgets its objects without complaint.
+  void stop_drawing() { scene_.reset(); }
 
   /// The heads go on by `seconds` of wall time. True: something was drawn; false: nothing has changed.
   tl::expected<bool, ToolError> frame(std::uint32_t width, std::uint32_t height, double seconds);
@@ -68,7 +70,6 @@ class ViewSession {
   [[nodiscard]] Vec3 wind() const;
   tl::expected<void, ToolError> step(double seconds);
   [[nodiscard]] bool is_moving() const;
-  void count_step(double nanoseconds, std::uint32_t substeps);
 
   HairMemory memory_{nullptr, &std::free};
   Asset asset_;
@@ -82,7 +83,6 @@ class ViewSession {
   HeldHead held_;
   HeadPose pose_;
   double time_ = 0, left_over_ = 0;
-  double step_ns_ = 0;
   std::uint32_t width_ = 0, height_ = 0;
 };
 

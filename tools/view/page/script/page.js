@@ -26,7 +26,7 @@ class Page {
     this.original = this.wasm.settings().slice();
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
-    this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), () => this.wake());
+    this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
@@ -52,6 +52,19 @@ class Page {
   }
   play() { this.set('plays', this.get('plays') ? 0 : 1); }
   restart() { this.wasm.restart(); this.wake(); }
+
+  word(name) { return this.control(name).words.split('|')[this.get(name)]; }
+
+  /** By the visitor. */
+  changed(name) {
+    if (name === 'motion' && this.word('motion') !== 'still') {
+      this.set('plays', 1);
+      this.controls.show();
+    }
+    const beside = this.word('beside');
+    at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
+    this.wake();
+  }
 
   recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
 
@@ -98,11 +111,12 @@ class Page {
     const size = n.asset_bytes < 1e6 ? `${Math.round(n.asset_bytes / 1024)} KB` : `${(n.asset_bytes / (1 << 20)).toFixed(1)} MB`;
     const cost = n.step_ns_of_bone > 0 ? `${n.step_ns_of_bone.toFixed(0)} ns` : '-';
     const numbers = [
-      ['a bone, each sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
-      ['asset', size], ['pictures a second', n.asleep ? 'at rest' : this.rate.toFixed(0)],
+      ['a bone and sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
+      ['asset', size], n.asleep ? ['at rest', ''] : ['pictures a second', this.rate.toFixed(0)],
     ];
     at('numbers').replaceChildren(...numbers.map(([what, value]) => {
       const cell = document.createElement('span');
+      cell.title = what === 'a bone and sub-step' ? 'In a crowd of 64 heads, in this browser' : '';
       const strong = document.createElement('b');
       strong.textContent = value;
       cell.append(strong, ` ${what}`);
@@ -128,6 +142,7 @@ class Page {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.is_lost = true;
+      this.wasm.lose();
       this.say('The graphics card is gone for a moment.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => {

@@ -23,6 +23,7 @@ export class WasmPage {
     this.check('coif_view_open');
   }
 
+  lose() { this.module.ccall('coif_view_lose', null, [], []); }
   restore() { this.check('coif_view_restore'); }
   restart() { this.check('coif_view_restart'); }
 

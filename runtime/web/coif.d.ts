@@ -1,0 +1,251 @@
+/**
+ * coif: hair for games, simulated in WebAssembly; the same bits as native builds on every machine.
+ *
+ * Everything that is loaded and made lives in one block of memory, taken by loadCoif() and never grown. What is given out as a typed
+ * array is a view into it: nothing is copied, views stay valid as long as what they were taken of is not disposed of, and their numbers
+ * change as each member says. Units: metres, seconds, radians; right-handed, +Y up. Vectors that are given may be lists or
+ * have x, y, z (and w), as three.js' own; vectors that come out are lists.
+ */
+
+/** Thrown by everything here: a sentence that says what, and the name of the C interface's status. Nothing has changed then. */
+export class CoifError extends Error {
+  readonly status: string;
+}
+
+export type Vec3 = ArrayLike<number> | { x: number; y: number; z: number };
+/** Rotation, unit. */
+export type Quat = ArrayLike<number> | { x: number; y: number; z: number; w: number };
+
+export interface LoadOptions {
+  /** Of all assets and crowds together, bytes; 2 MB to 4 GB, 64 MB when nothing is said. Pages that nothing was put into cost nothing. */
+  memoryBytes?: number;
+  /** coif.wasm: where it is, its bytes, or the module. When nothing is said, the file beside this one. */
+  wasm?: string | URL | BufferSource | WebAssembly.Module | Response | Promise<Response>;
+}
+
+/** Loads the module. Each call makes one with memory of its own, for one thread. */
+export function loadCoif(options?: LoadOptions): Promise<Coif>;
+
+export interface Coif {
+  readonly version: string;
+  readonly freeBytes: number;
+  /** Opens a whole .coif file, of which it keeps a copy. Throws for damaged and foreign bytes and says what is wrong with them. */
+  openAsset(bytes: ArrayBuffer | ArrayBufferView): Asset;
+  /** Share of the viewport's height that `height` metres cover at `distance` metres under a vertical field of view `fov`. */
+  screenShare(height: number, distance: number, fov: number): number;
+  /** The gusts at a world place, m/s, for a page's own cloth and grass; `way` is Hair.gustsWay. */
+  gustAt(gusts: Gusts, way: number, place: Vec3): number[];
+  /** The functions of coif.h, for what this interface does not have; addresses are into wasmMemory. */
+  readonly exports: Record<string, (...values: number[]) => number>;
+  readonly wasmMemory: WebAssembly.Memory;
+}
+
+export interface Bone {
+  name: string;
+  parent: number; // -1: none
+  kind: number; // 0: head, 1: rigid with it, 2: simulated
+  chain: number; // -1: none
+  joint: number[]; // start at rest, head space
+  length: number;
+  restDirection: number[];
+  colliders: number; // bit i: may touch collider i
+}
+export interface Skeleton {
+  boneCount: number;
+  simulatedCount: number;
+  chainCount: number;
+  flags: number; // 1: the face looks along -Z at rest
+  headJoint: number[]; // in the source model
+  headRotation: number[]; // from the head bone's own axes to the model's
+  airLag: number;
+}
+export interface Chain { firstBone: number; boneCount: number; root: number; model: number }
+export interface Limit { kind: number; angles: number[]; rotation: number[] }
+export interface Link { bone: number; to: number; shortest: number; longest: number }
+export interface AssetCollider { shape: number; bone: number; flags: number; center: number[]; radii: number[]; rotation: number[]; axis: number[] }
+export interface BodyBone { name: string; joint: number[]; rotation: number[] }
+export interface Patch { firstIndex: number; indexCount: number; headDistance: number; bone: number; filePlace: number }
+
+/** Colours are linear. */
+export interface Material {
+  baseColor: number[]; ambient: number[]; opaqueThreshold: number; primaryColor: number[]; primaryExponent: number;
+  secondaryColor: number[]; secondaryExponent: number; primaryShift: number; secondaryShift: number; discardThreshold: number;
+  flags: number; // 1: double-sided, 2: both faces together
+  shading: number; // 0: thesis, 1: Kajiya-Kay, 2: Marschner
+  tilt: number; roughness: number; scatter: number; lightCut: number;
+}
+export interface Texture {
+  format: 'srgb8-alpha8' | 'rg8' | 'rg11-eac';
+  width: number;
+  height: number;
+  /** Texels of each level, the finest and the first row first: views. */
+  mips: Uint8Array[];
+}
+
+/** A cooked asset. Lists of objects are made anew by each access; typed arrays are views. */
+export interface Asset {
+  readonly byteLength: number;
+  readonly skeleton: Skeleton;
+  readonly bones: Bone[];
+  readonly chains: Chain[];
+  readonly limits: Limit[];
+  readonly links: Link[];
+  readonly colliders: AssetCollider[];
+  readonly bodyBones: BodyBone[];
+  readonly bodyColliders: AssetCollider[];
+  boneName(bone: number): string;
+  /** Sub-steps of a step of `dt` seconds, which settings without `substeps` mean. */
+  tunedSubsteps(dt: number): number;
+
+  /** 36 bytes a vertex, rest pose, head space: position (3 x float), normal and tangent (4 x snorm16), uv (2 x float). */
+  readonly vertices: Uint8Array;
+  /** 12 bytes a vertex: bones (4 x uint16), weights (4 x unorm8). Empty: rigid hair. */
+  readonly skin: Uint8Array;
+  /** Triangles of all levels; keep their order. */
+  readonly indices: Uint32Array;
+  readonly patches: Patch[];
+  readonly lodCount: number;
+  lodIndices(lod: number): Uint32Array;
+  /** The level for a head that covers such a share of the viewport's height, and was drawn as `current`. */
+  chooseLod(share: number, current: number, hysteresis?: number): number;
+  readonly material: Material | null;
+  texture(role: 'base-color' | 'shift-mask' | 'normal-map' | 'strand-map'): Texture | null;
+  /** Compares all that is drawn with its hashes, which opening does not. Throws where bytes were changed. */
+  verifyDrawData(): void;
+  /** Throws for an asset without a mesh. */
+  drawnHair(): DrawnHair;
+
+  /** Throws for a description out of its ranges, and where memory does not suffice. */
+  createHair(desc?: HairDesc): Hair;
+  /** Gives its memory back. Throws while something that was made of it lives. */
+  dispose(): void;
+}
+
+export interface DrawnHair {
+  readonly lods: { first: number; count: number }[]; // indices, of the stored order
+  readonly orderCount: number;
+  readonly indicesOfOrder: number;
+  readonly indexBytes: 2 | 4;
+  readonly reach: { center: number[]; radius: number }; // a ball that hair never leaves, head space
+  readonly alpha: { lowest: number; highest: number };
+  readonly skinning: number; // 0: rigid, 1: one bone, 2: four
+  readonly material: Material;
+  /** Indices of all draw orders: level l of order k begins at k * indicesOfOrder + lods[l].first. A view, the same each time. */
+  drawOrders(): Uint16Array | Uint32Array;
+  /** The order for a head that is seen from there: from head to eye, head space, of any length. */
+  chooseOrder(direction: Vec3): number;
+  /** The draw order of a head where something of it may be in view, else -1. `eye`: world; `clipFromView`: column-major. */
+  orderInView(head: HeadPose, eye: Vec3, clipFromView: ArrayLike<number>): number;
+  /** Skinned here, of a palette that Hair.palette() gave: position, normal, tangent of each vertex, 9 floats. Until the next call. */
+  skinVertices(palette: Float32Array): Float32Array;
+  /** Around the hair in this pose, head space. */
+  bound(palette: Float32Array): { lowest: number[]; highest: number[] };
+  dispose(): void;
+}
+
+/** World from head space. */
+export interface HeadPose {
+  position?: Vec3;
+  rotation?: Quat;
+  scale?: number; // 0.05 to 20
+}
+export interface HairDesc {
+  instances?: number; // heads, 1
+  solver?: 'coif' | 'thesis' | 'passive' | 'cascade' | 'character';
+  longestInterval?: number; // 1, 2 or 4
+  dynamicsSets?: number; // 1 to 8
+  keepsLinks?: boolean; // what the asset links stays together
+  // Of 'character':
+  movingColliders?: number; // most that setColliders() will give a head
+  followsBody?: boolean;
+  followsPoses?: boolean;
+  hasOwnAir?: boolean;
+  feelsGusts?: boolean;
+}
+export interface StepSettings {
+  dt?: number; // seconds, 1/60
+  substeps?: number; // 0: as many as the asset was tuned for
+  iterations?: number;
+  gravity?: Vec3; // world, m/s^2
+  wind?: Vec3; // world, m/s
+  airFollow?: number;
+  stiffness?: number;
+  damping?: number;
+  friction?: number;
+  inertia?: number; // 0 to 1: share of the head's motion that hair feels
+  teleportDistance?: number;
+  teleportAngle?: number;
+  sleepAfter?: number;
+  sleepSpeed?: number;
+}
+export interface MovingCollider {
+  shape?: 'sphere' | 'ellipsoid' | 'capsule' | 'plane' | 'tapered-capsule' | 'box';
+  center?: Vec3; // world, as all of it
+  rotation?: Quat;
+  axis?: Vec3;
+  halfExtents?: Vec3;
+  radius?: number;
+  endRadius?: number;
+  isVelocityKnown?: boolean;
+  velocity?: { linear?: Vec3; angular?: Vec3 };
+}
+export interface HeadAir { wind?: Vec3; exposure?: number }
+export interface Gusts { amplitude?: number; length?: number; speed?: number; direction?: Vec3; seed?: number }
+export interface Impulse { center?: Vec3; axis?: Vec3; radius?: number; speed?: number; velocity?: Vec3; strokes?: boolean }
+
+/** A crowd of heads that wear one asset. Heads begin in their rest pose at the world's origin. */
+export interface Hair {
+  readonly instances: number;
+  readonly boneCount: number;
+
+  /** Where a head is at the end of the coming step, with how fast it moves then where that is known: m/s, rad/s, world. */
+  setHead(instance: number, pose: HeadPose, velocity?: { linear?: Vec3; angular?: Vec3 }): void;
+  /** The same for all heads at once: writeHead() those that moved, then setHeads(). Neither makes an object. */
+  writeHead(instance: number, position: Vec3, rotation: Quat, scale?: number): void;
+  setHeads(): void;
+  /** What setHeads() reads, to be written by hand: head i's position is positions[6 i] to [6 i + 2]; its rotation x, y, z, w and scale
+   *  are rotations[12 i + 6] to [12 i + 10]. */
+  readonly positions: Float64Array;
+  readonly rotations: Float32Array;
+  /** Puts the head there, with its hair in rest pose and at rest. */
+  reset(instance: number, pose?: HeadPose): void;
+  /** Puts the head there; the hair keeps its shape. */
+  teleport(instance: number, pose: HeadPose): void;
+  setDetail(instance: number, detail: { level?: number; interval?: number; simulated?: boolean }): void;
+  isAsleep(instance: number): boolean;
+
+  /** Steps all heads by `dt` seconds. */
+  step(settings?: StepSettings): void;
+  /** Before a scene: the hair of these heads comes to rest where they stand, in up to `seconds`; nothing else moves. */
+  settle(instances: number | ArrayLike<number>, seconds: number, settings?: StepSettings): void;
+  readonly savedBytes: number;
+  /** The crowd's state, a copy, to go back to. */
+  save(): Uint8Array;
+  restore(state: Uint8Array): void;
+
+  /** Skinning matrices from rest to current pose, head space: 12 floats a bone, three rows of four. Changes with step() and reset(). */
+  palette(instance: number): Float32Array;
+  /** Where each bone ends, head space: 3 floats a bone. Until something else is asked of this hair. */
+  boneEnds(instance: number): Float32Array;
+  /** Each bone against its parent, 7 floats: translation, rotation. At rest bones have the axes of head space. Until as above. */
+  boneTransforms(instance: number): Float32Array;
+
+  // Of the solver 'character', each as the description asked for.
+  /** Replaces what was said before; each is where it is at the end of the coming step. */
+  setColliders(instance: number, colliders: MovingCollider[]): void;
+  /** Where each of Asset.bodyBones is, world from the bone's own axes. */
+  setBody(instance: number, bones: { position: Vec3; rotation: Quat }[]): void;
+  /** An animator's pose, 4 floats a bone, and weights, one for each chain or one for all: 1: it pulls, 0: it is the hair. Of nothing:
+   *  the rest pose again. */
+  setPose(instance: number, rotations?: ArrayLike<number>, weights?: ArrayLike<number>): void;
+  setAir(instance: number, air: HeadAir): void;
+  setGusts(gusts: Gusts): void;
+  readonly gustsWay: number;
+
+  setDynamics(set: number, scale: { stiffness?: number; damping?: number; friction?: number }): void;
+  chooseDynamics(instance: number, set: number): void;
+  /** Changes the hair's speed at once, in a ball or a capsule. */
+  push(instance: number, impulse: Impulse): void;
+  /** Gives its memory back; its views are then others'. */
+  dispose(): void;
+}

@@ -1,0 +1,158 @@
+// The hair of a VRM model that three-vrm loaded, moved by coif. Types are in vrm.d.ts. Needs nothing of three but the objects that it
+// is given.
+
+import { CoifError } from './memory.mjs';
+
+const SIMULATED = 2; // coif_bone_kind
+const MOST_OFFSET = 0.01; // metres between a node and its bone: more is another model
+
+export function replaceSpringBones(vrm, asset, options = {}) {
+  return new SimulatedHair(vrm, asset, options);
+}
+
+/** The name that the file gave a node; three changes those with dots and brackets, and keeps the file's own beside it. */
+const nameOf = (node) => node.userData?.name ?? node.name;
+
+export class SimulatedHair {
+  constructor(vrm, asset, { settings = {}, desc = {} }) {
+    this.vrm = vrm;
+    this.asset = asset;
+    this.settings = { ...settings };
+    this.springs = vrm.springBoneManager;
+    this.springs?.reset(); // nodes are in their rest pose, of which the asset was cooked
+    this.#find();
+    const wearsBody = this.body.length > 0;
+    this.hair = asset.createHair({ ...(wearsBody && { solver: 'character', followsBody: true }), ...desc, instances: 1 });
+    this.#takeSpringsAway();
+    this.reset();
+  }
+
+  /** What the model's nodes are in the asset: the head, what moves, what carries the body's colliders. */
+  #find() {
+    const { vrm, asset } = this;
+    const nodes = new Map();
+    vrm.scene.traverse((node) => nodes.has(nameOf(node)) || nodes.set(nameOf(node), node));
+    const bones = asset.bones;
+    const { headRotation } = asset.skeleton;
+    this.head = vrm.humanoid?.getRawBoneNode?.('head') ?? nodes.get(bones[0].name);
+    this.body = asset.bodyBones.map(({ name }) => nodes.get(name));
+    const missing = bones.filter(({ kind, name }) => kind === SIMULATED && !nodes.has(name)).map(({ name }) => name);
+    asset.bodyBones.forEach(({ name }, i) => this.body[i] === undefined && missing.push(name));
+    if (this.head === undefined) missing.unshift(bones[0].name);
+    if (missing.length > 0) {
+      throw new CoifError(`the model has no '${missing.join("', '")}': the asset was cooked of another file, or with bones of its own`);
+    }
+
+    vrm.scene.updateWorldMatrix(true, true);
+    const { quaternion, position } = vrm.scene;
+    const place = () => ({ position: position.clone(), rotation: quaternion.clone(), scale: position.clone() });
+    this.place = place();
+    this.turned = quaternion.clone();
+    this.headTurn = quaternion.clone().fromArray(headRotation).conjugate();
+    this.unitScale = this.#world(this.head, place()).scale.x / this.#world(vrm.scene, place()).scale.x;
+    this.joints = [];
+    const boneOf = new Map(bones.map((bone, i) => [nodes.get(bone.name), i]));
+    const toModel = this.#world(this.head, place()).rotation.clone().multiply(this.headTurn).invert(); // world to head space
+    this.parents = bones.map(({ parent }) => parent);
+    this.absolute = bones.map(() => quaternion.clone().identity());
+    bones.forEach((bone, i) => {
+      if (bone.kind !== SIMULATED) return;
+      const node = nodes.get(bone.name);
+      const rest = (one) => toModel.clone().multiply(this.#world(one, place()).rotation);
+      let above = node.parent;
+      while (above !== null && !boneOf.has(above)) above = above.parent;
+      this.joints.push({ node, bone: i, above: above === null ? 0 : boneOf.get(above),
+        before: rest(node.parent).invert(), after: rest(node) });
+      this.#checkPlace(node, bone, toModel);
+    });
+  }
+
+  #checkPlace(node, bone, toModel) {
+    const head = this.#world(this.head, this.place);
+    const origin = head.position.clone();
+    const scale = head.scale.x / this.unitScale;
+    const at = this.#world(node, this.place).position.clone().sub(origin).applyQuaternion(toModel).divideScalar(scale);
+    const off = Math.hypot(at.x - bone.joint[0], at.y - bone.joint[1], at.z - bone.joint[2]);
+    if (!(off <= MOST_OFFSET)) {
+      throw new CoifError(`'${bone.name}' is ${(off * 1000).toFixed(0)} mm from where the asset has it: it was cooked of another file`);
+    }
+  }
+
+  #world(node, { position, rotation, scale }) {
+    node.matrixWorld.decompose(position, rotation, scale);
+    return { position, rotation, scale };
+  }
+
+  /** From now on the model's own springs leave these nodes alone; others of them go on. */
+  #takeSpringsAway() {
+    this.removed = [];
+    if (this.springs === undefined || this.springs === null) return;
+    const moved = new Set();
+    for (let { node } of this.joints) { // with what lies between head and bones, which stands still for coif
+      for (; node !== null && node !== this.head; node = node.parent) moved.add(node);
+    }
+    for (const joint of [...this.springs.joints]) {
+      if (!moved.has(joint.bone)) continue;
+      this.removed.push(joint);
+      this.springs.deleteJoint(joint);
+    }
+    const others = this.springs.update;
+    this.springs.update = (delta) => {
+      others.call(this.springs, delta);
+      this.update(delta);
+    };
+  }
+
+  #headPose() {
+    this.head.updateWorldMatrix(true, false);
+    const { position, rotation, scale } = this.#world(this.head, this.place);
+    this.hair.writeHead(0, position, rotation.multiply(this.headTurn), scale.x / this.unitScale);
+    return { position, rotation, scale: scale.x / this.unitScale };
+  }
+
+  update(delta) {
+    this.#headPose();
+    this.hair.setHeads();
+    if (this.body.length > 0) this.hair.setBody(0, this.body.map((node) => this.#bodyPose(node)));
+    this.settings.dt = delta;
+    this.hair.step(this.settings);
+    this.#turnNodes();
+  }
+
+  reset() {
+    this.hair.reset(0, this.#headPose());
+    if (this.body.length > 0) this.hair.setBody(0, this.body.map((node) => this.#bodyPose(node)));
+    this.#turnNodes();
+  }
+
+  #bodyPose(node) {
+    node.updateWorldMatrix(true, false);
+    const { position, rotation } = this.#world(node, this.place);
+    return { position: position.toArray(), rotation: rotation.toArray() };
+  }
+
+  /** A node's rotation in its parent's axes: both go from their rest in head space by what their bones turned. */
+  #turnNodes() {
+    const turns = this.hair.boneTransforms(0);
+    this.absolute.forEach((rotation, i) => {
+      rotation.fromArray(turns, 7 * i + 3);
+      if (this.parents[i] >= 0) rotation.premultiply(this.absolute[this.parents[i]]);
+    });
+    for (const { node, bone, above, before, after } of this.joints) {
+      this.turned.copy(this.absolute[above]).invert().multiply(this.absolute[bone]);
+      node.quaternion.copy(before).multiply(this.turned).multiply(after);
+      node.updateMatrix(); // three-vrm took that on itself for nodes of its springs
+    }
+  }
+
+  dispose() {
+    if (this.hair === undefined) return;
+    if (this.springs) {
+      delete this.springs.update;
+      for (const joint of this.removed) this.springs.addJoint(joint);
+      this.springs.reset();
+    }
+    this.hair.dispose();
+    this.hair = undefined;
+  }
+}

@@ -1,0 +1,19 @@
+# Pages of an asset, of a page made up here: the real one comes from the build for the web, whose tests are in tests/web/view.
+set(empty_page "<b title='@NAME@'>@ASSET@</b>")
+coif_cli_case(view_help EXIT 0 STDOUT "one web page.*WebGL 2.*recipe.*--output.*PAGE.html.*--page.*Exit codes: 0 ok" ARGS view --help)
+coif_cli_case(view_text EXIT 0 SAMPLE WRITES bob.html STDOUT "bob.html: [0-9]+ KB with all that it needs; open it in a browser"
+  TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html)
+coif_cli_case(view_json EXIT 0 SAMPLE WRITES page.html JSON output bytes
+  TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} -o page.html --page empty.html --format json)
+coif_cli_case(view_unknown_suffix EXIT 1 STDERR "coif view: error: page.png: the suffix must be .html" ARGS view a.coif -o page.png)
+coif_cli_case(view_absent EXIT 2 STDERR "coif view: error: nope.coif: cannot open" ARGS view nope.coif)
+coif_cli_case(view_source EXIT 3 STDERR "not a cooked hair asset; cook it first: coif cook .*bob.glb -o hair.coif"
+  ARGS view ${sample} -o page.html)
+coif_cli_case(view_recipe EXIT 3 STDERR "coif view: error: a.json: not a cooked hair asset; cook it first"
+  TEXT a.json "{\"material\": {}} and so on" ARGS view a.json -o page.html)
+coif_cli_case(view_other_page EXIT 3 SAMPLE STDERR "coif view: error: notes.html: not the page of coif view"
+  TEXT notes.html "notes" ARGS view ${COIF_COOKED_SAMPLE} -o page.html --page notes.html)
+coif_cli_case(view_absent_page EXIT 2 SAMPLE STDERR "coif view: error: nope.html: cannot open"
+  ARGS view ${COIF_COOKED_SAMPLE} -o page.html --page nope.html)
+coif_cli_case(view_over_its_page EXIT 1 SAMPLE STDERR "coif view: error: empty.html: is also an input"
+  TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} -o empty.html --page empty.html)

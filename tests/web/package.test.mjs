@@ -1,0 +1,163 @@
+// What the package promises besides the numbers: errors that say why, memory that stands still, views that stay.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { CoifError, loadCoif } from 'coif';
+
+const bob = readFileSync('assets/bob.coif');
+const refused = (what, message, status) => assert.throws(what, (error) => {
+  assert.ok(error instanceof CoifError);
+  assert.match(error.message, message);
+  if (status !== undefined) assert.equal(error.status, status);
+  return true;
+});
+const turned = (frame) => ({ position: [0, 1.6, 0], rotation: [0, Math.sin(frame / 40), 0, Math.cos(frame / 40)] });
+
+test('bytes that are no asset are refused for what they are', async () => {
+  const coif = await loadCoif();
+  const free = coif.freeBytes;
+  refused(() => coif.openAsset(new Uint8Array(10)), /too short to be a cooked hair asset/, 'COIF_ASSET_LACKS_DATA');
+  refused(() => coif.openAsset(new TextEncoder().encode('x'.repeat(400))), /not a cooked hair asset/);
+  refused(() => coif.openAsset(bob.subarray(0, bob.length - 1)), /truncated/);
+  const damaged = Uint8Array.from(bob);
+  damaged[300] ^= 1;
+  refused(() => coif.openAsset(damaged), /bytes were changed after cooking|chunk|hash/);
+  assert.equal(coif.freeBytes, free, 'they hold no memory');
+});
+
+test('what C refuses is thrown as it says it, and what it has no word for is named', async () => {
+  const coif = await loadCoif();
+  const asset = coif.openAsset(bob);
+  const hair = asset.createHair();
+  const before = Float32Array.from(hair.palette(0));
+  refused(() => hair.step({ dt: NaN }), /time step/, 'COIF_BAD_TIME_STEP');
+  refused(() => hair.setHead(0, { rotation: [0, 0, 0, 2] }), /pose/, 'COIF_BAD_POSE');
+  refused(() => hair.setHead(1, {}), /instance/, 'COIF_BAD_INDEX');
+  refused(() => hair.palette(7), /instance/, 'COIF_BAD_INDEX');
+  refused(() => hair.setColliders(0, [{ radius: 1 }]), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setGusts({}), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.step({ dampng: 1 }), /'dampng' is no member of StepSettings; it has dt, /);
+  refused(() => hair.setHead(0, { position: [1, 2] }), /'position' needs 3 numbers/);
+  refused(() => asset.createHair({ solver: 'fast' }), /'solver' is fast; it must be one of coif, thesis/);
+  refused(() => asset.createHair({ instances: 0 }), /description/, 'COIF_BAD_ARGUMENT');
+  refused(() => asset.texture('roughness'), /there are base-color/);
+  refused(() => hair.restore(new Uint8Array(4)), /state/);
+  refused(() => asset.dispose(), /still need it/);
+  assert.deepEqual(hair.palette(0), before, 'and nothing moved');
+  await assert.rejects(loadCoif({ memoryBytes: 1000 }), /memoryBytes is 1000; it must be/);
+  const small = await loadCoif({ memoryBytes: 2 << 20 });
+  refused(() => small.openAsset(new Uint8Array(3 << 20)), /of 3.0 MB does not fit: .* give loadCoif\(\) more memoryBytes/, 'COIF_MEMORY_TOO_SMALL');
+});
+
+test('thousands of frames take no memory, and views stay', async () => {
+  const coif = await loadCoif({ memoryBytes: 16 << 20 });
+  const asset = coif.openAsset(bob);
+  const hair = asset.createHair({ instances: 3 });
+  const [palette, buffer, free] = [hair.palette(1), coif.wasmMemory.buffer, coif.freeBytes];
+  const rest = Float32Array.from(palette);
+  for (let frame = 0; frame < 2000; ++frame) {
+    for (let i = 0; i < 3; ++i) hair.writeHead(i, turned(frame).position, turned(frame).rotation);
+    hair.setHeads();
+    hair.step({ dt: 1 / 60 });
+    hair.boneEnds(1);
+  }
+  assert.equal(coif.wasmMemory.buffer, buffer);
+  assert.equal(buffer.byteLength, 16 << 20);
+  assert.equal(coif.freeBytes, free);
+  assert.equal(hair.palette(1), palette, 'the same view, not one more');
+  assert.notDeepEqual(palette, rest, 'with what is so now');
+  assert.ok(palette.every(Number.isFinite));
+});
+
+test('what is disposed of makes room', async () => {
+  const coif = await loadCoif();
+  const free = coif.freeBytes;
+  for (let i = 0; i < 3; ++i) {
+    const asset = coif.openAsset(bob);
+    const [hair, other, drawn] = [asset.createHair(), asset.createHair({ instances: 20 }), asset.drawnHair()];
+    drawn.drawOrders();
+    drawn.skinVertices(hair.palette(0));
+    for (const each of [other, hair, drawn, asset]) each.dispose();
+    assert.equal(coif.freeBytes, free);
+    refused(() => hair.step(), /disposed of/);
+    refused(() => asset.bones, /disposed of/);
+  }
+});
+
+test('a saved state goes on to the same bits', async () => {
+  const coif = await loadCoif();
+  const hair = coif.openAsset(bob).createHair({ solver: 'passive' });
+  const play = (from, to) => {
+    for (let frame = from; frame < to; ++frame) {
+      hair.setHead(0, turned(frame));
+      hair.step();
+    }
+    return Float32Array.from(hair.palette(0));
+  };
+  play(0, 30);
+  const saved = hair.save();
+  const first = play(30, 60);
+  play(60, 70);
+  hair.restore(saved);
+  assert.deepEqual(play(30, 60), first);
+  refused(() => coif.openAsset(bob).createHair({ instances: 2 }).restore(saved), /another|state/, 'COIF_FOREIGN_STATE');
+});
+
+test('bones against their parents make the matrices again, and all that is drawn is there', async () => {
+  const coif = await loadCoif();
+  const asset = coif.openAsset(bob);
+  const hair = asset.createHair();
+  for (let frame = 0; frame < 20; ++frame) {
+    hair.setHead(0, turned(frame));
+    hair.step();
+  }
+  const turns = hair.boneTransforms(0);
+  assert.equal(turns.length, 7 * hair.boneCount);
+  for (let i = 0; i < hair.boneCount; ++i) assert.ok(Math.abs(Math.hypot(...turns.subarray(7 * i + 3, 7 * i + 7)) - 1) < 1e-5);
+  const drawn = asset.drawnHair();
+  assert.equal(asset.vertices.length % 36, 0);
+  assert.equal(asset.skin.length / 12, asset.vertices.length / 36);
+  assert.equal(asset.lodIndices(0).length, drawn.lods[0].count);
+  assert.equal(drawn.drawOrders().length, drawn.orderCount * drawn.indicesOfOrder);
+  assert.ok(drawn.chooseOrder([0, 0, 1]) < drawn.orderCount);
+  assert.equal(asset.material.baseColor.length, 4);
+  const texture = asset.texture('base-color');
+  assert.equal(texture.mips[0].length, texture.width * texture.height * 4);
+  const { lowest, highest } = drawn.bound(hair.palette(0));
+  const vertices = drawn.skinVertices(hair.palette(0));
+  for (let i = 0; i < vertices.length; i += 9) {
+    for (let k = 0; k < 3; ++k) assert.ok(vertices[i + k] >= lowest[k] - 1e-5 && vertices[i + k] <= highest[k] + 1e-5);
+  }
+  const looksAt = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.1, 0];
+  assert.ok(drawn.orderInView({ position: [0, 0, -2] }, [0, 0, 0], looksAt) >= 0);
+  assert.equal(drawn.orderInView({ position: [0, 0, 9] }, [0, 0, 0], looksAt), -1);
+});
+
+test('a character has colliders, air, poses, and time to settle', async () => {
+  const coif = await loadCoif();
+  const hair = coif.openAsset(bob).createHair({ solver: 'character', movingColliders: 2, hasOwnAir: true, feelsGusts: true,
+    followsPoses: true, dynamicsSets: 2 });
+  const ends = () => Float32Array.from(hair.boneEnds(0));
+  const moves = (what) => {
+    const before = ends();
+    what();
+    for (let i = 0; i < 30; ++i) hair.step({ sleepAfter: Infinity });
+    const after = ends();
+    assert.ok(Math.max(...after.map((each, i) => Math.abs(each - before[i]))) > 1e-3, `${what}`);
+  };
+  hair.settle(0, 5);
+  moves(() => hair.setColliders(0, [{ shape: 'sphere', center: { x: 0, y: -0.05, z: 0.05 }, radius: 0.15 }]));
+  moves(() => hair.setColliders(0, []));
+  moves(() => hair.setAir(0, { wind: [6, 0, 0], exposure: 1 }));
+  moves(() => hair.setAir(0, {}));
+  moves(() => hair.setGusts({ amplitude: 8 }));
+  assert.ok(hair.gustsWay > 0);
+  assert.equal(coif.gustAt({ amplitude: 8 }, hair.gustsWay, [0, 0, 0]).length, 3);
+  hair.setDynamics(1, { stiffness: 0 });
+  moves(() => hair.chooseDynamics(0, 1));
+  moves(() => hair.push(0, { radius: 1, speed: 3 }));
+  const quarter = Array.from({ length: hair.boneCount }, () => [0.3826834, 0, 0, 0.9238795]).flat();
+  moves(() => hair.setPose(0, quarter, [0]));
+  hair.setPose(0);
+});
