@@ -2,6 +2,7 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
+import { Live, whole_recipe } from './live.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
 import { WasmPage } from './wasm_page.js';
 
@@ -30,6 +31,24 @@ class Page {
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
+    this.wake();
+  }
+
+  /** Another cook of what is shown: camera, motion and what was tuned stay. `cooked`: the recipe's keys that came from this page. */
+  replace(bytes, name, cooked) {
+    const before = this.wasm.settings().slice();
+    this.wasm.replace(bytes);
+    const table = this.wasm.controls();
+    if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
+    const settings = this.wasm.settings();
+    for (const { at: place, count, recipe } of table) {
+      for (let i = place; i < place + count; ++i) {
+        const is_tuned = before[i] !== this.original[i];
+        if (recipe && !cooked.has(recipe)) this.controls.original[i] = this.original[i] = settings[i];
+        settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
+      }
+    }
+    this.controls.show();
     this.wake();
   }
 
@@ -64,6 +83,7 @@ class Page {
     const beside = this.word('beside');
     at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
     this.wake();
+    this.live?.changed();
   }
 
   recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
@@ -162,6 +182,7 @@ class Page {
   }
 
   async open_file(file) {
+    if (this.live?.takes(file)) return this.live.drop(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
       this.open(bytes, file.name);
@@ -190,7 +211,7 @@ function accept_files(page) {
 function offer_recipe(page) {
   const dialog = at('recipe');
   at('copy-recipe').addEventListener('click', () => {
-    const text = recipe_text(page.recipe());
+    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
     const unsaid = left_out(page.table, page.wasm.settings(), page.original);
     at('recipe-text').value = text;
     at('recipe-note').textContent = unsaid.length > 0
@@ -239,6 +260,11 @@ async function begin() {
   const page = new Page(wasm);
   wasm.start();
   wire(page);
+  if ('live' in document.documentElement.dataset) {
+    page.live = new Live(page, at('title'));
+    await page.live.begin();
+    return page;
+  }
   const name = at('asset').dataset.name;
   if (name) page.open(embedded_asset(), name);
   else page.say('Drop a .coif file here.');
