@@ -108,7 +108,7 @@ TEST_F(LiveCookTest, UnitsOfTheRecipeImportAgain) {
   ASSERT_TRUE(cook.change("{\"source\": {\"metres_per_unit\": 2}}"));
   run(cook);
   ASSERT_EQ(cooked_, 2) << problem_;
-  EXPECT_FLOAT_EQ(models_.back()->meshes[0].positions[1].x, 0.2f);
+  EXPECT_FLOAT_EQ(float(models_.back()->meshes[0].positions[1].x()), 0.2f);
 }
 
 TEST_F(LiveCookTest, RecipesBesideTheSourceAreFoundOnceTheyAppear) {

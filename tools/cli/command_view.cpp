@@ -54,7 +54,9 @@ bool is_live(const std::string& path) {
 
 tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Messages& messages) {
   if (!options.output.empty()) {
-    return usage(fmt::format("--output is for a cooked asset; cook {0} first: coif cook {0} -o hair.coif", options.file));
+    return file_failure(ToolError::Kind::kBadInput, options.file,
+                        "not a cooked hair asset; cook it first: coif cook {} -o hair.coif; or leave --output out, to see it while you work on it",
+                        options.file);
   }
   const auto place = find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());

@@ -4,6 +4,7 @@
 #include "base/parallel_for.h"
 #include "cli/cook_job.h"
 #include "cli/input_files.h"
+#include "view/server/live_page.h"
 #include "view/server/live_view.h"
 
 #include <fmt/format.h>
@@ -99,9 +100,14 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   const auto page = FileBytes::read(options.page);
   if (!page) return tl::unexpected(page.error());
 
+  const std::string_view text(reinterpret_cast<const char*>(page->span().data()), page->span().size());
+  if (auto fits = live_page(text, ""); !fits) {
+    return tl::unexpected(ToolError{fits.error().kind, options.page.string() + ": " + fits.error().message});
+  }
+
   LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
   settings.server.port = options.port;
-  settings.server.page.assign(reinterpret_cast<const char*>(page->span().data()), page->span().size());
+  settings.server.page = text;
   const sigset_t ends = hold_back_signals();
   const auto view = LiveView::start(std::move(settings));
   if (!view) return tl::unexpected(view.error());
