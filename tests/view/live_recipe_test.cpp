@@ -57,7 +57,7 @@ TEST_F(LiveRecipeTest, ShortPatchesMerge) {
 TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {
   write("{}");
   for (const char* changes : {"{\"material\": {\"primary_shft\": 1}}", "{\"material\": {\"primary_shift\": 1e9}}", "{\"material\": 3}",
-                              "{\"matereal\": {}}", "[]", "{", "{\"head\": {\"center\": [0, 1, 0]}}"}) {
+                              "{\"matereal\": {\"tilt\": 1}}", "[]", "{", "{\"head\": {\"center\": [0, 1, 0]}}"}) {
     const auto told = parse_recipe(changes, "changes of the page");
     ASSERT_FALSE(told) << changes;
     EXPECT_EQ(fault(changes), told.error().message);

@@ -96,7 +96,8 @@ void LiveCook::run(std::uint64_t number, const std::atomic<bool>& obsolete) {
     cooking_.cooked(*made);
     state_.publish(number, std::move(*made));
   } else {
-    std::string problem = with_name(made.error().message, current.source, current.name);
+    std::string problem = made.error().message;
+    if (current.is_taken) problem = with_name(std::move(problem), current.source, current.name);
     cooking_.failed(problem);
     state_.fail(number, std::move(problem));
   }
