@@ -12,10 +12,11 @@ export async function launch() {
   return chromium.launch({ executablePath: kProgram, args: kArguments });
 }
 
-/** The page from disk, and whatever the browser complained of. Nothing may be asked of any network. */
-export async function open_page(browser, file, viewport = { width: 640, height: 420 }) {
+/** The page from disk, after `before` ran in it, and whatever the browser complained of. Nothing may be asked of any network. */
+export async function open_page(browser, file, viewport = { width: 640, height: 420 }, before = undefined) {
   const context = await browser.newContext({ viewport, offline: true });
   const page = await context.newPage();
+  if (before) await page.addInitScript(before);
   const complaints = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) complaints.push(message.text());

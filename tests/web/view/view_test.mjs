@@ -50,6 +50,13 @@ async function move(page, id, value) {
   }, String(value));
 }
 
+/** Into the recipe that the sample was cooked with, as the page says. */
+function merged(tuned) {
+  const own = JSON.parse(readFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+  for (const [section, keys] of Object.entries(tuned)) own[section] = { ...own[section], ...keys };
+  return own;
+}
+
 const recipe_of = (page) => page.evaluate(async () => (await window.coif).recipe());
 
 const cases = {
@@ -60,6 +67,15 @@ const cases = {
       assert.equal(await page.textContent('#name'), 'bob.coif');
       assert.equal((await page.$$('input:not([id]):not([aria-label]), select:not([id])')).length, 0, 'a control without a name');
     });
+    const browser = await launch();
+    const { page, complaints } = await open_page(browser, PAGE);  // that nobody has filled in
+    assert.match(await page.textContent('#problem'), /Drop a [.]coif/);
+    await page.click('#front');
+    await page.setInputFiles('#file', ASSET);
+    await page.waitForFunction(() => document.getElementById('problem').hidden);
+    assert.ok(new Set(await take(page, kSize)).size > 50, 'a file that was dropped is not shown');
+    assert.deepEqual(complaints, []);
+    await browser.close();
     const most = statSync(PAGE).size + Math.ceil(statSync(ASSET).size / 3) * 4 + 1000;
     assert.ok(statSync(in_work('page.html')).size < most, 'the page is larger than its parts');
   },
@@ -83,6 +99,26 @@ const cases = {
       assert.ok(db >= 35, `bones: ${db} dB`);  // lines of a pixel, drawn by two rasterizers
       console.log(report.join('\n'));
     });
+  },
+
+  async draws_without_float_targets() {
+    const browser = await launch();
+    const hide = () => {
+      const { getSupportedExtensions, getExtension } = WebGL2RenderingContext.prototype;
+      const is_hidden = (name) => /color_buffer/.test(name);
+      WebGL2RenderingContext.prototype.getSupportedExtensions = function () {
+        return getSupportedExtensions.call(this).filter((name) => !is_hidden(name));
+      };
+      WebGL2RenderingContext.prototype.getExtension = function (name) { return is_hidden(name) ? null : getExtension.call(this, name); };
+    };
+    const { page, complaints } = await open_page(browser, make_page(), undefined, hide);
+    for (const shadows of ['deep-shadow', 'deep']) {
+      const db = psnr(await take(page, kSize, { shadows }), rendered(ASSET, '--shadows', shadows));
+      console.log(`${shadows} in bytes ${db.toFixed(1)} dB`);
+      assert.ok(db >= 35, `${shadows}: ${db} dB`);
+    }
+    assert.deepEqual(complaints, []);
+    await browser.close();
   },
 
   async moved_sliders_change_picture_and_recipe() {
@@ -116,7 +152,7 @@ const cases = {
         await move(page, `#control-${id}`, value);
       }
       const seen = await take(page, kSize);
-      writeFileSync(in_work('tuned.recipe.json'), JSON.stringify(await recipe_of(page)));
+      writeFileSync(in_work('tuned.recipe.json'), JSON.stringify(merged(await recipe_of(page))));
       coif('cook', SOURCE, '-o', 'tuned.coif', '--recipe', 'tuned.recipe.json', '--threads', '2');
       const db = psnr(seen, rendered('tuned.coif'));
       console.log(`the cooked recipe: ${db.toFixed(1)} dB; untuned: ${psnr(seen, rendered(ASSET)).toFixed(1)} dB`);

@@ -142,7 +142,8 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
 }
 
 bool ViewSession::is_moving() const {
-  if (settings_.plays != 0 || held_.is_held() || !held_.is_at_rest()) return true;
+  const bool plays = settings_.plays != 0 && settings_.motion != float(Motion::kStill);
+  if (plays || held_.is_held() || !held_.is_at_rest()) return true;
   return std::any_of(heads_.begin(), heads_.end(), [](const auto& head) { return !head->is_asleep(); });
 }
 

@@ -102,6 +102,6 @@ export class Hands {
     if (!act) return;
     event.preventDefault();
     act();
-    this.page.controls.show();
+    this.page.controls?.show();
   }
 }

@@ -57,8 +57,9 @@ class Page {
     if (!found) throw new Error(`there is no setting "${name}"`);
     return found;
   }
-  get(name) { return this.wasm.settings()[this.control(name).at]; }
+  get(name) { return this.table ? this.wasm.settings()[this.control(name).at] : 0; }
   set(name, value) {
+    if (!this.table) return;  // nothing is open yet
     const { at: place, words } = this.control(name);
     const values = [value].flat().map((v) => (typeof v === 'string' ? words.split('|').indexOf(v) : Number(v)));
     this.wasm.settings().set(values, place);
@@ -86,6 +87,7 @@ class Page {
     this.live?.changed();
   }
 
+  /** {section: {key: value}} of what was changed. */
   recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
 
   /** A red line of text; '': none. */
@@ -211,11 +213,16 @@ function accept_files(page) {
 function offer_recipe(page) {
   const dialog = at('recipe');
   at('copy-recipe').addEventListener('click', () => {
+    if (!page.table) return;
     const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
     const unsaid = left_out(page.table, page.wasm.settings(), page.original);
     at('recipe-text').value = text;
-    at('recipe-note').textContent = unsaid.length > 0
-      ? `Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.` : '';
+    const notes = [];
+    if (unsaid.length > 0) {
+      notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
+    }
+    if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
+    at('recipe-note').textContent = notes.join(' ');
     dialog.showModal();
     at('recipe-text').select();
     navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
@@ -229,7 +236,7 @@ function wire(page) {
   offer_recipe(page);
   page.watch_context();
   at('restart').addEventListener('click', () => page.try_to(() => page.restart()));
-  at('save').addEventListener('click', () => page.canvas.toBlob((blob) => {
+  at('save').addEventListener('click', () => page.table && page.canvas.toBlob((blob) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
     link.download = `${page.name.replace(/\.coif$/, '')}.png`;
@@ -266,7 +273,7 @@ async function begin() {
     return page;
   }
   const name = at('asset').dataset.name;
-  if (name) page.open(embedded_asset(), name);
+  if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
   else page.say('Drop a .coif file here.');
   return page;
 }
