@@ -6,7 +6,7 @@ foreach(case sliders_cook_at_once files_are_watched killed_in_mid_cook_leaves_no
   set_tests_properties(cli.live_view.${case} PROPERTIES TIMEOUT 180)
 endforeach()
 
-coif_cli_case(live_help EXIT 0 STDOUT "Of a source: serves the page.*--recipe.*R.json.*--quality.*draft, full.*--port.*--root" ARGS view --help)
+coif_cli_case(live_help EXIT 0 STDOUT "Of a source, prints an address.*Ctrl-C.*--recipe.*R.json.*--quality.*draft, full.*--port.*--root" ARGS view --help)
 coif_cli_case(live_absent EXIT 2 STDERR "coif view: error: nope.glb: cannot open" TEXT p.html "p" ARGS view nope.glb --page p.html)
 coif_cli_case(live_absent_recipe EXIT 2 STDERR "coif view: error: nope.json: cannot open" TEXT p.html "p" ARGS view nope.json --page p.html)
 coif_cli_case(live_lonely_recipe EXIT 3

@@ -97,8 +97,9 @@ void add_live(CLI::App& app, ViewOptions& options) {
   LiveOptions& live = options.live;
   app.add_option("--recipe", live.recipe, "Of a source: what the artist says (default: FILE's name with .recipe.json)")->type_name("R.json");
   add_choice<bool>(app, "--quality", live.draft, kQualities,
-                   "Of a source: draft cooks in a fraction of the time, without a search for draw orders (default); full as a game gets it");
-  add_number(app, "--port", live.port, 0, 65535, "Of a source: where the page is served; 0: any that is free")->type_name("N");
+                   "Of a source: how it is cooked; a draft, the default, takes a fraction of the time: small textures, no search for draw "
+                   "orders, no tuning");
+  add_number(app, "--port", live.port, 0, 65535, "Of a source: the port of the address; 0: any that is free")->type_name("N");
   add_roots(app, live.roots);
 }
 
@@ -107,11 +108,12 @@ void add_live(CLI::App& app, ViewOptions& options) {
 Command add_view_page(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "view",
-      "See hair from all sides, shake it by its head, tune it, in a browser with WebGL 2. Of a cooked asset: makes one web page, which "
-      "opens from disk, needs no server and no network, and copies what was tuned as a recipe. Of a source: serves the page to this "
-      "machine alone, cooks again whenever the source, its recipe or a slider changes, and shows the result at once");
+      "See hair from all sides, shake it by its head, tune it, in a browser with WebGL 2. Of a cooked asset, makes one web page, which "
+      "opens from disk, needs no server and no network, and copies what was tuned as a recipe. Of a source, prints an address to open "
+      "in a browser on this machine, and until Ctrl-C cooks again whenever the source, its recipe or a slider changes: the open page "
+      "shows what comes of it, or what is wrong");
   const auto options = std::make_shared<ViewOptions>();
-  app->add_option("FILE", options->file, "A cooked asset; or a source to work on, or its recipe (.json)")->required();
+  app->add_option("FILE", options->file, "A cooked asset; or a source (FBX, glTF, GLB, VRM, OBJ or DAE), or the recipe (.json) beside it")->required();
   app->add_option("-o,--output", options->output, "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
   app->add_option("--page", options->page,
