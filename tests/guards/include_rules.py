@@ -48,6 +48,7 @@ LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING}
 HOMES = {
     "assimp/": ["tools/import"],
     "pugixml.hpp": ["tools/import"],
+    "httplib.h": ["tools/view/server", "tests/view"],
     "hwy/": ["runtime/sim"],
     "xmmintrin.h": ["runtime/sim/float_environment.h"],
     "CLI/": ["tools/cli"],

@@ -2,6 +2,7 @@
 #include "base/json.h"
 #include "cli/command.h"
 #include "cli/input_files.h"
+#include "cli/live_source.h"
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "render/camera.h"
@@ -16,6 +17,8 @@ struct ViewOptions {
   std::string file;
   std::string output;
   std::string page;
+  LiveOptions live;            ///< Of a source.
+  bool asks_for_cook = false;  ///< Something of `live` was given.
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -28,10 +31,6 @@ std::filesystem::path output_of(const ViewOptions& options) {
 tl::expected<AssetFile, ToolError> open_cooked(const std::string& path) {
   auto bytes = FileBytes::read(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (is_source(path, bytes->span()) || std::filesystem::path(path).extension() == ".json") {
-    return file_failure(ToolError::Kind::kBadInput, path,
-                        "not a cooked hair asset; cook it first: coif cook {} -o hair.coif", path);
-  }
   auto file = AssetFile::open(path, std::move(*bytes));
   if (file && !has_mesh(file->asset())) {
     return file_failure(ToolError::Kind::kBadInput, path,
@@ -46,7 +45,31 @@ std::string result_text(const ViewOptions& options, const std::filesystem::path&
                      (bytes + 1023) / 1024);
 }
 
-tl::expected<Exit, ToolError> run_view(const ViewOptions& options) {
+/// What has to be cooked first.
+bool is_live(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".json") return true;
+  const auto bytes = FileBytes::read(path);
+  return is_source(path, bytes ? bytes->span() : std::span<const std::byte>());
+}
+
+tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Messages& messages) {
+  if (!options.output.empty()) {
+    return file_failure(ToolError::Kind::kBadInput, options.file,
+                        "not a cooked hair asset; cook it first: coif cook {} -o hair.coif; or leave --output out, to see it while you work on it",
+                        options.file);
+  }
+  const auto place = find_view_page(options.page);
+  if (!place) return tl::unexpected(place.error());
+  LiveOptions live = options.live;
+  live.file = options.file;
+  live.page = *place;
+  live.format = options.format;
+  return view_live(std::move(live), messages);
+}
+
+tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Messages& messages) {
+  if (is_live(options.file)) return run_live(options, messages);
+  if (options.asks_for_cook) return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
   const std::filesystem::path output = output_of(options);
   if (auto html = choose_suffix(output, {".html"}); !html) return tl::unexpected(html.error());
   const auto file = open_cooked(options.file);
@@ -68,23 +91,42 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options) {
   return Exit::kOk;
 }
 
+constexpr Choice<bool> kQualities[] = {{"draft", true}, {"full", false}};
+
+void add_live(CLI::App& app, ViewOptions& options) {
+  LiveOptions& live = options.live;
+  app.add_option("--recipe", live.recipe, "Of a source: what the artist says (default: FILE's name with .recipe.json)")->type_name("R.json");
+  add_choice<bool>(app, "--quality", live.draft, kQualities,
+                   "Of a source: how it is cooked; a draft, the default, takes a fraction of the time: small textures, no search for draw "
+                   "orders, no tuning");
+  add_number(app, "--port", live.port, 0, 65535, "Of a source: the port of the address; 0: any that is free")->type_name("N");
+  add_roots(app, live.roots);
+}
+
 }  // namespace
 
 Command add_view_page(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "view",
-      "Make one web page of an asset: hair to look at from all sides, to shake by its head, to tune; it opens from "
-      "disk in a "
-      "browser with WebGL 2, needs no server and no network, and copies what was tuned as a recipe");
+      "See hair from all sides, shake it by its head, tune it, in a browser with WebGL 2. Of a cooked asset, makes one web page, which "
+      "opens from disk, needs no server and no network, and copies what was tuned as a recipe. Of a source, prints an address to open "
+      "in a browser on this machine, and until Ctrl-C cooks again whenever the source, its recipe or a slider changes: the open page "
+      "shows what comes of it, or what is wrong");
   const auto options = std::make_shared<ViewOptions>();
-  app->add_option("FILE", options->file, "A cooked asset")->required();
-  app->add_option("-o,--output", options->output, "The page to write (default: FILE's name with .html, here)")
+  app->add_option("FILE", options->file, "A cooked asset; or a source (FBX, glTF, GLB, VRM, OBJ or DAE), or the recipe (.json) beside it")->required();
+  app->add_option("-o,--output", options->output, "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
   app->add_option("--page", options->page,
                   "The page without an asset, which the build for the web makes (default: as installed)")
       ->type_name("VIEW.html");
+  add_live(*app, *options);
   add_format(*app, options->format);
-  return {app, [options](const Messages&) { return run_view(*options); }};
+  return {app, [options, app](const Messages& messages) {
+            for (const char* name : {"--recipe", "--quality", "--port", "--root"}) {
+              if (app->count(name) > 0) options->asks_for_cook = true;
+            }
+            return run_view(*options, messages);
+          }};
 }
 
 }  // namespace coif

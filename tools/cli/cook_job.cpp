@@ -80,12 +80,10 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
                                                 std::span<const std::byte> bytes, const Messages& messages) {
   std::optional<ProgressLine> progress;
   if (options.shows_progress && !options.quiet) progress.emplace(options.source());
-  std::atomic<const char*> at = "import";
   const auto show = [&](const char* pass) {
-    at = pass;
     if (progress) progress->show(pass);
   };
-  show(at);
+  show("import");
   const auto begin = std::chrono::steady_clock::now();
   const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
   if (!model) return tl::unexpected(model.error());
@@ -97,7 +95,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   settings.progress = show;
   settings.draft = options.draft;
   settings.list_patches = options.list_patches;
-  auto result = cook_within_limits(*model, choice.recipe, settings, options, at, messages);
+  auto result = cook_model(*model, choice.recipe, settings, options, messages);
   if (!result) return result;
   result->report.passes.insert(result->report.passes.begin(), {"import", import_ms.count()});
   return result;
@@ -141,6 +139,16 @@ ImportSettings CookOptions::import_limits(ImportSettings settings) const {
   settings.max_memory_bytes = max_memory_mb << 20;
   settings.max_seconds = max_seconds.value_or(settings.max_seconds);
   return settings;
+}
+
+tl::expected<CookResult, ToolError> cook_model(const SourceModel& model, const Recipe& recipe, CookSettings settings,
+                                               const CookOptions& options, const Messages& messages) {
+  std::atomic<const char*> at = "import";
+  settings.progress = [&at, show = std::move(settings.progress)](const char* pass) {
+    at = pass;
+    if (show) show(pass);
+  };
+  return cook_within_limits(model, recipe, settings, options, at, messages);
 }
 
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages) {

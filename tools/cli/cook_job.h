@@ -66,6 +66,10 @@ struct CookOptions {
   [[nodiscard]] ImportSettings import_limits(ImportSettings settings) const;
 };
 
+/// Of a model that was imported from the first of `options.sources`: cooks within their limits.
+tl::expected<CookResult, ToolError> cook_model(const SourceModel& model, const Recipe& recipe, CookSettings settings,
+                                               const CookOptions& options, const Messages& messages);
+
 /// Of the first of `options.sources`: cooks within the limits, without a cache, and writes nothing.
 tl::expected<CookResult, ToolError> cook_alone(const CookOptions& options, const RecipeChoice& choice, const Messages& messages);
 

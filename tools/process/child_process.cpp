@@ -1,6 +1,7 @@
 #include "process/child_process.h"
 
 #include "base/files.h"
+#include "base/work_limit.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -33,6 +34,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Bytes = std::vector<std::uint8_t>;
 
+constexpr int kMillisecondsOfLook = 50;  // how soon somebody who waits for a child notices that nobody wants its answer
 constexpr int kPipeDescriptor = 3;      // in a limited child, after its other descriptors are closed
 constexpr rlim_t kMaxDescriptors = 32;  // model, side files, dynamic loader
 constexpr int kExitOutOfMemory = 112;   // outside the range of ordinary programs and of sanitizers
@@ -188,13 +190,16 @@ class Child {
   ChildResult result_;
 };
 
-/// Until one of them is no longer running.
+/// Until one of them is no longer running, or the time that this process may work (WorkLimit) is over, which is thrown.
 void wait_for_one(std::span<const std::unique_ptr<Child>> children) {
   while (std::ranges::all_of(children, &Child::is_running, [](const auto& child) -> Child& { return *child; })) {
     std::vector<pollfd> waiting;
     for (const auto& child : children) waiting.push_back({child->descriptor(), POLLIN, 0});
-    const int ready = poll(waiting.data(), waiting.size(), children.front()->milliseconds_left());
+    const int left = children.front()->milliseconds_left();
+    const int ready = poll(waiting.data(), waiting.size(), std::min(left, kMillisecondsOfLook));
+    WorkLimit::check();
     if (ready < 0 && errno == EINTR) continue;
+    if (ready == 0 && children.front()->milliseconds_left() != 0) continue;
     for (std::size_t i = 0; i < children.size(); ++i) {
       if (ready <= 0) children[i]->give_up();
       if (waiting[i].revents != 0) children[i]->read_some();

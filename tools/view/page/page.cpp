@@ -70,6 +70,20 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   return outcome(page().session->start_drawing());
 }
 
+/// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the script
+/// lays over them what stays.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
+  auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
+  if (!session) return say(session.error().message);
+  const coif::ViewSettings own = (*session)->settings();
+  if (page().session) {
+    if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);
+  }
+  (*session)->settings() = own;
+  page().session = std::move(*session);
+  return outcome(page().session->start_drawing());
+}
+
 /// When the browser has taken the context away.
 EMSCRIPTEN_KEEPALIVE void coif_view_lose() {
   if (page().session) page().session->stop_drawing();

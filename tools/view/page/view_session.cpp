@@ -114,6 +114,17 @@ tl::expected<void, ToolError> ViewSession::restart() {
   return choose_heads();
 }
 
+tl::expected<void, ToolError> ViewSession::go_on(const ViewSession& before) {
+  settings_ = before.settings_;
+  choose_motion();
+  time_ = before.time_;
+  left_over_ = before.left_over_;
+  held_ = before.held_;
+  pose_ = before.pose_;
+  worn_.clear();
+  return choose_heads();
+}
+
 tl::expected<void, ToolError> ViewSession::step(double seconds) {
   const StepSettings step = step_settings();
   const auto dt = double(step.dt);

@@ -55,6 +55,10 @@ class ViewSession {
   /// Head and hair to where the motion begins, at rest.
   tl::expected<void, ToolError> restart();
 
+  /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are where they
+  /// were, with hair that hangs.
+  tl::expected<void, ToolError> go_on(const ViewSession& before);
+
   /// Whether a head is there; then it follows drag() and turn() until release(). 0..1 of the canvas, from its top left.
   bool grab(double x, double y);
   void drag(double across, double down);  ///< Of the canvas.

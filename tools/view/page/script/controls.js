@@ -80,6 +80,7 @@ const kInputs = { number: number_inputs, choice: choice_input, switch: switch_in
 export class Controls {
   constructor(panel, wasm, controls, original, changed) {
     this.wasm = wasm;
+    this.original = original;
     this.rows = [];
     panel.replaceChildren();
     const groups = new Map();

@@ -2,6 +2,7 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
+import { Live, whole_recipe } from './live.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
 import { WasmPage } from './wasm_page.js';
 
@@ -30,6 +31,24 @@ class Page {
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
+    this.wake();
+  }
+
+  /** Another cook of what is shown: camera, motion and what was tuned stay. `cooked`: the recipe's keys that came from this page. */
+  replace(bytes, name, cooked) {
+    const before = this.wasm.settings().slice();
+    this.wasm.replace(bytes);
+    const table = this.wasm.controls();
+    if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
+    const settings = this.wasm.settings();
+    for (const { at: place, count, recipe } of table) {
+      for (let i = place; i < place + count; ++i) {
+        const is_tuned = before[i] !== this.original[i];
+        if (recipe && !cooked.has(recipe)) this.controls.original[i] = this.original[i] = settings[i];
+        settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
+      }
+    }
+    this.controls.show();
     this.wake();
   }
 
@@ -65,6 +84,7 @@ class Page {
     const beside = this.word('beside');
     at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
     this.wake();
+    this.live?.changed();
   }
 
   /** {section: {key: value}} of what was changed. */
@@ -164,6 +184,7 @@ class Page {
   }
 
   async open_file(file) {
+    if (this.live?.takes(file)) return this.live.drop(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
       this.open(bytes, file.name);
@@ -193,14 +214,14 @@ function offer_recipe(page) {
   const dialog = at('recipe');
   at('copy-recipe').addEventListener('click', () => {
     if (!page.table) return;
-    const text = recipe_text(page.recipe());
+    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
     const unsaid = left_out(page.table, page.wasm.settings(), page.original);
     at('recipe-text').value = text;
     const notes = [];
     if (unsaid.length > 0) {
       notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
     }
-    if (page.recipe().material?.base_color) notes.push('Where your recipe has a material.base_color, multiply the two.');
+    if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
     at('recipe-note').textContent = notes.join(' ');
     dialog.showModal();
     at('recipe-text').select();
@@ -246,6 +267,11 @@ async function begin() {
   const page = new Page(wasm);
   wasm.start();
   wire(page);
+  if ('live' in document.documentElement.dataset) {
+    page.live = new Live(page, at('title'));
+    await page.live.begin();
+    return page;
+  }
   const name = at('asset').dataset.name;
   if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
   else page.say('Drop a .coif file here.');

@@ -17,11 +17,14 @@ export class WasmPage {
   start() { this.check('coif_view_start'); }
 
   /** An asset's bytes. Whatever is wrong with them, what is shown stays. */
-  open(bytes) {
+  open(bytes, how = 'coif_view_open') {
     const room = this.module.ccall('coif_view_room', 'number', ['number'], [bytes.length]);
     this.module.HEAPU8.set(bytes, room);
-    this.check('coif_view_open');
+    this.check(how);
   }
+
+  /** In place of what is shown, which goes on. The settings are the asset's. */
+  replace(bytes) { this.open(bytes, 'coif_view_replace'); }
 
   lose() { this.module.ccall('coif_view_lose', null, [], []); }
   restore() { this.check('coif_view_restore'); }

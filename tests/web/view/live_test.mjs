@@ -1,0 +1,145 @@
+// `coif view` of a source, as its visitors meet it: node live_test.mjs CASE. COIF, SOURCE, PAGE and WORK come in the environment, as
+// for view_test.mjs.
+
+import { strict as assert } from 'node:assert';
+import { spawn } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { launch, take } from './browser.mjs';
+import { psnr } from './png.mjs';
+
+const { COIF, SOURCE, PAGE, WORK } = process.env;
+const kSize = { width: 320, height: 240 };
+const kPatience = 120_000;  // milliseconds
+const in_work = (name) => join(WORK, name);
+
+/** A running program; `address` once it is printed, `said` to the standard error, `ended` with its exit code. */
+function start(...words) {
+  const child = spawn(COIF, ['view', ...words, '--page', PAGE, '--format', 'json'], { cwd: WORK, stdio: ['ignore', 'pipe', 'pipe'] });
+  const view = { child, said: '' };
+  view.ended = new Promise((done) => { child.on('exit', done); });
+  child.stderr.on('data', (text) => { view.said += text; });
+  view.address = new Promise((found, failed) => {
+    let text = '';
+    child.stdout.on('data', (more) => { text += more; if (text.endsWith('}\n')) found(JSON.parse(text).address); });
+    child.on('exit', (code) => failed(new Error(`it ended with ${code}: ${view.said}`)));
+  });
+  return view;
+}
+
+/** Of bob's source and recipe; nothing may be complained of, and nothing asked of anybody but the program. */
+async function with_view(act) {
+  copyFileSync(SOURCE, in_work('bob.glb'));
+  copyFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), in_work('bob.recipe.json'));
+  const view = start('bob.glb');
+  const browser = await launch();
+  try {
+    const page = await (await browser.newContext({ viewport: { width: 640, height: 420 } })).newPage();
+    page.setDefaultTimeout(kPatience);
+    const complaints = [];
+    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
+    page.on('pageerror', (error) => complaints.push(error.message));
+    const address = await view.address;
+    page.on('request', (request) => {
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) complaints.push(`asks for ${request.url()}`);
+    });
+    await page.goto(address);
+    await page.evaluate(async () => { await window.coif; });
+    await act(page, view, complaints);
+    assert.deepEqual(complaints, [], 'the browser complains');
+    assert.equal(await page.textContent('#problem'), '');
+  } finally {
+    await browser.close();
+    view.child.kill('SIGTERM');
+    assert.equal(await view.ended, 0, view.said);
+  }
+}
+
+const revision = (page) => page.evaluate(async () => (await window.coif).live.revision);
+const cooked = (page, number) => page.waitForFunction(async (wanted) => {
+  const { live } = await window.coif;
+  return live.revision >= wanted && !live.state.cooking;
+}, number);
+const set_up = (page, name, value) => page.$eval(`#control-${name}`, (input, wanted) => {
+  input.closest('details').open = true;
+  input.value = wanted;
+  input.dispatchEvent(new Event('input', { bubbles: true }));
+  input.dispatchEvent(new Event('change', { bubbles: true }));
+}, String(value));
+const get = (page, name) => page.evaluate(async (of) => (await window.coif).get(of), name);
+
+/** A file that is written, with a time that differs. */
+function write(name, text) {
+  writeFileSync(in_work(name), text);
+  const later = new Date(Date.now() + 1000);
+  utimesSync(in_work(name), later, later);
+}
+
+const cases = {
+  async sliders_cook_and_change_the_picture() {
+    await with_view(async (page) => {
+      assert.match(await page.textContent('#name'), /^bob\.glb$/);
+      assert.match(await page.textContent('#cooked'), /^Cooked as a draft in/);
+      await set_up(page, 'motion', 1);
+      await page.evaluate(async () => { const view = await window.coif; view.set('yaw', 70); for (let i = 0; i < 30; ++i) view.draw(64, 48, 1 / 60); view.play(); });
+      const time = await page.evaluate(async () => (await window.coif).wasm.numbers().time);
+      const before = await take(page, kSize, { samples: 1 });
+      await set_up(page, 'primary_exponent', 40);
+      await set_up(page, 'opaque_threshold', 0.5);
+      const tuned = await take(page, kSize);
+      await cooked(page, 2);
+      assert.deepEqual([await get(page, 'yaw'), await get(page, 'motion'), await get(page, 'primary_exponent')], [70, 1, 40]);
+      assert.ok(Math.abs(await page.evaluate(async () => (await window.coif).wasm.numbers().time) - time) < 0.5, 'the motion begins anew');
+      const after = await take(page, kSize);
+      const own = await page.evaluate(async () => (await window.coif).original[(await window.coif).control('primary_exponent').at]);
+      assert.equal(own, 250, "as it came is as the recipe's file has it");
+      console.log(`tuned: ${psnr(before, tuned).toFixed(1)} dB from before, cooked: ${psnr(tuned, after).toFixed(1)} dB from tuned`);
+      assert.ok(psnr(before, tuned) < 45, 'the slider changes nothing');
+      const material = await page.evaluate(async () => (await window.coif).live.state.changes.material);
+      assert.deepEqual(material, { opaque_threshold: 0.5, primary_exponent: 40 });
+
+      await page.click('#copy-recipe');
+      const recipe = JSON.parse(await page.inputValue('#recipe-text'));
+      assert.equal(recipe.material.primary_exponent, 40);
+      assert.equal(recipe.material.secondary_exponent, 150, "the file's own is kept");
+      assert.deepEqual(recipe.hair, { meshes: ['hair'] });
+      await page.click('#close-recipe');
+
+      const last = await revision(page);
+      await page.click('.row:has(#control-primary_exponent) .reset');
+      await cooked(page, last + 1);
+      assert.equal(await get(page, 'primary_exponent'), 250);
+    });
+  },
+
+  async files_cook_and_problems_keep_the_hair() {
+    await with_view(async (page, view) => {
+      const before = await take(page, kSize, { samples: 1 });
+      const recipe = readFileSync(in_work('bob.recipe.json'), 'utf8');
+      write('bob.recipe.json', recipe.replace('"primary_exponent": 250', '"primary_exponent": 30').replace('[1.7, 1.6, 1.5]', '[4, 0, 0]'));
+      await cooked(page, 2);
+      assert.equal(await get(page, 'primary_exponent'), 30);
+      const after = await take(page, kSize);
+      assert.ok(psnr(before, after) < 45, 'the file changes nothing');
+
+      write('bob.recipe.json', '{"material": {"primary_shft": 1}}');
+      await page.waitForSelector('#cooked.problem');
+      const shown = await page.textContent('#cooked');
+      assert.ok(view.said.includes(`coif view: error: ${shown}\n`), `${shown}\n${view.said}`);
+      assert.deepEqual(await take(page, kSize), after, 'the last good hair is gone');
+
+      write('bob.recipe.json', recipe);
+      await cooked(page, 3);
+      await page.waitForSelector('#cooked:not(.problem)');
+      await page.setInputFiles('#file', { name: 'other hair.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(SOURCE) });
+      await page.waitForFunction(() => document.getElementById('name').textContent === 'other hair.glb');
+      assert.ok(new Set(await take(page, kSize)).size > 50, 'nothing is shown');
+    });
+  },
+};
+
+const wanted = process.argv[2];
+if (!(wanted in cases)) throw new Error(`no case ${wanted}; there are ${Object.keys(cases).join(', ')}`);
+rmSync(WORK, { recursive: true, force: true });
+mkdirSync(WORK, { recursive: true });
+await cases[wanted]();

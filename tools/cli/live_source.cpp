@@ -1,0 +1,120 @@
+#include "cli/live_source.h"
+
+#include "base/files.h"
+#include "base/parallel_for.h"
+#include "cli/cook_job.h"
+#include "cli/input_files.h"
+#include "view/server/live_page.h"
+#include "view/server/live_view.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <csignal>
+#include <system_error>
+#include <utility>
+
+namespace coif {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "bob" of "bob.recipe.json" and of "bob.json".
+std::string stem_of_recipe(const fs::path& recipe) {
+  const std::string stem = recipe.stem().string();
+  return stem.ends_with(".recipe") ? stem.substr(0, stem.size() - 7) : stem;
+}
+
+/// The one model that lies beside a recipe and is called like it.
+tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
+  std::error_code error;
+  if (!fs::exists(recipe, error)) return file_failure(ToolError::Kind::kFileAccess, recipe, "cannot open: No such file or directory");
+  std::vector<std::string> found;
+  const fs::path folder = recipe.has_parent_path() ? recipe.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (path.stem() == stem_of_recipe(recipe) && find_suffix(path)) found.push_back(path.filename().string());
+  }
+  if (found.size() == 1) return recipe.parent_path() / found.front();
+  const std::string what = found.empty() ? fmt::format("no model called '{}' lies beside it", stem_of_recipe(recipe))
+                                         : fmt::format("several models lie beside it: {}", fmt::join(found, ", "));
+  return file_failure(ToolError::Kind::kBadInput, recipe, "{}; say which: coif view MODEL --recipe {}", what, recipe.string());
+}
+
+tl::expected<void, ToolError> find_source(LiveOptions& options) {
+  if (fs::path(options.file).extension() != ".json") return {};
+  if (options.recipe) return usage(fmt::format("{} is a recipe, and --recipe names another", options.file));
+  auto source = source_beside(options.file);
+  if (!source) return tl::unexpected(source.error());
+  options.recipe = std::exchange(options.file, source->string());
+  return {};
+}
+
+LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
+  LiveCooking cooking;
+  cooking.draft = options.draft;
+  cooking.threads = all_threads();
+  cooking.roots = options.roots;
+  cooking.import_settings = import_settings;
+  cooking.cook = [messages](const std::string& source, const SourceModel& model, const Recipe& recipe, const CookSettings& settings) {
+    CookOptions limits;
+    limits.sources = {source};
+    return cook_model(model, recipe, settings, limits, messages);
+  };
+  cooking.cooked = [messages](const LiveResult& result) {
+    for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));
+    messages.note(fmt::format("{}: cooked in {:.2f} s, {} KB", result.name, result.seconds, (result.asset.size() + 1023) / 1024));
+  };
+  cooking.failed = [messages](const std::string& problem) { messages.error(problem); };
+  return cooking;
+}
+
+/// Signals that end the program wait for wait_for_end(), in this thread and in those that it starts.
+sigset_t hold_back_signals() {
+  sigset_t ends;
+  sigemptyset(&ends);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, number);
+  pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // pages go whenever they want
+  return ends;
+}
+
+void wait_for_end(const sigset_t& ends) {
+  int number = 0;
+  while (sigwait(&ends, &number) != 0) {
+  }
+}
+
+std::string address_text(const LiveOptions& options, const std::string& address) {
+  if (options.format == OutputFormat::kJson) return json_text({{"address", address}});
+  return fmt::format(
+      "{}\nOpen this address in a browser on this machine; Ctrl-C ends it. Cooked as a {}.\n", address,
+      options.draft ? "draft, without a search for draw orders and at one level of detail: --quality full cooks all" : "game gets it");
+}
+
+}  // namespace
+
+tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages) {
+  if (auto found = find_source(options); !found) return tl::unexpected(found.error());
+  if (auto readable = check_readable(options.file, ImportSettings{}.max_file_bytes); !readable) return tl::unexpected(readable.error());
+  const auto page = FileBytes::read(options.page);
+  if (!page) return tl::unexpected(page.error());
+
+  const std::string_view text(reinterpret_cast<const char*>(page->span().data()), page->span().size());
+  if (auto fits = live_page(text, ""); !fits) {
+    return tl::unexpected(ToolError{fits.error().kind, options.page.string() + ": " + fits.error().message});
+  }
+
+  LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
+  settings.server.port = options.port;
+  settings.server.page = text;
+  const sigset_t ends = hold_back_signals();
+  const auto view = LiveView::start(std::move(settings));
+  if (!view) return tl::unexpected(view.error());
+  print_result(address_text(options, (*view)->address()));
+  std::fflush(stdout);
+  wait_for_end(ends);
+  return Exit::kOk;
+}
+
+}  // namespace coif

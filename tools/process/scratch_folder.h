@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/tool_error.h"
+
+#include <tl/expected.hpp>
+
+#include <sys/types.h>
+
+#include <filesystem>
+
+namespace coif {
+
+/// An empty folder in the system's place for temporary files, which nobody else may read, and which goes with this object, or
+/// with this process, however that ends: a small process of its own waits for that and removes it. Holds files only.
+class ScratchFolder {
+ public:
+  /// Forks: call before starting threads. Errors: kFileAccess.
+  static tl::expected<ScratchFolder, ToolError> create();
+  ~ScratchFolder();
+  ScratchFolder(ScratchFolder&& other) noexcept;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  ScratchFolder(std::filesystem::path path, int descriptor, pid_t keeper)
+      : path_(std::move(path)), descriptor_(descriptor), keeper_(keeper) {}
+
+  std::filesystem::path path_;
+  int descriptor_;  ///< Of a pipe that the keeper waits to be closed.
+  pid_t keeper_;
+};
+
+}  // namespace coif

@@ -1,0 +1,134 @@
+// What the page does beside that where a server cooks for it: it shows each new asset, and tells the server what sliders say.
+
+const kPause = 120;  // milliseconds without a change, after which a slider counts as set
+const kShownAtOnce = ['material.base_color'];  // a factor of the picture; cooked in, it would count twice
+
+const is_object = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
+
+/** `changes` laid over `recipe`, section by section. */
+export function merged(recipe, changes) {
+  const all = { ...recipe };
+  for (const [key, value] of Object.entries(changes)) all[key] = is_object(value) && is_object(all[key]) ? merged(all[key], value) : value;
+  return all;
+}
+
+/** Of sections and keys, those for which `wanted(section.key)` holds. */
+function some_of(recipe, wanted) {
+  const some = {};
+  for (const [section, keys] of Object.entries(recipe)) {
+    const kept = Object.entries(keys).filter(([key]) => wanted(`${section}.${key}`));
+    if (kept.length > 0) some[section] = Object.fromEntries(kept);
+  }
+  return some;
+}
+
+const without_picture = (recipe) => some_of(recipe, (key) => !kShownAtOnce.includes(key));
+
+/** The whole recipe of what is seen: the file's, with what sliders say. */
+export function whole_recipe(recipe_file, tuned) {
+  const whole = merged(recipe_file, tuned);
+  const factor = tuned.material?.base_color;
+  const own = recipe_file.material?.base_color;
+  if (factor && Array.isArray(own)) whole.material.base_color = factor.map((v, i) => Number((v * own[i]).toPrecision(6)));
+  return whole;
+}
+
+export class Live {
+  /** `title`: where the page says what it shows. */
+  constructor(page, title) {
+    this.page = page;
+    this.line = document.createElement('span');
+    this.line.id = 'cooked';
+    this.line.setAttribute('role', 'status');
+    title.append(this.line);
+    document.getElementById('file').accept = '';
+    document.querySelector('#recipe p').textContent = "All of the recipe, the file's and what you changed. In place of the file, it cooks what you see.";
+    this.news = Promise.resolve();
+    this.revision = 0;
+    this.sent = '{}';
+    this.recipe_file = {};
+    this.timer = 0;
+  }
+
+  /** Resolves once something is shown, or cannot be. */
+  begin() {
+    return new Promise((shown) => {
+      this.events = new EventSource('events');
+      this.events.addEventListener('message', (event) => {
+        this.news = this.news.then(() => this.take(JSON.parse(event.data))).then((ended) => { if (ended) shown(); });
+      });
+      this.events.addEventListener('error', () => {
+        this.tell('coif view has ended. Start it again, and open the address that it prints.', true);
+        shown();
+      });
+    });
+  }
+
+  tell(text, is_problem = false) {
+    this.line.textContent = text;
+    this.line.classList.toggle('problem', is_problem);
+  }
+
+  /** A state of the server. True where nothing is being cooked for the first time. */
+  async take(state) {
+    this.state = state;
+    try {
+      if (state.revision > this.revision) await this.replace(state);
+      this.tell(state.problem || this.told(state), state.problem !== '');
+    } catch (error) {
+      this.tell(error.message, true);
+    }
+    return this.revision > 0 || state.problem !== '';
+  }
+
+  told(state) {
+    if (state.cooking || state.revision === 0) return 'Cooking ...';
+    const warnings = state.warnings.map((text) => `\nWarning: ${text}`).join('');
+    return `Cooked as ${state.quality === 'draft' ? 'a draft' : 'games get it'} in ${state.seconds.toFixed(2)} s.${warnings}`;
+  }
+
+  async replace(state) {
+    const response = await fetch('asset');
+    const revision = Number(response.headers.get('Coif-Revision'));
+    if (!response.ok || revision !== state.revision) return;  // a newer one, of which the server is about to tell
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    this.revision = revision;
+    this.recipe_file = state.recipe_file;
+    const keys = new Set(Object.entries(without_picture(state.changes)).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
+    if (state.name === this.page.name) this.page.replace(bytes, state.name, keys);
+    else this.page.open(bytes, state.name);
+  }
+
+  /** A slider was moved. */
+  changed() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.send(), kPause);
+  }
+
+  async send() {
+    const text = JSON.stringify(without_picture(this.page.recipe()));
+    if (text === this.sent) return;
+    this.sent = text;
+    await this.post('recipe', text);
+  }
+
+  /** Models are the server's to cook; assets are shown as they are. */
+  takes(file) { return !file.name.endsWith('.coif'); }
+
+  /** A model that was dropped on the page is cooked in place of the one that is shown, with the defaults. */
+  async drop(file) {
+    const format = file.name.split('.').pop().toLowerCase();
+    this.sent = '{}';
+    await this.post(`model?${new URLSearchParams({ format, name: file.name })}`, file);
+  }
+
+  async post(place, body) {
+    try {
+      const response = await fetch(place, { method: 'POST', body, headers: { 'Content-Type': 'application/octet-stream' } });
+      const { problem } = await response.json();
+      if (problem) this.tell(problem, true);
+    } catch (error) {
+      this.tell(`coif view did not take it: ${error.message}`, true);
+    }
+  }
+}

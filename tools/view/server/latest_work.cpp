@@ -1,0 +1,52 @@
+#include "view/server/latest_work.h"
+
+#include <utility>
+
+namespace coif {
+
+LatestWork::LatestWork(Work work, std::function<void()> interrupt)
+    : work_(std::move(work)), interrupt_(std::move(interrupt)), thread_([this] { run(); }) {}
+
+LatestWork::~LatestWork() {
+  {
+    const std::lock_guard guard(lock_);
+    ends_ = true;
+    make_obsolete();
+  }
+  asked_.notify_one();
+  thread_.join();
+}
+
+std::uint64_t LatestWork::ask() {
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard guard(lock_);
+    number = ++wanted_;
+    make_obsolete();
+  }
+  asked_.notify_one();
+  return number;
+}
+
+void LatestWork::make_obsolete() {
+  if (!is_working_) return;
+  obsolete_ = true;  // before the interruption, so that work which the latter misses still sees it
+  if (interrupt_) interrupt_();
+}
+
+void LatestWork::run() {
+  std::unique_lock guard(lock_);
+  for (;;) {
+    asked_.wait(guard, [&] { return ends_ || wanted_ != begun_; });
+    if (ends_) return;
+    const std::uint64_t number = begun_ = wanted_;
+    is_working_ = true;
+    obsolete_ = false;
+    guard.unlock();
+    work_(number, obsolete_);
+    guard.lock();
+    is_working_ = false;
+  }
+}
+
+}  // namespace coif

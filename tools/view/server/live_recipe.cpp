@@ -1,0 +1,71 @@
+#include "view/server/live_recipe.h"
+
+#include "cook/recipe/recipe_keys.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <variant>
+
+namespace coif {
+namespace {
+
+constexpr const char* kChanges = "changes of the page";
+
+/// In a section of images, text that is none of some words is a file's name.
+bool names_file(const RecipeKey& key) {
+  return std::strcmp(key.section, "textures") == 0 && key.choices == nullptr &&
+         std::holds_alternative<std::string Recipe::*>(key.field);
+}
+
+tl::expected<nlohmann::json, ToolError> json_of(const std::filesystem::path& file) {
+  if (file.empty()) return nlohmann::json::object();
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  const auto json = parse_shallow_json(text.str());
+  if (!json) return file_failure(ToolError::Kind::kBadInput, file, "{}", json.error());
+  return *json;
+}
+
+/// "patches" may be a list, short for its "overrides".
+void write_out(nlohmann::json& recipe) {
+  const auto patches = recipe.find("patches");
+  if (patches != recipe.end() && patches->is_array()) *patches = nlohmann::json{{"overrides", std::move(*patches)}};
+}
+
+}  // namespace
+
+tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text) {
+  auto changes = parse_shallow_json(text);
+  if (!changes) return failure(ToolError::Kind::kBadInput, fmt::format("{}: {}", kChanges, changes.error()));
+  if (!changes->is_object()) {
+    return failure(ToolError::Kind::kBadInput,
+                   fmt::format("{}: a recipe is a JSON object, such as {{\"dynamics\": {{...}}}}", kChanges));
+  }
+  for (const RecipeKey& key : recipe_keys()) {
+    if (!names_file(key) || member(member(*changes, key.section), key.name).is_null()) continue;
+    return failure(ToolError::Kind::kBadInput,
+                   fmt::format("{}: \"{}\" names a file; only a recipe's file may", kChanges, key.path()));
+  }
+  write_out(*changes);
+  return std::move(*changes);
+}
+
+tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file, const nlohmann::json& changes) {
+  if (!file.empty()) {
+    if (const auto alone = read_recipe(file); !alone) return tl::unexpected(alone.error());
+  }
+  auto json = json_of(file);
+  if (!json) return tl::unexpected(json.error());
+  nlohmann::json merged = *json;
+  write_out(merged);
+  merged.merge_patch(changes);
+  auto recipe = parse_recipe(merged.dump(), kChanges);  // the file alone is a recipe, so that the fault is theirs
+  if (!recipe) return tl::unexpected(recipe.error());
+  return LiveRecipe{std::move(*recipe), std::move(*json)};
+}
+
+}  // namespace coif

@@ -1,0 +1,54 @@
+#include "view/server/request_guard.h"
+
+#include <fmt/format.h>
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace coif {
+namespace {
+
+/// Takes as long whichever character is wrong, so that no clock tells how much of a guess is right.
+bool is_same_secret(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference |= unsigned(static_cast<unsigned char>(a[i] ^ b[i]));
+  return difference == 0;
+}
+
+/// Between the first slash and the second.
+std::string_view first_segment(std::string_view target) {
+  if (!target.starts_with('/')) return {};
+  const std::size_t end = target.find('/', 1);
+  return end == target.npos ? std::string_view() : target.substr(1, end - 1);
+}
+
+}  // namespace
+
+std::string random_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != ssize_t(bytes.size())) {
+    throw std::system_error(errno, std::generic_category(), "getrandom");
+  }
+  std::string digits;
+  for (const unsigned byte : bytes) digits += fmt::format("{:02x}", byte);
+  return digits;
+}
+
+RequestGuard::RequestGuard(std::uint16_t port, std::string token)
+    : token_(std::move(token)), hosts_{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)} {}
+
+std::string RequestGuard::address() const { return fmt::format("http://{}/{}/", hosts_[0], token_); }
+
+bool RequestGuard::admits(const RequestOrigin& request) const {
+  if (!request.host || !is_same_secret(first_segment(request.target), token_)) return false;
+  if (std::ranges::find(hosts_, *request.host) == std::end(hosts_)) return false;
+  // A page that is opened as localhost has that as its origin; one that asks the other of the two is another site.
+  return !request.origin || *request.origin == fmt::format("http://{}", *request.host);
+}
+
+}  // namespace coif

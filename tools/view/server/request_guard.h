@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace coif {
+
+/// 128 bits of the system's generator in hexadecimal digits. Throws std::system_error where there is none.
+[[nodiscard]] std::string random_token();
+
+/// What a request says of where it comes from.
+struct RequestOrigin {
+  std::string_view target;                 ///< As it was sent: the path, and what follows a question mark.
+  std::optional<std::string_view> host;    ///< The one header of that name; none where there is none, or several.
+  std::optional<std::string_view> origin;  ///< None where the header is absent.
+};
+
+/// Whom a server on the loopback address answers: requests that know the token and come from its own page. Other pages of the
+/// same browser, other users of the machine, and names that somebody else's DNS turns into this address are refused.
+class RequestGuard {
+ public:
+  RequestGuard(std::uint16_t port, std::string token);
+
+  /// Where people find the page: http://127.0.0.1:PORT/TOKEN/
+  [[nodiscard]] std::string address() const;
+  [[nodiscard]] const std::string& token() const { return token_; }
+
+  [[nodiscard]] bool admits(const RequestOrigin& request) const;
+
+ private:
+  std::string token_;
+  std::string hosts_[2];  ///< 127.0.0.1:PORT and localhost:PORT
+};
+
+}  // namespace coif
