@@ -3,7 +3,7 @@
 if(NOT NPM)
   message(FATAL_ERROR "no npm: tools/install_packages.sh web installs it")
 endif()
-file(GLOB files ${SOURCE}/*.mjs ${SOURCE}/package*.json)
+file(GLOB files ${SOURCE}/*.mjs ${SOURCE}/*.html ${SOURCE}/package*.json)
 file(COPY ${files} DESTINATION ${FOLDER})
 file(SHA256 ${FOLDER}/package-lock.json wanted)
 set(mark ${FOLDER}/node_modules/.fetched)

@@ -39,7 +39,7 @@ tl::expected<std::string, ToolError> live_page(std::string_view page, std::strin
 
 std::string live_policy(std::string_view nonce) {
   return fmt::format(
-      "default-src 'none'; script-src 'nonce-{0}' 'wasm-unsafe-eval'; style-src 'nonce-{0}'; img-src data: blob:; connect-src 'self'; "
+      "default-src 'none'; script-src 'nonce-{0}' 'wasm-unsafe-eval'; style-src 'nonce-{0}'; img-src data: blob:; connect-src 'self' data:; "
       "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
       nonce);
 }
