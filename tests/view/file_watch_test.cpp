@@ -32,8 +32,8 @@ class FileWatchTest : public testing::Test {
 };
 
 TEST_F(FileWatchTest, TellsWhatWasWrittenAppearedOrWent) {
-  const fs::path still = write("still", "a"), written = write("written", "a"), longer = write("longer", "a"), gone = write("gone", "a"),
-                 appears = folder_ / "appears";
+  const fs::path still = write("still", "a"), written = write("written", "a"), longer = write("longer", "a"),
+                 gone = write("gone", "a"), appears = folder_ / "appears";
   watch_.watch(Files{still, written, longer, gone, appears}, FileWatch::Time::max());
   EXPECT_TRUE(watch_.changed().empty());
 

@@ -44,8 +44,8 @@ class LiveCookTest : public testing::Test {
       if (recipe.metres_per_unit > 0) settings.metres_per_unit = recipe.metres_per_unit;
       return settings;
     };
-    cooking.cook = [this](const std::string&, const SourceModel& model, const Recipe& recipe, const CookSettings& settings)
-        -> tl::expected<CookResult, ToolError> {
+    cooking.cook = [this](const std::string&, const SourceModel& model, const Recipe& recipe,
+                          const CookSettings& settings) -> tl::expected<CookResult, ToolError> {
       settings.progress("pass");
       models_.push_back(&model);
       shift_ = recipe.primary_shift;
@@ -147,7 +147,8 @@ TEST_F(LiveCookTest, RefusedChangesAreNotKept) {
   ASSERT_TRUE(cook.change("{\"material\": {\"primary_shift\": 1.25}}"));
   const auto refused = cook.change("{\"material\": {\"primary_shift\": 1e9}}");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, parse_recipe("{\"material\": {\"primary_shift\": 1e9}}", "changes of the page").error().message);
+  EXPECT_EQ(refused.error().message,
+            parse_recipe("{\"material\": {\"primary_shift\": 1e9}}", "changes of the page").error().message);
   run(cook);
   EXPECT_EQ(shift_, 1.25);
 }

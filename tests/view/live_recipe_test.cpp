@@ -29,8 +29,11 @@ class LiveRecipeTest : public testing::Test {
 };
 
 TEST_F(LiveRecipeTest, ChangesLieOverTheFile) {
-  write("{\"material\": {\"primary_shift\": 0.5, \"secondary_shift\": 0.25}, // said by hand\n \"dynamics\": {\"friction\": 3}}");
-  const auto merged = live_recipe(file_, *read_changes("{\"material\": {\"primary_shift\": 1.5}, \"dynamics\": {\"friction\": null}}"));
+  write(
+      "{\"material\": {\"primary_shift\": 0.5, \"secondary_shift\": 0.25}, // said by hand\n \"dynamics\": "
+      "{\"friction\": 3}}");
+  const auto merged =
+      live_recipe(file_, *read_changes("{\"material\": {\"primary_shift\": 1.5}, \"dynamics\": {\"friction\": null}}"));
   ASSERT_TRUE(merged);
   EXPECT_EQ(merged->recipe.primary_shift, 1.5);
   EXPECT_EQ(merged->recipe.secondary_shift, 0.25);
@@ -56,8 +59,9 @@ TEST_F(LiveRecipeTest, ShortPatchesMerge) {
 
 TEST_F(LiveRecipeTest, FaultsAreToldAsOfAFile) {
   write("{}");
-  for (const char* changes : {"{\"material\": {\"primary_shft\": 1}}", "{\"material\": {\"primary_shift\": 1e9}}", "{\"material\": 3}",
-                              "{\"matereal\": {\"tilt\": 1}}", "[]", "{", "{\"head\": {\"center\": [0, 1, 0]}}"}) {
+  for (const char* changes :
+       {"{\"material\": {\"primary_shft\": 1}}", "{\"material\": {\"primary_shift\": 1e9}}", "{\"material\": 3}",
+        "{\"matereal\": {\"tilt\": 1}}", "[]", "{", "{\"head\": {\"center\": [0, 1, 0]}}"}) {
     const auto told = parse_recipe(changes, "changes of the page");
     ASSERT_FALSE(told) << changes;
     EXPECT_EQ(fault(changes), told.error().message);
@@ -76,7 +80,9 @@ TEST_F(LiveRecipeTest, FaultsOfTheFileNameIt) {
 TEST_F(LiveRecipeTest, ChangesNameNoFiles) {
   write("{}");
   for (const char* key : {"base_color", "shift", "mask", "normal"}) {
-    EXPECT_NE(fault(std::string("{\"textures\": {\"") + key + "\": \"../secret.png\"}}").find("names a file"), std::string::npos) << key;
+    EXPECT_NE(fault(std::string("{\"textures\": {\"") + key + "\": \"../secret.png\"}}").find("names a file"),
+              std::string::npos)
+        << key;
   }
   EXPECT_EQ(fault("{\"textures\": {\"normal_green\": \"up\", \"max_size\": 512}}"), "");
 }

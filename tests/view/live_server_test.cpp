@@ -17,7 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr const char* kPage =
     "<html lang=\"en\"><style>a{}</style><script>program</script>"
-    "<script type=\"application/octet-stream\" id=\"asset\" data-name=\"@NAME@\">@ASSET@</script><script type=\"module\">page</script></html>";
+    "<script type=\"application/octet-stream\" id=\"asset\" data-name=\"@NAME@\">@ASSET@</script><script "
+    "type=\"module\">page</script></html>";
 
 class LiveServerTest : public testing::Test {
  protected:
@@ -28,7 +29,8 @@ class LiveServerTest : public testing::Test {
       if (changes == "bad") return failure(ToolError::Kind::kBadInput, "changes of the page: bad");
       return changes_.size();
     };
-    requests.drop = [this](const char* suffix, std::string name, std::string_view bytes) -> tl::expected<std::uint64_t, ToolError> {
+    requests.drop = [this](const char* suffix, std::string name,
+                           std::string_view bytes) -> tl::expected<std::uint64_t, ToolError> {
       dropped_.push_back(std::string(suffix) + " " + name + " " + std::to_string(bytes.size()));
       return 7;
     };
@@ -77,10 +79,13 @@ TEST_F(LiveServerTest, SendsThePageWithItsRules) {
   EXPECT_TRUE(policy.starts_with("default-src 'none'; script-src 'nonce-"));
   EXPECT_EQ(policy.find("unsafe-inline"), policy.npos);
   const std::string nonce = policy.substr(policy.find("nonce-") + 6, 32);
-  EXPECT_EQ(answer->body, "<html lang=\"en\" data-live><style nonce=\"" + nonce + "\">a{}</style><script nonce=\"" + nonce +
-                              "\">program</script><script type=\"application/octet-stream\" id=\"asset\" data-name=\"\"></script>"
-                              "<script type=\"module\" nonce=\"" + nonce + "\">page</script></html>");
-  EXPECT_EQ(client().Get(folder_)->get_header_value("Content-Security-Policy").find(nonce), std::string::npos) << "a nonce is used once";
+  EXPECT_EQ(answer->body,
+            "<html lang=\"en\" data-live><style nonce=\"" + nonce + "\">a{}</style><script nonce=\"" + nonce +
+                "\">program</script><script type=\"application/octet-stream\" id=\"asset\" data-name=\"\"></script>"
+                "<script type=\"module\" nonce=\"" +
+                nonce + "\">page</script></html>");
+  EXPECT_EQ(client().Get(folder_)->get_header_value("Content-Security-Policy").find(nonce), std::string::npos)
+      << "a nonce is used once";
 }
 
 TEST_F(LiveServerTest, RefusesStrangers) {
@@ -101,8 +106,8 @@ TEST_F(LiveServerTest, RefusesStrangers) {
 }
 
 TEST_F(LiveServerTest, HasNothingButItsRoutes) {
-  for (const char* path : {"../", "../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/etc/passwd", "asset/", "asset/../../x", "recipe", "model",
-                           "index.html", "/etc/passwd", "asset%00"}) {
+  for (const char* path : {"../", "../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/etc/passwd", "asset/",
+                           "asset/../../x", "recipe", "model", "index.html", "/etc/passwd", "asset%00"}) {
     const int code = status(folder_ + path);
     EXPECT_TRUE(code == 404 || code == 403 || code == 400) << path << ": " << code;
   }
@@ -135,7 +140,8 @@ TEST_F(LiveServerTest, TakesChangesAndModels) {
   EXPECT_EQ(answer->status, 400);
   EXPECT_EQ(answer->body, "{\"problem\":\"changes of the page: bad\"}");
 
-  answer = client().Post(folder_ + "model?format=GLB&name=..%2Fmy%20hair.glb", std::string(3000000, 'x'), "application/octet-stream");
+  answer = client().Post(folder_ + "model?format=GLB&name=..%2Fmy%20hair.glb", std::string(3000000, 'x'),
+                         "application/octet-stream");
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->body, "{\"request\":7}");
   EXPECT_EQ(dropped_, std::vector<std::string>{".glb ../my hair.glb 3000000"});
@@ -149,14 +155,21 @@ TEST_F(LiveServerTest, TakesChangesAndModels) {
 TEST_F(LiveServerTest, RefusesWhatIsTooLarge) {
   const auto send = [&](const char* route, std::size_t bytes) {
     // By its announcement: the server need not read what follows.
-    const auto answer = client().Post(folder_ + route, {{"Content-Length", std::to_string(bytes)}}, "", "application/octet-stream");
+    const auto answer =
+        client().Post(folder_ + route, {{"Content-Length", std::to_string(bytes)}}, "", "application/octet-stream");
     return answer ? answer->status : -1;
   };
   EXPECT_EQ(send("recipe", (1 << 20) + 1), 413);
   EXPECT_EQ(send("model?format=glb", (4 << 20) + 1), 413);
   EXPECT_EQ(send("model?format=glb&x=/recipe", (4 << 20) + 1), 413);
   const auto in_pieces = client().Post(
-      folder_ + "recipe", [](std::size_t, httplib::DataSink& sink) { sink.write("{}", 2); sink.done(); return true; }, "application/json");
+      folder_ + "recipe",
+      [](std::size_t, httplib::DataSink& sink) {
+        sink.write("{}", 2);
+        sink.done();
+        return true;
+      },
+      "application/json");
   EXPECT_TRUE(!in_pieces || in_pieces->status == 413) << "of unknown length";
   EXPECT_TRUE(changes_.empty());
   EXPECT_TRUE(dropped_.empty());
@@ -172,7 +185,8 @@ TEST_F(LiveServerTest, EventsTellEachState) {
     for (std::size_t end; (end = text.find("\n\n")) != text.npos; text.erase(0, end + 2)) {
       const std::size_t at = text.find("data: ");
       if (at < end) states.push_back(nlohmann::json::parse(text.substr(at + 6, end - at - 6)));
-      if (states.size() == 1 && !cooking.joinable()) cooking = std::thread([this] { state_.publish(3, {"bob\xff.glb", {std::byte{1}}, {}, {}, {"odd"}, 0.5}); });
+      if (states.size() == 1 && !cooking.joinable())
+        cooking = std::thread([this] { state_.publish(3, {"bob\xff.glb", {std::byte{1}}, {}, {}, {"odd"}, 0.5}); });
     }
     return states.size() < 2;
   });

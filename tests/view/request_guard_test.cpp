@@ -32,16 +32,17 @@ TEST(RequestGuard, AdmitsItsOwnPage) {
 }
 
 TEST(RequestGuard, RefusesForeignHosts) {
-  for (const char* host : {"127.0.0.1", "127.0.0.1:4712", "example.org", "example.org:4711", "127.0.0.1:4711.example.org", "LOCALHOST:4711",
-                           "localhost:47110", "localhost", "", " 127.0.0.1:4711", "[::1]:4711", "0.0.0.0:4711"}) {
+  for (const char* host :
+       {"127.0.0.1", "127.0.0.1:4712", "example.org", "example.org:4711", "127.0.0.1:4711.example.org",
+        "LOCALHOST:4711", "localhost:47110", "localhost", "", " 127.0.0.1:4711", "[::1]:4711", "0.0.0.0:4711"}) {
     EXPECT_FALSE(guard().admits({kPath, host, {}})) << host;
   }
   EXPECT_FALSE(guard().admits({kPath, {}, {}}));
 }
 
 TEST(RequestGuard, RefusesForeignOrigins) {
-  for (const char* origin : {"null", "", "http://example.org", "https://127.0.0.1:4711", "http://127.0.0.1", "http://127.0.0.1:4712",
-                             "http://127.0.0.1:4711/", "http://localhost:4711"}) {
+  for (const char* origin : {"null", "", "http://example.org", "https://127.0.0.1:4711", "http://127.0.0.1",
+                             "http://127.0.0.1:4712", "http://127.0.0.1:4711/", "http://localhost:4711"}) {
     EXPECT_FALSE(guard().admits({kPath, "127.0.0.1:4711", origin})) << origin;
   }
 }
@@ -51,9 +52,10 @@ TEST(RequestGuard, RefusesWhoDoesNotKnowTheToken) {
   last_wrong.back() = '0';
   first_wrong.front() = '1';
   for (const std::string& target :
-       {std::string(), std::string("/"), std::string("//"), std::string("/asset"), "/" + kToken, kToken + "/asset", "/" + last_wrong + "/",
-        "/" + first_wrong + "/", "/" + kToken.substr(1) + "/", "/" + kToken + "0/", "//" + kToken + "/", "/x/" + kToken + "/", "/?" + kToken + "/",
-        "/x/../" + kToken + "/", "http://127.0.0.1:4711/" + kToken + "/"}) {
+       {std::string(), std::string("/"), std::string("//"), std::string("/asset"), "/" + kToken, kToken + "/asset",
+        "/" + last_wrong + "/", "/" + first_wrong + "/", "/" + kToken.substr(1) + "/", "/" + kToken + "0/",
+        "//" + kToken + "/", "/x/" + kToken + "/", "/?" + kToken + "/", "/x/../" + kToken + "/",
+        "http://127.0.0.1:4711/" + kToken + "/"}) {
     EXPECT_FALSE(guard().admits({target, "127.0.0.1:4711", {}})) << target;
   }
 }

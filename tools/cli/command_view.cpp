@@ -55,7 +55,8 @@ bool is_live(const std::string& path) {
 tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Messages& messages) {
   if (!options.output.empty()) {
     return file_failure(ToolError::Kind::kBadInput, options.file,
-                        "not a cooked hair asset; cook it first: coif cook {} -o hair.coif; or leave --output out, to see it while you work on it",
+                        "not a cooked hair asset; cook it first: coif cook {} -o hair.coif; or leave --output out, to "
+                        "see it while you work on it",
                         options.file);
   }
   const auto place = find_view_page(options.page);
@@ -69,7 +70,8 @@ tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Message
 
 tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Messages& messages) {
   if (is_live(options.file)) return run_live(options, messages);
-  if (options.asks_for_cook) return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
+  if (options.asks_for_cook)
+    return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
   const std::filesystem::path output = output_of(options);
   if (auto html = choose_suffix(output, {".html"}); !html) return tl::unexpected(html.error());
   const auto file = open_cooked(options.file);
@@ -95,26 +97,34 @@ constexpr Choice<bool> kQualities[] = {{"draft", true}, {"full", false}};
 
 void add_live(CLI::App& app, ViewOptions& options) {
   LiveOptions& live = options.live;
-  app.add_option("--recipe", live.recipe, "Of a source: what the artist says (default: FILE's name with .recipe.json)")->type_name("R.json");
+  app.add_option("--recipe", live.recipe, "Of a source: what the artist says (default: FILE's name with .recipe.json)")
+      ->type_name("R.json");
   add_choice<bool>(app, "--quality", live.draft, kQualities,
-                   "Of a source: how it is cooked; a draft, the default, takes a fraction of the time: small textures, no search for draw "
+                   "Of a source: how it is cooked; a draft, the default, takes a fraction of the time: small textures, "
+                   "no search for draw "
                    "orders, no tuning");
-  add_number(app, "--port", live.port, 0, 65535, "Of a source: the port of the address; 0: any that is free")->type_name("N");
+  add_number(app, "--port", live.port, 0, 65535, "Of a source: the port of the address; 0: any that is free")
+      ->type_name("N");
   add_roots(app, live.roots);
 }
 
 }  // namespace
 
 Command add_view_page(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "view",
-      "See hair from all sides, shake it by its head, tune it, in a browser with WebGL 2. Of a cooked asset, makes one web page, which "
-      "opens from disk, needs no server and no network, and copies what was tuned as a recipe. Of a source, prints an address to open "
-      "in a browser on this machine, and until Ctrl-C cooks again whenever the source, its recipe or a slider changes: the open page "
-      "shows what comes of it, or what is wrong");
+  CLI::App* app = program.add_subcommand("view",
+                                         "See hair from all sides, shake it by its head, tune it, in a browser with "
+                                         "WebGL 2. Of a cooked asset, makes one web page, which "
+                                         "opens from disk, needs no server and no network, and copies what was tuned "
+                                         "as a recipe. Of a source, prints an address to open "
+                                         "in a browser on this machine, and until Ctrl-C cooks again whenever the "
+                                         "source, its recipe or a slider changes: the open page "
+                                         "shows what comes of it, or what is wrong");
   const auto options = std::make_shared<ViewOptions>();
-  app->add_option("FILE", options->file, "A cooked asset; or a source (FBX, glTF, GLB, VRM, OBJ or DAE), or the recipe (.json) beside it")->required();
-  app->add_option("-o,--output", options->output, "Of an asset: the page to write (default: FILE's name with .html, here)")
+  app->add_option("FILE", options->file,
+                  "A cooked asset; or a source (FBX, glTF, GLB, VRM, OBJ or DAE), or the recipe (.json) beside it")
+      ->required();
+  app->add_option("-o,--output", options->output,
+                  "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
   app->add_option("--page", options->page,
                   "The page without an asset, which the build for the web makes (default: as installed)")

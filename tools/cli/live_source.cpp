@@ -28,7 +28,8 @@ std::string stem_of_recipe(const fs::path& recipe) {
 /// The one model that lies beside a recipe and is called like it.
 tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
   std::error_code error;
-  if (!fs::exists(recipe, error)) return file_failure(ToolError::Kind::kFileAccess, recipe, "cannot open: No such file or directory");
+  if (!fs::exists(recipe, error))
+    return file_failure(ToolError::Kind::kFileAccess, recipe, "cannot open: No such file or directory");
   std::vector<std::string> found;
   const fs::path folder = recipe.has_parent_path() ? recipe.parent_path() : fs::path(".");
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -38,7 +39,8 @@ tl::expected<fs::path, ToolError> source_beside(const fs::path& recipe) {
   if (found.size() == 1) return recipe.parent_path() / found.front();
   const std::string what = found.empty() ? fmt::format("no model called '{}' lies beside it", stem_of_recipe(recipe))
                                          : fmt::format("several models lie beside it: {}", fmt::join(found, ", "));
-  return file_failure(ToolError::Kind::kBadInput, recipe, "{}; say which: coif view MODEL --recipe {}", what, recipe.string());
+  return file_failure(ToolError::Kind::kBadInput, recipe, "{}; say which: coif view MODEL --recipe {}", what,
+                      recipe.string());
 }
 
 tl::expected<void, ToolError> find_source(LiveOptions& options) {
@@ -56,14 +58,16 @@ LiveCooking cooking_of(const LiveOptions& options, const Messages& messages) {
   cooking.threads = all_threads();
   cooking.roots = options.roots;
   cooking.import_settings = import_settings;
-  cooking.cook = [messages](const std::string& source, const SourceModel& model, const Recipe& recipe, const CookSettings& settings) {
+  cooking.cook = [messages](const std::string& source, const SourceModel& model, const Recipe& recipe,
+                            const CookSettings& settings) {
     CookOptions limits;
     limits.sources = {source};
     return cook_model(model, recipe, settings, limits, messages);
   };
   cooking.cooked = [messages](const LiveResult& result) {
     for (const std::string& warning : result.warnings) messages.warning(fmt::format("{}: {}", result.name, warning));
-    messages.note(fmt::format("{}: cooked in {:.2f} s, {} KB", result.name, result.seconds, (result.asset.size() + 1023) / 1024));
+    messages.note(
+        fmt::format("{}: cooked in {:.2f} s, {} KB", result.name, result.seconds, (result.asset.size() + 1023) / 1024));
   };
   cooking.failed = [messages](const std::string& problem) { messages.error(problem); };
   return cooking;
@@ -89,14 +93,16 @@ std::string address_text(const LiveOptions& options, const std::string& address)
   if (options.format == OutputFormat::kJson) return json_text({{"address", address}});
   return fmt::format(
       "{}\nOpen this address in a browser on this machine; Ctrl-C ends it. Cooked as a {}.\n", address,
-      options.draft ? "draft, without a search for draw orders and at one level of detail: --quality full cooks all" : "game gets it");
+      options.draft ? "draft, without a search for draw orders and at one level of detail: --quality full cooks all"
+                    : "game gets it");
 }
 
 }  // namespace
 
 tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& messages) {
   if (auto found = find_source(options); !found) return tl::unexpected(found.error());
-  if (auto readable = check_readable(options.file, ImportSettings{}.max_file_bytes); !readable) return tl::unexpected(readable.error());
+  if (auto readable = check_readable(options.file, ImportSettings{}.max_file_bytes); !readable)
+    return tl::unexpected(readable.error());
   const auto page = FileBytes::read(options.page);
   if (!page) return tl::unexpected(page.error());
 

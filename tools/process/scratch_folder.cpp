@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<ToolError> no_folder(const fs::path& place, int why) {
-  return file_failure(ToolError::Kind::kFileAccess, place, "cannot make a folder for temporary files: {}", std::strerror(why));
+  return file_failure(ToolError::Kind::kFileAccess, place, "cannot make a folder for temporary files: {}",
+                      std::strerror(why));
 }
 
 /// Until nobody can write into the pipe any more: all processes that could are gone, or the folder's owner closed it.
@@ -25,7 +26,8 @@ tl::unexpected<ToolError> no_folder(const fs::path& place, int why) {
   setsid();  // what a terminal sends to the program is not for this one
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) signal(number, SIG_IGN);
   const int null = open("/dev/null", O_RDWR);
-  for (const int standard : {0, 1, 2}) dup2(null, standard);  // whoever reads what the program prints need not wait for this one
+  for (const int standard : {0, 1, 2})
+    dup2(null, standard);  // whoever reads what the program prints need not wait for this one
   char byte;
   while (read(descriptor, &byte, 1) < 0 && errno == EINTR) {
   }

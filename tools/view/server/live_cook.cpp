@@ -123,8 +123,8 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   if (!cooked) return tl::unexpected(cooked.error());
   watch(order, cooked->inputs, since);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  return LiveResult{order.name, std::move(cooked->asset), std::move(recipe->file), order.changes,
-                    std::move(cooked->report.warnings), seconds.count()};
+  return LiveResult{order.name,    std::move(cooked->asset),           std::move(recipe->file),
+                    order.changes, std::move(cooked->report.warnings), seconds.count()};
 } catch (const TookTooLong&) {  // while importing
   return failure(ToolError::Kind::kBadInput, "what was cooked is out of date");
 } catch (const std::bad_alloc&) {
@@ -134,7 +134,8 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
 tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe) {
   ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
   const bool is_stale = is_stale_.exchange(false);
-  if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings)) return &*imported_;
+  if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings))
+    return &*imported_;
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());

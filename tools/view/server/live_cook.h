@@ -28,8 +28,9 @@ struct LiveCooking {
   std::vector<std::filesystem::path> roots;  ///< ImportSettings::roots.
   std::function<ImportSettings(const Recipe& recipe, const std::vector<std::filesystem::path>& roots)> import_settings;
   /// cook() within limits.
-  std::function<tl::expected<CookResult, ToolError>(const std::string& source, const SourceModel& model, const Recipe& recipe,
-                                                    const CookSettings& settings)> cook;
+  std::function<tl::expected<CookResult, ToolError>(const std::string& source, const SourceModel& model,
+                                                    const Recipe& recipe, const CookSettings& settings)>
+      cook;
   // What became of a cook, unless it was obsolete. Always set.
   std::function<void(const LiveResult& result)> cooked;
   std::function<void(const std::string& problem)> failed;
@@ -41,7 +42,8 @@ class LiveCook {
  public:
   /// `recipe`: none where it lies beside the source, if it is there (SOURCE's name with .recipe.json). `state` outlives this
   /// object and gets what becomes of each cook.
-  LiveCook(LiveCooking cooking, std::filesystem::path source, std::optional<std::filesystem::path> recipe, LiveState& state);
+  LiveCook(LiveCooking cooking, std::filesystem::path source, std::optional<std::filesystem::path> recipe,
+           LiveState& state);
 
   /// Another source takes the place of this one, with the defaults for a recipe, or the one that was named. `name` is for people.
   void take_source(std::filesystem::path source, std::string name);

@@ -29,7 +29,8 @@ tl::expected<std::string, ToolError> live_page(std::string_view page, std::strin
   std::string_view rest = *filled;
   for (const Mark& mark : kMarks) {
     const std::size_t at = rest.find(mark.tag);
-    if (at == rest.npos) return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
+    if (at == rest.npos)
+      return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
     out.append(rest.substr(0, at)).append(mark.begin);
     if (!mark.begin.ends_with('>')) out += fmt::format(" nonce=\"{}\">", nonce);
     rest.remove_prefix(at + mark.tag.size());
@@ -39,7 +40,8 @@ tl::expected<std::string, ToolError> live_page(std::string_view page, std::strin
 
 std::string live_policy(std::string_view nonce) {
   return fmt::format(
-      "default-src 'none'; script-src 'nonce-{0}' 'wasm-unsafe-eval'; style-src 'nonce-{0}'; img-src data: blob:; connect-src 'self' data:; "
+      "default-src 'none'; script-src 'nonce-{0}' 'wasm-unsafe-eval'; style-src 'nonce-{0}'; img-src data: blob:; "
+      "connect-src 'self' data:; "
       "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
       nonce);
 }

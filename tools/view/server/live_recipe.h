@@ -24,6 +24,7 @@ struct LiveRecipe {
 
 /// Reads the file, none where its path is empty, merges the changes into it (RFC 7396) and judges the result as a recipe's file
 /// is. Errors: those of read_recipe() for the file; of parse_recipe() for the changes.
-[[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file, const nlohmann::json& changes);
+[[nodiscard]] tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file,
+                                                              const nlohmann::json& changes);
 
 }  // namespace coif

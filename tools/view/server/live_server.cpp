@@ -37,7 +37,8 @@ std::optional<std::string> only_header(const Request& request, const char* name)
 std::uint64_t body_bytes(const Request& request) {
   const auto length = only_header(request, "Content-Length");
   std::uint64_t bytes = 0;
-  if (!length || request.has_header("Transfer-Encoding") || length->empty() || length->size() > 12) return ~std::uint64_t{0};
+  if (!length || request.has_header("Transfer-Encoding") || length->empty() || length->size() > 12)
+    return ~std::uint64_t{0};
   for (const char c : *length) {
     if (c < '0' || c > '9') return ~std::uint64_t{0};
     bytes = 10 * bytes + std::uint64_t(c - '0');
@@ -56,10 +57,12 @@ void answer(Response& response, const tl::expected<std::uint64_t, ToolError>& as
 }
 
 /// Bytes of known number are sent as they are; what is set as text would be compressed, which takes longer than sending it.
-void send(Response& response, const char* type, std::shared_ptr<const void> owner, const char* bytes, std::size_t count) {
-  response.set_content_provider(count, type, [owner = std::move(owner), bytes](std::size_t at, std::size_t length, httplib::DataSink& sink) {
-    return sink.write(bytes + at, length);
-  });
+void send(Response& response, const char* type, std::shared_ptr<const void> owner, const char* bytes,
+          std::size_t count) {
+  response.set_content_provider(
+      count, type, [owner = std::move(owner), bytes](std::size_t at, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(bytes + at, length);
+      });
 }
 
 /// The system's own options would let another program listen at the same port.
@@ -89,12 +92,15 @@ class LiveServer::Inside {
   tl::expected<void, ToolError> start() {
     if (auto page = live_page(settings_.page, "-"); !page) return tl::unexpected(page.error());
     http_.set_socket_options(own_port_alone);
-    const int port = settings_.port == 0 ? http_.bind_to_any_port("127.0.0.1")
-                     : http_.bind_to_port("127.0.0.1", settings_.port) ? settings_.port : -1;
+    const int port = settings_.port == 0                               ? http_.bind_to_any_port("127.0.0.1")
+                     : http_.bind_to_port("127.0.0.1", settings_.port) ? settings_.port
+                                                                       : -1;
     if (port <= 0) {
-      return failure(ToolError::Kind::kFileAccess,
-                     fmt::format("127.0.0.1:{}: cannot listen there; another program does, perhaps; leave --port out to have a free one",
-                                 settings_.port));
+      return failure(
+          ToolError::Kind::kFileAccess,
+          fmt::format(
+              "127.0.0.1:{}: cannot listen there; another program does, perhaps; leave --port out to have a free one",
+              settings_.port));
     }
     guard_.emplace(std::uint16_t(port), random_token());
     set_up();
@@ -118,12 +124,15 @@ class LiveServer::Inside {
                                {"Cache-Control", "no-store"},
                                {"Referrer-Policy", "no-referrer"}});
     http_.set_exception_handler([](const Request&, Response& response, std::exception_ptr) { response.status = 500; });
-    http_.set_pre_routing_handler([this](const Request& request, Response& response) { return admit(request, response); });
+    http_.set_pre_routing_handler(
+        [this](const Request& request, Response& response) { return admit(request, response); });
     const std::string folder = "/" + guard_->token() + "/";
     http_.Get(folder, [this](const Request&, Response& response) { send_page(response); });
     http_.Get(folder + "asset", [this](const Request&, Response& response) { send_asset(response); });
     http_.Get(folder + "events", [this](const Request&, Response& response) { send_events(response); });
-    http_.Post(folder + "recipe", [this](const Request& request, Response& response) { answer(response, requests_.change(request.body)); });
+    http_.Post(folder + "recipe", [this](const Request& request, Response& response) {
+      answer(response, requests_.change(request.body));
+    });
     http_.Post(folder + "model", [this](const Request& request, Response& response) { take_model(request, response); });
   }
 
@@ -145,8 +154,9 @@ class LiveServer::Inside {
     }
     const bool is_recipe = request.target.ends_with("/recipe");
     if (request.method == "POST" && body_bytes(request) > (is_recipe ? kMostRecipeBytes : settings_.most_model_bytes)) {
-      answer(response, 413, {{"problem", fmt::format("the file is too large for the page; at most {} MiB",
-                                                     (is_recipe ? kMostRecipeBytes : settings_.most_model_bytes) >> 20)}});
+      answer(response, 413,
+             {{"problem", fmt::format("the file is too large for the page; at most {} MiB",
+                                      (is_recipe ? kMostRecipeBytes : settings_.most_model_bytes) >> 20)}});
       return Handled;
     }
     return Unhandled;
@@ -164,7 +174,8 @@ class LiveServer::Inside {
     const auto asset = state_.asset();
     if (!asset) return answer(response, 404, {{"problem", "nothing is cooked yet"}});
     response.set_header("Coif-Revision", std::to_string(asset->revision));
-    send(response, "application/octet-stream", asset, reinterpret_cast<const char*>(asset->bytes.data()), asset->bytes.size());
+    send(response, "application/octet-stream", asset, reinterpret_cast<const char*>(asset->bytes.data()),
+         asset->bytes.size());
   }
 
   void send_events(Response& response) {
@@ -182,8 +193,10 @@ class LiveServer::Inside {
             return true;
           }
           std::string text;
-          if (!news.json.empty()) text = fmt::format("id: {}\nretry: 1000\ndata: {}\n\n", news.number, news.json);
-          else if (++seen->second % kLooksOfSign == 0) text = ": still here\n\n";
+          if (!news.json.empty())
+            text = fmt::format("id: {}\nretry: 1000\ndata: {}\n\n", news.number, news.json);
+          else if (++seen->second % kLooksOfSign == 0)
+            text = ": still here\n\n";
           seen->first = news.number;
           return text.empty() ? sink.is_writable() : sink.write(text.data(), text.size());
         },
@@ -193,7 +206,9 @@ class LiveServer::Inside {
   void take_model(const Request& request, Response& response) const {
     const char* const suffix = model_suffix(request.get_param_value("format"));
     if (suffix == nullptr) {
-      return answer(response, 400, {{"problem", fmt::format("not a model that can be cooked; export as one of {}", supported_suffixes())}});
+      return answer(
+          response, 400,
+          {{"problem", fmt::format("not a model that can be cooked; export as one of {}", supported_suffixes())}});
     }
     const std::string name = printable_text(request.get_param_value("name"), 100);
     answer(response, requests_.drop(suffix, name.empty() ? "the dropped model" : name, request.body));

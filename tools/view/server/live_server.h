@@ -17,12 +17,13 @@ namespace coif {
 struct LiveRequests {
   std::function<tl::expected<std::uint64_t, ToolError>(std::string_view changes)> change;
   /// `suffix` is the importer's, such as ".glb"; `name` is what the model is called, for people.
-  std::function<tl::expected<std::uint64_t, ToolError>(const char* suffix, std::string name, std::string_view bytes)> drop;
+  std::function<tl::expected<std::uint64_t, ToolError>(const char* suffix, std::string name, std::string_view bytes)>
+      drop;
 };
 
 struct LiveServerSettings {
-  std::uint16_t port = 0;                             ///< 0: the system's choice.
-  std::string page;                                   ///< As find_view_page() found it.
+  std::uint16_t port = 0;                                     ///< 0: the system's choice.
+  std::string page;                                           ///< As find_view_page() found it.
   std::uint64_t most_model_bytes = std::uint64_t{256} << 20;  ///< Of a model that is dropped on the page.
 };
 

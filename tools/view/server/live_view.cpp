@@ -22,7 +22,8 @@ LiveView::LiveView(LiveViewSettings& settings, ScratchFolder scratch)
     : scratch_(std::move(scratch)),
       state_(settings.cooking.draft ? "draft" : "full"),
       cook_(std::move(settings.cooking), std::move(settings.source), std::move(settings.recipe), state_),
-      work_([this](std::uint64_t number, const std::atomic<bool>& obsolete) { cook_.run(number, obsolete); }, LiveCook::interrupt) {}
+      work_([this](std::uint64_t number, const std::atomic<bool>& obsolete) { cook_.run(number, obsolete); },
+            LiveCook::interrupt) {}
 
 tl::expected<std::unique_ptr<LiveView>, ToolError> LiveView::start(LiveViewSettings settings) {
   auto scratch = ScratchFolder::create();
@@ -54,7 +55,8 @@ LiveView::~LiveView() {
 tl::expected<std::uint64_t, ToolError> LiveView::drop(const char* suffix, std::string name, std::string_view bytes) {
   const std::lock_guard guard(dropping_);
   const std::filesystem::path place = scratch_.path() / fmt::format("model_{}{}", ++dropped_, suffix);
-  if (auto written = write_output(place, std::as_bytes(std::span(bytes))); !written) return tl::unexpected(written.error());
+  if (auto written = write_output(place, std::as_bytes(std::span(bytes))); !written)
+    return tl::unexpected(written.error());
   cook_.take_source(place, std::move(name));
   const std::uint64_t request = work_.ask();
   std::error_code ignored;
