@@ -1,6 +1,6 @@
 # Pages of an asset, of a page made up here: the real one comes from the build for the web, whose tests are in tests/web/view.
 set(empty_page "<b title='@NAME@'>@ASSET@</b>")
-coif_cli_case(view_help EXIT 0 STDOUT "one web page.*WebGL 2.*recipe.*--output.*PAGE.html.*--page.*Exit codes: 0 ok" ARGS view --help)
+coif_cli_case(view_help EXIT 0 STDOUT "WebGL 2.*one web page.*recipe.*--output.*PAGE.html.*--page.*Exit codes: 0 ok" ARGS view --help)
 coif_cli_case(view_text EXIT 0 SAMPLE WRITES bob.html STDOUT "bob.html: [0-9]+ KB with all that it needs; open it in a browser"
   TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html)
 coif_cli_case(view_json EXIT 0 SAMPLE WRITES page.html JSON output bytes
