@@ -1,5 +1,7 @@
 #include "process/child_process.h"
 
+#include "base/work_limit.h"
+
 #include <gtest/gtest.h>
 
 #include <cerrno>
@@ -64,6 +66,20 @@ TEST(ChildProcess, SleeperIsEndedByTheClock) {
   });
   EXPECT_EQ(result.end, End::kTooSlow);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  expect_no_child_left();
+}
+
+TEST(ChildProcess, NobodyWaitsLongerThanThisProcessMayWork) {
+  const auto start = std::chrono::steady_clock::now();
+  WorkLimit::set(std::chrono::milliseconds(50));
+  EXPECT_THROW((void)run_in_child(kGenerous,
+                                  []() -> Bytes {
+                                    std::this_thread::sleep_for(std::chrono::minutes(10));
+                                    return {};
+                                  }),
+               TookTooLong);
+  WorkLimit::lift();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
   expect_no_child_left();
 }
 

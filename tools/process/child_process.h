@@ -34,7 +34,8 @@ struct ChildResult {
 /// Runs `work` in a forked child under limits and returns the bytes that it returned. The child cannot write files,
 /// holds no descriptor of this process but the pipe, prints nothing and dies with this process. Blocks until the child
 /// is gone; leaves no zombie. Memory limits are off under AddressSanitizer, whose shadow needs terabytes of address
-/// space. `work` must not rely on other threads: only the calling one exists in the child.
+/// space. Throws TookTooLong, the child gone, where the time that this process may work (base/work_limit.h) is over while it
+/// waits. `work` must not rely on other threads: only the calling one exists in the child.
 [[nodiscard]] ChildResult run_in_child(const ChildLimits& limits,
                                        const std::function<std::vector<std::uint8_t>()>& work);
 
