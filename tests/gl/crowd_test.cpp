@@ -256,12 +256,7 @@ AssetContents red_before_blue() {
   for (DrawnCard& card : cards) card.half_size = 0.2f;
   AssetContents contents = card_contents(cards);
   contents.orders = {2, 3, 0, 1};  // triangles
-  contents.order_views.assign(kViewCells, 0);
-  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
-    float direction[3];
-    view_cell_direction(cell, direction);
-    if (direction[2] < 0) contents.order_views[cell] = 1;
-  }
+  contents.order_views = second_from_behind();
   return contents;
 }
 

@@ -164,12 +164,7 @@ AssetContents many_orders(std::uint32_t cards, bool has_many_vertices) {
     contents.skin.insert(contents.skin.end(), 4, contents.skin.front());
   }
   for (std::uint32_t i = cards; i > 0; --i) contents.orders.insert(contents.orders.end(), {2 * i - 2, 2 * i - 1});
-  contents.order_views.assign(kViewCells, 0);
-  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
-    float direction[3];
-    view_cell_direction(cell, direction);
-    if (direction[2] < 0) contents.order_views[cell] = 1;
-  }
+  contents.order_views = second_from_behind();
   return contents;
 }
 

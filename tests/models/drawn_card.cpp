@@ -2,6 +2,8 @@
 
 #include "models/small_asset.h"
 
+#include <coif/view_cells.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,6 +76,16 @@ AssetContents card_contents(std::span<const DrawnCard> cards, std::uint32_t bone
   add_texture(out, TextureRole::kShiftMask, TexelFormat::kRg8, shift_masks, width);
   out.material.push_back(plain_material());
   return out;
+}
+
+std::vector<std::uint8_t> second_from_behind() {
+  std::vector<std::uint8_t> orders(kViewCells);
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
+    float direction[3];
+    view_cell_direction(cell, direction);
+    orders[cell] = direction[2] < 0 ? 1 : 0;
+  }
+  return orders;
 }
 
 DrawnAsset::DrawnAsset(std::span<const std::byte> bytes) : memory_((bytes.size() + 63) / 64) {

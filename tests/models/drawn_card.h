@@ -31,6 +31,9 @@ struct DrawnCard {
 /// `bones` rigid bones; the cards are patches in this order.
 [[nodiscard]] AssetContents card_contents(std::span<const DrawnCard> cards, std::uint32_t bones = 1);
 
+/// For AssetContents::order_views: from behind the second of two orders, from in front the first.
+[[nodiscard]] std::vector<std::uint8_t> second_from_behind();
+
 /// An open asset with the memory it lives in.
 class DrawnAsset {
  public:

@@ -19,6 +19,11 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 [[nodiscard]] inline Eigen::Vector3f to_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline Vec3 to_vec3(const Eigen::Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
+/// Of a record, made unit.
+[[nodiscard]] inline Eigen::Quaterniond rotation_of(const float (&xyzw)[4]) {
+  return Eigen::Quaterniond(double(xyzw[3]), double(xyzw[0]), double(xyzw[1]), double(xyzw[2])).normalized();
+}
+
 /// Turns `from` towards `to` the shortest way; where they are opposite, about some axis between. Neither need be unit.
 [[nodiscard]] Eigen::Quaternionf turn_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to);
 [[nodiscard]] Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);

@@ -26,6 +26,9 @@ namespace coif {
 /// Names from artists' files are neither checked nor short of surprises.
 [[nodiscard]] std::string clean_text(std::string_view text);
 
+/// Text as HTML and XML take it between tags and within quotes.
+[[nodiscard]] std::string markup_text(std::string_view text);
+
 /// The text, or as much of its beginning as a message has room for, whole characters of UTF-8.
 [[nodiscard]] std::string excerpt(std::string text, std::size_t most = 100);
 

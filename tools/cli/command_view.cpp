@@ -28,13 +28,11 @@ std::filesystem::path output_of(const ViewOptions& options) {
   return std::filesystem::path(options.file).filename().replace_extension(".html");
 }
 
-tl::expected<AssetFile, ToolError> open_cooked(const std::string& path) {
-  auto bytes = FileBytes::read(path);
-  if (!bytes) return tl::unexpected(bytes.error());
-  auto file = AssetFile::open(path, std::move(*bytes));
-  if (file && !has_mesh(file->asset())) {
-    return file_failure(ToolError::Kind::kBadInput, path,
-                        "the asset has no mesh to draw; cook it again without leaving the mesh out");
+tl::expected<AssetFile, ToolError> open_cooked(const std::string& path, FileBytes bytes) {
+  auto file = AssetFile::open(path, std::move(bytes));
+  if (!file) return file;
+  if (const auto drawable = check_drawable(file->asset()); !drawable) {
+    return file_failure(drawable.error().kind, path, "{}", drawable.error().message);
   }
   return file;
 }
@@ -46,9 +44,8 @@ std::string result_text(const ViewOptions& options, const std::filesystem::path&
 }
 
 /// What has to be cooked first.
-bool is_live(const std::string& path) {
+bool is_live(const std::string& path, const tl::expected<FileBytes, ToolError>& bytes) {
   if (std::filesystem::path(path).extension() == ".json") return true;
-  const auto bytes = FileBytes::read(path);
   return is_source(path, bytes ? bytes->span() : std::span<const std::byte>());
 }
 
@@ -69,12 +66,14 @@ tl::expected<Exit, ToolError> run_live(const ViewOptions& options, const Message
 }
 
 tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Messages& messages) {
-  if (is_live(options.file)) return run_live(options, messages);
+  auto bytes = FileBytes::read(options.file);
+  if (is_live(options.file, bytes)) return run_live(options, messages);
   if (options.asks_for_cook)
     return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
   const std::filesystem::path output = output_of(options);
   if (auto html = choose_suffix(output, {".html"}); !html) return tl::unexpected(html.error());
-  const auto file = open_cooked(options.file);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto file = open_cooked(options.file, std::move(*bytes));
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(output, {options.file, options.page}); !checked)
     return tl::unexpected(checked.error());

@@ -1,5 +1,7 @@
 #include "lab/hair_segment.h"
 
+#include "base/geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,9 +137,7 @@ SolidShape::SolidShape(const ColliderRecord& record)
       center(vector_of(record.center)),
       axis(vector_of(record.axis)),
       radii(vector_of(record.radii)),
-      to_own_axes(Quaterniond(record.rotation[3], record.rotation[0], record.rotation[1], record.rotation[2])
-                      .normalized()
-                      .conjugate()),
+      to_own_axes(rotation_of(record.rotation).conjugate()),
       size(size_of(shape, radii)) {}
 
 std::vector<SolidShape> solid_shapes(std::span<const ColliderRecord> colliders) {

@@ -73,8 +73,7 @@ PlacedSolid::PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& 
       end_radius(record.radii[1]),
       half_extents(record.radii[0], record.radii[1], record.radii[2]) {
   // The axis of a record is in head space already.
-  const float* const q = record.rotation;
-  const Quaterniond own = Quaterniond(double(q[3]), double(q[0]), double(q[1]), double(q[2])).normalized();
+  const Quaterniond own = rotation_of(record.rotation);
   to_own_axes = (Quaterniond(moved.rotation()) * own).conjugate();
   axis = own.conjugate() * axis;
   size = size_of(*this);

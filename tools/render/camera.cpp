@@ -111,7 +111,11 @@ DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights) {
   return desc;
 }
 
-bool has_mesh(const Asset& asset) { return asset.is_open() && !asset.vertices().empty() && !asset.indices().empty(); }
+tl::expected<void, ToolError> check_drawable(const Asset& asset) {
+  if (asset.is_open() && !asset.vertices().empty() && !asset.indices().empty()) return {};
+  return failure(ToolError::Kind::kBadInput,
+                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
+}
 
 std::array<Light, 3> studio_lights(const Camera& camera) {
   std::array<Light, 3> lights;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "base/tool_error.h"
+
 #include <coif/asset.h>
 #include <coif/renderer.h>
 
 #include <Eigen/Core>
+#include <tl/expected.hpp>
 
 #include <array>
 #include <cstdint>
@@ -50,7 +53,7 @@ struct CrowdView {
 /// Hair seen by this camera in this light (which must outlive what is given back), on an sRGB framebuffer.
 [[nodiscard]] DrawDesc studio_desc(const Camera& camera, std::span<const Light> lights);
 
-/// Whether there is anything to draw.
-[[nodiscard]] bool has_mesh(const Asset& asset);
+/// kBadInput, with the cure, where there is nothing to draw.
+[[nodiscard]] tl::expected<void, ToolError> check_drawable(const Asset& asset);
 
 }  // namespace coif

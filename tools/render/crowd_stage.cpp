@@ -34,7 +34,7 @@ tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const As
   if (!side_ok(width) || !side_ok(height)) {
     return usage("a picture has 16 to 8192 pixels each way");
   }
-  if (!has_mesh(asset)) return failure(ToolError::Kind::kBadInput, "the asset has no mesh to draw");
+  if (auto drawable = check_drawable(asset); !drawable) return tl::unexpected(drawable.error());
   auto device = DrawingDevice::create({}, through);
   if (!device) return tl::unexpected(device.error());
   std::unique_ptr<CrowdStage> made(new CrowdStage(asset, double(width) / height, std::move(*device)));

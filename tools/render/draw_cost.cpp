@@ -2,6 +2,7 @@
 
 #include "base/collider_shapes.h"
 #include "render/picture.h"
+#include "render/sample_coverage.h"
 
 #include <coif/lod.h>
 

@@ -45,10 +45,7 @@ OrderPictures::~OrderPictures() = default;
 
 tl::expected<std::unique_ptr<OrderPictures>, ToolError> OrderPictures::create(const Asset& asset,
                                                                               const RendererDesc& desc) {
-  if (!has_mesh(asset)) {
-    return failure(ToolError::Kind::kBadInput,
-                   "the asset has no mesh to draw; cook it again without leaving the mesh out");
-  }
+  if (auto drawable = check_drawable(asset); !drawable) return tl::unexpected(drawable.error());
   auto drawing = DrawingDevice::create(desc);
   if (!drawing) return tl::unexpected(drawing.error());
   std::unique_ptr<OrderPictures> made(new OrderPictures);

@@ -7,6 +7,7 @@
 #include "render/gallery.h"
 #include "render/motion_frame.h"
 #include "render/picture_scene.h"
+#include "render/sample_coverage.h"
 #include "render/stage_renderer.h"
 #include "render/tone_curve.h"
 
@@ -24,12 +25,6 @@ constexpr std::uint32_t kMaxHeads = 10'000;
 constexpr double kMaxSeconds = 3600;
 constexpr std::uint32_t kShadowTexels = 1024;
 constexpr std::uint32_t kMostSamples = 8192;
-
-tl::expected<void, ToolError> check_mesh(const Asset& asset) {
-  if (has_mesh(asset)) return {};
-  return failure(ToolError::Kind::kBadInput,
-                 "the asset has no mesh to draw; cook it again without leaving the mesh out");
-}
 
 /// Of an asset with a mesh.
 tl::expected<void, ToolError> check(const Asset& asset, const PictureSettings& settings) {
@@ -182,7 +177,7 @@ PictureMaker::PictureMaker(PictureMaker&&) noexcept = default;
 PictureMaker::~PictureMaker() = default;
 
 tl::expected<PictureMaker, ToolError> PictureMaker::create(const Asset& asset) {
-  if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check_drawable(asset); !checked) return tl::unexpected(checked.error());
   auto device = DrawingDevice::create({.stream_bytes = stream_bytes_for(asset)});
   if (!device) return tl::unexpected(device.error());
   auto loaded = std::make_unique<Loaded>(asset, std::move(*device));
@@ -237,7 +232,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
 
 tl::expected<Picture, ToolError> render_picture(const Asset& asset, const PictureSettings& settings) {
   // Before a driver is asked for.
-  if (const auto checked = check_mesh(asset); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check_drawable(asset); !checked) return tl::unexpected(checked.error());
   if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
   auto maker = PictureMaker::create(asset);
   if (!maker) return tl::unexpected(maker.error());

@@ -36,9 +36,6 @@ namespace coif {
 /// Every way to draw transparent hair, for tools that offer or compare them; name_of() tells what each is called.
 [[nodiscard]] std::span<const TransparencyMode* const> transparency_modes();
 
-/// It draws some of a pixel's samples (alpha to coverage), of which there should be more than one.
-[[nodiscard]] bool covers_samples(const TransparencyMode& mode);
-
 /// Samples per pixel of a target that the mode draws to at its best; 0: a target without multisampling.
 [[nodiscard]] std::uint32_t samples_for(const TransparencyMode& mode);
 

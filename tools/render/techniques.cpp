@@ -16,10 +16,6 @@ std::span<const TransparencyMode* const> transparency_modes() {
   return kModes;
 }
 
-bool covers_samples(const TransparencyMode& mode) {
-  return &mode == &kCoverageMode || &mode == &kProportionalMode || &mode == &kJitteredMode;
-}
-
 std::uint32_t samples_for(const TransparencyMode& mode) { return &mode == &kExactMode ? 0 : 4; }
 
 }  // namespace coif

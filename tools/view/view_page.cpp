@@ -1,6 +1,7 @@
 #include "view/view_page.h"
 
 #include "base/encodings.h"
+#include "base/text.h"
 
 #include <cstdint>
 #include <system_error>
@@ -11,21 +12,6 @@ namespace {
 
 // tools/view/page/script/page.html has each once.
 constexpr std::string_view kAssetPlace = "@ASSET@", kNamePlace = "@NAME@";
-
-/// As an attribute's value.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
 
 bool is_file(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -62,7 +48,7 @@ tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<
   const std::string text = base64({reinterpret_cast<const std::uint8_t*>(asset.data()), asset.size()});
   std::string out;
   out.reserve(page.size() + text.size() + name.size());
-  out.append(page.substr(0, name_at)).append(escaped(name));
+  out.append(page.substr(0, name_at)).append(markup_text(name));
   const std::size_t between = name_at + kNamePlace.size();
   out.append(page.substr(between, asset_at - between)).append(text).append(page.substr(asset_at + kAssetPlace.size()));
   return out;

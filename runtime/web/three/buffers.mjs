@@ -6,39 +6,44 @@ import {
 } from 'three';
 
 import { CoifError } from '../memory.mjs';
+import { RECORDS } from '../records.mjs';
 import { decodeRg11 } from './eac.mjs';
 
-const VERTEX_BYTES = 36; // VertexRecord
-const SKIN_BYTES = 12;   // SkinRecord
 const PALETTE_WIDTH = 768;
 const MATRIX_FLOATS = 12;
 
-/** `count` parts of each record of `stride` bytes, from `offset` on. */
-function gather(Type, bytes, stride, offset, count) {
+const PARTS = { f32: Float32Array, i16: Int16Array, u16: Uint16Array, u8: Uint8Array };
+
+/** A member of every record in `bytes`, as an attribute. */
+function gather(record, name, bytes, isNormalized = false) {
+  const stride = record.size;
+  const { type, offset, count } = record.fields.get(name);
+  const Type = PARTS[type];
   const size = Type.BYTES_PER_ELEMENT;
   const from = new Type(bytes.buffer, bytes.byteOffset, bytes.byteLength / size);
   const to = new Type((bytes.byteLength / stride) * count);
   for (let i = 0, at = offset / size; i < to.length; i += count, at += stride / size) {
     for (let part = 0; part < count; ++part) to[i + part] = from[at + part];
   }
-  return to;
+  return new BufferAttribute(to, count, isNormalized);
 }
 
 /** Attributes by the names of shader_code.mjs; `position` and `normal` are three's own names. */
 export function attributesOf(asset) {
   const { vertices, skin } = asset;
-  const normals = new BufferAttribute(gather(Int16Array, vertices, VERTEX_BYTES, 12, 4), 4, true);
+  const { Vertex, Skin } = RECORDS;
+  const normals = gather(Vertex, 'normal', vertices, true);
   const attributes = {
-    position: new BufferAttribute(gather(Float32Array, vertices, VERTEX_BYTES, 0, 3), 3),
+    position: gather(Vertex, 'position', vertices),
     normal: normals,
     rest_normal: normals,
-    rest_tangent: new BufferAttribute(gather(Int16Array, vertices, VERTEX_BYTES, 20, 4), 4, true),
-    texture_place: new BufferAttribute(gather(Float32Array, vertices, VERTEX_BYTES, 28, 2), 2),
+    rest_tangent: gather(Vertex, 'tangent', vertices, true),
+    texture_place: gather(Vertex, 'uv', vertices),
   };
   if (skin.length > 0) {
-    attributes.bones = new BufferAttribute(gather(Uint16Array, skin, SKIN_BYTES, 0, 4), 4);
+    attributes.bones = gather(Skin, 'bone', skin);
     attributes.bones.gpuType = IntType; // as integers, of which the shader makes places
-    attributes.weights = new BufferAttribute(gather(Uint8Array, skin, SKIN_BYTES, 8, 4), 4, true);
+    attributes.weights = gather(Skin, 'weight', skin, true);
   }
   return attributes;
 }

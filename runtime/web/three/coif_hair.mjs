@@ -8,8 +8,8 @@ import { passMaterial, passesOf, shadowMaterials } from './passes.mjs';
 
 const HEAD_FLOATS = 16; // three rows of a matrix, the head's number, and nothing
 
-const worldOf = new Matrix4(), toLocal = new Matrix4(), place = new Matrix4();
-const position = new Vector3(), rotation = new Quaternion(), scale = new Vector3(), eye = new Vector3(), back = new Quaternion();
+const toLocal = new Matrix4(), rowsOf = new Matrix4(), scale = new Vector3(), eye = new Vector3(), way = new Vector3(), back = new Quaternion();
+const sphere = new Sphere();
 
 export class CoifHair extends Object3D {
   constructor(asset, { instances = 1, transparency = 'blend', desc = {}, settings = {}, material = {} } = {}) {
@@ -25,9 +25,8 @@ export class CoifHair extends Object3D {
     this.textures = texturesOf(asset, this.attributes.texture_place);
     this.palettes = this.skinning === 0 ? null : paletteTexture(asset.coif, this.hair);
     this.index = new BufferAttribute(this.drawn.drawOrders().slice(), 1);
-    this.followed = new Array(instances).fill(this);
-    this.lods = new Array(instances).fill(0);
-    this.matrices = Array.from({ length: instances }, () => new Matrix4());
+    this.heads = Array.from({ length: instances }, (_, number) => ({ number, followed: this, position: new Vector3(), rotation: new Quaternion(),
+      scale: 1, matrix: new Matrix4(), lod: 0, distance: 0 }));
     this.reach = new Sphere(new Vector3(...this.drawn.reach.center), this.drawn.reach.radius);
     this.batches = new Map();
     this.casts = this.receives = true;
@@ -74,15 +73,13 @@ export class CoifHair extends Object3D {
 
   /** The head's place from now on: that of `object`, of which head space is a part; its own place where none is named. */
   follow(head, object = this) {
-    if (!(head in this.followed)) throw new RangeError(`there is no head ${head}`);
-    this.followed[head] = object;
+    if (!(head in this.heads)) throw new RangeError(`there is no head ${head}`);
+    this.heads[head].followed = object;
   }
 
   update(delta, camera) {
-    this.updateWorldMatrix(true, false);
-    toLocal.copy(this.matrixWorld).invert();
-    for (let head = 0; head < this.hair.instances; ++head) this.#place(head);
     if (this.hasStarted) {
+      this.#place();
       this.hair.setHeads();
       this.settings.dt = delta;
       this.hair.step(this.settings);
@@ -95,21 +92,24 @@ export class CoifHair extends Object3D {
 
   /** The rest pose, at rest, where the heads are now. */
   reset() {
-    this.updateWorldMatrix(true, false);
-    toLocal.copy(this.matrixWorld).invert();
-    for (let head = 0; head < this.hair.instances; ++head) {
-      this.#place(head);
-      this.hair.reset(head, { position: position.toArray(), rotation: rotation.toArray(), scale: scale.x });
+    this.#place();
+    for (const head of this.heads) {
+      this.hair.reset(head.number, { position: head.position.toArray(), rotation: head.rotation.toArray(), scale: head.scale });
     }
     this.hasStarted = true;
   }
 
-  #place(head) {
-    const followed = this.followed[head];
-    if (followed !== this) followed.updateWorldMatrix(true, false);
-    worldOf.copy(followed.matrixWorld).decompose(position, rotation, scale);
-    this.hair.writeHead(head, position, rotation, scale.x);
-    this.matrices[head].multiplyMatrices(toLocal, followed.matrixWorld);
+  /** Heads go where what they follow is now. */
+  #place() {
+    this.updateWorldMatrix(true, false);
+    toLocal.copy(this.matrixWorld).invert();
+    for (const head of this.heads) {
+      if (head.followed !== this) head.followed.updateWorldMatrix(true, false);
+      head.followed.matrixWorld.decompose(head.position, head.rotation, scale);
+      head.scale = scale.x;
+      this.hair.writeHead(head.number, head.position, head.rotation, head.scale);
+      head.matrix.multiplyMatrices(toLocal, head.followed.matrixWorld);
+    }
   }
 
   /** Heads that share a level of detail and an order of triangles are drawn at once, the far ones first. */
@@ -117,22 +117,21 @@ export class CoifHair extends Object3D {
     camera.updateWorldMatrix(true, false);
     eye.setFromMatrixPosition(camera.matrixWorld);
     for (const batch of this.batches.values()) batch.heads.length = 0;
-    for (let head = 0; head < this.hair.instances; ++head) {
-      this.followed[head].matrixWorld.decompose(position, rotation, scale);
-      const way = position.sub(eye).negate();
-      const distance = way.length();
-      if (camera.isPerspectiveCamera) this.#chooseLevel(head, distance / scale.x, (camera.fov * Math.PI) / 180);
-      const seen = way.applyQuaternion(back.copy(rotation).conjugate());
-      const order = this.drawn.orderCount > 1 ? this.drawn.chooseOrder(seen.toArray()) : 0;
-      this.#batch(this.lods[head], order).heads.push({ head, distance });
+    for (const head of this.heads) {
+      way.copy(eye).sub(head.position);
+      head.distance = way.length();
+      if (camera.isPerspectiveCamera) this.#chooseLevel(head, (camera.fov * Math.PI) / 180);
+      way.applyQuaternion(back.copy(head.rotation).conjugate());
+      const order = this.drawn.orderCount > 1 ? this.drawn.chooseOrder(way.toArray()) : 0;
+      this.#batch(head.lod, order).heads.push(head);
     }
     for (const batch of this.batches.values()) this.#fill(batch);
   }
 
-  #chooseLevel(head, distance, fov) {
+  #chooseLevel(head, fov) {
     if (this.drawn.lodCount < 2) return;
-    const share = this.asset.coif.screenShare(2 * this.reach.radius, Math.max(distance, 1e-3), fov);
-    this.lods[head] = this.asset.chooseLod(share, this.lods[head]);
+    const share = this.asset.coif.screenShare(2 * this.reach.radius, Math.max(head.distance / head.scale, 1e-3), fov);
+    head.lod = this.asset.chooseLod(share, head.lod);
   }
 
   #batch(lod, order) {
@@ -175,13 +174,12 @@ export class CoifHair extends Object3D {
     if (heads.length === 0) return;
     heads.sort((a, b) => b.distance - a.distance);
     const bound = geometry.boundingSphere.makeEmpty();
-    heads.forEach(({ head }, i) => {
-      const matrix = this.matrices[head];
+    heads.forEach(({ number, matrix }, i) => {
       const to = rows.array;
       const at = HEAD_FLOATS * i;
-      place.copy(matrix).transpose(); // rows
-      for (let k = 0; k < 12; ++k) to[at + k] = place.elements[k];
-      to[at + 12] = head;
+      rowsOf.copy(matrix).transpose();
+      for (let k = 0; k < 12; ++k) to[at + k] = rowsOf.elements[k];
+      to[at + 12] = number;
       bound.union(sphere.copy(this.reach).applyMatrix4(matrix));
     });
     rows.needsUpdate = true;
@@ -206,5 +204,3 @@ export class CoifHair extends Object3D {
     this.hair.dispose();
   }
 }
-
-const sphere = new Sphere();

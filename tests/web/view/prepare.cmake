@@ -1,10 +1,10 @@
-# cmake -D NPM= -D SOURCE= -D FOLDER= -P prepare.cmake: the tests' scripts beside the packages that they import, fetched once for
+# cmake -D NPM= -D SOURCE= -D FOLDER= [-D WITH=files] -P prepare.cmake: the tests' scripts beside the packages that they import, fetched once for
 # each package-lock.json.
 if(NOT NPM)
   message(FATAL_ERROR "no npm: tools/install_packages.sh web installs it")
 endif()
 file(GLOB files ${SOURCE}/*.mjs ${SOURCE}/*.html ${SOURCE}/package*.json)
-file(COPY ${files} DESTINATION ${FOLDER})
+file(COPY ${files} ${WITH} DESTINATION ${FOLDER})
 file(SHA256 ${FOLDER}/package-lock.json wanted)
 set(mark ${FOLDER}/node_modules/.fetched)
 if(EXISTS ${mark})

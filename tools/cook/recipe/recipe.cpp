@@ -90,7 +90,7 @@ tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std:
   return recipe;
 }
 
-tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
+tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::path& path) {
   const auto unreadable = [&](const std::string& why) {
     return tl::unexpected(ToolError{ToolError::Kind::kFileAccess, fmt::format("{}: {}", path.string(), why)});
   };
@@ -102,7 +102,13 @@ tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
     return unreadable("too large for a recipe (over 1 MiB)");
   std::ostringstream text;
   text << file.rdbuf();
-  return parse_recipe(text.str(), path.string());
+  return text.str();
+}
+
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
+  const auto text = read_recipe_text(path);
+  if (!text) return tl::unexpected(text.error());
+  return parse_recipe(*text, path.string());
 }
 
 std::string print_recipe(const Recipe& recipe) {

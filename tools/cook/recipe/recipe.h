@@ -160,6 +160,8 @@ struct CookSettings {
 /// the range and, for a misspelt key, the nearest one.
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name);
 tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path);
+/// The text of a recipe's file, not looked at yet. kFileAccess where it cannot be read or is too large for one.
+tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::path& path);
 
 /// The complete recipe as JSON with a comment for each key: default, range, unit, meaning. Parses back to `recipe`.
 [[nodiscard]] std::string print_recipe(const Recipe& recipe);

@@ -9,21 +9,6 @@
 
 namespace coif {
 
-std::string markup_text(std::string_view text) {
-  std::string result;
-  for (const char c : clean_text(text)) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 namespace {
 
 /// Style sheet of every page. Wide tables scroll in their own frame so that their header can stay in sight; on paper

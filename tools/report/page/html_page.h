@@ -34,9 +34,6 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  ///< Short rows are filled up with empty cells.
 };
 
-/// Text as HTML and XML take it between tags and within quotes.
-[[nodiscard]] std::string markup_text(std::string_view text);
-
 /// One HTML document that needs nothing but itself: no script, no file beside it, no network; its own policy forbids a
 /// browser to fetch any. Readable on light and dark screens and on paper. Every text that comes in is escaped.
 class HtmlPage {

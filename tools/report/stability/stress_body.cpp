@@ -1,15 +1,13 @@
 #include "report/stability/stress_body.h"
 
+#include "base/geometry.h"
+
 namespace coif {
 namespace {
 
 using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-
-Quaterniond rotation_of(const float (&q)[4]) {
-  return Quaterniond(double(q[3]), double(q[0]), double(q[1]), double(q[2])).normalized();
-}
 
 Vector3d joint_of(const BodyBoneRecord& bone) { return {bone.joint[0], bone.joint[1], bone.joint[2]}; }
 

@@ -5,8 +5,7 @@
 namespace coif {
 namespace {
 
-constexpr float kSettlingRate = 60;  // Hz
-constexpr int kSettlingSteps = 120;
+constexpr float kSettlingSeconds = 2;
 
 }  // namespace
 
@@ -28,15 +27,10 @@ Status SimulatedHead::create(const Asset& asset, const Solver& solver, bool in_g
   return hair_.create(asset, desc, {memory_.get(), need.bytes});
 }
 
-Status SimulatedHead::settle(const HeadPose& pose, StepSettings step) {
+Status SimulatedHead::settle(const HeadPose& pose, const StepSettings& step) {
   if (!rest_.empty()) return Status::kOk;
-  step.dt = 1 / kSettlingRate;
-  Status status = hair_.reset(0, pose);
-  for (int i = 0; i < kSettlingSteps && status == Status::kOk; ++i) {
-    status = hair_.set_head(0, pose);
-    if (status == Status::kOk) status = hair_.step(step);
-  }
-  return status;
+  const Status status = hair_.reset(0, pose);
+  return status == Status::kOk ? hair_.settle(0, kSettlingSeconds, step) : status;
 }
 
 Status SimulatedHead::step(const HeadPose& pose, const StepSettings& step, const Gusts& gusts) {

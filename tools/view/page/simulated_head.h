@@ -18,7 +18,7 @@ class SimulatedHead {
   Status create(const Asset& asset, const Solver& solver, bool in_gusts);
 
   /// At this pose, as it hangs there after two seconds: what `coif render` shows of a head at rest.
-  Status settle(const HeadPose& pose, StepSettings step);
+  Status settle(const HeadPose& pose, const StepSettings& step);
 
   Status step(const HeadPose& pose, const StepSettings& step, const Gusts& gusts);
 

@@ -1,5 +1,6 @@
 #include "view/page/view_scene.h"
 
+#include "render/sample_coverage.h"
 #include "view/page/gl_loader.h"
 
 #include <coif/webgl.h>
@@ -16,10 +17,6 @@ constexpr std::uint32_t kShadowTexels = 1024;
 constexpr std::uint32_t kCoveredSamples = 4;
 constexpr float kLineThickness = 1.5f;  // pixels of the canvas
 
-bool covers_samples(const TransparencyMode& mode) {
-  return &mode == &kCoverageMode || &mode == &kProportionalMode || &mode == &kJitteredMode;
-}
-
 std::uint32_t finer_of(const ViewSettings& settings) { return settings.samples >= 2 ? 2 : 1; }
 
 tl::unexpected<ToolError> refused(const char* what, const char* why) {
@@ -29,10 +26,6 @@ tl::unexpected<ToolError> refused(const char* what, const char* why) {
 }  // namespace
 
 tl::expected<std::unique_ptr<ViewScene>, ToolError> ViewScene::create(const Asset& asset) {
-  if (!has_mesh(asset)) {
-    return failure(ToolError::Kind::kBadInput,
-                   "the asset has no mesh to draw; cook it again without leaving the mesh out");
-  }
   std::unique_ptr<ViewScene> scene(new ViewScene(asset));
   if (auto made = scene->make(); !made) return tl::unexpected(made.error());
   return scene;
@@ -94,8 +87,8 @@ const CrowdView& ViewScene::view(const ViewSettings& settings, double aspect, st
   return view_;
 }
 
-Status ViewScene::cast(const ViewSettings&, const ShadowCrowd& crowd, std::span<const HairInstance> heads,
-                       const CrowdView& view, const Light& light) {
+Status ViewScene::cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const CrowdView& view,
+                       const Light& light) {
   if (const Status begun = shadow_.begin(light, ball_around(points_, view.places)); begun != Status::kOk) return begun;
   Eigen::Matrix4f clip;
   float columns[16];
@@ -123,7 +116,7 @@ tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, cons
   desc.transparency = &mode;
   Status status = Status::kOk;
   if (technique_ != nullptr) {
-    status = cast(settings, {&model_, heads, &material}, heads, view, lights[0]);
+    status = cast({&model_, heads, &material}, heads, view, lights[0]);
     desc.shadow = &shadow_;
   }
   target_->bind();

@@ -44,8 +44,7 @@ class ViewScene {
   tl::expected<void, ToolError> make();
   /// The shadow of this technique, and a stage whose shader looks it up.
   tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
-  Status cast(const ViewSettings& settings, const ShadowCrowd& crowd, std::span<const HairInstance> heads,
-              const CrowdView& view, const Light& light);
+  Status cast(const ShadowCrowd& crowd, std::span<const HairInstance> heads, const CrowdView& view, const Light& light);
   tl::expected<void, ToolError> draw_lines(const ViewSettings& settings, const Camera& camera,
                                            std::span<const HairInstance> heads) const;
 

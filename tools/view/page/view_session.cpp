@@ -31,10 +31,7 @@ tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vec
   std::copy(bytes.begin(), bytes.end(), session->memory_.get());
   const LoadStatus status = open_whole({session->memory_.get(), bytes.size()}, session->asset_);
   if (!status) return tl::unexpected(refusal_of(status));
-  if (!has_mesh(session->asset_)) {
-    return failure(ToolError::Kind::kBadInput,
-                   "the asset has no mesh to draw; cook it again without leaving the mesh out");
-  }
+  if (auto drawable = check_drawable(session->asset_); !drawable) return tl::unexpected(drawable.error());
   session->settings_ = settings_of(session->asset_);
   session->numbers_.asset_bytes = float(bytes.size());
   session->numbers_.levels = float(session->asset_.lod_count());

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <variant>
 
 namespace coif {
@@ -20,14 +18,13 @@ bool names_file(const RecipeKey& key) {
          std::holds_alternative<std::string Recipe::*>(key.field);
 }
 
+/// Of a file that is a recipe by itself; empty where there is none.
 tl::expected<nlohmann::json, ToolError> json_of(const std::filesystem::path& file) {
   if (file.empty()) return nlohmann::json::object();
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const auto json = parse_shallow_json(text.str());
-  if (!json) return file_failure(ToolError::Kind::kBadInput, file, "{}", json.error());
-  return *json;
+  const auto text = read_recipe_text(file);
+  if (!text) return tl::unexpected(text.error());
+  if (const auto alone = parse_recipe(*text, file.string()); !alone) return tl::unexpected(alone.error());
+  return parse_shallow_json(*text).value();
 }
 
 /// "patches" may be a list, short for its "overrides".
@@ -55,9 +52,6 @@ tl::expected<nlohmann::json, ToolError> read_changes(std::string_view text) {
 }
 
 tl::expected<LiveRecipe, ToolError> live_recipe(const std::filesystem::path& file, const nlohmann::json& changes) {
-  if (!file.empty()) {
-    if (const auto alone = read_recipe(file); !alone) return tl::unexpected(alone.error());
-  }
   auto json = json_of(file);
   if (!json) return tl::unexpected(json.error());
   nlohmann::json merged = *json;
