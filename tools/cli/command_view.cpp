@@ -4,6 +4,7 @@
 #include "cli/input_files.h"
 #include "cli/live_source.h"
 #include "cli/messages.h"
+#include "cli/moved_page.h"
 #include "cli/options.h"
 #include "render/camera.h"
 #include "view/view_page.h"
@@ -17,6 +18,7 @@ struct ViewOptions {
   std::string file;
   std::string output;
   std::string page;
+  HeadMotion motion;
   LiveOptions live;            ///< Of a source.
   bool asks_for_cook = false;  ///< Something of `live` was given.
   OutputFormat format = OutputFormat::kText;
@@ -80,10 +82,9 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
 
   const auto place = find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());
-  const auto page = FileBytes::read(*place);
+  const auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
-  const auto text = view_page({reinterpret_cast<const char*>(page->span().data()), page->span().size()}, file->bytes(),
-                              std::filesystem::path(options.file).filename().string());
+  const auto text = view_page(*page, file->bytes(), std::filesystem::path(options.file).filename().string());
   if (!text) return tl::unexpected(ToolError{text.error().kind, place->string() + ": " + text.error().message});
   if (auto written = write_output(output, std::as_bytes(std::span(*text))); !written) {
     return tl::unexpected(written.error());
@@ -128,12 +129,14 @@ Command add_view_page(CLI::App& program) {
   app->add_option("--page", options->page,
                   "The page without an asset, which the build for the web makes (default: as installed)")
       ->type_name("VIEW.html");
+  add_motion(*app, options->motion, "What moves the head when the page opens, over and over");
   add_live(*app, *options);
   add_format(*app, options->format);
   return {app, [options, app](const Messages& messages) {
             for (const char* name : {"--recipe", "--quality", "--port", "--root"}) {
               if (app->count(name) > 0) options->asks_for_cook = true;
             }
+            if (app->count("--motion") > 0) options->live.motion = options->motion;
             return run_view(*options, messages);
           }};
 }

@@ -3,6 +3,7 @@
 #include "base/asset_refusal.h"
 #include "base/geometry.h"
 #include "view/page/crowd_cost.h"
+#include "view/page/tip_error.h"
 
 #include <algorithm>
 #include <array>
@@ -95,12 +96,20 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
 void ViewSession::choose_motion() {
   if (path_ && moved_by_ == settings_.motion) return;
   const auto motions = all_motions();
-  const auto number = std::min(std::size_t(std::max(settings_.motion, 0.0f)), motions.size() - 1);
-  path_ = path_of(motions[number].motion);
-  if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
+  const auto number = std::size_t(std::max(settings_.motion, 0.0f));
+  length_ = 0;
+  if (number >= motions.size() && !clip_.empty()) {
+    path_ = path_of(clip_);
+    length_ = clip_.back().seconds;
+  } else {
+    path_ = path_of(motions[std::min(number, motions.size() - 1)].motion);
+    if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
+  }
   moved_by_ = settings_.motion;
   time_ = 0;
 }
+
+double ViewSession::time_in_motion() const { return length_ > 0 ? std::fmod(time_, length_) : time_; }
 
 tl::expected<void, ToolError> ViewSession::restart() {
   choose_motion();
@@ -128,11 +137,16 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
   left_over_ += std::clamp(seconds, 0.0, kLongestFrame);
   while (left_over_ >= dt) {
     left_over_ -= dt;
+    const double before = time_in_motion();
     if (settings_.plays != 0) time_ += dt;
+    const double now = time_in_motion();
     held_.step(dt);
-    pose_ = held_.moved(settings_.plays != 0 || time_ > 0 ? path_->pose(time_) : HeadPose{});
+    pose_ = held_.moved(settings_.plays != 0 || time_ > 0 ? path_->pose(now) : HeadPose{});
+    // From a clip's end to its beginning nobody moves: hair goes along instead of being thrown.
+    const auto way = now < before ? SimulatedHead::Way::kNone : SimulatedHead::Way::kMoves;
     for (const auto& head : heads_) {
-      if (const Status status = head->step(pose_, step, gusts()); status != Status::kOk) return not_simulated(status);
+      const Status status = head->step(pose_, way, step, gusts());
+      if (status != Status::kOk) return not_simulated(status);
     }
   }
   return {};
@@ -144,6 +158,19 @@ bool ViewSession::is_moving() const {
   return std::any_of(heads_.begin(), heads_.end(), [](const auto& head) { return !head->is_asleep(); });
 }
 
+void ViewSession::tell_numbers(std::uint32_t level) {
+  const StepSettings step = step_settings();
+  const std::uint32_t substeps = tuned_substeps(asset_, step.dt);
+  const TipError tips = tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), step.dynamics});
+  numbers_.asleep = is_moving() ? 0 : 1;
+  numbers_.time = float(time_in_motion());
+  numbers_.substeps = float(substeps);
+  numbers_.triangles = float(asset_.lod_indices(level).size() / 3);
+  numbers_.tip_error_source = float(tips.source);
+  numbers_.tip_rms = tips.rms;
+  numbers_.tip_max = tips.max;
+}
+
 tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint32_t height, double seconds) {
   if (!scene_) return failure(ToolError::Kind::kInternal, "nothing to draw with");
   choose_motion();
@@ -153,10 +180,7 @@ tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint3
     if (const Status status = head->set_level(level); status != Status::kOk) return not_simulated(status);
   }
   if (auto stepped = step(seconds); !stepped) return tl::unexpected(stepped.error());
-  numbers_.asleep = is_moving() ? 0 : 1;
-  numbers_.time = float(time_);
-  numbers_.substeps = float(tuned_substeps(asset_, step_settings().dt));
-  numbers_.triangles = float(asset_.lod_indices(level).size() / 3);
+  tell_numbers(level);
   const bool is_new = !is_same(settings_, shown_) || width != width_ || height != height_;
   if (!is_new && !is_moving()) return false;
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -29,6 +30,8 @@ struct ViewNumbers {
   float asleep = 0;  ///< All hair rests.
   float levels = 0;  ///< Of detail.
   float time = 0;    ///< Seconds into the motion.
+  float tip_error_source = 0;  ///< TipErrorSource of these two, shares of the chain's length.
+  float tip_rms = 0, tip_max = 0;
 };
 
 /// An open asset, one or two heads that wear it, and what the visitor does to them.
@@ -43,6 +46,9 @@ class ViewSession {
   [[nodiscard]] const Asset& asset() const { return asset_; }
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
+
+  /// One more motion after the built-in ones, which begins again where it ends; keys as path_of() wants them, or none.
+  void set_clip(std::vector<ClipKey> keys) { clip_ = std::move(keys); }
 
   /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
   tl::expected<void, ToolError> start_drawing();
@@ -69,11 +75,13 @@ class ViewSession {
   ViewSession() = default;
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
+  [[nodiscard]] double time_in_motion() const;
   [[nodiscard]] StepSettings step_settings() const;
   [[nodiscard]] Gusts gusts() const;
   [[nodiscard]] Vec3 wind() const;
   tl::expected<void, ToolError> step(double seconds);
   [[nodiscard]] bool is_moving() const;
+  void tell_numbers(std::uint32_t level);
 
   HairMemory memory_{nullptr, &std::free};
   Asset asset_;
@@ -82,7 +90,9 @@ class ViewSession {
   std::unique_ptr<ViewScene> scene_;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
+  std::vector<ClipKey> clip_;
   std::unique_ptr<HeadPath> path_;
+  double length_ = 0;    ///< Of `path_`, seconds, after which it begins again; 0: never.
   float moved_by_ = -1;  ///< The motion that `path_` is.
   HeldHead held_;
   HeadPose pose_;
