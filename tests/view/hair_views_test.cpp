@@ -37,7 +37,7 @@ TEST(TriangleCorners, AreTheLevelsTrianglesInTheirOrder) {
     const VertexRecord& vertex = (*asset).vertices()[(*asset).indices()[i]];
     EXPECT_EQ(drawn[i].position.z, vertex.position[2]);
     EXPECT_EQ(drawn[i].uv[0], vertex.uv[0]);
-    EXPECT_EQ(color_of(drawn[i]), order_color(double(i / 3) / (drawn.size() / 3 - 1)));
+    EXPECT_EQ(color_of(drawn[i]), order_color(double(i / 3) / double(drawn.size() / 3 - 1)));
   }
 }
 

@@ -27,8 +27,8 @@ AssetContents measured(std::vector<QualityRecord> rows) {
 }
 
 const Asset& some_asset() {
-  static const DrawnAsset asset(measured(
-      {row(30, 1, 0.09f), row(30, 4, 0.04f), row(60, 1, 0.05f), row(60, 2, 0.02f), row(60, 4, 0.01f), row(120, 1, 0.03f)}));
+  static const DrawnAsset asset(measured({row(30, 1, 0.09f), row(30, 4, 0.04f), row(60, 1, 0.05f), row(60, 2, 0.02f),
+                                          row(60, 4, 0.01f), row(120, 1, 0.03f)}));
   return *asset;
 }
 

@@ -10,8 +10,8 @@
 
 namespace coif::view_motion_test {
 
-const std::array<ClipKey, 2> kKeys{{{0, {0, 0, 0}, Eigen::Quaterniond::Identity()},
-                                    {0.5, {0.1, -2, 3}, Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5)}}};
+const std::array<ClipKey, 2> kKeys{
+    {{0, {0, 0, 0}, Eigen::Quaterniond::Identity()}, {0.5, {0.1, -2, 3}, Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5)}}};
 
 TEST(ViewMotion, BuiltInOnesAreNamed) {
   const auto page = with_motion("<i>@MOTION@</i>", "nod");

@@ -23,7 +23,8 @@ tl::expected<std::string, ToolError> with_motion(std::string_view page, std::str
                                                  std::span<const ClipKey> keys) {
   const std::size_t at = page.find(kPlace);
   if (at == page.npos) {
-    return failure(ToolError::Kind::kBadInput, "not the page of coif view that knows motions; build/web/view/view.html is");
+    return failure(ToolError::Kind::kBadInput,
+                   "not the page of coif view that knows motions; build/web/view/view.html is");
   }
   nlohmann::ordered_json json{{"motion", name}};
   if (!keys.empty()) {

@@ -31,8 +31,10 @@ void add_layers(std::string& json) {
   for (std::size_t i = 0; i < kLayerColors.size(); ++i) {
     const int least = i < 2 ? int(i) + 1 : (1 << (i - 1)) + 1, most = 1 << i;
     std::string text = std::to_string(least);
-    if (i + 1 == kLayerColors.size()) text += " and more";
-    else if (most > least) text += " to " + std::to_string(most);
+    if (i + 1 == kLayerColors.size())
+      text += " and more";
+    else if (most > least)
+      text += " to " + std::to_string(most);
     add_color(json, kLayerColors[i], text);
   }
 }
@@ -71,7 +73,7 @@ std::string legend_json(const Asset& asset, HairView view, std::uint32_t lod) {
   std::string title;
   if (view == HairView::kPatches) {
     title = std::to_string(asset.lod_patches(lod).size()) +
-            " patches, each in the colour that coif render --show patches gives it";
+            " patches, each in the colour that coif render --component patches gives it";
   }
   if (view == HairView::kOverdraw) title = "Layers of hair in a pixel";
   if (view == HairView::kOrder) title = "When a triangle is drawn";

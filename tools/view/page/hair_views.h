@@ -34,7 +34,7 @@ inline constexpr std::array<ScreenColor, 7> kLayerColors{{{0x2c, 0x1e, 0x6e},
 /// Of a triangle; 0: it is drawn first, 1: last.
 [[nodiscard]] ScreenColor order_color(double share);
 
-/// Of a patch, by its place in Asset::lod_patches(): as `coif render --show patches` has it, without light.
+/// Of a patch, by its place in Asset::lod_patches(): as `coif render --component patches` has it, without light.
 [[nodiscard]] ScreenColor screen_color_of_patch(std::size_t patch);
 
 /// {"title": "...", "colors": [{"color": "#2c1e6e", "text": "1"}]}; an empty title for kHair.

@@ -113,7 +113,8 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
 EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
   if (!page().session) return nullptr;
   const coif::ViewSettings& settings = page().session->settings();
-  return say(coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
+  return say(
+      coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
 }
 
 EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }

@@ -169,6 +169,12 @@ void ViewSession::tell_numbers(std::uint32_t level) {
   numbers_.tip_error_source = float(tips.source);
   numbers_.tip_rms = tips.rms;
   numbers_.tip_max = tips.max;
+  for (int k = 0; k < 3; ++k) numbers_.head_position[k] = float(pose_.position[k]);
+  const Quat& q = pose_.rotation;
+  numbers_.head_rotation[0] = q.x;
+  numbers_.head_rotation[1] = q.y;
+  numbers_.head_rotation[2] = q.z;
+  numbers_.head_rotation[3] = q.w;
 }
 
 tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint32_t height, double seconds) {

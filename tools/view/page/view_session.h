@@ -26,12 +26,14 @@ struct ViewNumbers {
   float bones = 0;      ///< Simulated, of one head.
   float triangles = 0;  ///< Of the level that is shown, one head.
   float asset_bytes = 0;
-  float drawn = 0;   ///< Frames since the asset was opened.
-  float asleep = 0;  ///< All hair rests.
-  float levels = 0;  ///< Of detail.
-  float time = 0;    ///< Seconds into the motion.
+  float drawn = 0;             ///< Frames since the asset was opened.
+  float asleep = 0;            ///< All hair rests.
+  float levels = 0;            ///< Of detail.
+  float time = 0;              ///< Seconds into the motion.
   float tip_error_source = 0;  ///< TipErrorSource of these two, shares of the chain's length.
   float tip_rms = 0, tip_max = 0;
+  float head_position[3] = {};  ///< World, metres: where the first head's motion has it.
+  float head_rotation[4] = {};  ///< Unit quaternion (x, y, z, w).
 };
 
 /// An open asset, one or two heads that wear it, and what the visitor does to them.

@@ -2,7 +2,7 @@
 
 /** Where numbers lie in ViewNumbers. */
 const kNumbers = ['step_ns_of_bone', 'substeps', 'bones', 'triangles', 'asset_bytes', 'drawn', 'asleep', 'levels', 'time',
-  'tip_error_source', 'tip_rms', 'tip_max'];
+  'tip_error_source', 'tip_rms', 'tip_max', 'head_x', 'head_y', 'head_z', 'head_qx', 'head_qy', 'head_qz', 'head_qw'];
 
 export class WasmPage {
   constructor(module) {
