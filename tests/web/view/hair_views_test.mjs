@@ -2,13 +2,13 @@
 // that of view_test.mjs.
 
 import { strict as assert } from 'node:assert';
-import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawn } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { launch, open_page, take } from './browser.mjs';
 import { psnr, read_png } from './png.mjs';
 
-const { COIF, ASSET, PAGE, WORK } = process.env;
+const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
 const kSize = { width: 480, height: 360 };
 const kPixels = kSize.width * kSize.height;
 
@@ -51,13 +51,26 @@ async function legend(page) {
   await page.waitForFunction(async () => { const view = await window.coif; view.show_numbers(); return true; });
   return page.$eval('#legend', (box) => ({
     hidden: box.hidden, title: box.querySelector('b').textContent,
-    texts: [...box.querySelectorAll('span')].map((line) => line.textContent),
+    texts: [...box.querySelectorAll('li')].map((line) => line.textContent),
     colours: [...box.querySelectorAll('i')].map((swatch) => getComputedStyle(swatch).backgroundColor.match(/\d+/g).map(Number)),
   })).then((found) => ({ ...found, colours: found.colours.map(([r, g, b]) => (r << 16) | (g << 8) | b) }));
 }
 
 /** Of each pixel, which of these colours it has; -1: none of them, as where a pixel's samples differ. */
 const classes = (pixels, colours) => Array.from({ length: kPixels }, (_, i) => colours.findIndex((c) => is_near(c, colour(pixels, i))));
+
+/** Of a head that turns a quarter about Y and slides, within a second. */
+function write_clip(name) {
+  const floats = Float32Array.of(0, 0.5, 1, 0, 0, 0, 1, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 0, 0, 0, 1, 0, 0, 0, 0, 0.2, 0.1, 0, 0, 0);
+  writeFileSync(in_work(name), JSON.stringify({
+    asset: { version: '2.0' }, nodes: [{ name: 'rig:head' }],
+    animations: [{ samplers: [{ input: 0, output: 1 }, { input: 0, output: 2 }],
+                   channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }, { sampler: 1, target: { node: 0, path: 'translation' } }] }],
+    bufferViews: [[0, 12], [12, 48], [60, 36]].map(([byteOffset, byteLength]) => ({ buffer: 0, byteOffset, byteLength })),
+    accessors: ['SCALAR', 'VEC4', 'VEC3'].map((type, bufferView) => ({ bufferView, type, componentType: 5126, count: 3 })),
+    buffers: [{ byteLength: floats.byteLength, uri: `data:application/octet-stream;base64,${Buffer.from(floats.buffer).toString('base64')}` }],
+  }));
+}
 
 const cases = {
   async patches_have_the_colours_of_the_command_line() {
@@ -183,6 +196,25 @@ const cases = {
     });
   },
 
+  async views_outlive_a_lost_context() {
+    await with_page(async (page) => {
+      for (const view of ['overdraw', 'draw order']) {
+        const before = await take(page, kSize, { view });
+        await page.evaluate(async () => {
+          const view = await window.coif;
+          const event = (name) => new Promise((done) => view.canvas.addEventListener(name, () => setTimeout(done), { once: true }));
+          const loses = view.canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+          const [lost, restored] = [event('webglcontextlost'), event('webglcontextrestored')];
+          loses.loseContext();
+          await lost;
+          loses.restoreContext();
+          await restored;
+        });
+        assert.equal(psnr(before, await take(page, kSize)), Infinity, view);
+      }
+    });
+  },
+
   async the_error_is_what_was_measured() {
     const known = JSON.parse(coif('info', ASSET, '--format', 'json')).quality;
     assert.ok(known.length > 0);
@@ -218,16 +250,7 @@ const cases = {
   },
 
   async clips_move_the_head() {
-    // A head that turns a quarter about Y and slides, within a second.
-    const floats = Float32Array.of(0, 0.5, 1, 0, 0, 0, 1, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 0, 0, 0, 1, 0, 0, 0, 0, 0.2, 0.1, 0, 0, 0);
-    writeFileSync(in_work('shake.gltf'), JSON.stringify({
-      asset: { version: '2.0' }, nodes: [{ name: 'rig:head' }],
-      animations: [{ samplers: [{ input: 0, output: 1 }, { input: 0, output: 2 }],
-                     channels: [{ sampler: 0, target: { node: 0, path: 'rotation' } }, { sampler: 1, target: { node: 0, path: 'translation' } }] }],
-      bufferViews: [[0, 12], [12, 48], [60, 36]].map(([byteOffset, byteLength]) => ({ buffer: 0, byteOffset, byteLength })),
-      accessors: ['SCALAR', 'VEC4', 'VEC3'].map((type, bufferView) => ({ bufferView, type, componentType: 5126, count: 3 })),
-      buffers: [{ byteLength: floats.byteLength, uri: `data:application/octet-stream;base64,${Buffer.from(floats.buffer).toString('base64')}` }],
-    }));
+    write_clip('shake.gltf');
     const begin = (page) => page.evaluate(async () => {
       const view = await window.coif;
       const began = { motion: view.word('motion'), plays: view.get('plays') };
@@ -274,6 +297,36 @@ const cases = {
       assert.deepEqual(await begin(page), { motion: 'nod', plays: 1 });
       assert.ok(!(await page.$eval('#control-motion', (list) => list.textContent)).includes('clip'));
     }, '--motion', 'nod');
+  },
+
+  async clips_move_heads_whose_hair_is_cooked_meanwhile() {
+    write_clip('shake.gltf');
+    copyFileSync(SOURCE, in_work('bob.glb'));
+    const child = spawn(COIF, ['view', 'bob.glb', '--motion', 'shake.gltf', '--page', PAGE, '--format', 'json'],
+                        { cwd: WORK, stdio: ['ignore', 'pipe', 'inherit'] });
+    const browser = await launch();
+    try {
+      const address = await new Promise((found, failed) => {
+        let text = '';
+        child.stdout.on('data', (more) => { text += more; if (text.endsWith('}\n')) found(JSON.parse(text).address); });
+        child.on('exit', (code) => failed(new Error(`it ended with ${code}`)));
+      });
+      const page = await browser.newPage();
+      await page.goto(address);
+      const shown = await page.evaluate(async () => {
+        const view = await window.coif;
+        for (let i = 0; i < 3; ++i) view.draw(64, 48, 1 / 60);
+        view.show_numbers();
+        return { motion: view.word('motion'), turned: Math.abs(view.wasm.numbers().head_qy),
+                 error: document.getElementById('numbers').textContent };
+      });
+      assert.equal(shown.motion, 'clip');
+      assert.ok(shown.turned > 1e-4, 'the head stands still');
+      assert.match(shown.error, /- tip error/, 'drafts are not measured');
+    } finally {
+      await browser.close();
+      child.kill('SIGTERM');
+    }
   },
 };
 

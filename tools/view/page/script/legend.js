@@ -12,10 +12,12 @@ export function show_legend(box, text) {
   const entries = colors.map((entry) => {
     const swatch = document.createElement('i');
     swatch.style.background = entry.color;
-    const line = document.createElement('span');
+    const line = document.createElement('li');
     line.append(swatch, entry.text);
     return line;
   });
-  box.replaceChildren(heading, ...entries);
+  const list = document.createElement('ul');
+  list.append(...entries);
+  box.replaceChildren(heading, ...(colors.length > 0 ? [list] : []));
   box.hidden = title === '';
 }
