@@ -59,9 +59,9 @@ async function legend(page) {
 /** Of each pixel, which of these colours it has; -1: none of them, as where a pixel's samples differ. */
 const classes = (pixels, colours) => Array.from({ length: kPixels }, (_, i) => colours.findIndex((c) => is_near(c, colour(pixels, i))));
 
-/** Of a head that turns a quarter about Y and slides, within a second. */
+/** Of a head at a grown-up's height that turns a quarter about Y and slides, within a second. */
 function write_clip(name) {
-  const floats = Float32Array.of(0, 0.5, 1, 0, 0, 0, 1, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 0, 0, 0, 1, 0, 0, 0, 0, 0.2, 0.1, 0, 0, 0);
+  const floats = Float32Array.of(0, 0.5, 1, 0, 0, 0, 1, 0, Math.SQRT1_2, 0, Math.SQRT1_2, 0, 0, 0, 1, 0, 1.6, 0, 0, 1.8, 0.1, 0, 1.6, 0);
   writeFileSync(in_work(name), JSON.stringify({
     asset: { version: '2.0' }, nodes: [{ name: 'rig:head' }],
     animations: [{ samplers: [{ input: 0, output: 1 }, { input: 0, output: 2 }],
@@ -292,6 +292,23 @@ const cases = {
       assert.ok(psnr(before, await take(page, kSize)) < 30, 'nobody sees it');
       const again = await run(page, 60);
       assert.ok(Math.abs(again.time - 47 / 60) < 1e-3 && off(again, 47) < 1e-5, 'the clip does not begin again');
+      // From the origin to where the clip begins, and back, heads are put: no hair is thrown.
+      const restart = (settings) => page.evaluate(async (all) => {
+        const view = await window.coif;
+        for (const [name, value] of Object.entries(all)) view.set(name, value);
+        view.restart();
+      }, settings);
+      await restart({ motion: 'still', plays: 0 });
+      const still = await take(page, kSize);
+      await take(page, kSize, { motion: 'clip', plays: 1 });
+      await run(page, 1);
+      const begun = psnr(still, await take(page, kSize));
+      await restart({ motion: 'clip', plays: 0 });
+      await take(page, kSize, { motion: 'still' });
+      await run(page, 1);
+      const gone = psnr(still, await take(page, kSize));
+      console.log(`put: ${begun.toFixed(1)} and ${gone.toFixed(1)} dB`);
+      assert.ok(begun > 30 && gone > 30, 'hair is thrown by the way to the clip');
     }, '--motion', 'shake.gltf:rig:head');
     await with_page(async (page) => {
       assert.deepEqual(await begin(page), { motion: 'nod', plays: 1 });

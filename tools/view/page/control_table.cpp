@@ -95,8 +95,8 @@ constexpr Control kControls[] = {
      COIF_AT(scatter), 0, 1, 0.01f, "", "material.scatter"},
 
     {"view", "Show", "View",
-     "The hair, or of what it is made; overdraw counts every texel of its triangles that is not clear, whatever Soft "
-     "edges says; key V",
+     "The hair, or of what it is made. Overdraw counts every texel of its triangles that is not clear, whatever Soft "
+     "edges says; draw order is that within each pass. Key V",
      "", "choice", COIF_AT(view), 0, 3, 1, kViewWords},
     {"component", "Show", "Part of the light", "Or the strands' direction: green roots, red tips", "", "choice",
      COIF_AT(component), 0, 6, 1, kComponentWords},

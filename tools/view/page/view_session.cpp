@@ -97,10 +97,12 @@ void ViewSession::choose_motion() {
   if (path_ && moved_by_ == settings_.motion) return;
   const auto motions = all_motions();
   const auto number = std::size_t(std::max(settings_.motion, 0.0f));
+  is_put_ = length_ > 0;
   length_ = 0;
   if (number >= motions.size() && !clip_.empty()) {
     path_ = path_of(clip_);
     length_ = clip_.back().seconds;
+    is_put_ = true;
   } else {
     path_ = path_of(motions[std::min(number, motions.size() - 1)].motion);
     if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
@@ -111,11 +113,16 @@ void ViewSession::choose_motion() {
 
 double ViewSession::time_in_motion() const { return length_ > 0 ? std::fmod(time_, length_) : time_; }
 
+HeadPose ViewSession::pose_in_motion() const {
+  const bool has_begun = settings_.plays != 0 || time_ > 0 || length_ > 0;
+  return has_begun ? path_->pose(time_in_motion()) : HeadPose{};
+}
+
 tl::expected<void, ToolError> ViewSession::restart() {
   choose_motion();
   time_ = left_over_ = 0;
   held_ = HeldHead();
-  pose_ = settings_.plays != 0 ? path_->pose(0) : HeadPose{};
+  pose_ = pose_in_motion();
   worn_.clear();
   return choose_heads();
 }
@@ -139,11 +146,11 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
     left_over_ -= dt;
     const double before = time_in_motion();
     if (settings_.plays != 0) time_ += dt;
-    const double now = time_in_motion();
     held_.step(dt);
-    pose_ = held_.moved(settings_.plays != 0 || time_ > 0 ? path_->pose(now) : HeadPose{});
+    pose_ = held_.moved(pose_in_motion());
     // From a clip's end to its beginning nobody moves: hair goes along instead of being thrown.
-    const auto way = now < before ? SimulatedHead::Way::kNone : SimulatedHead::Way::kMoves;
+    const bool is_put = std::exchange(is_put_, false) || time_in_motion() < before;
+    const auto way = is_put ? SimulatedHead::Way::kNone : SimulatedHead::Way::kMoves;
     for (const auto& head : heads_) {
       const Status status = head->step(pose_, way, step, gusts());
       if (status != Status::kOk) return not_simulated(status);

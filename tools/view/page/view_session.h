@@ -78,6 +78,7 @@ class ViewSession {
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
   [[nodiscard]] double time_in_motion() const;
+  [[nodiscard]] HeadPose pose_in_motion() const;
   [[nodiscard]] StepSettings step_settings() const;
   [[nodiscard]] Gusts gusts() const;
   [[nodiscard]] Vec3 wind() const;
@@ -94,7 +95,8 @@ class ViewSession {
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
   std::vector<ClipKey> clip_;
   std::unique_ptr<HeadPath> path_;
-  double length_ = 0;    ///< Of `path_`, seconds, after which it begins again; 0: never.
+  double length_ = 0;    ///< Of a clip, seconds, after which it begins again; 0: `path_` is no clip, or has one key.
+  bool is_put_ = false;  ///< In the next step heads are put where they belong: clips begin anywhere.
   float moved_by_ = -1;  ///< The motion that `path_` is.
   HeldHead held_;
   HeadPose pose_;
