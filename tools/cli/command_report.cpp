@@ -5,6 +5,7 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/report_options.h"
+#include "cli/view_output.h"
 #include "report/accuracy/accuracy_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
@@ -16,8 +17,6 @@
 
 namespace coif {
 namespace {
-
-constexpr const char* kPageSuffix = ".html";
 
 /// A report in the forms that somebody asked for.
 struct Rendered {

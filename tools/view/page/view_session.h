@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -44,6 +45,10 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
+  /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them, and drawn
+  /// with by one after the other. Its heads are made when it is first drawn.
+  [[nodiscard]] std::unique_ptr<ViewSession> another() const;
+
   /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
   tl::expected<void, ToolError> start_drawing();
   /// While the context is lost, which forgets its objects without complaint.
@@ -54,6 +59,10 @@ class ViewSession {
 
   /// Head and hair to where the motion begins, at rest.
   tl::expected<void, ToolError> restart();
+  /// ... and then on to the step nearest to so many seconds into it. Of settings that play.
+  tl::expected<void, ToolError> seek(double seconds);
+  /// The next frame() draws, though nothing has changed: the canvas was another view's.
+  void redraw() { shown_.samples = -1; }
 
   /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are where they
   /// were, with hair that hangs.
@@ -66,7 +75,18 @@ class ViewSession {
   void release() { held_.release(); }
 
  private:
-  ViewSession() = default;
+  /// Of all views of one asset.
+  struct Shared {
+    HairMemory memory{nullptr, &std::free};
+    Asset asset;
+    std::unique_ptr<ViewScene> scene;
+  };
+
+  explicit ViewSession(std::shared_ptr<Shared> shared)
+      : shared_(std::move(shared)),
+        asset_(shared_->asset),
+        scene_(shared_->scene),
+        settings_(settings_of(asset_)) {}
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
   [[nodiscard]] StepSettings step_settings() const;
@@ -75,11 +95,12 @@ class ViewSession {
   tl::expected<void, ToolError> step(double seconds);
   [[nodiscard]] bool is_moving() const;
 
-  HairMemory memory_{nullptr, &std::free};
-  Asset asset_;
+  std::shared_ptr<Shared> shared_;
+  const Asset& asset_;
+  std::unique_ptr<ViewScene>& scene_;
   ViewSettings settings_, shown_;  ///< `shown_`: of the last frame drawn.
   ViewNumbers numbers_;
-  std::unique_ptr<ViewScene> scene_;
+  bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
   std::unique_ptr<HeadPath> path_;

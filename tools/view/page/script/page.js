@@ -2,8 +2,10 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
+import { note_of_hash, settings_of_hash } from './hash.js';
 import { Live, whole_recipe } from './live.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { Sheet, sheet_plan } from './sheet.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
@@ -22,6 +24,7 @@ class Page {
   /** An asset's bytes, and what the file is called. */
   open(bytes, name) {
     this.wasm.open(bytes);
+    this.sheet?.leave();
     this.name = name;
     this.table = this.wasm.controls();
     this.original = this.wasm.settings().slice();
@@ -65,6 +68,19 @@ class Page {
     this.wasm.settings().set(values, place);
     this.wake();
   }
+  /** {name: number, word or numbers} */
+  set_all(settings) {
+    for (const [name, value] of Object.entries(settings)) this.set(name, value);
+  }
+  /** What the page's address asks for. */
+  take_hash(hash) {
+    const { settings, ignored } = settings_of_hash(hash, this.table);
+    at('address-note').textContent = note_of_hash(ignored);
+    this.set_all(settings);
+    if (settings.motion && !settings.plays) this.set('plays', 1);
+    this.controls.show();
+    this.changed('beside');
+  }
   look(yaw, pitch, zoom) {
     this.set('yaw', yaw);
     this.set('pitch', pitch);
@@ -97,12 +113,14 @@ class Page {
   }
 
   wake() {
+    if (this.sheet?.is_shown) return this.sheet.wake();
     if (this.waiting || this.is_lost || !this.table) return;
     this.waiting = requestAnimationFrame((now) => this.tick(now));
   }
 
   tick(now) {
     this.waiting = 0;
+    if (this.sheet?.is_shown) return;
     const seconds = this.last ? (now - this.last) / 1000 : 0;
     this.last = now;
     const scale = Math.min(devicePixelRatio, kMostPixels);
@@ -118,14 +136,19 @@ class Page {
 
   /** True where something new was drawn. */
   draw(width, height, seconds) {
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
     try {
-      return this.wasm.frame(Math.max(width, 16), Math.max(height, 16), seconds);
+      return this.draw_sized(width, height, seconds);
     } catch (error) {
       this.say(error.message);
       return false;
     }
+  }
+
+  /** The same, throwing what went wrong. */
+  draw_sized(width, height, seconds) {
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    return this.wasm.frame(Math.max(width, 16), Math.max(height, 16), seconds);
   }
 
   show_numbers() {
@@ -273,8 +296,18 @@ async function begin() {
     return page;
   }
   const name = at('asset').dataset.name;
-  if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
-  else page.say('Drop a .coif file here.');
+  if (name === '@' + 'NAME@') {  // nobody has filled the page in
+    page.say('Drop a .coif file here.');
+    return page;
+  }
+  page.open(embedded_asset(), name);
+  const plan = sheet_plan();
+  if (plan) {
+    page.sheet = new Sheet(page, plan);
+    return page;
+  }
+  page.take_hash(location.hash);
+  addEventListener('hashchange', () => page.take_hash(location.hash));
   return page;
 }
 
