@@ -182,6 +182,12 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// `coif report accuracy` as one HTML document.
 [[nodiscard]] std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report);
 
+/// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each other.
+[[nodiscard]] ViewLink accuracy_link(const AccuracyReport& report);
+/// The same of one motion, a link for each frame rate that was measured and that the page has. Empty where it has not the motion, or
+/// where there is no page.
+[[nodiscard]] std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report, const std::string& motion);
+
 /// What to use and what it costs, in sentences for who sets up hair and has never heard of an integrator.
 [[nodiscard]] std::string accuracy_summary(const AccuracyReport& report);
 

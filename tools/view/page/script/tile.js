@@ -11,7 +11,7 @@ export class Tile {
     this.plan = plan;
     this.figure = figure;
     this.canvas = figure.querySelector('canvas');
-    this.picture = this.canvas.getContext('2d', { alpha: false });
+    this.picture = this.canvas.getContext('2d');
     this.view = 0;  // none yet
     this.is_seen = false;
     this.is_stale = true;
