@@ -82,7 +82,8 @@ TEST(LiveSheet, StillTilesAreOfTheirPicturesMaterialAndComponentToTheBit) {
       EXPECT_EQ(shadows_of(tile.settings), picture.shadows) << tile.caption;
       EXPECT_TRUE(tile.moments.empty());
       const MaterialRecord seen = material_of(wig(), tile.settings);
-      for (int k = 0; k < 3; ++k) EXPECT_NEAR(seen.base_color[k], picture.material->base_color[k], 1e-6f * seen.base_color[k]);
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(seen.base_color[k], picture.material->base_color[k], 1e-6f * seen.base_color[k]);
       EXPECT_EQ(seen.shading, picture.material->shading);
       EXPECT_EQ(seen.primary_shift, picture.material->primary_shift) << tile.caption;
       EXPECT_EQ(seen.secondary_exponent, picture.material->secondary_exponent) << tile.caption;
@@ -113,7 +114,8 @@ TEST(LiveSheet, MotionsPlayByTheirSolversFromWhereTheyAreSeenBestAndStayInThePic
 
 TEST(LiveSheet, AirBlowsAsInThePictures) {
   const auto all = galleries(7);
-  const auto gusts = std::ranges::find_if(all, [](const Gallery& g) { return g.pictures[0].settings.step.environment.wind.x > 0; });
+  const auto gusts =
+      std::ranges::find_if(all, [](const Gallery& g) { return g.pictures[0].settings.step.environment.wind.x > 0; });
   ASSERT_NE(gusts, all.end());
   const ViewSettings settings = sheet_of({*gusts}).galleries.at(0).tiles.at(0).settings;
   EXPECT_FLOAT_EQ(settings.wind, 3);
@@ -124,7 +126,8 @@ TEST(LiveSheet, AirBlowsAsInThePictures) {
 TEST(LiveSheet, JsonSetsOnlyWhatThePageKnows) {
   const auto controls = nlohmann::json::parse(controls_json(wig()));
   std::set<std::string> motions;
-  for (const auto& gallery : json_of(sheet_of(galleries()))["galleries"]) {
+  const nlohmann::json sheet = json_of(sheet_of(galleries()));
+  for (const auto& gallery : sheet["galleries"]) {
     for (const auto& tile : gallery["tiles"]) {
       for (const auto& [name, value] : tile["settings"].items()) {
         const auto row = std::ranges::find_if(controls, [&](const auto& c) { return c["name"] == name; });
@@ -137,7 +140,8 @@ TEST(LiveSheet, JsonSetsOnlyWhatThePageKnows) {
       }
     }
   }
-  EXPECT_EQ(motions, (std::set<std::string>{"look-down", "look-aside", "look-up", "charge"})) << "still is how pages begin";
+  EXPECT_EQ(motions, (std::set<std::string>{"look-down", "look-aside", "look-up", "charge"}))
+      << "still is how pages begin";
 }
 
 TEST(LiveSheet, NoTextEndsTheScriptThatItIsIn) {

@@ -76,7 +76,8 @@ std::string tiles_text(const GalleryOptions& options, const LiveSheet& sheet, st
 /// A page of live tiles.
 tl::expected<Exit, ToolError> write_page(const GalleryOptions& options, const AssetFile& file) {
   const Asset& asset = file.asset();
-  if (const auto size = check_tile_size(options.size.width, options.size.height); !size) return of_file(options, size.error());
+  if (const auto size = check_tile_size(options.size.width, options.size.height); !size)
+    return of_file(options, size.error());
   const auto sheet = live_sheet(asset, thesis_galleries(asset, gallery_settings(options)));
   if (!sheet) return of_file(options, sheet.error());
   const auto page = filled_page(options.page, file, options.file,
@@ -96,7 +97,8 @@ tl::expected<Exit, ToolError> run_gallery(const GalleryOptions& options) {
   if (!is_page && !options.page.empty()) return usage("--page is for a sheet that is a .html");
   auto bytes = FileBytes::read(options.file);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto file = is_page ? open_drawable(options.file, std::move(*bytes)) : AssetFile::open(options.file, std::move(*bytes));
+  const auto file =
+      is_page ? open_drawable(options.file, std::move(*bytes)) : AssetFile::open(options.file, std::move(*bytes));
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(options.output, {options.file, options.page}); !checked)
     return tl::unexpected(checked.error());
@@ -108,17 +110,18 @@ tl::expected<Exit, ToolError> run_gallery(const GalleryOptions& options) {
 Command add_gallery(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "gallery",
-      "Draw the thesis's galleries of an asset on one sheet, a picture or a page of live tiles that opens from disk, plays, turns and "
-      "opens each tile with the controls of coif view: components of the shading, shifts and exponents of its "
-      "highlights, colours, motion; how hair swings, as cooked and by the thesis's Algorithm 1; and what a character "
-      "brings "
-      "along: a hand through the hair, sizes, an animation");
+      "Draw the thesis's galleries of an asset on one sheet, a picture or a page of live tiles: components of the "
+      "shading, shifts and exponents of its highlights, colours, motion; how hair swings, as cooked and by the "
+      "thesis's Algorithm 1; and what a character brings along: a hand through the hair, sizes, an animation. The page "
+      "opens from disk; its tiles play and turn, and each opens with the controls of coif view");
   const auto options = std::make_shared<GalleryOptions>();
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The sheet to write")->required()->type_name("SHEET.png|SHEET.html");
   app->add_option("--only", options->only, "One gallery, 1 to 7 (default: all)")->check(CLI::Range(1u, kGalleries));
-  add_solver(*app, options->solver)->description("Which method moves the bones of galleries 1 to 5: coif, cascade, passive, thesis");
-  add_size(*app, options->size)->description("Pixels of one picture, or of the page for a tile, which is smaller where there is no room, 64 to 1024 each way");
+  add_solver(*app, options->solver)
+      ->description("Which method moves the bones of galleries 1 to 5: coif, cascade, passive, thesis");
+  add_size(*app, options->size)
+      ->description("Pixels of a picture, or of a tile where the window has room, 64 to 1024 each way");
   add_page(*app, options->page);
   add_format(*app, options->format);
   return {app, [options](const Messages&) { return run_gallery(*options); }};

@@ -128,7 +128,8 @@ tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions&
 }
 
 /// The page of `coif view` that the report links to; empty where none was asked for. Before the minutes of measuring.
-tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, const std::string& suffix, const AssetFile& file) {
+tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, const std::string& suffix,
+                                                 const AssetFile& file) {
   if (options.view.empty()) {
     if (!options.page.empty()) return usage("--page is for a report with --view");
     return "";
@@ -138,7 +139,8 @@ tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, c
   if (auto checked = check_output(options.view, {options.file, options.page}); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (std::filesystem::absolute(options.view).lexically_normal() == std::filesystem::absolute(options.output).lexically_normal()) {
+  if (std::filesystem::absolute(options.view).lexically_normal() ==
+      std::filesystem::absolute(options.output).lexically_normal()) {
     return usage("--view and --output name the same file");
   }
   if (const auto drawable = check_drawable(file.asset()); !drawable) {

@@ -132,7 +132,8 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
   add_choice<ReportSubject>(app, "SUBJECT", options.subject, kSubjects, "What about (default accuracy)");
   app.add_option("-o,--output", options.output, "A page with plots and tables, or the numbers")
       ->type_name("OUT.html|OUT.json");
-  app.add_option("--view", options.view, "With OUT.html: also write the page of coif view of this asset, to which the report links")
+  app.add_option("--view", options.view,
+                 "With OUT.html: also write the page of coif view of this asset, to which the report links")
       ->type_name("PAGE.html");
   add_page(app, options.page);
   add_solvers(app, options);

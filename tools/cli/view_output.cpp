@@ -8,7 +8,8 @@ namespace coif {
 
 CLI::Option* add_page(CLI::App& app, std::string& page) {
   return app
-      .add_option("--page", page, "The page of coif view without an asset, which the build for the web makes (default: as installed)")
+      .add_option("--page", page,
+                  "The page of coif view without an asset, which the build for the web makes (default: as installed)")
       ->type_name("VIEW.html");
 }
 
@@ -21,8 +22,8 @@ tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBy
   return file;
 }
 
-tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file, const std::string& path,
-                                                 std::string_view sheet) {
+tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
+                                                 const std::string& path, std::string_view sheet) {
   const auto place = find_view_page(page);
   if (!place) return tl::unexpected(place.error());
   const auto empty = FileBytes::read(*place);

@@ -21,7 +21,7 @@ CLI::Option* add_page(CLI::App& app, std::string& page);
 
 /// The page of `coif view`, found as --page says, with this asset, by its file's name, and view_page()'s `sheet`. Errors: those of
 /// find_view_page(), FileBytes::read() and view_page().
-[[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file, const std::string& path,
-                                                               std::string_view sheet = {});
+[[nodiscard]] tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
+                                                               const std::string& path, std::string_view sheet = {});
 
 }  // namespace coif

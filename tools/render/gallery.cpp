@@ -112,7 +112,8 @@ Movement looking(const char* name, double yaw_degrees, const std::array<double, 
 }
 
 std::vector<Movement> movements() {
-  return {looking("look-down", 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}), looking("look-aside", 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}),
+  return {looking("look-down", 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
+          looking("look-aside", 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}),
           looking("look-up", 90, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
           {"Gallery 5: charging forward", kCharge, path_of(Motion::kCharge), 75, {0, 0.08, 0.16, 0.3, 0.4, 1.5}}};
 }
@@ -137,7 +138,8 @@ void add_swings(PictureSettings picture, std::vector<Gallery>& galleries) {
   picture.clip = path_of(Motion::kCharge);
   picture.yaw_degrees = 75;
   for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
-    Gallery gallery{6, solver == &kCoifSolver ? "Swing after a charge, as cooked" : "The same by Algorithm 1", {}, kCharge};
+    Gallery gallery{
+        6, solver == &kCoifSolver ? "Swing after a charge, as cooked" : "The same by Algorithm 1", {}, kCharge};
     picture.solver = solver;
     if (solver == &kThesisSolver) picture.step.iterations = 8;
     for (int i = 0; i < kMoments; ++i) {

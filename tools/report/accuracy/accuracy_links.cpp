@@ -46,7 +46,8 @@ ViewLink accuracy_link(const AccuracyReport& report) {
   return link_at(report, "", main_frame_rate(report));
 }
 
-std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report, const std::string& motion) {
+std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
+                                   const std::string& motion) {
   std::vector<PageLink> links;
   if (heading.view.empty() || !find_motion(motion)) return links;
   std::set<double> rates;

@@ -139,7 +139,8 @@ void HtmlPage::links(std::string_view lead, std::span<const PageLink> links) {
   if (links.empty()) return;
   body_ += "<p>" + markup_text(lead);
   for (std::size_t i = 0; i < links.size(); ++i) {
-    body_ += fmt::format("{}<a href=\"{}\">{}</a>", i > 0 ? ", " : "", markup_text(links[i].url), markup_text(links[i].text));
+    body_ += fmt::format("{}<a href=\"{}\">{}</a>", i > 0 ? ", " : "", markup_text(links[i].url),
+                         markup_text(links[i].text));
   }
   body_ += "</p>\n";
 }

@@ -12,8 +12,10 @@ std::string percent_encoded(std::string_view text) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
   std::string url;
   for (const char c : text) {
-    if (kPlain.find(c) != kPlain.npos) url += c;
-    else url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    if (kPlain.find(c) != kPlain.npos)
+      url += c;
+    else
+      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return url;
 }
@@ -21,7 +23,9 @@ std::string percent_encoded(std::string_view text) {
 }  // namespace
 
 std::string relative_url(const std::filesystem::path& target, const std::filesystem::path& from) {
-  const auto whole = [](const std::filesystem::path& path) { return std::filesystem::absolute(path).lexically_normal(); };
+  const auto whole = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
   return percent_encoded(whole(target).lexically_relative(whole(from).parent_path()).string());
 }
 

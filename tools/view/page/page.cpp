@@ -1,5 +1,5 @@
-// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a sentence that lives until the
-// next call.
+// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a
+// sentence that lives until the next call.
 
 #include "view/page/view_session.h"
 
@@ -16,7 +16,7 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
-  std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< The first is the page's own, the others are tiles of a sheet.
+  std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
   coif::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
   bool has_drawn = false;

@@ -83,10 +83,7 @@ class ViewSession {
   };
 
   explicit ViewSession(std::shared_ptr<Shared> shared)
-      : shared_(std::move(shared)),
-        asset_(shared_->asset),
-        scene_(shared_->scene),
-        settings_(settings_of(asset_)) {}
+      : shared_(std::move(shared)), asset_(shared_->asset), scene_(shared_->scene), settings_(settings_of(asset_)) {}
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
   [[nodiscard]] StepSettings step_settings() const;

@@ -6,8 +6,8 @@
 #include "render/camera.h"
 #include "view/page/view_motions.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -35,7 +35,8 @@ struct LiveGallery {
 /// Galleries as far as the page of `coif view` can show them.
 struct LiveSheet {
   std::vector<LiveGallery> galleries;
-  std::string note;                ///< What became of pictures that have no tile of their own, in a sentence or two; empty: all have one.
+  std::string
+      note;  ///< What became of pictures that have no tile of their own, in a sentence or two; empty: all have one.
   std::size_t tiles = 0;
   std::size_t pictures_left_out = 0;  ///< That no tile shows.
 };

@@ -48,8 +48,10 @@ Json changed_settings(const nlohmann::json& controls, const Numbers& own, const 
 std::string within_script(const std::string& json) {
   std::string text;
   for (const char c : json) {
-    if (c == '<') text += "\\u003c";
-    else text += c;
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
   }
   return text;
 }
