@@ -13,7 +13,8 @@ endif()
 
 function(write_piece name source)
   if(kind STREQUAL ".mjs")
-    string(REPLACE "`" "'" source "${source}")  # of comments; a template ends there
+    string(REGEX REPLACE "[ \t]*//[^\n]*" "" source "${source}")  # browsers load it
+    string(REGEX REPLACE "\n[ \t\n]+" "\n" source "${source}")
     set(text "${text}'${name}': /* glsl */ `${source}`,\n" PARENT_SCOPE)
     return()
   endif()

@@ -2,9 +2,9 @@
 # Installs what is missing, builds, runs the tests. The last line is "N passed, N failed, N skipped"; the exit code is 0
 # only when something passed and nothing failed.
 #   tests/run.sh [PART...]   plain, when none is named: everything that a change can break
-#     asan    under sanitizers: readers of foreign bytes, and what runs in a game; asan-cook: the cooker, batches and checks,
-#             which take as long again. Drawing and the command line are in neither: they would watch the driver, and start
-#             hundreds of slow processes
+#     asan    under sanitizers: readers of foreign bytes, and what runs in a game; asan-cook: the cooker, batches, checks and the
+#             local server, which take as long again. Drawing and the command line are in neither: they would watch the driver,
+#             and start hundreds of slow processes
 #     fuzz    10 s of libFuzzer for each reader of foreign bytes; see tests/fuzz/README.md
 #     farm    many machines, emulated on this one: Slurm and GNU parallel, killed nodes and lost hosts
 #     web     in WebAssembly: the npm package gives the same bits in node, hair in three's scenes and the page of coif view in Chromium
@@ -85,7 +85,7 @@ for part in ${*:-plain}; do
     case $part in
       plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web)$' ;;
       asan) sanitize asan formats sim c import ;;
-      asan-cook) sanitize asan-cook cook cache validate ;;
+      asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;
       web) test_web ;;

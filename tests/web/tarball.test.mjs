@@ -23,6 +23,7 @@ test('the README\'s example runs from an installed tarball', () => {
     writeFileSync(join(folder, 'package.json'), '{"private": true, "type": "module"}');
     run(folder, process.env.NPM, 'install', ...NPM_ARGS, `./${packed.filename}`);
     const readme = readFileSync(join(folder, 'node_modules/coif/README.md'), 'utf8');
+    for (const [, link] of readme.matchAll(/\]\(([^)#:]+)\)/g)) assert.ok(files.includes(link), `the README points to ${link}, which is not in the package`);
     const [, example] = /```js\n([\s\S]*?)```/.exec(readme);
     writeFileSync(join(folder, 'example.mjs'), example);
     assert.match(run(folder, process.execPath, 'example.mjs', resolve('assets/bob.coif')), /^13 bones, the last at -?[0-9.]+,/);

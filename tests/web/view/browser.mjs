@@ -7,9 +7,9 @@ import { chromium } from 'playwright-core';
 const kProgram = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
 const kArguments = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--js-flags=--expose-gc'];
 
-export async function launch() {
+export async function launch(more = []) {
   if (!kProgram) throw new Error('no Chromium: tools/install_packages.sh web installs it');
-  return chromium.launch({ executablePath: kProgram, args: kArguments });
+  return chromium.launch({ executablePath: kProgram, args: [...kArguments, ...more] });
 }
 
 /** The page from disk, after `before` ran in it, and whatever the browser complained of. Nothing may be asked of any network. */

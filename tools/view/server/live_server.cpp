@@ -139,10 +139,8 @@ class LiveServer::Inside {
   /// Before anything of a body is read.
   httplib::Server::HandlerResponse admit(const Request& request, Response& response) const {
     using enum httplib::Server::HandlerResponse;
-    const auto host = only_header(request, "Host");
-    RequestOrigin from{request.target, host, std::nullopt};
-    const auto origin = only_header(request, "Origin");
-    if (request.has_header("Origin")) from.origin = origin.value_or("");
+    RequestOrigin from{request.target, only_header(request, "Host"), std::nullopt};
+    if (request.has_header("Origin")) from.origin = only_header(request, "Origin").value_or("");
     if (!guard_->admits(from)) {
       response.status = 403;
       return Handled;

@@ -10,11 +10,11 @@ namespace coif {
 /// 128 bits of the system's generator in hexadecimal digits. Throws std::system_error where there is none.
 [[nodiscard]] std::string random_token();
 
-/// What a request says of where it comes from.
+/// What a request says of where it comes from. Owns it: what a comparison reads is nobody else's to give back.
 struct RequestOrigin {
-  std::string_view target;                 ///< As it was sent: the path, and what follows a question mark.
-  std::optional<std::string_view> host;    ///< The one header of that name; none where there is none, or several.
-  std::optional<std::string_view> origin;  ///< None where the header is absent.
+  std::string target;                 ///< As it was sent: the path, and what follows a question mark.
+  std::optional<std::string> host;    ///< The one header of that name; none where there is none, or several.
+  std::optional<std::string> origin;  ///< None where the header is absent; empty where there are several.
 };
 
 /// Whom a server on the loopback address answers: requests that know the token and come from its own page. Other pages of the
