@@ -272,6 +272,23 @@ const cases = {
     });
   },
 
+  async other_files_take_the_place_of_the_sheet() {
+    make_sheet('--only', '1');
+    await with_sheet(async (page) => {
+      await drawn(page);
+      const bad = { name: 'notes.coif', mimeType: 'text/plain', buffer: Buffer.from('this text is long enough for a header, and more than that') };
+      await page.setInputFiles('#file', bad);  // as a file that is dropped
+      await page.waitForFunction(() => !document.getElementById('sheet-problem').hidden);
+      assert.match(await page.textContent('#sheet-problem'), /^notes[.]coif: not a cooked hair asset/);
+      assert.equal(await page.isVisible('#sheet'), true, 'what was shown is gone');
+      await page.setInputFiles('#file', ASSET);
+      await page.waitForFunction(() => document.getElementById('sheet').hidden);
+      assert.ok(await page.evaluate(() => new Set(window.view.take(320, 240)).size) > 50, 'the picture is empty');
+      await page.keyboard.press('Escape');
+      assert.equal(await page.isVisible('#sheet'), false, 'there is none of this asset');
+    });
+  },
+
   async lost_context_comes_back() {
     make_sheet('--only', '1');
     await with_sheet(async (page) => {

@@ -16,7 +16,7 @@ function numbers_of(control, text) {
 }
 
 /** { settings: {name: numbers}, ignored: what is unknown or out of range, as text that is fit to be shown }. */
-export function settings_of_hash(hash, table) {
+function settings_of_hash(hash, table) {
   const settings = {};
   const ignored = [];
   for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
@@ -29,8 +29,23 @@ export function settings_of_hash(hash, table) {
 }
 
 /** '' where nothing was ignored. */
-export function note_of_hash(ignored) {
+function note_of_hash(ignored) {
   if (ignored.length === 0) return '';
   const more = ignored.length > kMostNamed ? ` and ${ignored.length - kMostNamed} more` : '';
   return `Left out of this page's address, which it does not know or which is out of range: ${ignored.slice(0, kMostNamed).join(', ')}${more}.`;
+}
+
+function take_address(page) {
+  const { settings, ignored } = settings_of_hash(location.hash, page.table);
+  document.getElementById('address-note').textContent = note_of_hash(ignored);
+  for (const [name, numbers] of Object.entries(settings)) page.set(name, numbers);
+  if (settings.motion && !settings.plays) page.set('plays', 1);
+  page.controls.show();
+  page.changed('beside');
+}
+
+/** Sets what the address of a page that shows an asset asks for, whenever that changes. */
+export function follow_address(page) {
+  take_address(page);
+  addEventListener('hashchange', () => take_address(page));
 }

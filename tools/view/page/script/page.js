@@ -2,7 +2,7 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
-import { note_of_hash, settings_of_hash } from './hash.js';
+import { follow_address } from './hash.js';
 import { Live, whole_recipe } from './live.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
 import { Sheet, sheet_plan } from './sheet.js';
@@ -68,19 +68,6 @@ class Page {
     this.wasm.settings().set(values, place);
     this.wake();
   }
-  /** {name: number, word or numbers} */
-  set_all(settings) {
-    for (const [name, value] of Object.entries(settings)) this.set(name, value);
-  }
-  /** What the page's address asks for. */
-  take_hash(hash) {
-    const { settings, ignored } = settings_of_hash(hash, this.table);
-    at('address-note').textContent = note_of_hash(ignored);
-    this.set_all(settings);
-    if (settings.motion && !settings.plays) this.set('plays', 1);
-    this.controls.show();
-    this.changed('beside');
-  }
   look(yaw, pitch, zoom) {
     this.set('yaw', yaw);
     this.set('pitch', pitch);
@@ -110,6 +97,7 @@ class Page {
   say(problem) {
     at('problem').textContent = problem;
     at('problem').hidden = problem === '';
+    this.sheet?.say(problem);
   }
 
   wake() {
@@ -136,19 +124,14 @@ class Page {
 
   /** True where something new was drawn. */
   draw(width, height, seconds) {
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
     try {
-      return this.draw_sized(width, height, seconds);
+      return this.wasm.frame(Math.max(width, 16), Math.max(height, 16), seconds);
     } catch (error) {
       this.say(error.message);
       return false;
     }
-  }
-
-  /** The same, throwing what went wrong. */
-  draw_sized(width, height, seconds) {
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
-    return this.wasm.frame(Math.max(width, 16), Math.max(height, 16), seconds);
   }
 
   show_numbers() {
@@ -302,12 +285,8 @@ async function begin() {
   }
   page.open(embedded_asset(), name);
   const plan = sheet_plan();
-  if (plan) {
-    page.sheet = new Sheet(page, plan);
-    return page;
-  }
-  page.take_hash(location.hash);
-  addEventListener('hashchange', () => page.take_hash(location.hash));
+  if (plan) page.sheet = new Sheet(page, plan);
+  else follow_address(page);
   return page;
 }
 

@@ -141,6 +141,7 @@ export class Sheet {
   /** The tile as the whole page, with all controls. */
   open(tile) {
     const { page } = this;
+    if (page.is_lost) return;
     const samples = page.get('samples');
     this.opened = tile;
     this.is_shown = false;

@@ -130,7 +130,7 @@ export class Tile {
     page.wasm.choose(this.view);
     try {
       if (is_new) {
-        page.set_all(this.plan.settings);
+        for (const [name, value] of Object.entries(this.plan.settings)) page.set(name, value);
         page.set('samples', 1);  // and those of the driver, as pictures of a sheet have
       }
       return act(page);
@@ -161,7 +161,9 @@ export class Tile {
       const box = this.canvas.getBoundingClientRect();
       const width = Math.max(Math.round(box.width * scale), 16);
       const height = Math.max(Math.round(box.height * scale), 16);
-      if (!page.draw_sized(width, height, step)) return;
+      if (page.canvas.width !== width) page.canvas.width = width;
+      if (page.canvas.height !== height) page.canvas.height = height;
+      if (!page.wasm.frame(width, height, step)) return;
       if (this.canvas.width !== width) this.canvas.width = width;
       if (this.canvas.height !== height) this.canvas.height = height;
       this.picture.drawImage(page.canvas, 0, 0);
