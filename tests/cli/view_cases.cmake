@@ -17,6 +17,14 @@ coif_cli_case(view_absent_page EXIT 2 SAMPLE STDERR "coif view: error: nope.html
   ARGS view ${COIF_COOKED_SAMPLE} -o page.html --page nope.html)
 coif_cli_case(view_over_its_page EXIT 1 SAMPLE STDERR "coif view: error: empty.html: is also an input"
   TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} -o empty.html --page empty.html)
+coif_cli_case(view_motion EXIT 0 SAMPLE WRITES bob.html TEXT empty.html "${empty_page}@MOTION@"
+  ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --motion nod)
+coif_cli_case(view_no_motion EXIT 1 STDERR "coif view: error: --motion: 'hop' is not one of still, nod.* and no file"
+  ARGS view a.coif --motion hop)
+coif_cli_case(view_page_without_motions EXIT 3 SAMPLE STDERR "coif view: error: empty.html: not the page of coif view that knows motions"
+  TEXT empty.html ${empty_page} ARGS view ${COIF_COOKED_SAMPLE} --page empty.html --motion nod)
+coif_cli_case(view_clip_of_a_source EXIT 2 STDERR "coif view: error: absent.glb: cannot open"
+  TEXT empty.html "${empty_page}@MOTION@" ARGS view ${sample} --page empty.html --motion absent.glb)
 
 # The galleries as such a page.
 set(sheet_page "<b title='@NAME@'>@ASSET@</b><i>@SHEET@</i>")

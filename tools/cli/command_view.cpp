@@ -4,6 +4,7 @@
 #include "cli/input_files.h"
 #include "cli/live_source.h"
 #include "cli/messages.h"
+#include "cli/moved_page.h"
 #include "cli/options.h"
 #include "cli/view_output.h"
 #include "view/view_page.h"
@@ -17,6 +18,7 @@ struct ViewOptions {
   std::string file;
   std::string output;
   std::string page;
+  HeadMotion motion;
   LiveOptions live;            ///< Of a source.
   bool asks_for_cook = false;  ///< Something of `live` was given.
   OutputFormat format = OutputFormat::kText;
@@ -69,7 +71,11 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (auto checked = check_output(output, {options.file, options.page}); !checked)
     return tl::unexpected(checked.error());
 
-  const auto text = filled_page(options.page, *file, options.file);
+  const auto place = find_view_page(options.page);
+  if (!place) return tl::unexpected(place.error());
+  const auto page = moved_page(*place, options.live.motion, messages);
+  if (!page) return tl::unexpected(page.error());
+  const auto text = filled_page(*place, *page, *file, options.file);
   if (!text) return tl::unexpected(text.error());
   if (auto written = write_output(output, std::as_bytes(std::span(*text))); !written) {
     return tl::unexpected(written.error());
@@ -112,12 +118,14 @@ Command add_view_page(CLI::App& program) {
                   "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
   add_page(*app, options->page);
+  add_motion(*app, options->motion, "What moves the head when the page opens, over and over");
   add_live(*app, *options);
   add_format(*app, options->format);
   return {app, [options, app](const Messages& messages) {
             for (const char* name : {"--recipe", "--quality", "--port", "--root"}) {
               if (app->count(name) > 0) options->asks_for_cook = true;
             }
+            if (app->count("--motion") > 0) options->live.motion = options->motion;
             return run_view(*options, messages);
           }};
 }

@@ -22,16 +22,21 @@ tl::expected<AssetFile, ToolError> open_drawable(const std::string& path, FileBy
   return file;
 }
 
+tl::expected<std::string, ToolError> filled_page(const std::filesystem::path& place, std::string_view page,
+                                                 const AssetFile& file, const std::string& path, std::string_view sheet) {
+  auto text = view_page(page, file.bytes(), std::filesystem::path(path).filename().string(), sheet);
+  if (!text) return tl::unexpected(ToolError{text.error().kind, place.string() + ": " + text.error().message});
+  return text;
+}
+
 tl::expected<std::string, ToolError> filled_page(const std::string& page, const AssetFile& file,
                                                  const std::string& path, std::string_view sheet) {
   const auto place = find_view_page(page);
   if (!place) return tl::unexpected(place.error());
   const auto empty = FileBytes::read(*place);
   if (!empty) return tl::unexpected(empty.error());
-  auto text = view_page({reinterpret_cast<const char*>(empty->span().data()), empty->span().size()}, file.bytes(),
-                        std::filesystem::path(path).filename().string(), sheet);
-  if (!text) return tl::unexpected(ToolError{text.error().kind, place->string() + ": " + text.error().message});
-  return text;
+  return filled_page(*place, {reinterpret_cast<const char*>(empty->span().data()), empty->span().size()}, file, path,
+                     sheet);
 }
 
 }  // namespace coif

@@ -30,6 +30,7 @@ constexpr char kModeWords[] = "blend|opaque|coverage|proportional|jittered|scree
 constexpr char kShadowWords[] = "none|plain|opacity|deep|deep-shadow";
 constexpr char kSolverWords[] = "coif|cascade|passive|thesis";
 constexpr char kBesideWords[] = "none|coif|cascade|passive|thesis";
+constexpr char kViewWords[] = "hair|patches|overdraw|draw order";
 constexpr char kComponentWords[] = "all|ambient|diffuse|specular|primary|secondary|direction";
 
 constexpr Control kControls[] = {
@@ -95,6 +96,10 @@ constexpr Control kControls[] = {
     {"scatter", "Highlights", "Scatter", "Light that other strands scatter; for marschner", "", "number",
      COIF_AT(scatter), 0, 1, 0.01f, "", "material.scatter"},
 
+    {"view", "Show", "View",
+     "The hair, or of what it is made. Overdraw counts every texel of its triangles that is not clear, whatever Soft "
+     "edges says; draw order is that within each pass. Key V",
+     "", "choice", COIF_AT(view), 0, 3, 1, kViewWords},
     {"component", "Show", "Part of the light", "Or the strands' direction: green roots, red tips", "", "choice",
      COIF_AT(component), 0, 6, 1, kComponentWords},
     {"bones", "Show", "Bones", "Key B", "", "switch", COIF_AT(bones), 0, 1, 1},
@@ -118,7 +123,7 @@ void add_number(std::string& json, const char* key, double number) {
 
 }  // namespace
 
-std::string controls_json(const Asset& asset) {
+std::string controls_json(const Asset& asset, bool has_clip) {
   std::string json = "[";
   for (const Control& control : kControls) {
     const std::string_view name = control.name, kind = control.kind;
@@ -128,7 +133,7 @@ std::string controls_json(const Asset& asset) {
     add_text(json, "label", control.label);
     add_text(json, "hint", control.hint);
     add_text(json, "unit", control.unit);
-    add_text(json, "words", name == "motion" ? motion_words() : control.words);
+    add_text(json, "words", name == "motion" ? motion_words(has_clip) : control.words);
     add_text(json, "recipe", control.recipe);
     add_text(json, "recipe_words", control.recipe_words);
     add_number(json, "at", double(control.at / sizeof(float)));

@@ -1,6 +1,8 @@
 // What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a
 // sentence that lives until the next call.
 
+#include "motion/clip_bytes.h"
+#include "view/page/hair_views.h"
 #include "view/page/view_session.h"
 
 #include <emscripten/emscripten.h>
@@ -16,6 +18,7 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
+  std::vector<coif::ClipKey> clip;                        ///< Of whatever is opened.
   std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
   coif::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
@@ -71,10 +74,17 @@ EMSCRIPTEN_KEEPALIVE void* coif_view_room(std::size_t bytes) {
   return page().incoming.data();
 }
 
+/// Takes what was written there, clip_bytes(), as a motion of the assets that are opened from now on.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_clip() {
+  page().clip = coif::clip_keys(std::exchange(page().incoming, {}));
+  return page().clip.empty() ? say("the page's clip is damaged; make the page again") : nullptr;
+}
+
 /// Opens what was written there. A file that is refused leaves the one that is shown.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
+  (*session)->set_clip(page().clip);
   return show(std::move(*session));
 }
 
@@ -83,6 +93,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
 EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
+  (*session)->set_clip(page().clip);
   const coif::ViewSettings own = (*session)->settings();
   if (page().session) {
     if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);
@@ -119,7 +130,15 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_restore() {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
-  return page().session ? say(coif::controls_json(page().session->asset())) : say("[]");
+  return page().session ? say(coif::controls_json(page().session->asset(), !page().clip.empty())) : say("[]");
+}
+
+/// What the colours of the view mean: legend_json().
+EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
+  if (!page().session) return nullptr;
+  const coif::ViewSettings& settings = page().session->settings();
+  return say(
+      coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
 }
 
 EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }

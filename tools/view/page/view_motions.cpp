@@ -7,12 +7,14 @@
 
 namespace coif {
 
-std::string motion_words() {
+std::string motion_words(bool has_clip) {
   std::string words;
   for (const MotionInfo& info : all_motions()) words.append(words.empty() ? "" : "|").append(info.name);
   for (const HeadLook& look : head_looks()) words.append("|").append(look.name);
-  return words;
+  return has_clip ? words + "|clip" : words;
 }
+
+bool is_clip(float choice) { return choice >= float(all_motions().size() + head_looks().size()); }
 
 std::unique_ptr<HeadPath> chosen_path(float choice) {
   const auto motions = all_motions();

@@ -3,6 +3,7 @@
 #include "base/asset_refusal.h"
 #include "base/geometry.h"
 #include "view/page/crowd_cost.h"
+#include "view/page/tip_error.h"
 #include "view/page/view_motions.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ std::unique_ptr<ViewSession> ViewSession::another() const {
   std::unique_ptr<ViewSession> session(new ViewSession(shared_));
   session->numbers_ = numbers_;
   session->measures_cost_ = false;
+  session->clip_ = clip_;
   return session;
 }
 
@@ -113,17 +115,32 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
 
 void ViewSession::choose_motion() {
   if (path_ && moved_by_ == settings_.motion) return;
-  path_ = chosen_path(settings_.motion);
-  if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
+  is_put_ = length_ > 0;
+  length_ = 0;
+  if (is_clip(settings_.motion) && !clip_.empty()) {
+    path_ = path_of(clip_);
+    length_ = clip_.back().seconds;
+    is_put_ = true;
+  } else {
+    path_ = chosen_path(settings_.motion);
+    if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
+  }
   moved_by_ = settings_.motion;
   time_ = 0;
+}
+
+double ViewSession::time_in_motion() const { return length_ > 0 ? std::fmod(time_, length_) : time_; }
+
+HeadPose ViewSession::pose_in_motion() const {
+  const bool has_begun = settings_.plays != 0 || time_ > 0 || length_ > 0;
+  return has_begun ? path_->pose(time_in_motion()) : HeadPose{};
 }
 
 tl::expected<void, ToolError> ViewSession::restart() {
   choose_motion();
   time_ = left_over_ = 0;
   held_ = HeldHead();
-  pose_ = settings_.plays != 0 ? path_->pose(0) : HeadPose{};
+  pose_ = pose_in_motion();
   worn_.clear();
   return choose_heads();
 }
@@ -145,11 +162,16 @@ tl::expected<void, ToolError> ViewSession::step(double seconds) {
   left_over_ += std::clamp(seconds, 0.0, kLongestFrame);
   while (left_over_ >= dt) {
     left_over_ -= dt;
+    const double before = time_in_motion();
     if (settings_.plays != 0) time_ += dt;
     held_.step(dt);
-    pose_ = held_.moved(settings_.plays != 0 || time_ > 0 ? path_->pose(time_) : HeadPose{});
+    pose_ = held_.moved(pose_in_motion());
+    // From a clip's end to its beginning nobody moves: hair goes along instead of being thrown.
+    const bool is_put = std::exchange(is_put_, false) || time_in_motion() < before;
+    const auto way = is_put ? SimulatedHead::Way::kNone : SimulatedHead::Way::kMoves;
     for (const auto& head : heads_) {
-      if (const Status status = head->step(pose_, step, gusts()); status != Status::kOk) return not_simulated(status);
+      const Status status = head->step(pose_, way, step, gusts());
+      if (status != Status::kOk) return not_simulated(status);
     }
   }
   return {};
@@ -161,6 +183,25 @@ bool ViewSession::is_moving() const {
   return std::any_of(heads_.begin(), heads_.end(), [](const auto& head) { return !head->is_asleep(); });
 }
 
+void ViewSession::tell_numbers(std::uint32_t level) {
+  const StepSettings step = step_settings();
+  const std::uint32_t substeps = tuned_substeps(asset_, step.dt);
+  const TipError tips = tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), step.dynamics});
+  numbers_.asleep = is_moving() ? 0 : 1;
+  numbers_.time = float(time_in_motion());
+  numbers_.substeps = float(substeps);
+  numbers_.triangles = float(asset_.lod_indices(level).size() / 3);
+  numbers_.tip_error_source = float(tips.source);
+  numbers_.tip_rms = tips.rms;
+  numbers_.tip_max = tips.max;
+  for (int k = 0; k < 3; ++k) numbers_.head_position[k] = float(pose_.position[k]);
+  const Quat& q = pose_.rotation;
+  numbers_.head_rotation[0] = q.x;
+  numbers_.head_rotation[1] = q.y;
+  numbers_.head_rotation[2] = q.z;
+  numbers_.head_rotation[3] = q.w;
+}
+
 tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint32_t height, double seconds) {
   if (!scene_) return failure(ToolError::Kind::kInternal, "nothing to draw with");
   choose_motion();
@@ -170,10 +211,7 @@ tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint3
     if (const Status status = head->set_level(level); status != Status::kOk) return not_simulated(status);
   }
   if (auto stepped = step(seconds); !stepped) return tl::unexpected(stepped.error());
-  numbers_.asleep = is_moving() ? 0 : 1;
-  numbers_.time = float(time_);
-  numbers_.substeps = float(tuned_substeps(asset_, step_settings().dt));
-  numbers_.triangles = float(asset_.lod_indices(level).size() / 3);
+  tell_numbers(level);
   const bool is_new = !is_same(settings_, shown_) || width != width_ || height != height_;
   if (!is_new && !is_moving()) return false;
 

@@ -26,10 +26,14 @@ struct ViewNumbers {
   float bones = 0;      ///< Simulated, of one head.
   float triangles = 0;  ///< Of the level that is shown, one head.
   float asset_bytes = 0;
-  float drawn = 0;   ///< Frames since the asset was opened.
-  float asleep = 0;  ///< All hair rests.
-  float levels = 0;  ///< Of detail.
-  float time = 0;    ///< Seconds into the motion.
+  float drawn = 0;             ///< Frames since the asset was opened.
+  float asleep = 0;            ///< All hair rests.
+  float levels = 0;            ///< Of detail.
+  float time = 0;              ///< Seconds into the motion.
+  float tip_error_source = 0;  ///< TipErrorSource of these two, shares of the chain's length.
+  float tip_rms = 0, tip_max = 0;
+  float head_position[3] = {};  ///< World, metres: where the first head's motion has it.
+  float head_rotation[4] = {};  ///< Unit quaternion (x, y, z, w).
 };
 
 /// An open asset, one or two heads that wear it, and what the visitor does to them.
@@ -45,6 +49,8 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
+  /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or none.
+  void set_clip(std::vector<ClipKey> keys) { clip_ = std::move(keys); }
   /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them, and drawn
   /// with by one after the other. Its heads are made when it is first drawn.
   [[nodiscard]] std::unique_ptr<ViewSession> another() const;
@@ -86,11 +92,14 @@ class ViewSession {
       : shared_(std::move(shared)), asset_(shared_->asset), scene_(shared_->scene), settings_(settings_of(asset_)) {}
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
+  [[nodiscard]] double time_in_motion() const;
+  [[nodiscard]] HeadPose pose_in_motion() const;
   [[nodiscard]] StepSettings step_settings() const;
   [[nodiscard]] Gusts gusts() const;
   [[nodiscard]] Vec3 wind() const;
   tl::expected<void, ToolError> step(double seconds);
   [[nodiscard]] bool is_moving() const;
+  void tell_numbers(std::uint32_t level);
 
   std::shared_ptr<Shared> shared_;
   const Asset& asset_;
@@ -100,7 +109,10 @@ class ViewSession {
   bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
+  std::vector<ClipKey> clip_;
   std::unique_ptr<HeadPath> path_;
+  double length_ = 0;    ///< Of a clip, seconds, after which it begins again; 0: `path_` is no clip, or has one key.
+  bool is_put_ = false;  ///< In the next step heads are put where they belong: clips begin anywhere.
   float moved_by_ = -1;  ///< The motion that `path_` is.
   HeldHead held_;
   HeadPose pose_;

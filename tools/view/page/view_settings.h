@@ -40,6 +40,7 @@ struct ViewSettings {
   float secondary_exponent = 100, secondary_shift = 0;
   float tilt = 3, roughness = 8, scatter = 0.8f;  ///< Degrees, degrees, share.
 
+  float view = 0;  ///< hair_view_of() it.
   float component = 0;
   float bones = 0, colliders = 0, contacts = 0, limits = 0;
   float samples = 2;  ///< Of each pixel, each way.
@@ -61,6 +62,7 @@ inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(flo
 
 /// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" | "choice" | "switch" |
 /// "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of the array, in floats.
-[[nodiscard]] std::string controls_json(const Asset& asset);
+/// `has_clip`: "clip" is the last of the motions.
+[[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
 
 }  // namespace coif

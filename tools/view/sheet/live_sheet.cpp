@@ -24,7 +24,7 @@ bool can_show(const PictureSettings& picture) {
 }
 
 float number_of_motion(std::string_view word) {
-  const std::string words = motion_words();
+  const std::string words = motion_words(false);
   const std::size_t at = ("|" + words + "|").find("|" + std::string(word) + "|");
   return at == std::string::npos ? 0 : float(std::count(words.begin(), words.begin() + std::ptrdiff_t(at), '|'));
 }

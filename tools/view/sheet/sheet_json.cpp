@@ -59,7 +59,7 @@ std::string within_script(const std::string& json) {
 }  // namespace
 
 std::string sheet_json(const Asset& asset, const LiveSheet& sheet, TileSize size) {
-  const nlohmann::json controls = nlohmann::json::parse(controls_json(asset));
+  const nlohmann::json controls = nlohmann::json::parse(controls_json(asset, false));
   const Numbers own = numbers_of(settings_of(asset));
   Json galleries = Json::array();
   for (const LiveGallery& gallery : sheet.galleries) {

@@ -6,7 +6,7 @@ const kZoomOfStep = 1.1;
 
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** `page`: { wasm, controls, get(name), set(name, value) }. */
+/** `page`: { wasm, controls, get(name), set(name, value), control(name) }. */
 export class Hands {
   constructor(canvas, page) {
     this.canvas = canvas;
@@ -90,12 +90,13 @@ export class Hands {
   key(event) {
     const toggle = (name) => this.page.set(name, this.page.get(name) ? 0 : 1);
     const direction = () => this.page.set('component', this.page.get('component') === 6 ? 0 : 6);
+    const next_view = () => this.page.set('view', (this.page.get('view') + 1) % this.page.control('view').words.split('|').length);
     const keys = {
       ArrowLeft: () => this.orbit(-5, 0), ArrowRight: () => this.orbit(5, 0),
       ArrowUp: () => this.orbit(0, 5), ArrowDown: () => this.orbit(0, -5),
       '+': () => this.zoom(kZoomOfStep), '=': () => this.zoom(kZoomOfStep), '-': () => this.zoom(1 / kZoomOfStep),
       ' ': () => this.page.play(), r: () => this.page.restart(),
-      b: () => toggle('bones'), c: () => toggle('colliders'), d: direction,
+      b: () => toggle('bones'), c: () => toggle('colliders'), d: direction, v: next_view,
       1: () => this.page.look(0, 5), 2: () => this.page.look(90, 5), 3: () => this.page.look(180, 5), 4: () => this.page.look(30, 5),
     };
     const act = event.ctrlKey || event.metaKey || event.altKey ? undefined : keys[event.key];

@@ -3,7 +3,10 @@
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
 import { follow_address } from './hash.js';
+import { show_legend } from './legend.js';
 import { Live, whole_recipe } from './live.js';
+import { begin_motion, take_motion } from './motion.js';
+import { show_numbers } from './numbers.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
 import { Sheet, sheet_plan } from './sheet.js';
 import { WasmPage } from './wasm_page.js';
@@ -30,6 +33,7 @@ class Page {
     this.original = this.wasm.settings().slice();
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
+    begin_motion(this);
     this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
     at('name').textContent = name;
     document.title = `${name} - coif view`;
@@ -135,21 +139,8 @@ class Page {
   }
 
   show_numbers() {
-    const n = this.wasm.numbers();
-    const size = n.asset_bytes < 1e6 ? `${Math.round(n.asset_bytes / 1024)} KB` : `${(n.asset_bytes / (1 << 20)).toFixed(1)} MB`;
-    const cost = n.step_ns_of_bone > 0 ? `${n.step_ns_of_bone.toFixed(0)} ns` : '-';
-    const numbers = [
-      ['a bone and sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
-      ['asset', size], n.asleep ? ['at rest', ''] : ['pictures a second', this.rate.toFixed(0)],
-    ];
-    at('numbers').replaceChildren(...numbers.map(([what, value]) => {
-      const cell = document.createElement('span');
-      cell.title = what === 'a bone and sub-step' ? 'In a crowd of 64 heads, in this browser' : '';
-      const strong = document.createElement('b');
-      strong.textContent = value;
-      cell.append(strong, ` ${what}`);
-      return cell;
-    }));
+    show_numbers(at('numbers'), this.wasm.numbers(), this.rate);
+    show_legend(at('legend'), this.wasm.legend());
   }
 
   /** Pixels of a picture of this size, RGBA, rows top to bottom; time stands still. */
@@ -273,6 +264,7 @@ async function begin() {
   const page = new Page(wasm);
   wasm.start();
   wire(page);
+  page.motion = take_motion(wasm, at('motion').textContent);
   if ('live' in document.documentElement.dataset) {
     page.live = new Live(page, at('title'));
     await page.live.begin();

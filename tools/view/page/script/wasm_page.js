@@ -1,7 +1,8 @@
 // The functions of page.cpp, in JavaScript's types.
 
 /** Where numbers lie in ViewNumbers. */
-const kNumbers = ['step_ns_of_bone', 'substeps', 'bones', 'triangles', 'asset_bytes', 'drawn', 'asleep', 'levels', 'time'];
+const kNumbers = ['step_ns_of_bone', 'substeps', 'bones', 'triangles', 'asset_bytes', 'drawn', 'asleep', 'levels', 'time',
+  'tip_error_source', 'tip_rms', 'tip_max', 'head_x', 'head_y', 'head_z', 'head_qx', 'head_qy', 'head_qz', 'head_qw'];
 
 export class WasmPage {
   constructor(module) {
@@ -34,12 +35,17 @@ export class WasmPage {
   redraw() { this.module.ccall('coif_view_redraw', null, [], []); }
   /** To so many seconds into the motion that plays. */
   seek(seconds) { this.check('coif_view_seek', ['number'], [seconds]); }
+  /** A clip's keys, clip_bytes() in C++, for what is opened from now on. */
+  clip(bytes) { this.open(bytes, 'coif_view_clip'); }
 
   lose() { this.module.ccall('coif_view_lose', null, [], []); }
   restore() { this.check('coif_view_restore'); }
   restart() { this.check('coif_view_restart'); }
 
   controls() { return JSON.parse(this.module.ccall('coif_view_controls', 'string', [], [])); }
+
+  /** JSON of what the view's colours mean. */
+  legend() { return this.module.ccall('coif_view_legend', 'string', [], []); }
 
   /** A view of the settings. Not to be kept: memory moves when it grows. */
   settings() {
