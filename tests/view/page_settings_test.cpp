@@ -4,6 +4,7 @@
 #include "cook/recipe/recipe_keys.h"
 #include "models/drawn_card.h"
 #include "view/page/held_head.h"
+#include "view/page/view_motions.h"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,17 @@ TEST(ControlTable, WordsAreWhatTheyChoose) {
   EXPECT_EQ(std::vector<std::string>(beside.begin() + 1, beside.end()), solvers) << "one number more, for none";
   EXPECT_EQ(&solver_of(float(std::ranges::find(solvers, "thesis") - solvers.begin())), &kThesisSolver);
   EXPECT_EQ(&solver_of(float(std::ranges::find(solvers, "passive") - solvers.begin())), &kPassiveSolver);
+}
+
+TEST(ControlTable, MotionsMoveHeadsAsTheyAreCalled) {
+  const auto words = words_of(control("motion"));
+  for (const MotionInfo& motion : all_motions()) {
+    const auto at = float(std::ranges::find(words, motion.name) - words.begin());
+    EXPECT_EQ(chosen_path(at)->pose(0.7).position[2], head_pose(motion.motion, 0.7).position[2]) << motion.name;
+  }
+  const auto down = chosen_path(float(std::ranges::find(words, "look-down") - words.begin()));
+  EXPECT_GT(down->pose(2).rotation.x, 0.3f) << "and stays there";
+  for (const float number : {-1.0f, 1e9f, float(NAN)}) EXPECT_NE(chosen_path(number), nullptr);
 }
 
 TEST(PageSettings, NumbersOutOfRangeChooseSomething) {

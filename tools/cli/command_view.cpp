@@ -6,7 +6,7 @@
 #include "cli/messages.h"
 #include "cli/moved_page.h"
 #include "cli/options.h"
-#include "render/camera.h"
+#include "cli/view_output.h"
 #include "view/view_page.h"
 
 #include <memory>
@@ -28,15 +28,6 @@ struct ViewOptions {
 std::filesystem::path output_of(const ViewOptions& options) {
   if (!options.output.empty()) return options.output;
   return std::filesystem::path(options.file).filename().replace_extension(".html");
-}
-
-tl::expected<AssetFile, ToolError> open_cooked(const std::string& path, FileBytes bytes) {
-  auto file = AssetFile::open(path, std::move(bytes));
-  if (!file) return file;
-  if (const auto drawable = check_drawable(file->asset()); !drawable) {
-    return file_failure(drawable.error().kind, path, "{}", drawable.error().message);
-  }
-  return file;
 }
 
 std::string result_text(const ViewOptions& options, const std::filesystem::path& output, std::size_t bytes) {
@@ -73,9 +64,9 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (options.asks_for_cook)
     return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
   const std::filesystem::path output = output_of(options);
-  if (auto html = choose_suffix(output, {".html"}); !html) return tl::unexpected(html.error());
+  if (auto html = choose_suffix(output, {kPageSuffix}); !html) return tl::unexpected(html.error());
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto file = open_cooked(options.file, std::move(*bytes));
+  const auto file = open_drawable(options.file, std::move(*bytes));
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(output, {options.file, options.page}); !checked)
     return tl::unexpected(checked.error());
@@ -84,8 +75,8 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (!place) return tl::unexpected(place.error());
   const auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
-  const auto text = view_page(*page, file->bytes(), std::filesystem::path(options.file).filename().string());
-  if (!text) return tl::unexpected(ToolError{text.error().kind, place->string() + ": " + text.error().message});
+  const auto text = filled_page(*place, *page, *file, options.file);
+  if (!text) return tl::unexpected(text.error());
   if (auto written = write_output(output, std::as_bytes(std::span(*text))); !written) {
     return tl::unexpected(written.error());
   }
@@ -126,9 +117,7 @@ Command add_view_page(CLI::App& program) {
   app->add_option("-o,--output", options->output,
                   "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
-  app->add_option("--page", options->page,
-                  "The page without an asset, which the build for the web makes (default: as installed)")
-      ->type_name("VIEW.html");
+  add_page(*app, options->page);
   add_motion(*app, options->motion, "What moves the head when the page opens, over and over");
   add_live(*app, *options);
   add_format(*app, options->format);

@@ -1,7 +1,7 @@
 // What the page offers to set, row by row. Numbers of a recipe have its ranges, or those that look like hair.
 
 #include "base/hair_runtime.h"
-#include "motion/head_path.h"
+#include "view/page/view_motions.h"
 #include "view/page/view_settings.h"
 
 #include <cstddef>
@@ -52,6 +52,8 @@ constexpr Control kControls[] = {
      COIF_AT(solver), 0, 3, 1, kSolverWords, "dynamics.model", "cascade|passive"},
     {"beside", "Simulation", "Beside it", "A second head, to compare", "", "choice", COIF_AT(beside), 0, 4, 1,
      kBesideWords},
+    {"iterations", "Simulation", "Iterations", "Of thesis: how often a step repeats its constraints", "", "number",
+     COIF_AT(iterations), 1, 16, 1},
     {"stiffness", "Simulation", "Stiffness", "Times what the asset says; not for thesis", "x", "number",
      COIF_AT(stiffness), 0, 4, 0.01f},
     {"damping", "Simulation", "Damping", "Times what the asset says; not for thesis", "x", "number", COIF_AT(damping),
@@ -117,12 +119,6 @@ void add_number(std::string& json, const char* key, double number) {
   char text[64];
   std::snprintf(text, sizeof text, "\"%s\":%.9g,", key, number);
   json += text;
-}
-
-std::string motion_words(bool has_clip) {
-  std::string words;
-  for (const MotionInfo& info : all_motions()) words.append(words.empty() ? "" : "|").append(info.name);
-  return has_clip ? words + "|clip" : words;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the page's scripts call. One asset, one canvas. Functions that may fail return null or a sentence that lives until the
-// next call.
+// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a
+// sentence that lives until the next call.
 
 #include "motion/clip_bytes.h"
 #include "view/page/hair_views.h"
@@ -18,8 +18,9 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
-  std::vector<coif::ClipKey> clip;  ///< Of whatever is opened.
-  std::unique_ptr<coif::ViewSession> session;
+  std::vector<coif::ClipKey> clip;                        ///< Of whatever is opened.
+  std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
+  coif::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
   bool has_drawn = false;
 };
@@ -36,6 +37,14 @@ const char* say(std::string text) {
 
 const char* outcome(const tl::expected<void, coif::ToolError>& done) {
   return done ? nullptr : say(done.error().message);
+}
+
+/// In place of all views that there were.
+const char* show(std::unique_ptr<coif::ViewSession> session) {
+  page().session = session.get();
+  page().views.clear();
+  page().views.push_back(std::move(session));
+  return outcome(page().session->start_drawing());
 }
 
 }  // namespace
@@ -76,8 +85,7 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
   (*session)->set_clip(page().clip);
-  page().session = std::move(*session);
-  return outcome(page().session->start_drawing());
+  return show(std::move(*session));
 }
 
 /// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the script
@@ -91,8 +99,24 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
     if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);
   }
   (*session)->settings() = own;
-  page().session = std::move(*session);
-  return outcome(page().session->start_drawing());
+  return show(std::move(*session));
+}
+
+/// Another view of what was opened. Its number; the page's own is 0.
+EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_add() {
+  if (page().views.empty()) return 0;
+  page().views.push_back(page().views.front()->another());
+  return std::uint32_t(page().views.size() - 1);
+}
+/// From here on all functions are about this one.
+EMSCRIPTEN_KEEPALIVE void coif_view_choose(std::uint32_t number) {
+  if (number < page().views.size()) page().session = page().views[number].get();
+}
+EMSCRIPTEN_KEEPALIVE void coif_view_redraw() {
+  if (page().session) page().session->redraw();
+}
+EMSCRIPTEN_KEEPALIVE const char* coif_view_seek(double seconds) {
+  return page().session ? outcome(page().session->seek(seconds)) : nullptr;
 }
 
 /// When the browser has taken the context away.

@@ -4,6 +4,7 @@
 #include "base/geometry.h"
 #include "view/page/crowd_cost.h"
 #include "view/page/tip_error.h"
+#include "view/page/view_motions.h"
 
 #include <algorithm>
 #include <array>
@@ -26,18 +27,36 @@ bool is_same(const ViewSettings& a, const ViewSettings& b) { return std::memcmp(
 }  // namespace
 
 tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vector<std::byte> bytes) {
-  std::unique_ptr<ViewSession> session(new ViewSession);
-  session->memory_ = allocate({bytes.size(), kFileAlignment});
-  if (!session->memory_) return failure(ToolError::Kind::kBadInput, "out of memory");
-  std::copy(bytes.begin(), bytes.end(), session->memory_.get());
-  const LoadStatus status = open_whole({session->memory_.get(), bytes.size()}, session->asset_);
+  auto shared = std::make_shared<Shared>();
+  shared->memory = allocate({bytes.size(), kFileAlignment});
+  if (!shared->memory) return failure(ToolError::Kind::kBadInput, "out of memory");
+  std::copy(bytes.begin(), bytes.end(), shared->memory.get());
+  const LoadStatus status = open_whole({shared->memory.get(), bytes.size()}, shared->asset);
   if (!status) return tl::unexpected(refusal_of(status));
-  if (auto drawable = check_drawable(session->asset_); !drawable) return tl::unexpected(drawable.error());
-  session->settings_ = settings_of(session->asset_);
+  if (auto drawable = check_drawable(shared->asset); !drawable) return tl::unexpected(drawable.error());
+  std::unique_ptr<ViewSession> session(new ViewSession(std::move(shared)));
   session->numbers_.asset_bytes = float(bytes.size());
   session->numbers_.levels = float(session->asset_.lod_count());
   if (auto chosen = session->choose_heads(); !chosen) return tl::unexpected(chosen.error());
   return session;
+}
+
+std::unique_ptr<ViewSession> ViewSession::another() const {
+  std::unique_ptr<ViewSession> session(new ViewSession(shared_));
+  session->numbers_ = numbers_;
+  session->measures_cost_ = false;
+  session->clip_ = clip_;
+  return session;
+}
+
+tl::expected<void, ToolError> ViewSession::seek(double seconds) {
+  if (auto begun = restart(); !begun) return begun;
+  double rest = seconds + 0.5 * double(step_settings().dt);
+  for (; rest > 0; rest -= kLongestFrame) {
+    if (auto stepped = step(std::min(rest, kLongestFrame)); !stepped) return stepped;
+  }
+  left_over_ = 0;
+  return {};
 }
 
 tl::expected<void, ToolError> ViewSession::start_drawing() {
@@ -68,6 +87,7 @@ Gusts ViewSession::gusts() const {
 StepSettings ViewSession::step_settings() const {
   StepSettings step;
   step.dt = 1 / std::clamp(settings_.rate, 10.0f, 1000.0f);
+  step.iterations = std::uint32_t(std::clamp(settings_.iterations, 1.0f, float(kMaxIterations)));
   step.environment.wind = wind();
   step.dynamics = {settings_.stiffness, settings_.damping, settings_.friction};
   return step;
@@ -87,7 +107,7 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
     heads_.push_back(std::move(head));
   }
   numbers_.bones = float(asset_.skeleton().simulated_count);
-  numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
+  if (measures_cost_) numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
   worn_ = std::move(worn);
   shown_.samples = -1;
   return {};
@@ -95,16 +115,14 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
 
 void ViewSession::choose_motion() {
   if (path_ && moved_by_ == settings_.motion) return;
-  const auto motions = all_motions();
-  const auto number = std::size_t(std::max(settings_.motion, 0.0f));
   is_put_ = length_ > 0;
   length_ = 0;
-  if (number >= motions.size() && !clip_.empty()) {
+  if (is_clip(settings_.motion) && !clip_.empty()) {
     path_ = path_of(clip_);
     length_ = clip_.back().seconds;
     is_put_ = true;
   } else {
-    path_ = path_of(motions[std::min(number, motions.size() - 1)].motion);
+    path_ = chosen_path(settings_.motion);
     if (yaw_of_face(asset_) != 0) path_ = turned_round(std::move(path_));
   }
   moved_by_ = settings_.motion;

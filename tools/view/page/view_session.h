@@ -49,8 +49,11 @@ class ViewSession {
   [[nodiscard]] ViewSettings& settings() { return settings_; }
   [[nodiscard]] const ViewNumbers& numbers() const { return numbers_; }
 
-  /// One more motion after the built-in ones, which begins again where it ends; keys as path_of() wants them, or none.
+  /// One more motion after motion_words(false), which begins again where it ends; keys as path_of() wants them, or none.
   void set_clip(std::vector<ClipKey> keys) { clip_ = std::move(keys); }
+  /// Another view of the same asset, which has its own settings, heads and time. What the GPU holds is of all of them, and drawn
+  /// with by one after the other. Its heads are made when it is first drawn.
+  [[nodiscard]] std::unique_ptr<ViewSession> another() const;
 
   /// Makes what the GPU holds: after open(), and when the browser has given a lost context back.
   tl::expected<void, ToolError> start_drawing();
@@ -62,6 +65,10 @@ class ViewSession {
 
   /// Head and hair to where the motion begins, at rest.
   tl::expected<void, ToolError> restart();
+  /// ... and then on to the step nearest to so many seconds into it. Of settings that play.
+  tl::expected<void, ToolError> seek(double seconds);
+  /// The next frame() draws, though nothing has changed: the canvas was another view's.
+  void redraw() { shown_.samples = -1; }
 
   /// Another asset takes the place of the one that `before` shows: what is set stays, time goes on, and the heads are where they
   /// were, with hair that hangs.
@@ -74,7 +81,15 @@ class ViewSession {
   void release() { held_.release(); }
 
  private:
-  ViewSession() = default;
+  /// Of all views of one asset.
+  struct Shared {
+    HairMemory memory{nullptr, &std::free};
+    Asset asset;
+    std::unique_ptr<ViewScene> scene;
+  };
+
+  explicit ViewSession(std::shared_ptr<Shared> shared)
+      : shared_(std::move(shared)), asset_(shared_->asset), scene_(shared_->scene), settings_(settings_of(asset_)) {}
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
   [[nodiscard]] double time_in_motion() const;
@@ -86,11 +101,12 @@ class ViewSession {
   [[nodiscard]] bool is_moving() const;
   void tell_numbers(std::uint32_t level);
 
-  HairMemory memory_{nullptr, &std::free};
-  Asset asset_;
+  std::shared_ptr<Shared> shared_;
+  const Asset& asset_;
+  std::unique_ptr<ViewScene>& scene_;
   ViewSettings settings_, shown_;  ///< `shown_`: of the last frame drawn.
   ViewNumbers numbers_;
-  std::unique_ptr<ViewScene> scene_;
+  bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
   std::vector<ClipKey> clip_;

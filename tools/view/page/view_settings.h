@@ -23,6 +23,7 @@ struct ViewSettings {
   float wind = 0, wind_from = 0, gusts = 0;
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
+  float iterations = 1;
   float stiffness = 1, damping = 1, friction = 1;
   float lod = 0;
 

@@ -2,11 +2,13 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
+import { follow_address } from './hash.js';
 import { show_legend } from './legend.js';
 import { Live, whole_recipe } from './live.js';
 import { begin_motion, take_motion } from './motion.js';
 import { show_numbers } from './numbers.js';
 import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { Sheet, sheet_plan } from './sheet.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
@@ -25,6 +27,7 @@ class Page {
   /** An asset's bytes, and what the file is called. */
   open(bytes, name) {
     this.wasm.open(bytes);
+    this.sheet?.leave();
     this.name = name;
     this.table = this.wasm.controls();
     this.original = this.wasm.settings().slice();
@@ -98,15 +101,18 @@ class Page {
   say(problem) {
     at('problem').textContent = problem;
     at('problem').hidden = problem === '';
+    this.sheet?.say(problem);
   }
 
   wake() {
+    if (this.sheet?.is_shown) return this.sheet.wake();
     if (this.waiting || this.is_lost || !this.table) return;
     this.waiting = requestAnimationFrame((now) => this.tick(now));
   }
 
   tick(now) {
     this.waiting = 0;
+    if (this.sheet?.is_shown) return;
     const seconds = this.last ? (now - this.last) / 1000 : 0;
     this.last = now;
     const scale = Math.min(devicePixelRatio, kMostPixels);
@@ -265,8 +271,14 @@ async function begin() {
     return page;
   }
   const name = at('asset').dataset.name;
-  if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
-  else page.say('Drop a .coif file here.');
+  if (name === '@' + 'NAME@') {  // nobody has filled the page in
+    page.say('Drop a .coif file here.');
+    return page;
+  }
+  page.open(embedded_asset(), name);
+  const plan = sheet_plan();
+  if (plan) page.sheet = new Sheet(page, plan);
+  else follow_address(page);
   return page;
 }
 

@@ -27,6 +27,14 @@ export class WasmPage {
   /** In place of what is shown, which goes on. The settings are the asset's. */
   replace(bytes) { this.open(bytes, 'coif_view_replace'); }
 
+  /** Another view of what is shown: its number. The page's own is 0. */
+  add() { return this.module.ccall('coif_view_add', 'number', [], []); }
+  /** From here on everything here is about this view. */
+  choose(view) { this.module.ccall('coif_view_choose', null, ['number'], [view]); }
+  /** The next frame is drawn, whatever was on the canvas. */
+  redraw() { this.module.ccall('coif_view_redraw', null, [], []); }
+  /** To so many seconds into the motion that plays. */
+  seek(seconds) { this.check('coif_view_seek', ['number'], [seconds]); }
   /** A clip's keys, clip_bytes() in C++, for what is opened from now on. */
   clip(bytes) { this.open(bytes, 'coif_view_clip'); }
 
