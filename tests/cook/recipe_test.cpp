@@ -53,6 +53,43 @@ TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
   EXPECT_EQ(again->friction, recipe.friction);
 }
 
+TEST(Recipe, TheDampingRatioIsANumberOrACurve) {
+  const auto read = [](const std::string& value) {
+    const auto recipe = parse_recipe(R"({"dynamics": {"damping_ratio": )" + value + "}}", "r.json");
+    EXPECT_TRUE(recipe) << recipe.error().message;
+    return recipe ? recipe->damping_ratio : std::nullopt;
+  };
+  using Curve = std::vector<CurvePoint>;
+  EXPECT_EQ(read("null"), std::nullopt);
+  EXPECT_EQ(read("0.3"), NumberOrCurve(0.3)) << "a number stays one, and the recipe's hash what it was";
+  EXPECT_EQ(read("[[0, 0.5], [1, 0.1]]"), NumberOrCurve(Curve{{0, 0.5}, {1, 0.1}}));
+  for (const char* value : {"0.3", "[[0.25, 10]]"}) {
+    Recipe recipe = default_recipe();
+    recipe.damping_ratio = read(value);
+    const auto again = parse_recipe(print_recipe(recipe), "r.json");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->damping_ratio, recipe.damping_ratio);
+  }
+}
+
+TEST(Recipe, ACurveOfDampingIsRefusedWithWhatItHasToBe) {
+  const auto refused = [](const std::string& value) {
+    return message_of(R"({"dynamics": {"damping_ratio": )" + value + "}}");
+  };
+  EXPECT_NE(refused("\"much\"").find("\"dynamics.damping_ratio\" wants a number from 0 to 10, or points"), std::string::npos);
+  EXPECT_NE(refused("11").find("wants a number from 0 to 10"), std::string::npos);
+  EXPECT_NE(refused("[]").find("wants at least one point"), std::string::npos);
+  EXPECT_NE(refused("[[0, 11]]").find("value from 0 to 10] with ascending places, found [0,11]"), std::string::npos);
+  EXPECT_NE(refused("[[0.5, 1], [0.5, 2]]").find("ascending places, found [0.5,2]"), std::string::npos);
+  EXPECT_NE(refused("[[-0.1, 1]]").find("place 0..1"), std::string::npos);
+}
+
+TEST(Recipe, WhatCommentsSayMoreIsNotHashed) {
+  const Recipe recipe = default_recipe();
+  EXPECT_NE(print_recipe(recipe).find("one number, or points"), std::string::npos);
+  EXPECT_EQ(canonical_recipe(recipe).find("one number, or points"), std::string::npos);
+}
+
 TEST(Recipe, TorsionIsANumberOrLeftToTheCooker) {
   EXPECT_FALSE(default_recipe().torsion);
   const auto given = parse_recipe(R"({"dynamics": {"torsion": 0}})", "r.json");

@@ -14,6 +14,8 @@ constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 2.2},
 
 }  // namespace
 
+std::span<const HairPreset> hair_presets() { return kPresets; }
+
 const HairPreset& preset_of(const Recipe& recipe) {
   const auto* const found = std::ranges::find(kPresets, recipe.dynamics_preset, &HairPreset::name);
   return found != std::end(kPresets) ? *found : kPresets[0];
