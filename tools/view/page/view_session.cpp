@@ -32,7 +32,9 @@ tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vec
   const LoadStatus status = open_whole({session->memory_.get(), bytes.size()}, session->asset_);
   if (!status) return tl::unexpected(refusal_of(status));
   if (auto drawable = check_drawable(session->asset_); !drawable) return tl::unexpected(drawable.error());
-  session->settings_ = settings_of(session->asset_);
+  const AssetMotion motion(session->asset_);
+  session->settings_ = settings_of(session->asset_, motion);
+  session->motion_ = TunableMotion(motion, session->settings_);
   session->numbers_.asset_bytes = float(bytes.size());
   session->numbers_.levels = float(session->asset_.lod_count());
   if (auto chosen = session->choose_heads(); !chosen) return tl::unexpected(chosen.error());
@@ -68,7 +70,6 @@ StepSettings ViewSession::step_settings() const {
   StepSettings step;
   step.dt = 1 / std::clamp(settings_.rate, 10.0f, 1000.0f);
   step.environment.wind = wind();
-  step.dynamics = {settings_.stiffness, settings_.damping, settings_.friction};
   return step;
 }
 
@@ -86,7 +87,8 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
     heads_.push_back(std::move(head));
   }
   numbers_.bones = float(asset_.skeleton().simulated_count);
-  numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
+  if (timed_ != settings_.solver) numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
+  timed_ = settings_.solver;
   worn_ = std::move(worn);
   shown_.samples = -1;
   return {};
@@ -118,6 +120,7 @@ tl::expected<void, ToolError> ViewSession::go_on(const ViewSession& before) {
   left_over_ = before.left_over_;
   held_ = before.held_;
   pose_ = before.pose_;
+  motion_.go_on(before.motion_);
   worn_.clear();
   return choose_heads();
 }
@@ -147,6 +150,7 @@ bool ViewSession::is_moving() const {
 tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint32_t height, double seconds) {
   if (!scene_) return failure(ToolError::Kind::kInternal, "nothing to draw with");
   choose_motion();
+  if (motion_.apply(settings_, asset_)) worn_.clear();
   if (auto chosen = choose_heads(); !chosen) return tl::unexpected(chosen.error());
   const auto level = std::min(std::uint32_t(std::max(settings_.lod, 0.0f)), asset_.lod_count() - 1);
   for (const auto& head : heads_) {

@@ -3,6 +3,7 @@
 #include "motion/head_path.h"
 #include "view/page/held_head.h"
 #include "view/page/simulated_head.h"
+#include "view/page/tunable_motion.h"
 #include "view/page/view_scene.h"
 #include "view/page/view_settings.h"
 
@@ -59,6 +60,8 @@ class ViewSession {
   /// were, with hair that hangs.
   tl::expected<void, ToolError> go_on(const ViewSession& before);
 
+  [[nodiscard]] TunableMotion& motion() { return motion_; }
+
   /// Whether a head is there; then it follows drag() and turn() until release(). 0..1 of the canvas, from its top left.
   bool grab(double x, double y);
   void drag(double across, double down);  ///< Of the canvas.
@@ -79,11 +82,13 @@ class ViewSession {
   Asset asset_;
   ViewSettings settings_, shown_;  ///< `shown_`: of the last frame drawn.
   ViewNumbers numbers_;
+  TunableMotion motion_;
   std::unique_ptr<ViewScene> scene_;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
   std::unique_ptr<HeadPath> path_;
   float moved_by_ = -1;  ///< The motion that `path_` is.
+  float timed_ = -1;     ///< The solver that the cost was measured of.
   HeldHead held_;
   HeadPose pose_;
   double time_ = 0, left_over_ = 0;

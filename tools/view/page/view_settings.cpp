@@ -38,9 +38,7 @@ void fill_in_fiber(MaterialRecord& material) {
 
 constexpr float kDegreesOfRadian = float(1 / kDegree);
 
-}  // namespace
-
-ViewSettings settings_of(const Asset& asset) {
+ViewSettings look_of(const Asset& asset) {
   ViewSettings s;
   MaterialRecord material = own_material(asset);
   fill_in_fiber(material);
@@ -60,8 +58,42 @@ ViewSettings settings_of(const Asset& asset) {
   return s;
 }
 
+/// Of the choice's number; null: none.
+const HairPreset* preset_of(const ViewSettings& settings) {
+  const auto presets = hair_presets();
+  const bool is_one = settings.preset >= 1 && settings.preset <= float(presets.size());
+  return is_one ? &presets[std::size_t(settings.preset) - 1] : nullptr;
+}
+
+}  // namespace
+
+ViewSettings settings_of(const Asset& asset, const AssetMotion& motion) {
+  ViewSettings s = look_of(asset);
+  const MeanMotion& mean = motion.mean();
+  if (motion.is_empty()) return s;
+  if (motion.preset() != nullptr) s.preset = float(motion.preset() - hair_presets().data()) + 1;
+  s.liveliness = float(mean.liveliness);
+  s.gravity_scale = float(mean.gravity_scale);
+  s.friction = float(mean.friction);
+  s.air_follow = float(mean.air_follow);
+  s.angle_limit = float(mean.angle_limit);
+  return s;
+}
+
+MotionTuning tuning_between(const ViewSettings& before, const ViewSettings& s) {
+  const auto changed = [](float from, float to) { return from != to ? std::optional(double(to)) : std::nullopt; };
+  MotionTuning tuning;
+  if (s.preset != before.preset) tuning.preset = preset_of(s);
+  tuning.liveliness = changed(before.liveliness, s.liveliness);
+  tuning.friction = changed(before.friction, s.friction);
+  tuning.gravity_scale = changed(before.gravity_scale, s.gravity_scale);
+  tuning.air_follow = changed(before.air_follow, s.air_follow);
+  tuning.angle_limit = changed(before.angle_limit, s.angle_limit);
+  return tuning;
+}
+
 MaterialRecord material_of(const Asset& asset, const ViewSettings& s) {
-  const ViewSettings own = settings_of(asset);
+  const ViewSettings own = look_of(asset);
   MaterialRecord material = own_material(asset);
   const auto model = std::min(std::uint32_t(std::max(s.shading, 0.0f)), kShadingModelCount - 1);
   if (model != std::uint32_t(material.shading)) {
@@ -69,7 +101,7 @@ MaterialRecord material_of(const Asset& asset, const ViewSettings& s) {
     material.shading = ShadingModel(model);
     fill_in_fiber(material);
   }
-  for (int k = 0; k < 3; ++k) material.base_color[k] *= s.base_color[k];
+  for (int k = 0; k < 3; ++k) material.base_color[k] *= s.base_color[k] / (s.cooked_color[k] > 0 ? s.cooked_color[k] : 1);
   std::copy_n(s.ambient, 3, material.ambient);
   material.opaque_threshold = s.opaque_threshold;
   material.discard_threshold = s.discard_threshold;

@@ -2,8 +2,9 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
-import { Live, whole_recipe } from './live.js';
-import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { Live, merged, whole_recipe } from './live.js';
+import { recipe_of, recipe_text } from './recipe.js';
+import { kMotionKeys, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
@@ -28,6 +29,9 @@ class Page {
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
     this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
+    this.tuning = new Tuning(this);
+    this.tuning.enter(this.controls);
+    this.live?.keys.enter(at('controls'), this.table);
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
@@ -41,6 +45,8 @@ class Page {
     const table = this.wasm.controls();
     if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
     const settings = this.wasm.settings();
+    const says_motion = kMotionKeys.some((key) => cooked.has(key));
+    if (says_motion) kMotionKeys.forEach((key) => cooked.add(key));  // they are told together
     for (const { at: place, count, recipe } of table) {
       for (let i = place; i < place + count; ++i) {
         const is_tuned = before[i] !== this.original[i];
@@ -48,6 +54,8 @@ class Page {
         settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
       }
     }
+    this.wasm.accept(says_motion);
+    this.tuning.takeOwn();
     this.controls.show();
     this.wake();
   }
@@ -65,6 +73,11 @@ class Page {
     this.wasm.settings().set(values, place);
     this.wake();
   }
+  reset(name) {
+    const { at: place, count } = this.control(name);
+    this.wasm.settings().set(this.original.subarray(place, place + count), place);
+    this.controls.show();
+  }
   look(yaw, pitch, zoom) {
     this.set('yaw', yaw);
     this.set('pitch', pitch);
@@ -81,6 +94,7 @@ class Page {
       this.set('plays', 1);
       this.controls.show();
     }
+    this.tuning.changed(name);
     const beside = this.word('beside');
     at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
     this.wake();
@@ -88,7 +102,12 @@ class Page {
   }
 
   /** {section: {key: value}} of what was changed. */
-  recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
+  recipe() {
+    const recipe = recipe_of(this.table.filter((c) => !kMotionKeys.includes(c.recipe)), this.wasm.settings(), this.original);
+    const dynamics = { ...this.wasm.dynamics(), ...recipe.dynamics };
+    if (Object.keys(dynamics).length > 0) recipe.dynamics = dynamics;
+    return this.live ? merged(recipe, this.live.keys.recipe()) : recipe;
+  }
 
   /** A red line of text; '': none. */
   say(problem) {
@@ -215,12 +234,8 @@ function offer_recipe(page) {
   at('copy-recipe').addEventListener('click', () => {
     if (!page.table) return;
     const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
-    const unsaid = left_out(page.table, page.wasm.settings(), page.original);
     at('recipe-text').value = text;
-    const notes = [];
-    if (unsaid.length > 0) {
-      notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
-    }
+    const notes = [page.tuning.note()];
     if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
     at('recipe-note').textContent = notes.join(' ');
     dialog.showModal();
