@@ -69,6 +69,18 @@ TEST(ControlTable, RecipesKnowItsKeysWordsAndRanges) {
   EXPECT_GT(keys, 10);
 }
 
+TEST(ControlTable, PresetsAreThoseOfRecipes) {
+  const auto words = words_of(control("preset"));
+  const auto presets = hair_presets();
+  ASSERT_EQ(words.size(), presets.size() + 1);
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    ViewSettings settings;
+    settings.preset = float(i) + 1;
+    EXPECT_EQ(words[i + 1], presets[i].name);
+    EXPECT_EQ(tuning_between({}, settings).preset, &presets[i]);
+  }
+}
+
 TEST(ControlTable, WordsAreWhatTheyChoose) {
   ViewSettings settings;
   const auto modes = words_of(control("transparency"));
@@ -107,12 +119,12 @@ TEST(PageSettings, UntouchedOnesAreTheAssetsOwnMaterialToTheBit) {
   contents.material[0].scatter = 0.77f;
   contents.material[0].light_cut = 0.25f;
   const DrawnAsset asset(contents);
-  const MaterialRecord material = material_of(*asset, settings_of(*asset));
+  const MaterialRecord material = material_of(*asset, settings_of(*asset, AssetMotion(*asset)));
   EXPECT_EQ(std::memcmp(&material, (*asset).material(), sizeof material), 0);
 }
 
 TEST(PageSettings, ChangesReachTheMaterialInItsUnits) {
-  ViewSettings settings = settings_of(some_asset());
+  ViewSettings settings = settings_of(some_asset(), {});
   settings.shading = 2;
   settings.tilt = 5;
   settings.roughness = 10;
@@ -124,6 +136,19 @@ TEST(PageSettings, ChangesReachTheMaterialInItsUnits) {
   EXPECT_NEAR(material.roughness, 0.174533f, 1e-6);
   EXPECT_EQ(material.base_color[1], 0.5f * some_asset().material()->base_color[1]);
   EXPECT_EQ(material.primary_exponent, 77);
+}
+
+TEST(PageSettings, ATintThatIsCookedCountsOnce) {
+  ViewSettings settings = settings_of(some_asset(), {});
+  settings.base_color[0] = settings.cooked_color[0] = 0.5f;
+  settings.base_color[1] = settings.cooked_color[1] = 0;  // nothing brings back what was cooked away
+  settings.base_color[2] = 0.25f;
+  settings.cooked_color[2] = 0.5f;
+  const float* const own = some_asset().material()->base_color;
+  const MaterialRecord material = material_of(some_asset(), settings);
+  EXPECT_EQ(material.base_color[0], own[0]);
+  EXPECT_EQ(material.base_color[1], 0);
+  EXPECT_EQ(material.base_color[2], 0.5f * own[2]) << "what was changed since is shown at once";
 }
 
 TEST(HeldHead, FollowsTheHandWithoutOvershootingAndComesBackToRest) {

@@ -32,12 +32,13 @@ async function with_page(asset, act) {
   }
 }
 
-/** At rest, and in the middle of a motion. */
+/** At rest in a wind, which soft hair yields to, and in the middle of a motion. */
 async function pictures(page) {
-  await page.evaluate(() => { const { view } = window; view.set('motion', 'still'); view.set('plays', 0); view.restart(); });
+  await page.evaluate(() => { const { view } = window; view.set('motion', 'still'); view.set('plays', 0); view.set('wind', 5); view.restart(); });
   const rest = await take(page, kSize);
   await page.evaluate((steps) => {
     const { view } = window;
+    view.set('wind', 0);
     view.set('motion', 'charge');
     view.set('plays', 1);
     view.restart();

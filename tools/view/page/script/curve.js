@@ -55,7 +55,7 @@ export class CurveEditor {
     this.top = Math.max(this.about.top, ...this.points.map((p) => p[1]), ...dots.map((p) => p[1]));
     this.drawGrid();
     this.faint.replaceChildren(...dots.map(([place, value]) => drawn('circle', { cx: this.x(place), cy: this.y(value), r: 2.2 })));
-    this.drawHandles();
+    if (this.handles.childNodes.length !== this.points.length) this.drawHandles();  // else one may be held, or have the focus
     this.drawCurve();
   }
 
