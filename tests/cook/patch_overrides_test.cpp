@@ -238,7 +238,8 @@ TEST(PatchOverrides, DampingMayBeACurve) {
   Recipe of_patch = recipe;
   recipe.patch_overrides[0].apply_motion(of_patch);
   EXPECT_EQ(of_patch.damping_ratio, NumberOrCurve(Curve{{0, 1}, {1, 0.25}}));
-  EXPECT_NE(refusal_of(R"({"patches": [{"select": {"index": 1}, "damping_ratio": [[0, -1]]}]})").find("\"damping_ratio\" wants points"),
+  EXPECT_NE(refusal_of(R"({"patches": [{"select": {"index": 1}, "damping_ratio": [[0, -1]]}]})")
+                .find("\"damping_ratio\" wants points"),
             std::string::npos);
 }
 

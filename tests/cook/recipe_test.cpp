@@ -2,11 +2,13 @@
 
 #include "base/text.h"
 #include "cook/recipe/recipe_keys.h"
+#include "cook/recipe/recipe_keys_json.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace coif::recipe_test {
 
@@ -30,6 +32,29 @@ TEST(Recipe, EveryDefaultIsWithinItsOwnRange) {
     EXPECT_EQ(write_value(key, recipe), nlohmann::json::parse(key.default_json)) << key.path();
   }
   EXPECT_GE(recipe_keys().size(), 30u);
+}
+
+TEST(Recipe, KeysAreTheSameAsJson) {
+  const auto all = nlohmann::json::parse(recipe_keys_json());
+  ASSERT_EQ(all.size(), recipe_keys().size());
+  std::map<std::string, nlohmann::json> by_path;
+  for (const auto& key : all) by_path[key["path"]] = key;
+  const auto kind = [&](const char* path) { return by_path.at(path)["kind"].get<std::string>(); };
+  EXPECT_EQ(kind("scene.draw"), "switch");
+  EXPECT_EQ(kind("dynamics.gravity_scale"), "number");
+  EXPECT_EQ(kind("dynamics.torsion"), "number");
+  EXPECT_EQ(by_path.at("dynamics.torsion")["default"], nullptr);
+  EXPECT_EQ(kind("lods.levels"), "whole");
+  EXPECT_EQ(kind("dynamics.model"), "choice");
+  EXPECT_EQ(by_path.at("dynamics.model")["choices"], "auto|cascade|passive");
+  for (const char* path :
+       {"textures.shift", "hair.meshes", "dynamics.resistance", "dynamics.damping_ratio", "material.ambient"}) {
+    EXPECT_EQ(kind(path), "other") << path;
+  }
+  for (const auto& [path, key] : by_path) {
+    const bool is_number = key["kind"] == "number" || key["kind"] == "whole";
+    EXPECT_TRUE(!is_number || key["low"] < key["high"]) << path;
+  }
 }
 
 TEST(Recipe, EmptyObjectGivesTheDefaults) {
@@ -76,7 +101,8 @@ TEST(Recipe, ACurveOfDampingIsRefusedWithWhatItHasToBe) {
   const auto refused = [](const std::string& value) {
     return message_of(R"({"dynamics": {"damping_ratio": )" + value + "}}");
   };
-  EXPECT_NE(refused("\"much\"").find("\"dynamics.damping_ratio\" wants a number from 0 to 10, or points"), std::string::npos);
+  EXPECT_NE(refused("\"much\"").find("\"dynamics.damping_ratio\" wants a number from 0 to 10, or points"),
+            std::string::npos);
   EXPECT_NE(refused("11").find("wants a number from 0 to 10"), std::string::npos);
   EXPECT_NE(refused("[]").find("wants at least one point"), std::string::npos);
   EXPECT_NE(refused("[[0, 11]]").find("value from 0 to 10] with ascending places, found [0,11]"), std::string::npos);

@@ -137,7 +137,8 @@ TEST(AssetMotion, TunedBonesAreThoseThatTheRecipeCooksTo) {
     const AssetContents after = cooked(with(each.recipe, motion, each.tuning), each.model);
     expect_alike(motion.tuned(each.tuning), after.dynamics);
     EXPECT_FLOAT_EQ(motion.air_lag(each.tuning), after.skeleton.air_lag);
-    EXPECT_NE(std::memcmp(before.dynamics.data(), after.dynamics.data(), sizeof(DynamicsRecord) * after.dynamics.size()), 0);
+    EXPECT_NE(
+        std::memcmp(before.dynamics.data(), after.dynamics.data(), sizeof(DynamicsRecord) * after.dynamics.size()), 0);
   }
 }
 
@@ -177,13 +178,15 @@ TEST(AssetMotion, HairOfSpringsIsTakenOverByCurves) {
   EXPECT_EQ(said["source"], "curves") << "a spring's friction is the file's";
   EXPECT_EQ(said["resistance"], nlohmann::json::parse("[[0, 0.3], [1, 0.05]]"));
   EXPECT_EQ(said["sags"], true);
-  EXPECT_FALSE(nlohmann::json::parse(motion.recipe({.liveliness = 0.5})).contains("source")) << "which springs listen to, too";
+  EXPECT_FALSE(nlohmann::json::parse(motion.recipe({.liveliness = 0.5})).contains("source"))
+      << "which springs listen to, too";
 }
 
 TEST(AssetMotion, ConditionedHairKeepsWhatItWasGiven) {
   Recipe recipe = curve_recipe();
   AssetContents contents = cooked(recipe, ChainModel::kCascade);
-  for (const DynamicsRecord& record : contents.dynamics) contents.asked.push_back({record.friction, record.damping, record.parent_share});
+  for (const DynamicsRecord& record : contents.dynamics)
+    contents.asked.push_back({record.friction, record.damping, record.parent_share});
   for (DynamicsRecord& record : contents.dynamics) record.damping += 5;
   const AssetMotion motion = motion_of(contents);
   const auto lively = cooked(with(recipe, motion, {.liveliness = 0.6}), ChainModel::kCascade);
@@ -217,7 +220,9 @@ TEST(TunableMotion, WritesIntoTheAssetAndBack) {
   settings.air_follow = 1;
   motion.set_resistance({});
   EXPECT_TRUE(motion.apply(settings, opened.asset()));
-  EXPECT_EQ(std::memcmp(opened.asset().dynamics().data(), contents.dynamics.data(), sizeof(DynamicsRecord) * contents.dynamics.size()), 0);
+  EXPECT_EQ(std::memcmp(opened.asset().dynamics().data(), contents.dynamics.data(),
+                        sizeof(DynamicsRecord) * contents.dynamics.size()),
+            0);
   EXPECT_EQ(opened.asset().skeleton().air_lag, contents.skeleton.air_lag);
 }
 

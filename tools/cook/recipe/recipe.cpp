@@ -65,8 +65,8 @@ std::string commented(const Recipe& recipe, bool says_all) {
     if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
     if (key.low < key.high)
       facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
-    text += fmt::format("{}\n    // {}{} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, says_all ? key.also : "", facts, key.name,
-                        write_value(key, recipe).dump());
+    text += fmt::format("{}\n    // {}{} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, says_all ? key.also : "",
+                        facts, key.name, write_value(key, recipe).dump());
   }
   return text + "\n  }\n}\n";
 }

@@ -13,14 +13,13 @@
 
 namespace coif {
 
-using RecipeField = std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
-                                 std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*,
-                                 std::array<double, 3> Recipe::*, std::array<double, 4> Recipe::*,
-                                 std::optional<double> Recipe::*, std::optional<NumberOrCurve> Recipe::*,
-                                 std::optional<std::array<double, 3>> Recipe::*,
-                                 std::vector<PatchOverride> Recipe::*,
-                                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*,
-                                 RecipeLinks Recipe::*>;
+using RecipeField =
+    std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
+                 std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*, std::array<double, 3> Recipe::*,
+                 std::array<double, 4> Recipe::*, std::optional<double> Recipe::*,
+                 std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
+                 std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
+                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {

@@ -9,7 +9,9 @@ namespace coif {
 namespace {
 
 const char* kind_of(const RecipeKey& key) {
-  const auto holds = [&]<typename Field>(Field Recipe::*) { return std::holds_alternative<Field Recipe::*>(key.field); };
+  const auto holds = [&]<typename Field>(Field Recipe::*) {
+    return std::holds_alternative<Field Recipe::*>(key.field);
+  };
   if (holds(&Recipe::scene_draw)) return "switch";
   if (holds(&Recipe::gravity_scale) || holds(&Recipe::friction)) return "number";
   if (holds(&Recipe::lod_levels)) return "whole";

@@ -10,7 +10,8 @@
 namespace coif {
 namespace {
 
-constexpr double kSameResistance = 1.0e-5, kSameDamping = 1.0e-3;  ///< Shares, of what went through floats once or twice.
+constexpr double kSameResistance = 1.0e-5,
+                 kSameDamping = 1.0e-3;  ///< Shares, of what went through floats once or twice.
 constexpr float kWorldsAir = 0.99f;
 
 double mean_of(std::size_t count, const auto& value) {

@@ -18,10 +18,10 @@ namespace coif {
 
 /// What somebody changed; what is absent is as the asset has it.
 struct MotionTuning {
-  std::vector<CurvePoint> resistance, damping_ratio;  ///< Empty: as it is.
+  std::vector<CurvePoint> resistance{}, damping_ratio{};  ///< Empty: as it is.
   const HairPreset* preset = nullptr;
-  std::optional<double> liveliness, friction, gravity_scale, air_follow;
-  std::optional<double> angle_limit;  ///< Degrees.
+  std::optional<double> liveliness{}, friction{}, gravity_scale{}, air_follow{};
+  std::optional<double> angle_limit{};  ///< Degrees.
 
   bool operator==(const MotionTuning&) const = default;
 };
@@ -59,12 +59,12 @@ class AssetMotion {
  private:
   /// What a bone's numbers tell of who said them.
   struct Bone {
-    DynamicsRecord own{};   ///< As asked for: before the cook made its chain have one motion.
-    double place = 0;       ///< Of its middle along its chain, where it takes the values of curves.
+    DynamicsRecord own{};                ///< As asked for: before the cook made its chain have one motion.
+    double place = 0;                    ///< Of its middle along its chain, where it takes the values of curves.
     const HairPreset* preset = nullptr;  ///< By which it has its stiffness.
     std::optional<double> said_ratio;    ///< Of critical damping; none: what its resistance or its preset brings.
-    double shown_ratio = 0;  ///< By its preset's measure where it has one.
-    double curve_ratio = 0;  ///< By that of bones with a resistance.
+    double shown_ratio = 0;              ///< By its preset's measure where it has one.
+    double curve_ratio = 0;              ///< By that of bones with a resistance.
     bool leans = false;
   };
 
@@ -80,8 +80,8 @@ class AssetMotion {
   void bake(std::size_t i, const MotionTuning& tuning, Rig& rig, DynamicsRecord& record) const;
   void add_conditioning(std::size_t i, DynamicsRecord& record) const;
 
-  std::vector<DynamicsRecord> records_;  ///< The asset's, of all bones.
-  std::vector<BoneRecord> bone_records_; ///< Of the simulated ones, as all that follows.
+  std::vector<DynamicsRecord> records_;   ///< The asset's, of all bones.
+  std::vector<BoneRecord> bone_records_;  ///< Of the simulated ones, as all that follows.
   std::vector<Bone> bones_;
   Rig rig_;
   std::vector<Carried> carried_;

@@ -28,7 +28,11 @@ std::string digits(double value, int count) {
 std::string in_json(std::span<const CurvePoint> points) {
   std::string text = "[";
   for (const CurvePoint& point : points) {
-    text.append(text.size() > 1 ? ", [" : "[").append(digits(point.at, 4)).append(", ").append(digits(point.value, 5)).append("]");
+    text.append(text.size() > 1 ? ", [" : "[")
+        .append(digits(point.at, 4))
+        .append(", ")
+        .append(digits(point.value, 5))
+        .append("]");
   }
   return text + "]";
 }
@@ -39,7 +43,9 @@ std::vector<CurvePoint> told_apart(std::vector<CurvePoint> points) {
     point.at = std::round(point.at * 500) / 500;
     point.value = std::strtod(digits(point.value, 3).c_str(), nullptr);
   }
-  const auto order = [](const CurvePoint& a, const CurvePoint& b) { return std::pair(a.at, a.value) < std::pair(b.at, b.value); };
+  const auto order = [](const CurvePoint& a, const CurvePoint& b) {
+    return std::pair(a.at, a.value) < std::pair(b.at, b.value);
+  };
   std::sort(points.begin(), points.end(), order);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() > kMostShown) points.resize(kMostShown);

@@ -7,9 +7,9 @@
 namespace coif {
 namespace {
 
-constexpr double kPlaces = 48;        ///< That are told apart along a chain.
-constexpr double kSeen = 0.005;       ///< Of the largest value, as it is seen.
-constexpr double kSlack = 1.0e-9;     ///< Of places.
+constexpr double kPlaces = 48;     ///< That are told apart along a chain.
+constexpr double kSeen = 0.005;    ///< Of the largest value, as it is seen.
+constexpr double kSlack = 1.0e-9;  ///< Of places.
 
 std::vector<CurvePoint> means_of_places(std::span<const CurvePoint> values) {
   struct Sum {

@@ -45,7 +45,7 @@ class TunableMotion {
 
   AssetMotion motion_, first_motion_;  ///< The asset's, and that of the one which recipes tell changes of.
   Base cooked_, first_;
-  MotionTuning curves_;  ///< Nothing else.
+  MotionTuning curves_;   ///< Nothing else.
   MotionTuning written_;  ///< In the asset's memory.
 };
 

@@ -25,13 +25,13 @@ struct ViewSettings {
   float wind = 0, wind_from = 0, gusts = 0;
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
-  float preset = 0;  ///< 0: none, what moves the hair is its own.
+  float preset = 0;              ///< 0: none, what moves the hair is its own.
   float liveliness = 0, gravity_scale = 1, friction = 0, air_follow = 1;
   float angle_limit = 180;  ///< Degrees.
   float lod = 0;
 
   float shading = 0;
-  float base_color[3] = {1, 1, 1};  ///< Times the asset's own,
+  float base_color[3] = {1, 1, 1};    ///< Times the asset's own,
   float cooked_color[3] = {1, 1, 1};  ///< in which this much of it is already.
   float ambient[3] = {};
   float transparency = 0;

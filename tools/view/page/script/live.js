@@ -72,6 +72,7 @@ export class Live {
   /** A state of the server. True where nothing is being cooked for the first time. */
   async take(state) {
     this.state = state;
+    this.keys.isDraft = state.quality === 'draft';
     try {
       if (state.revision > this.revision) await this.replace(state);
       this.tell(state.problem || this.told(state), state.problem !== '');

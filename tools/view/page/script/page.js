@@ -2,8 +2,9 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
-import { Live, merged, whole_recipe } from './live.js';
-import { recipe_of, recipe_text } from './recipe.js';
+import { Live, merged } from './live.js';
+import { recipe_of } from './recipe.js';
+import { offer_recipe } from './recipe_dialog.js';
 import { kMotionKeys, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
@@ -227,22 +228,6 @@ function accept_files(page) {
     if (event.target.files.length > 0) page.open_file(event.target.files[0]);
     event.target.value = '';
   });
-}
-
-function offer_recipe(page) {
-  const dialog = at('recipe');
-  at('copy-recipe').addEventListener('click', () => {
-    if (!page.table) return;
-    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
-    at('recipe-text').value = text;
-    const notes = [page.tuning.note()];
-    if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
-    at('recipe-note').textContent = notes.join(' ');
-    dialog.showModal();
-    at('recipe-text').select();
-    navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
-  });
-  at('close-recipe').addEventListener('click', () => dialog.close());
 }
 
 function wire(page) {

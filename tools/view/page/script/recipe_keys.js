@@ -3,7 +3,7 @@
 import { element } from './controls.js';
 
 const kKinds = ['number', 'whole', 'choice', 'switch'];
-const kMostOfSlider = 1000;  // a range that is wider has a box alone
+const kCrowded = 0.1;  // of the range; a default below has a slider with more room for small numbers
 
 const rangeOf = (key) => (key.low < key.high ? `${key.low} to ${key.high}${key.unit ? ` ${key.unit}` : ''}` : '');
 
@@ -18,6 +18,7 @@ export class RecipeKeys {
     this.values = new Map();  // of paths, what the visitor changed
     this.file = {};
     this.rows = [];
+    this.isDraft = false;  // what is shown does without some of them
   }
 
   /** [section, [key, value]...] as a recipe. */
@@ -53,7 +54,8 @@ export class RecipeKeys {
     this.values.clear();
     const search = element('input', { type: 'search', placeholder: 'Search keys', 'aria-label': 'Search keys of the recipe', id: 'search-keys' });
     const none = element('p', { class: 'help', hidden: 'hidden' }, 'No key is called so.');
-    const body = element('div', { class: 'keys' }, search, none);
+    const draft = element('p', { class: 'help' }, 'This is a draft: one level of detail, small textures, no occlusion, drawn by distance. What else is set of those shows with --quality full.');
+    const body = element('div', { class: 'keys' }, search, ...(this.isDraft ? [draft] : []), none);
     const sections = new Map();
     for (const key of this.table.filter((k) => kKinds.includes(k.kind) && !taken.has(k.path))) {
       if (!sections.has(key.section)) {
@@ -74,13 +76,12 @@ export class RecipeKeys {
     const { nodes, show } = this.inputs(row, id);
     const reset = element('button', { type: 'button', class: 'reset', title: "As the recipe's file has it", 'aria-label': `${key.path}: as the file has it` }, '↺');
     reset.addEventListener('click', () => this.set(row, this.own(key)));
-    const unit = key.unit ? element('span', { class: 'unit' }, ` ${key.unit}`) : '';
     const range = rangeOf(key);
     const facts = `${range ? `${range}; ` : ''}default ${told(key.default)}`;
     row.node = element('div', { class: 'key' },
-                       element('div', { class: `row ${nodes.length > 1 ? 'number' : 'short'}` }, element('label', { for: id, title: key.path }, key.name, unit), ...nodes, reset),
+                       element('div', { class: `row ${nodes.length > 1 ? 'number' : 'short'}` }, element('label', { for: id, title: key.path }, key.name), ...nodes, reset),
                        element('p', { class: 'help', id: `${id}-help` }, `${key.meaning} (${facts})`));
-    nodes[0].setAttribute('aria-describedby', `${id}-help`);
+    nodes[nodes.length - 1].setAttribute('aria-describedby', `${id}-help`);
     row.shows = show;
     row.words = `${key.path} ${key.path.replaceAll('_', ' ')} ${key.meaning} ${key.choices ?? ''}`.toLowerCase();
     this.rows.push(row);
@@ -113,10 +114,17 @@ export class RecipeKeys {
       this.set(row, value !== null && isWhole ? Math.round(value) : value);
     };
     box.addEventListener('change', () => take(box.value));
-    if (key.high - key.low > kMostOfSlider) return { nodes: [box], show: (value) => { box.value = value ?? ''; } };
-    const slider = element('input', { type: 'range', min: String(key.low), max: String(key.high), step: isWhole ? 1 : String((key.high - key.low) / 200), 'aria-label': key.path });
-    slider.addEventListener('input', () => take(slider.value));
-    return { nodes: [slider, box], show: (value) => { box.value = value ?? ''; slider.value = value ?? key.low; } };
+    if (key.default === null) return { nodes: [box], show: (value) => { box.value = value ?? ''; } };  // no place on a slider
+    const span = key.high - key.low;
+    const power = (key.default - key.low) / span < kCrowded ? 3 : 1;
+    const slider = element('input', { type: 'range', min: '0', max: '1', step: '0.001', 'aria-label': key.path });
+    slider.addEventListener('input', () => take(String(Math.min(Number((key.low + span * slider.value ** power).toPrecision(3)), key.high))));
+    const show = (value) => {
+      box.value = value;
+      if (document.activeElement !== slider) slider.value = ((value - key.low) / span) ** (1 / power);
+      slider.setAttribute('aria-valuetext', `${value} ${key.unit}`);
+    };
+    return { nodes: [slider, box], show };
   }
 
   show(row) {

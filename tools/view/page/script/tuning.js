@@ -90,7 +90,7 @@ export class Tuning {
   note() {
     if (this.page.live || Object.keys(this.page.wasm.dynamics()).length === 0) return '';
     const conditioned = this.own.conditioned ? ' This asset was: the page adds as much damping as it got.' : '';
-    return 'The page changes bones by the formulas that the cook uses. Beyond that a cook chooses the sub-steps anew, and may damp chains that '
-      + `would not move the same way twice.${conditioned} What "patches" says of some of them alone still holds there, and not here.`;
+    return 'The page changes bones by the formulas that the cook uses. Beyond that a cook chooses sub-steps and twist anew, the model too '
+      + `where the recipe leaves it open, and may damp chains that would not move the same way twice.${conditioned} What "patches" says of some of them alone still holds there, and not here.`;
   }
 }
