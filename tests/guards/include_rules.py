@@ -36,8 +36,9 @@ LAYERS = {
     "runtime/gl": SIM | RENDERER,
     "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
-    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it.
-    "tools/view/page": SIM | RENDERER | {"tools/base", "tools/motion", "tools/render"},
+    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it. Of the cook it has the formulas of bones, and what
+    # these stand on: view/page/CMakeLists.txt names their files.
+    "tools/view/page": SIM | RENDERER | {"tools/base", "tools/motion", "tools/render", "tools/lab", "tools/cook/recipe", "tools/cook/dynamics"},
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
