@@ -37,8 +37,10 @@ LAYERS = {
     "runtime/gl": SIM | RENDERER,
     "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
-    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it.
-    "tools/view/page": SIM | RENDERER | VIEW_SETTINGS | {"tools/base", "tools/motion", "tools/render"},
+    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it. Of the cook it has the formulas of bones, and what
+    # these stand on: view/page/CMakeLists.txt names their files.
+    "tools/view/page": SIM | RENDERER | VIEW_SETTINGS
+    | {"tools/base", "tools/motion", "tools/render", "tools/lab", "tools/cook/recipe", "tools/cook/dynamics"},
     # What that page can set, which sheets speak of.
     **{header: SIM | RENDERER | {"tools/motion"} for header in VIEW_SETTINGS},
     "tests": None,

@@ -4,6 +4,7 @@
 #include "cook/recipe/recipe_keys.h"
 #include "models/drawn_card.h"
 #include "view/page/held_head.h"
+#include "view/page/motion_settings.h"
 #include "view/page/view_motions.h"
 
 #include <gtest/gtest.h>
@@ -68,6 +69,18 @@ TEST(ControlTable, RecipesKnowItsKeysWordsAndRanges) {
     }
   }
   EXPECT_GT(keys, 10);
+}
+
+TEST(ControlTable, PresetsAreThoseOfRecipes) {
+  const auto words = words_of(control("preset"));
+  const auto presets = hair_presets();
+  ASSERT_EQ(words.size(), presets.size() + 1);
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    ViewSettings settings;
+    settings.preset = float(i) + 1;
+    EXPECT_EQ(words[i + 1], presets[i].name);
+    EXPECT_EQ(tuning_between({}, settings).preset, &presets[i]);
+  }
 }
 
 TEST(ControlTable, WordsAreWhatTheyChoose) {
@@ -136,6 +149,19 @@ TEST(PageSettings, ChangesReachTheMaterialInItsUnits) {
   EXPECT_NEAR(material.roughness, 0.174533f, 1e-6);
   EXPECT_EQ(material.base_color[1], 0.5f * some_asset().material()->base_color[1]);
   EXPECT_EQ(material.primary_exponent, 77);
+}
+
+TEST(PageSettings, ATintThatIsCookedCountsOnce) {
+  ViewSettings settings = settings_of(some_asset());
+  settings.base_color[0] = settings.cooked_color[0] = 0.5f;
+  settings.base_color[1] = settings.cooked_color[1] = 0;  // nothing brings back what was cooked away
+  settings.base_color[2] = 0.25f;
+  settings.cooked_color[2] = 0.5f;
+  const float* const own = some_asset().material()->base_color;
+  const MaterialRecord material = material_of(some_asset(), settings);
+  EXPECT_EQ(material.base_color[0], own[0]);
+  EXPECT_EQ(material.base_color[1], 0);
+  EXPECT_EQ(material.base_color[2], 0.5f * own[2]) << "what was changed since is shown at once";
 }
 
 TEST(HeldHead, FollowsTheHandWithoutOvershootingAndComesBackToRest) {

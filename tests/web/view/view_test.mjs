@@ -132,16 +132,16 @@ const cases = {
       await move(page, '#control-primary_shift', 1.1);
       await move(page, '#control-base_color', '#8090ff');
       await move(page, '#control-solver', 2);
-      await move(page, '#control-stiffness', 2);
+      await move(page, '#control-friction', 5);
       const recipe = await recipe_of(page);
       assert.equal(recipe.material.secondary_exponent, 90);
       assert.equal(recipe.material.primary_shift, 1.1);
       assert.equal(recipe.material.base_color.length, 4);
-      assert.deepEqual(recipe.dynamics, { model: 'passive' });
+      assert.deepEqual(recipe.dynamics, { friction: 5, model: 'passive' });
       assert.deepEqual(Object.keys(recipe).sort(), ['dynamics', 'material']);
       await page.click('#copy-recipe');
       assert.deepEqual(JSON.parse(await page.inputValue('#recipe-text')), recipe);
-      assert.match(await page.textContent('#recipe-note'), /Stiffness/);
+      assert.match(await page.textContent('#recipe-note'), /formulas that the cook uses/);
     });
   },
 

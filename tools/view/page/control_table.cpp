@@ -31,6 +31,7 @@ constexpr char kShadowWords[] = "none|plain|opacity|deep|deep-shadow";
 constexpr char kSolverWords[] = "coif|cascade|passive|thesis";
 constexpr char kBesideWords[] = "none|coif|cascade|passive|thesis";
 constexpr char kViewWords[] = "hair|patches|overdraw|draw order";
+constexpr char kPresetWords[] = "its own numbers|natural|stiff|heavy|bouncy|wet";
 constexpr char kComponentWords[] = "all|ambient|diffuse|specular|primary|secondary|direction";
 
 constexpr Control kControls[] = {
@@ -48,24 +49,33 @@ constexpr Control kControls[] = {
     {"gusts", "Motion", "Gusts", "The strongest, on top of the wind; for the solver coif", "m/s", "number",
      COIF_AT(gusts), 0, 12, 0.1f},
 
+    {"preset", "Simulation", "Kind of hair",
+     "How long it has to be to hang, and how it swings; for hair that nobody gave numbers to", "", "choice",
+     COIF_AT(preset), 0, 5, 1, kPresetWords, "dynamics.preset", "natural|stiff|heavy|bouncy|wet"},
+    {"liveliness", "Simulation", "Liveliness", "0: no bone swings past where it rests, 1: only the air stops it", "",
+     "number", COIF_AT(liveliness), 0, 1, 0.01f, "", "dynamics.liveliness"},
+    {"gravity_scale", "Simulation", "Weight", "Share of gravity that hair feels", "x", "number", COIF_AT(gravity_scale),
+     0, 3, 0.01f, "", "dynamics.gravity_scale"},
+    {"friction", "Simulation", "Friction of air", "How fast hair takes on the air's velocity", "1/s", "number",
+     COIF_AT(friction), 0, 20, 0.1f, "", "dynamics.friction"},
+    {"air_follow", "Simulation", "Air goes along",
+     "Share of the head's velocity; 0: hair streams back when the head runs", "", "number", COIF_AT(air_follow), 0, 1,
+     0.01f, "", "dynamics.air_follow"},
+    {"angle_limit", "Simulation", "Bend limit", "From its modelled direction, each bone; 180: any way", "deg", "number",
+     COIF_AT(angle_limit), 0, 180, 1, "", "dynamics.angle_limit"},
     {"solver", "Simulation", "Solver", "What moves the bones; coif takes what the asset was cooked for", "", "choice",
      COIF_AT(solver), 0, 3, 1, kSolverWords, "dynamics.model", "cascade|passive"},
     {"beside", "Simulation", "Beside it", "A second head, to compare", "", "choice", COIF_AT(beside), 0, 4, 1,
      kBesideWords},
     {"iterations", "Simulation", "Iterations", "Of thesis: how often a step repeats its constraints", "", "number",
      COIF_AT(iterations), 1, 16, 1},
-    {"stiffness", "Simulation", "Stiffness", "Times what the asset says; not for thesis", "x", "number",
-     COIF_AT(stiffness), 0, 4, 0.01f},
-    {"damping", "Simulation", "Damping", "Times what the asset says; not for thesis", "x", "number", COIF_AT(damping),
-     0, 4, 0.01f},
-    {"friction", "Simulation", "Friction of air", "Times what the asset says; not for thesis", "x", "number",
-     COIF_AT(friction), 0, 4, 0.01f},
     {"lod", "Simulation", "Level of detail", "0 is the finest", "", "number", COIF_AT(lod), 0, 0, 1},
 
     {"shading", "Hair", "Shading", "How strands reflect light", "", "choice", COIF_AT(shading), 0, 2, 1,
      kShadingWords.data(), "material.shading"},
     {"base_color", "Hair", "Tint", "Times the colour that was cooked", "", "color", COIF_AT(base_color), 0, 4, 0.01f,
      "", "material.base_color"},
+    {"cooked_color", "", "", "", "", "color", COIF_AT(cooked_color), 0, 4, 0.01f},
     {"ambient", "Hair", "Light around", "Light from everywhere, times the hair's colour", "", "color", COIF_AT(ambient),
      0, 1, 0.005f, "", "material.ambient"},
     {"transparency", "Hair", "Soft edges", "How they are drawn", "", "choice", COIF_AT(transparency), 0, 8, 1,

@@ -141,6 +141,30 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
       coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
 }
 
+/// How the asset's hair moves as it came: AssetMotion::json().
+EMSCRIPTEN_KEEPALIVE const char* coif_view_motion() {
+  return page().session ? say(page().session->motion().json()) : say("{}");
+}
+
+/// So many points, place and value by turns, in place of the asset's own resistances (`which` 0) or damping ratios (1); 0 points: its own.
+EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int points) {
+  if (!page().session) return;
+  std::vector<coif::CurvePoint> curve;
+  for (int i = 0; i < points; ++i) curve.push_back({numbers[2 * i], numbers[2 * i + 1]});
+  coif::TunableMotion& motion = page().session->motion();
+  which == 0 ? motion.set_resistance(std::move(curve)) : motion.set_damping_ratio(std::move(curve));
+}
+
+/// The settings as they are now are what the asset was cooked with; the recipe says so, or does not have to.
+EMSCRIPTEN_KEEPALIVE void coif_view_accept(bool recipe_says_it) {
+  if (page().session) page().session->motion().accept(page().session->settings(), recipe_says_it);
+}
+
+/// What was changed of how hair moves, as a recipe's "dynamics".
+EMSCRIPTEN_KEEPALIVE const char* coif_view_dynamics() {
+  return page().session ? say(page().session->motion().recipe(page().session->settings())) : say("{}");
+}
+
 EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }
 EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_setting_count() { return coif::kViewSettings; }
 

@@ -7,8 +7,6 @@ namespace {
 
 constexpr double kRounding = 1.0001;  // of rates
 
-bool is_own(const DynamicsScale& scale) { return scale.stiffness == 1 && scale.damping == 1 && scale.friction == 1; }
-
 /// Frames and sub-steps a second.
 std::pair<double, double> rates_of(const QualityRecord& row) {
   return {double(row.frame_rate), double(row.frame_rate) * row.substeps};
@@ -25,7 +23,7 @@ TipError tip_error_of(const Asset& asset, const SimulatedSo& so) {
     return {is_draft ? TipErrorSource::kDraft : TipErrorSource::kNotMeasured};
   }
   if (so.solver != &kCoifSolver) return {TipErrorSource::kOtherSolver};
-  if (!is_own(so.dynamics)) return {TipErrorSource::kOtherDynamics};
+  if (so.is_tuned) return {TipErrorSource::kOtherDynamics};
   const double rate = double(so.rate), parts = rate * so.substeps;
   const QualityRecord* best = nullptr;
   for (const QualityRecord& row : asset.quality()) {

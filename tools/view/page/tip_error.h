@@ -12,7 +12,7 @@ struct SimulatedSo {
   float rate = 60;             ///< Steps a second.
   std::uint32_t substeps = 1;  ///< Of a step.
   const Solver* solver = &kCoifSolver;
-  DynamicsScale dynamics{};
+  bool is_tuned = false;  ///< Bones move by other numbers than the asset's own.
 };
 
 /// Where a number comes from, or why there is none.
@@ -22,7 +22,7 @@ enum class TipErrorSource : std::uint8_t {
   kDraft,          ///< Drafts are not measured.
   kNotMeasured,    ///< This asset was not.
   kOtherSolver,    ///< What was measured is kCoifSolver.
-  kOtherDynamics,  ///< What was measured is the asset's own stiffness, damping and friction.
+  kOtherDynamics,  ///< What was measured is how the asset moves by its own numbers.
   kTooCoarse,      ///< Nothing as slow was measured.
 };
 

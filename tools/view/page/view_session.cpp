@@ -3,6 +3,7 @@
 #include "base/asset_refusal.h"
 #include "base/geometry.h"
 #include "view/page/crowd_cost.h"
+#include "view/page/motion_settings.h"
 #include "view/page/tip_error.h"
 #include "view/page/view_motions.h"
 
@@ -26,19 +27,48 @@ bool is_same(const ViewSettings& a, const ViewSettings& b) { return std::memcmp(
 
 }  // namespace
 
-tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vector<std::byte> bytes) {
-  auto shared = std::make_shared<Shared>();
-  shared->memory = allocate({bytes.size(), kFileAlignment});
-  if (!shared->memory) return failure(ToolError::Kind::kBadInput, "out of memory");
-  std::copy(bytes.begin(), bytes.end(), shared->memory.get());
-  const LoadStatus status = open_whole({shared->memory.get(), bytes.size()}, shared->asset);
+tl::expected<LoadedAsset, ToolError> LoadedAsset::load(std::span<const std::byte> bytes) {
+  LoadedAsset loaded;
+  loaded.memory = allocate({bytes.size(), kFileAlignment});
+  if (!loaded.memory) return failure(ToolError::Kind::kBadInput, "out of memory");
+  std::copy(bytes.begin(), bytes.end(), loaded.memory.get());
+  loaded.bytes = bytes.size();
+  const LoadStatus status = open_whole({loaded.memory.get(), loaded.bytes}, loaded.asset);
   if (!status) return tl::unexpected(refusal_of(status));
-  if (auto drawable = check_drawable(shared->asset); !drawable) return tl::unexpected(drawable.error());
+  return loaded;
+}
+
+ViewSession::ViewSession(std::shared_ptr<Shared> shared)
+    : shared_(std::move(shared)),
+      asset_(shared_->loaded.asset),
+      scene_(shared_->scene),
+      settings_(with_motion(settings_of(asset_), shared_->motion)),
+      motion_(shared_->motion, settings_) {}
+
+tl::expected<std::unique_ptr<ViewSession>, ToolError> ViewSession::open(std::vector<std::byte> bytes) {
+  auto loaded = LoadedAsset::load(bytes);
+  if (!loaded) return tl::unexpected(loaded.error());
+  if (auto drawable = check_drawable(loaded->asset); !drawable) return tl::unexpected(drawable.error());
+  auto shared = std::make_shared<Shared>();
+  shared->loaded = std::move(*loaded);
+  shared->motion = AssetMotion(shared->loaded.asset);
   std::unique_ptr<ViewSession> session(new ViewSession(std::move(shared)));
   session->numbers_.asset_bytes = float(bytes.size());
   session->numbers_.levels = float(session->asset_.lod_count());
   if (auto chosen = session->choose_heads(); !chosen) return tl::unexpected(chosen.error());
   return session;
+}
+
+tl::expected<void, ToolError> ViewSession::tune() {
+  if (motion_.is_applied(settings_)) return {};
+  if (!tuned_) {
+    auto copy = LoadedAsset::load({shared_->loaded.memory.get(), shared_->loaded.bytes});
+    if (!copy) return tl::unexpected(copy.error());
+    tuned_ = std::move(*copy);
+  }
+  motion_.apply(settings_, tuned_->asset);
+  worn_.clear();  // heads are made anew
+  return {};
 }
 
 std::unique_ptr<ViewSession> ViewSession::another() const {
@@ -89,7 +119,6 @@ StepSettings ViewSession::step_settings() const {
   step.dt = 1 / std::clamp(settings_.rate, 10.0f, 1000.0f);
   step.iterations = std::uint32_t(std::clamp(settings_.iterations, 1.0f, float(kMaxIterations)));
   step.environment.wind = wind();
-  step.dynamics = {settings_.stiffness, settings_.damping, settings_.friction};
   return step;
 }
 
@@ -101,13 +130,15 @@ tl::expected<void, ToolError> ViewSession::choose_heads() {
   heads_.clear();
   for (std::size_t i = 1; i < worn.size(); ++i) {
     auto head = std::make_unique<SimulatedHead>();
-    Status status = head->create(asset_, solver_of(worn[i]), worn[0] != 0);
+    Status status = head->create(simulated_asset(), solver_of(worn[i]), worn[0] != 0);
     if (status == Status::kOk) status = head->settle(pose_, step_settings());
     if (status != Status::kOk) return not_simulated(status);
     heads_.push_back(std::move(head));
   }
   numbers_.bones = float(asset_.skeleton().simulated_count);
-  if (measures_cost_) numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
+  const bool is_timed = !measures_cost_ || timed_ == settings_.solver;
+  if (!is_timed) numbers_.step_ns_of_bone = float(crowd_cost(asset_, solver_of(settings_.solver)));
+  timed_ = settings_.solver;
   worn_ = std::move(worn);
   shown_.samples = -1;
   return {};
@@ -152,6 +183,7 @@ tl::expected<void, ToolError> ViewSession::go_on(const ViewSession& before) {
   left_over_ = before.left_over_;
   held_ = before.held_;
   pose_ = before.pose_;
+  motion_.go_on(before.motion_);
   worn_.clear();
   return choose_heads();
 }
@@ -186,7 +218,7 @@ bool ViewSession::is_moving() const {
 void ViewSession::tell_numbers(std::uint32_t level) {
   const StepSettings step = step_settings();
   const std::uint32_t substeps = tuned_substeps(asset_, step.dt);
-  const TipError tips = tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), step.dynamics});
+  const TipError tips = tip_error_of(asset_, {1 / step.dt, substeps, &solver_of(settings_.solver), motion_.is_tuned()});
   numbers_.asleep = is_moving() ? 0 : 1;
   numbers_.time = float(time_in_motion());
   numbers_.substeps = float(substeps);
@@ -205,6 +237,7 @@ void ViewSession::tell_numbers(std::uint32_t level) {
 tl::expected<bool, ToolError> ViewSession::frame(std::uint32_t width, std::uint32_t height, double seconds) {
   if (!scene_) return failure(ToolError::Kind::kInternal, "nothing to draw with");
   choose_motion();
+  if (auto tuned = tune(); !tuned) return tl::unexpected(tuned.error());
   if (auto chosen = choose_heads(); !chosen) return tl::unexpected(chosen.error());
   const auto level = std::min(std::uint32_t(std::max(settings_.lod, 0.0f)), asset_.lod_count() - 1);
   for (const auto& head : heads_) {

@@ -3,6 +3,7 @@
 #include "motion/head_path.h"
 #include "view/page/held_head.h"
 #include "view/page/simulated_head.h"
+#include "view/page/tunable_motion.h"
 #include "view/page/view_scene.h"
 #include "view/page/view_settings.h"
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +36,16 @@ struct ViewNumbers {
   float tip_rms = 0, tip_max = 0;
   float head_position[3] = {};  ///< World, metres: where the first head's motion has it.
   float head_rotation[4] = {};  ///< Unit quaternion (x, y, z, w).
+};
+
+/// An asset and the bytes that it is open in.
+struct LoadedAsset {
+  HairMemory memory{nullptr, &std::free};
+  std::size_t bytes = 0;
+  Asset asset;
+
+  /// Copies the bytes. The error is what the command line says of such a file.
+  static tl::expected<LoadedAsset, ToolError> load(std::span<const std::byte> bytes);
 };
 
 /// An open asset, one or two heads that wear it, and what the visitor does to them.
@@ -74,6 +86,8 @@ class ViewSession {
   /// were, with hair that hangs.
   tl::expected<void, ToolError> go_on(const ViewSession& before);
 
+  [[nodiscard]] TunableMotion& motion() { return motion_; }
+
   /// Whether a head is there; then it follows drag() and turn() until release(). 0..1 of the canvas, from its top left.
   bool grab(double x, double y);
   void drag(double across, double down);  ///< Of the canvas.
@@ -83,13 +97,15 @@ class ViewSession {
  private:
   /// Of all views of one asset.
   struct Shared {
-    HairMemory memory{nullptr, &std::free};
-    Asset asset;
+    LoadedAsset loaded;
+    AssetMotion motion;  ///< As the asset came.
     std::unique_ptr<ViewScene> scene;
   };
 
-  explicit ViewSession(std::shared_ptr<Shared> shared)
-      : shared_(std::move(shared)), asset_(shared_->asset), scene_(shared_->scene), settings_(settings_of(asset_)) {}
+  explicit ViewSession(std::shared_ptr<Shared> shared);
+  /// Writes what is tuned into a copy of the asset, which the heads have from then on: other views have the asset as it came.
+  tl::expected<void, ToolError> tune();
+  [[nodiscard]] const Asset& simulated_asset() const { return tuned_ ? tuned_->asset : asset_; }
   tl::expected<void, ToolError> choose_heads();
   void choose_motion();
   [[nodiscard]] double time_in_motion() const;
@@ -106,6 +122,8 @@ class ViewSession {
   std::unique_ptr<ViewScene>& scene_;
   ViewSettings settings_, shown_;  ///< `shown_`: of the last frame drawn.
   ViewNumbers numbers_;
+  TunableMotion motion_;
+  std::optional<LoadedAsset> tuned_;
   bool measures_cost_ = true;
   std::vector<std::unique_ptr<SimulatedHead>> heads_;
   std::vector<float> worn_;  ///< Solvers of the heads, and whether there are gusts.
@@ -114,6 +132,7 @@ class ViewSession {
   double length_ = 0;    ///< Of a clip, seconds, after which it begins again; 0: `path_` is no clip, or has one key.
   bool is_put_ = false;  ///< In the next step heads are put where they belong: clips begin anywhere.
   float moved_by_ = -1;  ///< The motion that `path_` is.
+  float timed_ = -1;     ///< The solver that the cost was measured of.
   HeldHead held_;
   HeadPose pose_;
   double time_ = 0, left_over_ = 0;

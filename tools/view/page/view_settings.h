@@ -24,11 +24,14 @@ struct ViewSettings {
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
   float iterations = 1;
-  float stiffness = 1, damping = 1, friction = 1;
+  float preset = 0;              ///< 0: none, what moves the hair is its own.
+  float liveliness = 0, gravity_scale = 1, friction = 0, air_follow = 1;
+  float angle_limit = 180;  ///< Degrees.
   float lod = 0;
 
   float shading = 0;
-  float base_color[3] = {1, 1, 1};  ///< Times the asset's own.
+  float base_color[3] = {1, 1, 1};    ///< Times the asset's own,
+  float cooked_color[3] = {1, 1, 1};  ///< in which this much of it is already.
   float ambient[3] = {};
   float transparency = 0;
   float opaque_threshold = 1, discard_threshold = 0;
@@ -47,7 +50,7 @@ struct ViewSettings {
 };
 inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(float);
 
-/// What the asset itself says.
+/// What the asset itself says of how hair looks; of how it moves: with_motion().
 [[nodiscard]] ViewSettings settings_of(const Asset& asset);
 
 /// The asset's material with the visitor's changes.

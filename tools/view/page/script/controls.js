@@ -12,7 +12,8 @@ export function linear_of(hex) {
   return [1, 3, 5].map((at) => to_linear(parseInt(hex.slice(at, at + 2), 16) / 255));
 }
 
-function element(name, attributes = {}, ...children) {
+/** An element of HTML; attributes that are '' or undefined are left out. */
+export function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (value !== '' && value !== undefined) made.setAttribute(key, value);
@@ -86,7 +87,7 @@ export class Controls {
     const groups = new Map();
     for (const control of controls.filter((c) => c.group !== '')) {
       if (control.kind === 'number' && control.low === control.high) continue;
-      const open = control.group === 'Motion' || control.group === 'Hair' ? '' : undefined;
+      const open = ['Motion', 'Simulation', 'Hair'].includes(control.group) ? '' : undefined;
       if (!groups.has(control.group)) {
         const body = element('div', { class: 'rows' });
         const group = element('details', {}, element('summary', {}, control.group), body);

@@ -1,8 +1,8 @@
 // What the page does beside that where a server cooks for it: it shows each new asset, and tells the server what sliders say.
 
-const kPause = 120;  // milliseconds without a change, after which a slider counts as set
-const kShownAtOnce = ['material.base_color'];  // a factor of the picture; cooked in, it would count twice
+import { RecipeKeys } from './recipe_keys.js';
 
+const kPause = 120;  // milliseconds without a change, after which a slider counts as set
 const is_object = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
 /** `changes` laid over `recipe`, section by section. */
@@ -12,25 +12,24 @@ export function merged(recipe, changes) {
   return all;
 }
 
-/** Of sections and keys, those for which `wanted(section.key)` holds. */
-function some_of(recipe, wanted) {
-  const some = {};
-  for (const [section, keys] of Object.entries(recipe)) {
-    const kept = Object.entries(keys).filter(([key]) => wanted(`${section}.${key}`));
-    if (kept.length > 0) some[section] = Object.fromEntries(kept);
-  }
-  return some;
+/** The colour of a recipe's file. */
+const own_color = (recipe_file) => (Array.isArray(recipe_file.material?.base_color) ? recipe_file.material.base_color : [1, 1, 1, 1]);
+
+/** What the page says, for a server: its tint is a factor of the file's colour. */
+export function for_file(tuned, recipe_file) {
+  const factor = tuned.material?.base_color;
+  if (!factor) return tuned;
+  const color = factor.map((v, i) => Number((v * own_color(recipe_file)[i]).toPrecision(6)));
+  return { ...tuned, material: { ...tuned.material, base_color: color } };
 }
 
-const without_picture = (recipe) => some_of(recipe, (key) => !kShownAtOnce.includes(key));
-
 /** The whole recipe of what is seen: the file's, with what sliders say. */
-export function whole_recipe(recipe_file, tuned) {
-  const whole = merged(recipe_file, tuned);
-  const factor = tuned.material?.base_color;
-  const own = recipe_file.material?.base_color;
-  if (factor && Array.isArray(own)) whole.material.base_color = factor.map((v, i) => Number((v * own[i]).toPrecision(6)));
-  return whole;
+export const whole_recipe = (recipe_file, tuned) => without_nulls(merged(recipe_file, for_file(tuned, recipe_file)));
+
+/** A null takes a key out, as the server reads it. */
+function without_nulls(recipe) {
+  const kept = Object.entries(recipe).filter(([, value]) => value !== null);
+  return Object.fromEntries(kept.map(([key, value]) => [key, is_object(value) ? without_nulls(value) : value]));
 }
 
 export class Live {
@@ -51,7 +50,8 @@ export class Live {
   }
 
   /** Resolves once something is shown, or cannot be. */
-  begin() {
+  async begin() {
+    this.keys = new RecipeKeys(await (await fetch('keys')).json(), () => { this.page.wake(); this.changed(); });
     return new Promise((shown) => {
       this.events = new EventSource('events');
       this.events.addEventListener('message', (event) => {
@@ -72,6 +72,7 @@ export class Live {
   /** A state of the server. True where nothing is being cooked for the first time. */
   async take(state) {
     this.state = state;
+    this.keys.isDraft = state.quality === 'draft';
     try {
       if (state.revision > this.revision) await this.replace(state);
       this.tell(state.problem || this.told(state), state.problem !== '');
@@ -94,9 +95,13 @@ export class Live {
     const bytes = new Uint8Array(await response.arrayBuffer());
     this.revision = revision;
     this.recipe_file = state.recipe_file;
-    const keys = new Set(Object.entries(without_picture(state.changes)).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
+    const keys = new Set(Object.entries(state.changes).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
     if (state.name === this.page.name) this.page.replace(bytes, state.name, keys);
     else this.page.open(bytes, state.name);
+    this.keys.takeFile(state.recipe_file);
+    const cooked = state.changes.material?.base_color, own = own_color(state.recipe_file);
+    this.page.set('cooked_color', [0, 1, 2].map((i) => (cooked && own[i] > 0 && state.name === this.shown ? cooked[i] / own[i] : 1)));
+    this.shown = state.name;
   }
 
   /** A slider was moved. */
@@ -106,7 +111,7 @@ export class Live {
   }
 
   async send() {
-    const text = JSON.stringify(without_picture(this.page.recipe()));
+    const text = JSON.stringify(for_file(this.page.recipe(), this.recipe_file));
     if (text === this.sent) return;
     this.sent = text;
     await this.post('recipe', text);

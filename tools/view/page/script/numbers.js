@@ -10,7 +10,7 @@ const kTipTitles = [  // by TipErrorSource
   'Drafts are not measured: cook it as games get it',
   'This asset was not measured when it was cooked',
   'What was measured is the solver coif',
-  "What was measured is the asset's own stiffness, damping and friction",
+  "What was measured is how hair moves by the asset's own numbers",
   'What was measured is finer than this rate with its sub-steps',
 ];
 

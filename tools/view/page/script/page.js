@@ -4,11 +4,13 @@ import { Controls } from './controls.js';
 import { Hands } from './hands.js';
 import { follow_address } from './hash.js';
 import { show_legend } from './legend.js';
-import { Live, whole_recipe } from './live.js';
+import { Live, merged } from './live.js';
 import { begin_motion, take_motion } from './motion.js';
 import { show_numbers } from './numbers.js';
-import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { recipe_of } from './recipe.js';
+import { offer_recipe } from './recipe_dialog.js';
 import { Sheet, sheet_plan } from './sheet.js';
+import { kMotionKeys, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
@@ -35,6 +37,9 @@ class Page {
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
     begin_motion(this);
     this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
+    this.tuning = new Tuning(this);
+    this.tuning.enter(this.controls);
+    this.live?.keys.enter(at('controls'), this.table);
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
@@ -48,6 +53,8 @@ class Page {
     const table = this.wasm.controls();
     if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
     const settings = this.wasm.settings();
+    const says_motion = kMotionKeys.some((key) => cooked.has(key));
+    if (says_motion) kMotionKeys.forEach((key) => cooked.add(key));  // they are told together
     for (const { at: place, count, recipe } of table) {
       for (let i = place; i < place + count; ++i) {
         const is_tuned = before[i] !== this.original[i];
@@ -55,6 +62,8 @@ class Page {
         settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
       }
     }
+    this.wasm.accept(says_motion);
+    this.tuning.takeOwn();
     this.controls.show();
     this.wake();
   }
@@ -72,6 +81,11 @@ class Page {
     this.wasm.settings().set(values, place);
     this.wake();
   }
+  reset(name) {
+    const { at: place, count } = this.control(name);
+    this.wasm.settings().set(this.original.subarray(place, place + count), place);
+    this.controls.show();
+  }
   look(yaw, pitch, zoom) {
     this.set('yaw', yaw);
     this.set('pitch', pitch);
@@ -88,6 +102,7 @@ class Page {
       this.set('plays', 1);
       this.controls.show();
     }
+    this.tuning.changed(name);
     const beside = this.word('beside');
     at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
     this.wake();
@@ -95,7 +110,12 @@ class Page {
   }
 
   /** {section: {key: value}} of what was changed. */
-  recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
+  recipe() {
+    const recipe = recipe_of(this.table.filter((c) => !kMotionKeys.includes(c.recipe)), this.wasm.settings(), this.original);
+    const dynamics = { ...this.wasm.dynamics(), ...recipe.dynamics };
+    if (Object.keys(dynamics).length > 0) recipe.dynamics = dynamics;
+    return this.live ? merged(recipe, this.live.keys.recipe()) : recipe;
+  }
 
   /** A red line of text; '': none. */
   say(problem) {
@@ -205,26 +225,6 @@ function accept_files(page) {
     if (event.target.files.length > 0) page.open_file(event.target.files[0]);
     event.target.value = '';
   });
-}
-
-function offer_recipe(page) {
-  const dialog = at('recipe');
-  at('copy-recipe').addEventListener('click', () => {
-    if (!page.table) return;
-    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
-    const unsaid = left_out(page.table, page.wasm.settings(), page.original);
-    at('recipe-text').value = text;
-    const notes = [];
-    if (unsaid.length > 0) {
-      notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
-    }
-    if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
-    at('recipe-note').textContent = notes.join(' ');
-    dialog.showModal();
-    at('recipe-text').select();
-    navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
-  });
-  at('close-recipe').addEventListener('click', () => dialog.close());
 }
 
 function wire(page) {

@@ -29,13 +29,8 @@ export function recipe_of(controls, settings, original) {
   return recipe;
 }
 
-/** Labels of what was changed and what no recipe can say. */
-export function left_out(controls, settings, original) {
-  const names = ['stiffness', 'damping', 'friction'];
-  return controls.filter((c) => names.includes(c.name) && is_changed(c, settings, original)).map((c) => c.label);
-}
-
 export function recipe_text(recipe) {
-  // Short arrays on one line, as artists write them.
-  return JSON.stringify(recipe, null, 2).replace(/\[\s+([^\]]*?)\s+\]/g, (_, inside) => `[${inside.split(/,\s+/).join(', ')}]`);
+  // Short arrays on one line, as artists write them, and curves.
+  const short = JSON.stringify(recipe, null, 2).replace(/\[\s+([^[\]]*?)\s+\]/g, (_, inside) => `[${inside.split(/,\s+/).join(', ')}]`);
+  return short.replace(/\[\s+((?:\[[^[\]]*\],?\s+)+)\]/g, (_, inside) => `[${inside.trim().split(/\],\s+/).join('], ')}]`);
 }

@@ -65,6 +65,18 @@ export class WasmPage {
     return Boolean(this.module.ccall('coif_view_has_drawn', 'boolean', [], []));
   }
 
+  /** How hair moves, as the asset came: AssetMotion::json(). */
+  motion() { return JSON.parse(this.module.ccall('coif_view_motion', 'string', [], [])); }
+  /** What was changed of it, as a recipe's "dynamics". */
+  dynamics() { return JSON.parse(this.module.ccall('coif_view_dynamics', 'string', [], [])); }
+  /** [place, value] in place of the asset's own resistances (`which` 0) or damping ratios (1); none: its own. */
+  curve(which, points) {
+    const bytes = new Uint8Array(Float64Array.from(points.flat()).buffer);
+    this.module.ccall('coif_view_curve', null, ['number', 'array', 'number'], [which, bytes, points.length]);
+  }
+  /** What is set of how hair moves is what the asset was cooked with; the recipe says it, or does not have to. */
+  accept(recipe_says_it) { this.module.ccall('coif_view_accept', null, ['boolean'], [recipe_says_it]); }
+
   grab(x, y) { return Boolean(this.module.ccall('coif_view_grab', 'boolean', ['number', 'number'], [x, y])); }
   drag(across, down) { this.module.ccall('coif_view_drag', null, ['number', 'number'], [across, down]); }
   turn(across, down) { this.module.ccall('coif_view_turn', null, ['number', 'number'], [across, down]); }
