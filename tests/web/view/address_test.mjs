@@ -6,20 +6,20 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { launch, open_page } from './browser.mjs';
+import { launch, openPage } from './browser.mjs';
 
 const { COIF, ASSET, PAGE, WORK } = process.env;
-const in_work = (name) => join(WORK, name);
+const inWork = (name) => join(WORK, name);
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
 /** A page with this behind its address's '#'; nothing may be complained of. */
-async function with_address(hash, act) {
+async function withAddress(hash, act) {
   const browser = await launch();
   try {
-    const { page, complaints } = await open_page(browser, in_work('page.html'));
+    const { page, complaints } = await openPage(browser, inWork('page.html'));
     page.on('dialog', (dialog) => { complaints.push(`a dialog: ${dialog.message()}`); dialog.dismiss(); });
     await page.goto('about:blank');
-    await page.goto(`${pathToFileURL(in_work('page.html')).href}${hash}`);
+    await page.goto(`${pathToFileURL(inWork('page.html')).href}${hash}`);
     await page.evaluate(async () => { window.view = await window.coif; });
     await act(page);
     assert.deepEqual(complaints, [], 'the browser complains');
@@ -36,7 +36,7 @@ const note = (page) => page.textContent('#address-note');
 
 const cases = {
   async known_settings_are_set_and_others_are_named() {
-    await with_address('#motion=turn&rate=30&beside=thesis&base_color=1,0.5,0.25&yaw=-90&wheels=4', async (page) => {
+    await withAddress('#motion=turn&rate=30&beside=thesis&base_color=1,0.5,0.25&yaw=-90&wheels=4', async (page) => {
       assert.deepEqual([await word(page, 'motion'), await word(page, 'beside'), await get(page, 'rate'), await get(page, 'yaw')], ['turn', 'thesis', 30, -90]);
       assert.equal(await get(page, 'plays'), 1, 'a motion that is asked for plays');
       assert.equal(await page.inputValue('#control-rate'), '30');
@@ -54,13 +54,13 @@ const cases = {
 
   async hostile_addresses_change_nothing() {
     let own;
-    await with_address('', async (page) => { own = await settings(page); assert.equal(await note(page), ''); });
+    await withAddress('', async (page) => { own = await settings(page); assert.equal(await note(page), ''); });
     const hostile = [
       'yaw=<img src=x onerror=alert(1)>', 'yaw=NaN', 'yaw=Infinity', 'yaw=1e999', 'yaw=0x10', 'yaw=', 'yaw', 'yaw=181', 'pitch=-90', 'rate=1', 'lod=-1', 'lod=99', 'samples=1000000',
       'motion=<script>alert(1)</script>', 'motion=0', 'motion=', 'solver=toString', 'beside=constructor', 'base_color=1,1', 'base_color=1,1,1,1', 'base_color=1,1,1e9', 'yaw=1,2',
       '__proto__=1', 'constructor=1', 'toString=1', 'prototype[x]=1', '<img src=x onerror=alert(1)>=1', '%', '%E0%A4%A', '=', '&&&', '#', 'YAW=3', `${'a'.repeat(100000)}=1`,
     ];
-    await with_address(`#${hostile.join('&')}`, async (page) => {
+    await withAddress(`#${hostile.join('&')}`, async (page) => {
       for (const text of [hostile.join('&'), ...hostile]) {
         assert.deepEqual(await settings(page), own, text.slice(0, 80));
         assert.equal(await page.$('#title *:not(b):not(span)'), null, 'markup came in');
@@ -80,8 +80,8 @@ const cases = {
       '--view', 'a page #1.html', '--page', PAGE);
     const browser = await launch();
     try {
-      const { page, complaints } = await open_page(browser, in_work('report.html'));
-      assert.equal(readFileSync(in_work('report.html'), 'utf8').includes('<script'), false);
+      const { page, complaints } = await openPage(browser, inWork('report.html'));
+      assert.equal(readFileSync(inWork('report.html'), 'utf8').includes('<script'), false);
       const follow = async (text) => {
         await page.click(`a:text-is("${text}")`);
         await page.waitForURL(/#motion=turn/);

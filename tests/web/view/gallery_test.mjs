@@ -5,20 +5,20 @@ import { strict as assert } from 'node:assert';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, open_page } from './browser.mjs';
-import { psnr, read_png } from './png.mjs';
+import { launch, openPage } from './browser.mjs';
+import { psnr, readPng } from './png.mjs';
 
 const { COIF, ASSET, PAGE, WORK } = process.env;
-const kSide = 160;  // pixels of a tile
-const kWide = { width: 1100, height: 700 };  // room for six of them
+const SIDE = 160;  // pixels of a tile
+const WIDE = { width: 1100, height: 700 };  // room for six of them
 
-const in_work = (name) => join(WORK, name);
-const gallery = (out, ...options) => JSON.parse(execFileSync(COIF, ['gallery', ASSET, '-o', out, '--size', `${kSide}x${kSide}`, '--format', 'json', ...options],
+const inWork = (name) => join(WORK, name);
+const gallery = (out, ...options) => JSON.parse(execFileSync(COIF, ['gallery', ASSET, '-o', out, '--size', `${SIDE}x${SIDE}`, '--format', 'json', ...options],
   { encoding: 'utf8', cwd: WORK }));
-const make_sheet = (...options) => gallery('sheet.html', '--page', PAGE, ...options);
+const makeSheet = (...options) => gallery('sheet.html', '--page', PAGE, ...options);
 
 /** Before a page's scripts: how many canvases get a WebGL context. */
-function count_contexts() {
+function countContexts() {
   window.contexts = new Set();
   for (const canvas of [HTMLCanvasElement, OffscreenCanvas]) {
     const real = canvas.prototype.getContext;
@@ -30,10 +30,10 @@ function count_contexts() {
 }
 
 /** Of sheet.html; nothing may be complained of. */
-async function with_sheet(act, viewport = kWide, before = count_contexts) {
+async function withSheet(act, viewport = WIDE, before = countContexts) {
   const browser = await launch();
   try {
-    const { page, complaints } = await open_page(browser, in_work('sheet.html'), viewport, before);
+    const { page, complaints } = await openPage(browser, inWork('sheet.html'), viewport, before);
     page.setDefaultTimeout(120_000);
     await page.evaluate(async () => { window.view = await window.coif; window.sheet = window.view.sheet; });
     await act(page);
@@ -45,16 +45,16 @@ async function with_sheet(act, viewport = kWide, before = count_contexts) {
   }
 }
 
-const pause = (page) => page.evaluate(() => window.sheet.play_all(false));
+const pause = (page) => page.evaluate(() => window.sheet.playAll(false));
 /** Until all tiles that are seen are as they should be; nothing plays. */
 const drawn = (page) => page.waitForFunction(() => {
-  const seen = window.sheet.tiles.filter((tile) => tile.is_seen);
-  return seen.length > 0 && seen.every((tile) => tile.drawn > 0 && !tile.wants_drawing());
+  const seen = window.sheet.tiles.filter((tile) => tile.isSeen);
+  return seen.length > 0 && seen.every((tile) => tile.drawn > 0 && !tile.wantsDrawing());
 });
-const scroll_to = (page, number) => page.evaluate((n) => window.sheet.tiles[n].figure.scrollIntoView({ block: 'center' }), number);
+const scrollTo = (page, number) => page.evaluate((n) => window.sheet.tiles[n].figure.scrollIntoView({ block: 'center' }), number);
 
 /** Pixels of a tile, RGBA. */
-async function pixels_of(page, number) {
+async function pixelsOf(page, number) {
   const values = await page.evaluate((n) => {
     const { canvas } = window.sheet.tiles[n];
     const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
@@ -65,21 +65,21 @@ async function pixels_of(page, number) {
 }
 
 /** Of the PNG's first row: 8 pixels around everything, and a title's line. */
-function picture_of(sheet, column) {
-  const left = 8 + column * (kSide + 8), top = 8 + 24 + 8;
-  const out = new Uint8Array(4 * kSide * kSide);
-  for (let y = 0; y < kSide; ++y) {
+function pictureOf(sheet, column) {
+  const left = 8 + column * (SIDE + 8), top = 8 + 24 + 8;
+  const out = new Uint8Array(4 * SIDE * SIDE);
+  for (let y = 0; y < SIDE; ++y) {
     const begin = 4 * ((top + y) * sheet.width + left);
-    out.set(sheet.rgba.subarray(begin, begin + 4 * kSide), 4 * kSide * y);
+    out.set(sheet.rgba.subarray(begin, begin + 4 * SIDE), 4 * SIDE * y);
   }
   return out;
 }
 
 const cases = {
   async shows_every_picture_or_says_which_not() {
-    const told = make_sheet();
+    const told = makeSheet();
     const { pictures } = gallery('sheet.png');
-    await with_sheet(async (page) => {
+    await withSheet(async (page) => {
       const shown = await page.evaluate(() => window.sheet.plan.galleries.flatMap((g) => g.tiles.map((tile) => Math.max(tile.moments.length, 1))));
       assert.equal(shown.length, told.tiles);
       assert.equal((await page.$$('.tile canvas')).length, told.tiles);
@@ -89,9 +89,9 @@ const cases = {
       await pause(page);
       const looks = new Set();
       for (let i = 0; i < told.tiles; ++i) {
-        await scroll_to(page, i);
-        await page.waitForFunction((n) => window.sheet.tiles[n].drawn > 0 && !window.sheet.tiles[n].wants_drawing(), i);
-        looks.add(Buffer.from(await pixels_of(page, i)).toString('base64'));
+        await scrollTo(page, i);
+        await page.waitForFunction((n) => window.sheet.tiles[n].drawn > 0 && !window.sheet.tiles[n].wantsDrawing(), i);
+        looks.add(Buffer.from(await pixelsOf(page, i)).toString('base64'));
       }
       // Three of gallery 2 and of gallery 3 are of the same material as one of gallery 1.
       assert.ok(looks.size >= told.tiles - 6, `${looks.size} different pictures in ${told.tiles} tiles`);
@@ -101,13 +101,13 @@ const cases = {
 
   async still_tiles_are_the_pictures_of_the_png() {
     for (const only of [1, 2, 3, 4]) {
-      make_sheet('--only', String(only));
+      makeSheet('--only', String(only));
       gallery('sheet.png', '--only', String(only));
-      const sheet = read_png(in_work('sheet.png'));
-      await with_sheet(async (page) => {
+      const sheet = readPng(inWork('sheet.png'));
+      await withSheet(async (page) => {
         await drawn(page);
         for (let column = 0; column < 6; ++column) {
-          const db = psnr(await pixels_of(page, column), picture_of(sheet, column));
+          const db = psnr(await pixelsOf(page, column), pictureOf(sheet, column));
           console.log(`gallery ${only}, ${column}: ${db.toFixed(1)} dB`);
           assert.ok(db >= 38, `gallery ${only}, tile ${column}: ${db} dB`);
         }
@@ -116,26 +116,26 @@ const cases = {
   },
 
   async only_tiles_that_are_seen_are_drawn() {
-    make_sheet();
-    await with_sheet(async (page) => {
-      await page.waitForFunction(() => window.sheet.tiles.every((tile) => !tile.is_seen || tile.drawn > 0));
-      const state = () => page.evaluate(() => window.sheet.tiles.map(({ drawn: times, view, is_seen, plays }) => ({ times, view, is_seen, plays })));
+    makeSheet();
+    await withSheet(async (page) => {
+      await page.waitForFunction(() => window.sheet.tiles.every((tile) => !tile.isSeen || tile.drawn > 0));
+      const state = () => page.evaluate(() => window.sheet.tiles.map(({ drawn: times, view, isSeen, plays }) => ({ times, view, isSeen, plays })));
       const before = await state();
-      assert.ok(before.filter((tile) => !tile.is_seen).length > 10, 'all fit the window');
-      for (const tile of before.filter((t) => !t.is_seen)) assert.deepEqual([tile.times, tile.view], [0, 0], 'one out of sight is drawn, or has a view');
-      assert.ok(before.some((tile) => tile.plays && !tile.is_seen), 'nothing that plays is out of sight');
+      assert.ok(before.filter((tile) => !tile.isSeen).length > 10, 'all fit the window');
+      for (const tile of before.filter((t) => !t.isSeen)) assert.deepEqual([tile.times, tile.view], [0, 0], 'one out of sight is drawn, or has a view');
+      assert.ok(before.some((tile) => tile.plays && !tile.isSeen), 'nothing that plays is out of sight');
 
-      await scroll_to(page, before.length - 1);
+      await scrollTo(page, before.length - 1);
       const last = before.length - 1;
       await page.waitForFunction((n) => window.sheet.tiles[n].drawn > 3, last);
       const gone = await state();
-      assert.equal(gone[0].is_seen, false);
+      assert.equal(gone[0].isSeen, false);
       await page.waitForFunction(([n, times]) => window.sheet.tiles[n].drawn > times + 3, [last, gone[last].times]);
       const later = await state();
       assert.equal(later[0].times, gone[0].times, 'one that went out of sight is drawn');
 
-      await scroll_to(page, 0);
-      await page.waitForFunction(() => window.sheet.tiles.at(-1).is_seen === false);
+      await scrollTo(page, 0);
+      await page.waitForFunction(() => window.sheet.tiles.at(-1).isSeen === false);
       const { times } = (await state())[last];
       await page.evaluate(() => { window.sheet.tiles[0].change(); });
       await drawn(page);
@@ -144,10 +144,10 @@ const cases = {
   },
 
   async opens_a_tile_and_goes_back_by_keyboard() {
-    make_sheet('--only', '3');
-    await with_sheet(async (page) => {
+    makeSheet('--only', '3');
+    await withSheet(async (page) => {
       await drawn(page);
-      const before = await pixels_of(page, 2);
+      const before = await pixelsOf(page, 2);
       await page.focus('.tile:nth-of-type(3) canvas');
       await page.keyboard.press('ArrowRight');
       await page.keyboard.press('Enter');
@@ -173,7 +173,7 @@ const cases = {
       assert.equal(await page.evaluate(() => document.activeElement.className), 'tile-open');
       await page.click('#sheet-face');
       await drawn(page);
-      assert.equal(Buffer.compare(Buffer.from(before), Buffer.from(await pixels_of(page, 2))), 0, 'the tile is not what it was');
+      assert.equal(Buffer.compare(Buffer.from(before), Buffer.from(await pixelsOf(page, 2))), 0, 'the tile is not what it was');
 
       await page.focus('.tile:nth-of-type(3) .tile-open');
       await page.keyboard.press('Enter');
@@ -184,10 +184,10 @@ const cases = {
   },
 
   async tiles_turn_together_or_alone() {
-    make_sheet('--only', '1');
-    await with_sheet(async (page) => {
+    makeSheet('--only', '1');
+    await withSheet(async (page) => {
       await drawn(page);
-      const all = async () => Promise.all([0, 1, 2, 3, 4, 5].map(async (n) => Buffer.from(await pixels_of(page, n)).toString('base64')));
+      const all = async () => Promise.all([0, 1, 2, 3, 4, 5].map(async (n) => Buffer.from(await pixelsOf(page, n)).toString('base64')));
       const still = await all();
       const drag = async () => {
         const box = await (await page.$('.tile canvas')).boundingBox();
@@ -211,8 +211,8 @@ const cases = {
   },
 
   async motion_waits_for_a_click_where_less_of_it_is_wanted() {
-    make_sheet('--only', '5');
-    await with_sheet(async (page) => {
+    makeSheet('--only', '5');
+    await withSheet(async (page) => {
       assert.ok(await page.evaluate(() => window.sheet.tiles.every((tile) => tile.plays)), 'motion plays by itself');
       await page.waitForFunction(() => window.sheet.tiles.every((tile) => tile.drawn > 4 && tile.time > 0));
       await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -231,20 +231,20 @@ const cases = {
       const moment = await page.evaluate(() => window.sheet.tiles[0].time);
       assert.equal(moment, 0.3);
       assert.equal(await page.getAttribute('.moments button:nth-child(3)', 'aria-pressed'), 'true');
-      const held = await pixels_of(page, 0);
+      const held = await pixelsOf(page, 0);
       await page.click('.moments button:nth-child(1)');
       await drawn(page);
-      assert.ok(psnr(held, await pixels_of(page, 0)) < 35, 'two moments look alike');
+      assert.ok(psnr(held, await pixelsOf(page, 0)) < 35, 'two moments look alike');
       await page.click('.moments button:nth-child(3)');
       await drawn(page);
-      assert.equal(Buffer.compare(Buffer.from(held), Buffer.from(await pixels_of(page, 0))), 0, 'a moment is not what it was');
+      assert.equal(Buffer.compare(Buffer.from(held), Buffer.from(await pixelsOf(page, 0))), 0, 'a moment is not what it was');
     });
   },
 
   async rounds_need_no_more_memory() {
-    make_sheet();
-    await with_sheet(async (page) => {
-      await scroll_to(page, 30);
+    makeSheet();
+    await withSheet(async (page) => {
+      await scrollTo(page, 30);
       await page.waitForFunction(() => window.sheet.tiles[30].drawn > 0);
       const grown = await page.evaluate(() => {
         const { sheet, view } = window;
@@ -273,8 +273,8 @@ const cases = {
   },
 
   async other_files_take_the_place_of_the_sheet() {
-    make_sheet('--only', '1');
-    await with_sheet(async (page) => {
+    makeSheet('--only', '1');
+    await withSheet(async (page) => {
       await drawn(page);
       const bad = { name: 'notes.coif', mimeType: 'text/plain', buffer: Buffer.from('this text is long enough for a header, and more than that') };
       await page.setInputFiles('#file', bad);  // as a file that is dropped
@@ -290,10 +290,10 @@ const cases = {
   },
 
   async lost_context_comes_back() {
-    make_sheet('--only', '1');
-    await with_sheet(async (page) => {
+    makeSheet('--only', '1');
+    await withSheet(async (page) => {
       await drawn(page);
-      const before = await pixels_of(page, 1);
+      const before = await pixelsOf(page, 1);
       await page.evaluate(async () => {
         const { view } = window;
         const event = (name) => new Promise((done) => { view.canvas.addEventListener(name, () => setTimeout(done), { once: true }); });
@@ -308,10 +308,10 @@ const cases = {
         window.sheet.turn(window.sheet.tiles[1], 10, 0);
       });
       await drawn(page);
-      assert.notEqual(Buffer.compare(Buffer.from(before), Buffer.from(await pixels_of(page, 1))), 0, 'nothing is drawn any more');
+      assert.notEqual(Buffer.compare(Buffer.from(before), Buffer.from(await pixelsOf(page, 1))), 0, 'nothing is drawn any more');
       await page.click('#sheet-face');
       await drawn(page);
-      assert.equal(Buffer.compare(Buffer.from(before), Buffer.from(await pixels_of(page, 1))), 0);
+      assert.equal(Buffer.compare(Buffer.from(before), Buffer.from(await pixelsOf(page, 1))), 0);
     });
   },
 };

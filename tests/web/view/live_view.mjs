@@ -7,8 +7,8 @@ import { join } from 'node:path';
 import { launch } from './browser.mjs';
 
 const { COIF, SOURCE, PAGE, WORK } = process.env;
-const kPatience = 120_000;  // milliseconds
-export const in_work = (name) => join(WORK, name);
+const PATIENCE = 120_000;  // milliseconds
+export const inWork = (name) => join(WORK, name);
 
 /** A running program; `address` once it is printed, `said` to the standard error, `ended` with its exit code. */
 function start(...words) {
@@ -25,14 +25,14 @@ function start(...words) {
 }
 
 /** Of bob's source and recipe; nothing may be complained of, and nothing asked of anybody but the program. */
-export async function with_view(act) {
-  copyFileSync(SOURCE, in_work('bob.glb'));
-  copyFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), in_work('bob.recipe.json'));
+export async function withView(act) {
+  copyFileSync(SOURCE, inWork('bob.glb'));
+  copyFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), inWork('bob.recipe.json'));
   const view = start('bob.glb');
   const browser = await launch();
   try {
     const page = await (await browser.newContext({ viewport: { width: 640, height: 420 } })).newPage();
-    page.setDefaultTimeout(kPatience);
+    page.setDefaultTimeout(PATIENCE);
     const complaints = [];
     page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
     page.on('pageerror', (error) => complaints.push(error.message));
@@ -55,14 +55,14 @@ export async function with_view(act) {
 export const revision = (page) => page.evaluate(() => window.view.live.revision);
 /** The page's policy forbids what playwright's own waiting does there. */
 export async function until(page, holds, value) {
-  for (const end = Date.now() + kPatience; Date.now() < end; await new Promise((done) => { setTimeout(done, 50); })) {
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await new Promise((done) => { setTimeout(done, 50); })) {
     if (await page.evaluate(holds, value)) return;
   }
   throw new Error(`never came: ${holds}, ${await page.textContent('#cooked')}`);
 }
 
 export const cooked = (page, number) => until(page, (wanted) => window.view.live.revision >= wanted && !window.view.live.state.cooking, number);
-export const set_up = (page, name, value) => page.$eval(`#control-${name}`, (input, wanted) => {
+export const setUp = (page, name, value) => page.$eval(`#control-${name}`, (input, wanted) => {
   input.closest('details').open = true;
   input.value = wanted;
   input.dispatchEvent(new Event('input', { bubbles: true }));
@@ -72,7 +72,7 @@ export const get = (page, name) => page.evaluate((of) => window.view.get(of), na
 
 /** A file that is written, with a time that differs. */
 export function write(name, text) {
-  writeFileSync(in_work(name), text);
+  writeFileSync(inWork(name), text);
   const later = new Date(Date.now() + 1000);
-  utimesSync(in_work(name), later, later);
+  utimesSync(inWork(name), later, later);
 }

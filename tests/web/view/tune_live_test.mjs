@@ -3,38 +3,38 @@
 import { strict as assert } from 'node:assert';
 import { mkdirSync, rmSync } from 'node:fs';
 import { take } from './browser.mjs';
-import { cooked, get, revision, set_up, with_view } from './live_view.mjs';
+import { cooked, get, revision, setUp, withView } from './live_view.mjs';
 import { psnr } from './png.mjs';
 
 const { WORK } = process.env;
-const kSize = { width: 320, height: 240 };
+const SIZE = { width: 320, height: 240 };
 
 const changes = (page) => page.evaluate(() => window.view.live.state.changes);
 /** Of the asset as it came, the bones' mean. */
-const own_ratio = (page) => page.evaluate(() => {
+const ownRatio = (page) => page.evaluate(() => {
   const { bones } = window.view.wasm.motion().damping_ratio;
   return bones.reduce((sum, [, value]) => sum + value, 0) / bones.length;
 });
 
 const cases = {
   async liveliness_and_tint_are_cooked() {
-    await with_view(async (page) => {
+    await withView(async (page) => {
       await page.evaluate(() => { for (const [name, value] of [['samples', 1], ['shadows', 'none']]) window.view.set(name, value); });
-      const before = await own_ratio(page), untinted = await take(page, kSize);
-      await set_up(page, 'liveliness', 0.25);
+      const before = await ownRatio(page), untinted = await take(page, SIZE);
+      await setUp(page, 'liveliness', 0.25);
       await cooked(page, 2);
       assert.deepEqual((await changes(page)).dynamics, { liveliness: 0.25 });
-      assert.ok(Math.abs(await own_ratio(page) - 0.75) < 0.01, `${await own_ratio(page)}, before ${before}`);
+      assert.ok(Math.abs(await ownRatio(page) - 0.75) < 0.01, `${await ownRatio(page)}, before ${before}`);
       assert.ok(Math.abs(await get(page, 'liveliness') - 0.25) < 1e-6);
 
       const last = await revision(page);
-      await set_up(page, 'base_color', '#8060ff');
-      const tinted = await take(page, kSize);
+      await setUp(page, 'base_color', '#8060ff');
+      const tinted = await take(page, SIZE);
       await cooked(page, last + 1);
       const { base_color: color } = (await changes(page)).material;
       assert.equal(color.length, 4);
       assert.ok(color[0] < 0.4 && color[2] === 1 && color[3] === 1, `${color}`);
-      const after = await take(page, kSize);
+      const after = await take(page, SIZE);
       console.log(`tinted: ${psnr(untinted, tinted).toFixed(1)} dB from before, cooked: ${psnr(tinted, after).toFixed(1)} dB from tinted`);
       assert.ok(psnr(untinted, tinted) < 35 && psnr(tinted, after) > 45, 'the tint counts twice, or not at all');
 
@@ -48,12 +48,12 @@ const cases = {
       await page.click('.row:has(#control-base_color) .reset');
       await cooked(page, again + 1);
       assert.equal((await changes(page)).material, undefined);
-      assert.ok(psnr(untinted, await take(page, kSize)) > 45, 'the tint stays');
+      assert.ok(psnr(untinted, await take(page, SIZE)) > 45, 'the tint stays');
     });
   },
 
   async curves_are_cooked_once() {
-    await with_view(async (page) => {
+    await withView(async (page) => {
       await page.focus('#curve-resistance .point');
       await page.keyboard.press('Shift+ArrowDown');
       const drawn = await page.evaluate(() => window.view.tuning.editors[0].points);
@@ -68,7 +68,7 @@ const cases = {
   },
 
   async every_other_key_can_be_found_and_set() {
-    await with_view(async (page) => {
+    await withView(async (page) => {
       await page.click('#recipe-keys > summary');
       const shown = () => page.$$eval('#recipe-keys .key:not([hidden]) label', (labels) => labels.map((label) => label.title));
       const all = await shown();

@@ -4,21 +4,21 @@ import { strict as assert } from 'node:assert';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, open_page, take } from './browser.mjs';
+import { launch, openPage, take } from './browser.mjs';
 import { psnr } from './png.mjs';
 
 const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
-const kSize = { width: 320, height: 240 };
-const kSteps = 40;
-const in_work = (name) => join(WORK, name);
+const SIZE = { width: 320, height: 240 };
+const STEPS = 40;
+const inWork = (name) => join(WORK, name);
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
 /** Of a page that shows `asset`; nothing may be complained of. */
-async function with_page(asset, act) {
+async function withPage(asset, act) {
   coif('view', asset, '-o', 'page.html', '--page', PAGE);
   const browser = await launch();
   try {
-    const { page, complaints } = await open_page(browser, in_work('page.html'), { width: 640, height: 900 });
+    const { page, complaints } = await openPage(browser, inWork('page.html'), { width: 640, height: 900 });
     await page.evaluate(async () => {
       window.view = await window.coif;
       window.view.wake = () => {};  // time goes on where a test says so
@@ -35,7 +35,7 @@ async function with_page(asset, act) {
 /** At rest in a wind, which soft hair yields to, and in the middle of a motion. */
 async function pictures(page) {
   await page.evaluate(() => { const { view } = window; view.set('motion', 'still'); view.set('plays', 0); view.set('wind', 5); view.restart(); });
-  const rest = await take(page, kSize);
+  const rest = await take(page, SIZE);
   await page.evaluate((steps) => {
     const { view } = window;
     view.set('wind', 0);
@@ -43,23 +43,23 @@ async function pictures(page) {
     view.set('plays', 1);
     view.restart();
     for (let i = 0; i < steps; ++i) view.draw(64, 48, 1 / 60);
-  }, kSteps);
-  const moved = await take(page, kSize);
+  }, STEPS);
+  const moved = await take(page, SIZE);
   await page.evaluate(() => { const { view } = window; view.set('plays', 0); view.set('motion', 'still'); view.restart(); });
   return { rest, moved };
 }
 
-const recipe_of = (page) => page.evaluate(() => window.view.recipe());
+const recipeOf = (page) => page.evaluate(() => window.view.recipe());
 
 /** Whether the hair that `page` shows moves as that which its recipe cooks to; `own`: the recipe that it is merged into. */
-async function compare_with_cook(page, own, untuned, wanted) {
+async function compareWithCook(page, own, untuned, wanted) {
   const seen = await pictures(page);
-  const recipe = await recipe_of(page);
+  const recipe = await recipeOf(page);
   const all = { ...own };
   for (const [section, keys] of Object.entries(recipe)) all[section] = { ...all[section], ...keys };
-  writeFileSync(in_work('tuned.recipe.json'), JSON.stringify(all));
+  writeFileSync(inWork('tuned.recipe.json'), JSON.stringify(all));
   coif('cook', SOURCE, '-o', 'tuned.coif', '--recipe', 'tuned.recipe.json', '--threads', '2');
-  await with_page('tuned.coif', async (other) => {
+  await withPage('tuned.coif', async (other) => {
     const cooked = await pictures(other);
     const db = Object.keys(seen).map((which) => [which, psnr(seen[which], cooked[which]), psnr(seen[which], untuned[which])]);
     console.log(`${JSON.stringify(recipe)}\n${db.map(([which, tuned, before]) => `${which}: ${tuned.toFixed(1)} dB from the cooked recipe, ${before.toFixed(1)} from untuned`).join('\n')}`);
@@ -69,8 +69,8 @@ async function compare_with_cook(page, own, untuned, wanted) {
   });
 }
 
-const bobs_recipe = () => JSON.parse(readFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), 'utf8').replace(/^\s*\/\/.*$/gm, ''));
-const points_of = (page, name) => page.evaluate((of) => window.view.tuning.editors.find((e) => e.about.name === of).points, name);
+const bobsRecipe = () => JSON.parse(readFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+const pointsOf = (page, name) => page.evaluate((of) => window.view.tuning.editors.find((e) => e.about.name === of).points, name);
 
 /** Drags a point by so many pixels. */
 async function drag(page, point, across, down) {
@@ -94,20 +94,20 @@ async function choose(page, name, value) {
 
 const cases = {
   async points_are_dragged_and_moved_by_keys() {
-    await with_page(ASSET, async (page) => {
+    await withPage(ASSET, async (page) => {
       const before = await pictures(page);
-      const own = await points_of(page, 'resistance');
+      const own = await pointsOf(page, 'resistance');
       assert.deepEqual(own, [[0, 0.35], [1, 0.06]], "the recipe's curve, found again in the bones");
-      assert.deepEqual(await recipe_of(page), {}, 'nobody changed anything');
+      assert.deepEqual(await recipeOf(page), {}, 'nobody changed anything');
 
       const handles = page.locator('#curve-resistance .point');
       await drag(page, handles.first(), 0, 60);
-      const dragged = await points_of(page, 'resistance');
+      const dragged = await pointsOf(page, 'resistance');
       assert.ok(dragged[0][1] < 0.2 && dragged[0][1] > 0.001, `${dragged}`);
       assert.deepEqual(dragged[1], own[1]);
       const after = await pictures(page);
       assert.ok(psnr(before.moved, after.moved) < 40, 'dragging changes no motion');
-      const { dynamics } = await recipe_of(page);
+      const { dynamics } = await recipeOf(page);
       assert.deepEqual(dynamics.resistance, dragged);
 
       await handles.first().focus();
@@ -115,7 +115,7 @@ const cases = {
       await page.keyboard.press('Enter');  // a second one, which has the focus
       await page.keyboard.press('Shift+ArrowDown');
       await page.keyboard.press('ArrowRight');
-      const moved = await points_of(page, 'resistance');
+      const moved = await pointsOf(page, 'resistance');
       assert.equal(moved.length, 3);
       assert.ok(moved[0][1] > dragged[0][1] && Math.abs(moved[1][0] - 0.51) < 1e-6, `${moved}`);
       const [role, label, text, top] = await page.evaluate(() => ['role', 'aria-label', 'aria-valuetext', 'aria-valuemax'].map((name) => document.activeElement.getAttribute(name)));
@@ -125,62 +125,62 @@ const cases = {
       assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Stiffness, point 3 of 3');
       await page.keyboard.press('Shift+Tab');
       await page.keyboard.press('Delete');
-      assert.equal((await points_of(page, 'resistance')).length, 2);
+      assert.equal((await pointsOf(page, 'resistance')).length, 2);
 
       const box = await page.locator('#curve-resistance svg').boundingBox();
       await page.mouse.dblclick(box.x + box.width / 2, box.y + 20);
-      assert.equal((await points_of(page, 'resistance')).length, 3);
+      assert.equal((await pointsOf(page, 'resistance')).length, 3);
       await handles.nth(1).dblclick();
-      assert.equal((await points_of(page, 'resistance')).length, 2);
+      assert.equal((await pointsOf(page, 'resistance')).length, 2);
 
       await page.click('#curve-resistance .reset');
-      assert.deepEqual(await recipe_of(page), {});
+      assert.deepEqual(await recipeOf(page), {});
       assert.deepEqual(await pictures(page), before, "the asset's own bones are back to the bit");
     });
   },
 
   async tuned_curves_are_what_their_recipe_cooks() {
-    await with_page(ASSET, async (page) => {
+    await withPage(ASSET, async (page) => {
       const untuned = await pictures(page);
       await drag(page, page.locator('#curve-resistance .point').first(), 0, 25);
       await drag(page, page.locator('#curve-damping_ratio .point').last(), 0, -20);
-      assert.notDeepEqual(await points_of(page, 'resistance'), [[0, 0.35], [1, 0.06]]);
+      assert.notDeepEqual(await pointsOf(page, 'resistance'), [[0, 0.35], [1, 0.06]]);
       await choose(page, 'gravity_scale', 0.7);
-      await compare_with_cook(page, bobs_recipe(), untuned, { rest: 40, moved: 34 });
+      await compareWithCook(page, bobsRecipe(), untuned, { rest: 40, moved: 34 });
       await page.click('#copy-recipe');
       const copied = JSON.parse(await page.inputValue('#recipe-text'));
-      assert.deepEqual(copied, await recipe_of(page));
+      assert.deepEqual(copied, await recipeOf(page));
       assert.match(await page.textContent('#recipe-note'), /formulas that the cook uses/);
     });
   },
 
   async liveliness_is_what_its_recipe_cooks() {
-    await with_page(ASSET, async (page) => {
+    await withPage(ASSET, async (page) => {
       const untuned = await pictures(page);
       await choose(page, 'liveliness', 0.2);
-      assert.deepEqual(await recipe_of(page), { dynamics: { liveliness: 0.2 } });
-      await compare_with_cook(page, bobs_recipe(), untuned, { rest: 40, moved: 34 });
+      assert.deepEqual(await recipeOf(page), { dynamics: { liveliness: 0.2 } });
+      await compareWithCook(page, bobsRecipe(), untuned, { rest: 40, moved: 34 });
       await drag(page, page.locator('#curve-damping_ratio .point').first(), 0, -20);
-      const { dynamics } = await recipe_of(page);
+      const { dynamics } = await recipeOf(page);
       assert.deepEqual(Object.keys(dynamics), ['damping_ratio'], 'a curve takes the place of the slider');
       await choose(page, 'liveliness', 0.3);
-      assert.deepEqual(await recipe_of(page), { dynamics: { liveliness: 0.3 } });
+      assert.deepEqual(await recipeOf(page), { dynamics: { liveliness: 0.3 } });
     });
   },
 
   async presets_are_found_in_the_asset_and_changed() {
-    const own = bobs_recipe();
+    const own = bobsRecipe();
     own.dynamics = { preset: 'natural' };
-    writeFileSync(in_work('natural.recipe.json'), JSON.stringify(own));
+    writeFileSync(inWork('natural.recipe.json'), JSON.stringify(own));
     coif('cook', SOURCE, '-o', 'natural.coif', '--recipe', 'natural.recipe.json', '--threads', '2');
-    await with_page('natural.coif', async (page) => {
+    await withPage('natural.coif', async (page) => {
       const untuned = await pictures(page);
       assert.equal(await page.evaluate(() => window.view.word('preset')), 'natural');
       await choose(page, 'preset', 2);
-      assert.deepEqual(await recipe_of(page), { dynamics: { preset: 'stiff' } });
-      await compare_with_cook(page, own, untuned, { rest: 40, moved: 34 });
+      assert.deepEqual(await recipeOf(page), { dynamics: { preset: 'stiff' } });
+      await compareWithCook(page, own, untuned, { rest: 40, moved: 34 });
     });
-    await with_page(ASSET, async (page) => {
+    await withPage(ASSET, async (page) => {
       assert.ok(await page.isDisabled('#control-preset'), 'numbers of its own are left out by a cook alone');
     });
   },

@@ -1,9 +1,9 @@
 // A curve from root to tip, whose points are dragged, or moved by keys. Heights are drawn by a power of the value, so that small ones can be told apart.
 
-const kPlot = { width: 276, height: 132, left: 34, right: 10, top: 12, bottom: 20 };
-const kLeastGap = 0.01;  // between places
-const kKeyStep = 0.02, kPlaceStep = 0.01, kFarther = 5;  // of the height, of the chain; times, with Shift or by pages
-const kPiecesOfLine = 12;  // between two points: straight in values is not straight here
+const PLOT = { width: 276, height: 132, left: 34, right: 10, top: 12, bottom: 20 };
+const LEAST_GAP = 0.01;  // between places
+const KEY_STEP = 0.02, PLACE_STEP = 0.01, FARTHER = 5;  // of the height, of the chain; times, with Shift or by pages
+const PIECES_OF_LINE = 12;  // between two points: straight in values is not straight here
 
 const within = (value, low, high) => Math.min(Math.max(value, low), high);
 const digits = (value, count = 3) => Number(value.toPrecision(count));
@@ -36,7 +36,7 @@ export class CurveEditor {
     this.node = document.createElement('div');
     this.node.className = 'curve';
     this.node.id = `curve-${about.name}`;
-    this.svg = drawn('svg', { viewBox: `0 0 ${kPlot.width} ${kPlot.height}`, role: 'group', 'aria-label': `${about.label}, a curve from root to tip. ${about.hint}` });
+    this.svg = drawn('svg', { viewBox: `0 0 ${PLOT.width} ${PLOT.height}`, role: 'group', 'aria-label': `${about.label}, a curve from root to tip. ${about.hint}` });
     this.node.append(this.svg);
     this.grid = drawn('g', { class: 'grid', 'aria-hidden': 'true' });
     this.faint = drawn('g', { class: 'dots', 'aria-hidden': 'true' });
@@ -59,35 +59,35 @@ export class CurveEditor {
     this.drawCurve();
   }
 
-  x(place) { return kPlot.left + place * (kPlot.width - kPlot.left - kPlot.right); }
+  x(place) { return PLOT.left + place * (PLOT.width - PLOT.left - PLOT.right); }
   height(value) { return (value / this.top) ** this.about.power; }
-  y(value) { return kPlot.height - kPlot.bottom - this.height(value) * (kPlot.height - kPlot.top - kPlot.bottom); }
+  y(value) { return PLOT.height - PLOT.bottom - this.height(value) * (PLOT.height - PLOT.top - PLOT.bottom); }
   valueOf(height) { return this.top * within(height, 0, 1) ** (1 / this.about.power); }
 
   /** Place and height of a mouse or a finger, 0..1 in the plot. */
   under(event) {
     const box = this.svg.getBoundingClientRect();
-    const scale = kPlot.width / box.width;
+    const scale = PLOT.width / box.width;
     const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
-    return [within((x - kPlot.left) / (kPlot.width - kPlot.left - kPlot.right), 0, 1),
-            within((kPlot.height - kPlot.bottom - y) / (kPlot.height - kPlot.top - kPlot.bottom), 0, 1)];
+    return [within((x - PLOT.left) / (PLOT.width - PLOT.left - PLOT.right), 0, 1),
+            within((PLOT.height - PLOT.bottom - y) / (PLOT.height - PLOT.top - PLOT.bottom), 0, 1)];
   }
 
   drawGrid() {
     const lines = this.about.marks.filter((value) => value <= this.top).flatMap((value) => [
-      drawn('line', { x1: kPlot.left, x2: kPlot.width - kPlot.right, y1: this.y(value), y2: this.y(value) }),
-      drawn('text', { x: kPlot.left - 5, y: this.y(value) + 3, class: 'value' }, String(value)),
+      drawn('line', { x1: PLOT.left, x2: PLOT.width - PLOT.right, y1: this.y(value), y2: this.y(value) }),
+      drawn('text', { x: PLOT.left - 5, y: this.y(value) + 3, class: 'value' }, String(value)),
     ]);
-    const base = kPlot.height - 6;
-    this.grid.replaceChildren(...lines, drawn('text', { x: kPlot.left, y: base }, 'root'),
-                              drawn('text', { x: kPlot.width - kPlot.right, y: base, class: 'end' }, 'tip'));
+    const base = PLOT.height - 6;
+    this.grid.replaceChildren(...lines, drawn('text', { x: PLOT.left, y: base }, 'root'),
+                              drawn('text', { x: PLOT.width - PLOT.right, y: base, class: 'end' }, 'tip'));
   }
 
   drawCurve() {
     const places = [0];
     const ends = [[0, 0], ...this.points, [1, 0]].map((p) => p[0]);
     for (let i = 1; i < ends.length; ++i) {
-      for (let k = 1; k <= kPiecesOfLine; ++k) places.push(ends[i - 1] + k / kPiecesOfLine * (ends[i] - ends[i - 1]));
+      for (let k = 1; k <= PIECES_OF_LINE; ++k) places.push(ends[i - 1] + k / PIECES_OF_LINE * (ends[i] - ends[i - 1]));
     }
     const path = places.map((place, i) => `${i ? 'L' : 'M'}${this.x(place).toFixed(1)} ${this.y(curveAt(this.points, place)).toFixed(1)}`).join('');
     this.line.setAttribute('d', path);
@@ -135,8 +135,8 @@ export class CurveEditor {
 
   /** A point where it may go: between its neighbours, in the value's range. */
   move(i, place, value) {
-    const low = i > 0 ? this.points[i - 1][0] + kLeastGap : 0;
-    const high = i + 1 < this.points.length ? this.points[i + 1][0] - kLeastGap : 1;
+    const low = i > 0 ? this.points[i - 1][0] + LEAST_GAP : 0;
+    const high = i + 1 < this.points.length ? this.points[i + 1][0] - LEAST_GAP : 1;
     this.points[i] = [digits(within(place, low, high), 4), digits(within(value, 0, this.about.most), 4)];
     this.drawCurve();
     this.changed(this.points);
@@ -176,7 +176,7 @@ export class CurveEditor {
   }
 
   add(place, value) {
-    if (this.points.some((point) => Math.abs(point[0] - place) < kLeastGap)) return;
+    if (this.points.some((point) => Math.abs(point[0] - place) < LEAST_GAP)) return;
     const after = this.points.findIndex((point) => point[0] > place);
     const i = after < 0 ? this.points.length : after;
     this.points.splice(i, 0, [digits(place, 4), digits(value, 4)]);
@@ -204,13 +204,13 @@ export class CurveEditor {
 
   key(event, i) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const far = event.shiftKey ? kFarther : 1;
+    const far = event.shiftKey ? FARTHER : 1;
     const [place, value] = this.points[i];
-    const up = (steps) => this.move(i, place, this.valueOf(this.height(value) + steps * kKeyStep));
-    const along = (steps) => this.move(i, place + steps * kPlaceStep, value);
+    const up = (steps) => this.move(i, place, this.valueOf(this.height(value) + steps * KEY_STEP));
+    const along = (steps) => this.move(i, place + steps * PLACE_STEP, value);
     const keys = {
       ArrowUp: () => up(far), ArrowDown: () => up(-far), ArrowLeft: () => along(-far), ArrowRight: () => along(far),
-      PageUp: () => up(kFarther), PageDown: () => up(-kFarther), Home: () => up(-1 / kKeyStep), End: () => up(1 / kKeyStep),
+      PageUp: () => up(FARTHER), PageDown: () => up(-FARTHER), Home: () => up(-1 / KEY_STEP), End: () => up(1 / KEY_STEP),
       Enter: () => this.addBeside(i), Delete: () => this.remove(i), Backspace: () => this.remove(i),
     };
     if (!keys[event.key]) return;

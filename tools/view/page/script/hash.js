@@ -1,11 +1,11 @@
 // Settings in the page's address, behind '#': names and numbers or words of the controls, "motion=turn&rate=30&beside=thesis". Whoever
 // wrote the address may be anybody; nothing of it but a number within a control's range goes any further.
 
-const kMostNamed = 4;
-const kLongestName = 40;
+const MOST_NAMED = 4;
+const LONGEST_NAME = 40;
 
 /** The control's numbers, or null for what is none of them. */
-function numbers_of(control, text) {
+function numbersOf(control, text) {
   if (control.kind === 'choice') {
     const number = control.words.split('|').indexOf(text);
     return number >= 0 ? [number] : null;
@@ -16,28 +16,28 @@ function numbers_of(control, text) {
 }
 
 /** { settings: {name: numbers}, ignored: what is unknown or out of range, as text that is fit to be shown }. */
-function settings_of_hash(hash, table) {
+function settingsOfHash(hash, table) {
   const settings = {};
   const ignored = [];
   for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
     const control = table.find((row) => row.name === name);
-    const numbers = control ? numbers_of(control, text) : null;
+    const numbers = control ? numbersOf(control, text) : null;
     if (numbers) settings[control.name] = numbers;
-    else ignored.push(`${name}=${text}`.slice(0, kLongestName));
+    else ignored.push(`${name}=${text}`.slice(0, LONGEST_NAME));
   }
   return { settings, ignored };
 }
 
 /** '' where nothing was ignored. */
-function note_of_hash(ignored) {
+function noteOfHash(ignored) {
   if (ignored.length === 0) return '';
-  const more = ignored.length > kMostNamed ? ` and ${ignored.length - kMostNamed} more` : '';
-  return `Left out of this page's address, which it does not know or which is out of range: ${ignored.slice(0, kMostNamed).join(', ')}${more}.`;
+  const more = ignored.length > MOST_NAMED ? ` and ${ignored.length - MOST_NAMED} more` : '';
+  return `Left out of this page's address, which it does not know or which is out of range: ${ignored.slice(0, MOST_NAMED).join(', ')}${more}.`;
 }
 
-function take_address(page) {
-  const { settings, ignored } = settings_of_hash(location.hash, page.table);
-  document.getElementById('address-note').textContent = note_of_hash(ignored);
+function takeAddress(page) {
+  const { settings, ignored } = settingsOfHash(location.hash, page.table);
+  document.getElementById('address-note').textContent = noteOfHash(ignored);
   for (const [name, numbers] of Object.entries(settings)) page.set(name, numbers);
   if (settings.motion && !settings.plays) page.set('plays', 1);
   page.controls.show();
@@ -45,7 +45,7 @@ function take_address(page) {
 }
 
 /** Sets what the address of a page that shows an asset asks for, whenever that changes. */
-export function follow_address(page) {
-  take_address(page);
-  addEventListener('hashchange', () => take_address(page));
+export function followAddress(page) {
+  takeAddress(page);
+  addEventListener('hashchange', () => takeAddress(page));
 }

@@ -1,11 +1,11 @@
 // What the colours of a view mean, as text beside each.
 
-let legend_shown = '';
+let legendShown = '';
 
 /** `text`: {"title", "colors": [{"color", "text"}]} as JSON; an empty title hides `box`. */
-export function show_legend(box, text) {
-  if (text === legend_shown) return;
-  legend_shown = text;
+export function showLegend(box, text) {
+  if (text === legendShown) return;
+  legendShown = text;
   const { title, colors } = JSON.parse(text);
   const heading = document.createElement('b');
   heading.textContent = title;

@@ -2,34 +2,34 @@
 
 import { RecipeKeys } from './recipe_keys.js';
 
-const kPause = 120;  // milliseconds without a change, after which a slider counts as set
-const is_object = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
+const PAUSE = 120;  // milliseconds without a change, after which a slider counts as set
+const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
 /** `changes` laid over `recipe`, section by section. */
 export function merged(recipe, changes) {
   const all = { ...recipe };
-  for (const [key, value] of Object.entries(changes)) all[key] = is_object(value) && is_object(all[key]) ? merged(all[key], value) : value;
+  for (const [key, value] of Object.entries(changes)) all[key] = isObject(value) && isObject(all[key]) ? merged(all[key], value) : value;
   return all;
 }
 
 /** The colour of a recipe's file. */
-const own_color = (recipe_file) => (Array.isArray(recipe_file.material?.base_color) ? recipe_file.material.base_color : [1, 1, 1, 1]);
+const ownColor = (recipeFile) => (Array.isArray(recipeFile.material?.base_color) ? recipeFile.material.base_color : [1, 1, 1, 1]);
 
 /** What the page says, for a server: its tint is a factor of the file's colour. */
-export function for_file(tuned, recipe_file) {
+export function forFile(tuned, recipeFile) {
   const factor = tuned.material?.base_color;
   if (!factor) return tuned;
-  const color = factor.map((v, i) => Number((v * own_color(recipe_file)[i]).toPrecision(6)));
+  const color = factor.map((v, i) => Number((v * ownColor(recipeFile)[i]).toPrecision(6)));
   return { ...tuned, material: { ...tuned.material, base_color: color } };
 }
 
 /** The whole recipe of what is seen: the file's, with what sliders say. */
-export const whole_recipe = (recipe_file, tuned) => without_nulls(merged(recipe_file, for_file(tuned, recipe_file)));
+export const wholeRecipe = (recipeFile, tuned) => withoutNulls(merged(recipeFile, forFile(tuned, recipeFile)));
 
 /** A null takes a key out, as the server reads it. */
-function without_nulls(recipe) {
+function withoutNulls(recipe) {
   const kept = Object.entries(recipe).filter(([, value]) => value !== null);
-  return Object.fromEntries(kept.map(([key, value]) => [key, is_object(value) ? without_nulls(value) : value]));
+  return Object.fromEntries(kept.map(([key, value]) => [key, isObject(value) ? withoutNulls(value) : value]));
 }
 
 export class Live {
@@ -45,7 +45,7 @@ export class Live {
     this.news = Promise.resolve();
     this.revision = 0;
     this.sent = '{}';
-    this.recipe_file = {};
+    this.recipeFile = {};
     this.timer = 0;
   }
 
@@ -64,9 +64,9 @@ export class Live {
     });
   }
 
-  tell(text, is_problem = false) {
+  tell(text, isProblem = false) {
     this.line.textContent = text;
-    this.line.classList.toggle('problem', is_problem);
+    this.line.classList.toggle('problem', isProblem);
   }
 
   /** A state of the server. True where nothing is being cooked for the first time. */
@@ -94,12 +94,12 @@ export class Live {
     if (!response.ok || revision !== state.revision) return;  // a newer one, of which the server is about to tell
     const bytes = new Uint8Array(await response.arrayBuffer());
     this.revision = revision;
-    this.recipe_file = state.recipe_file;
+    this.recipeFile = state.recipe_file;
     const keys = new Set(Object.entries(state.changes).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
     if (state.name === this.page.name) this.page.replace(bytes, state.name, keys);
     else this.page.open(bytes, state.name);
     this.keys.takeFile(state.recipe_file);
-    const cooked = state.changes.material?.base_color, own = own_color(state.recipe_file);
+    const cooked = state.changes.material?.base_color, own = ownColor(state.recipe_file);
     this.page.set('cooked_color', [0, 1, 2].map((i) => (cooked && own[i] > 0 && state.name === this.shown ? cooked[i] / own[i] : 1)));
     this.shown = state.name;
   }
@@ -107,11 +107,11 @@ export class Live {
   /** A slider was moved. */
   changed() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.send(), kPause);
+    this.timer = setTimeout(() => this.send(), PAUSE);
   }
 
   async send() {
-    const text = JSON.stringify(for_file(this.page.recipe(), this.recipe_file));
+    const text = JSON.stringify(forFile(this.page.recipe(), this.recipeFile));
     if (text === this.sent) return;
     this.sent = text;
     await this.post('recipe', text);

@@ -1,7 +1,7 @@
 // How the head moves when the page opens: what `coif view --motion` put into it.
 
 /** What `text` says, {"motion": name, "keys": base64 of a clip}; '' where nobody has filled it in. Gives the clip to `wasm`. */
-export function take_motion(wasm, text) {
+export function takeMotion(wasm, text) {
   if (!text.startsWith('{')) return '';
   const { motion, keys } = JSON.parse(text);
   if (!keys) return motion;
@@ -11,7 +11,7 @@ export function take_motion(wasm, text) {
 }
 
 /** Of an asset that was opened just now. */
-export function begin_motion(page) {
+export function beginMotion(page) {
   if (!page.motion) return;
   page.set('motion', page.motion);
   page.set('plays', 1);

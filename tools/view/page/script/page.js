@@ -2,19 +2,19 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
-import { follow_address } from './hash.js';
-import { show_legend } from './legend.js';
+import { followAddress } from './hash.js';
+import { showLegend } from './legend.js';
 import { Live, merged } from './live.js';
-import { begin_motion, take_motion } from './motion.js';
-import { show_numbers } from './numbers.js';
-import { recipe_of } from './recipe.js';
-import { offer_recipe } from './recipe_dialog.js';
-import { Sheet, sheet_plan } from './sheet.js';
-import { kMotionKeys, Tuning } from './tuning.js';
+import { beginMotion, takeMotion } from './motion.js';
+import { showNumbers } from './numbers.js';
+import { recipeOf } from './recipe.js';
+import { offerRecipe } from './recipe_dialog.js';
+import { Sheet, sheetPlan } from './sheet.js';
+import { MOTION_KEYS, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
-const kMostPixels = 2;  // of the canvas for one of the page, each way
+const MOST_PIXELS = 2;  // of the canvas for one of the page, each way
 
 class Page {
   constructor(wasm) {
@@ -23,7 +23,7 @@ class Page {
     this.last = 0;
     this.waiting = 0;
     this.rate = 0;
-    this.is_lost = false;
+    this.isLost = false;
   }
 
   /** An asset's bytes, and what the file is called. */
@@ -35,7 +35,7 @@ class Page {
     this.original = this.wasm.settings().slice();
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
-    begin_motion(this);
+    beginMotion(this);
     this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
     this.tuning = new Tuning(this);
     this.tuning.enter(this.controls);
@@ -53,16 +53,16 @@ class Page {
     const table = this.wasm.controls();
     if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
     const settings = this.wasm.settings();
-    const says_motion = kMotionKeys.some((key) => cooked.has(key));
-    if (says_motion) kMotionKeys.forEach((key) => cooked.add(key));  // they are told together
+    const saysMotion = MOTION_KEYS.some((key) => cooked.has(key));
+    if (saysMotion) MOTION_KEYS.forEach((key) => cooked.add(key));  // they are told together
     for (const { at: place, count, recipe } of table) {
       for (let i = place; i < place + count; ++i) {
-        const is_tuned = before[i] !== this.original[i];
+        const isTuned = before[i] !== this.original[i];
         if (recipe && !cooked.has(recipe)) this.controls.original[i] = this.original[i] = settings[i];
-        settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
+        settings[i] = recipe && !isTuned ? this.original[i] : before[i];
       }
     }
-    this.wasm.accept(says_motion);
+    this.wasm.accept(saysMotion);
     this.tuning.takeOwn();
     this.controls.show();
     this.wake();
@@ -111,7 +111,7 @@ class Page {
 
   /** {section: {key: value}} of what was changed. */
   recipe() {
-    const recipe = recipe_of(this.table.filter((c) => !kMotionKeys.includes(c.recipe)), this.wasm.settings(), this.original);
+    const recipe = recipeOf(this.table.filter((c) => !MOTION_KEYS.includes(c.recipe)), this.wasm.settings(), this.original);
     const dynamics = { ...this.wasm.dynamics(), ...recipe.dynamics };
     if (Object.keys(dynamics).length > 0) recipe.dynamics = dynamics;
     return this.live ? merged(recipe, this.live.keys.recipe()) : recipe;
@@ -125,17 +125,17 @@ class Page {
   }
 
   wake() {
-    if (this.sheet?.is_shown) return this.sheet.wake();
-    if (this.waiting || this.is_lost || !this.table) return;
+    if (this.sheet?.isShown) return this.sheet.wake();
+    if (this.waiting || this.isLost || !this.table) return;
     this.waiting = requestAnimationFrame((now) => this.tick(now));
   }
 
   tick(now) {
     this.waiting = 0;
-    if (this.sheet?.is_shown) return;
+    if (this.sheet?.isShown) return;
     const seconds = this.last ? (now - this.last) / 1000 : 0;
     this.last = now;
-    const scale = Math.min(devicePixelRatio, kMostPixels);
+    const scale = Math.min(devicePixelRatio, MOST_PIXELS);
     const box = this.canvas.parentElement.getBoundingClientRect();
     if (this.draw(Math.round(box.width * scale), Math.round(box.height * scale), seconds)) {
       if (seconds > 0) this.rate += 0.1 * (1 / seconds - this.rate);
@@ -143,7 +143,7 @@ class Page {
     } else {
       this.last = 0;
     }
-    this.show_numbers();
+    this.showNumbers();
   }
 
   /** True where something new was drawn. */
@@ -158,41 +158,41 @@ class Page {
     }
   }
 
-  show_numbers() {
-    show_numbers(at('numbers'), this.wasm.numbers(), this.rate);
-    show_legend(at('legend'), this.wasm.legend());
+  showNumbers() {
+    showNumbers(at('numbers'), this.wasm.numbers(), this.rate);
+    showLegend(at('legend'), this.wasm.legend());
   }
 
   /** Pixels of a picture of this size, RGBA, rows top to bottom; time stands still. */
   take(width, height) {
     if (!this.draw(width, height, 0)) this.draw(width, height, 0);
     const gl = this.canvas.getContext('webgl2');
-    const upside_down = new Uint8Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upside_down);
-    const pixels = new Uint8Array(upside_down.length);
+    const upsideDown = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upsideDown);
+    const pixels = new Uint8Array(upsideDown.length);
     const row = 4 * width;
-    for (let y = 0; y < height; ++y) pixels.set(upside_down.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
+    for (let y = 0; y < height; ++y) pixels.set(upsideDown.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
     this.wake();
     return pixels;
   }
 
   /** The browser may take the graphics card away, and gives it back. */
-  watch_context() {
+  watchContext() {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      this.is_lost = true;
+      this.isLost = true;
       this.wasm.lose();
       this.say('The graphics card is gone for a moment.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
       const gl = this.canvas.getContext('webgl2');
       for (const name of gl.getSupportedExtensions()) gl.getExtension(name);
-      this.is_lost = false;
-      this.try_to(() => { this.wasm.restore(); this.say(''); this.wake(); });
+      this.isLost = false;
+      this.tryTo(() => { this.wasm.restore(); this.say(''); this.wake(); });
     });
   }
 
-  try_to(act) {
+  tryTo(act) {
     try {
       act();
     } catch (error) {
@@ -200,7 +200,7 @@ class Page {
     }
   }
 
-  async open_file(file) {
+  async openFile(file) {
     if (this.live?.takes(file)) return this.live.drop(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
@@ -212,27 +212,27 @@ class Page {
   }
 }
 
-function accept_files(page) {
+function acceptFiles(page) {
   const whole = document.body;
   whole.addEventListener('dragover', (event) => { event.preventDefault(); whole.classList.add('dropping'); });
   whole.addEventListener('dragleave', () => whole.classList.remove('dropping'));
   whole.addEventListener('drop', (event) => {
     event.preventDefault();
     whole.classList.remove('dropping');
-    if (event.dataTransfer.files.length > 0) page.open_file(event.dataTransfer.files[0]);
+    if (event.dataTransfer.files.length > 0) page.openFile(event.dataTransfer.files[0]);
   });
   at('file').addEventListener('change', (event) => {
-    if (event.target.files.length > 0) page.open_file(event.target.files[0]);
+    if (event.target.files.length > 0) page.openFile(event.target.files[0]);
     event.target.value = '';
   });
 }
 
 function wire(page) {
   new Hands(page.canvas, page);
-  accept_files(page);
-  offer_recipe(page);
-  page.watch_context();
-  at('restart').addEventListener('click', () => page.try_to(() => page.restart()));
+  acceptFiles(page);
+  offerRecipe(page);
+  page.watchContext();
+  at('restart').addEventListener('click', () => page.tryTo(() => page.restart()));
   at('save').addEventListener('click', () => page.table && page.canvas.toBlob((blob) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
@@ -251,7 +251,7 @@ function wire(page) {
   new ResizeObserver(() => page.wake()).observe(page.canvas.parentElement);
 }
 
-function embedded_asset() {
+function embeddedAsset() {
   const holder = at('asset');
   const text = atob(holder.textContent.trim());
   const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
@@ -264,7 +264,7 @@ async function begin() {
   const page = new Page(wasm);
   wasm.start();
   wire(page);
-  page.motion = take_motion(wasm, at('motion').textContent);
+  page.motion = takeMotion(wasm, at('motion').textContent);
   if ('live' in document.documentElement.dataset) {
     page.live = new Live(page, at('title'));
     await page.live.begin();
@@ -275,10 +275,10 @@ async function begin() {
     page.say('Drop a .coif file here.');
     return page;
   }
-  page.open(embedded_asset(), name);
-  const plan = sheet_plan();
+  page.open(embeddedAsset(), name);
+  const plan = sheetPlan();
   if (plan) page.sheet = new Sheet(page, plan);
-  else follow_address(page);
+  else followAddress(page);
   return page;
 }
 

@@ -1,16 +1,16 @@
 // The recipe of what was changed, to copy.
 
-import { whole_recipe } from './live.js';
-import { recipe_text } from './recipe.js';
+import { wholeRecipe } from './live.js';
+import { recipeText } from './recipe.js';
 
 const part = (id) => document.getElementById(id);
 
 /** Wires the dialog that shows a recipe of what was changed, and copies it. */
-export function offer_recipe(page) {
+export function offerRecipe(page) {
   const dialog = part('recipe');
   part('copy-recipe').addEventListener('click', () => {
     if (!page.table) return;
-    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
+    const text = recipeText(page.live ? wholeRecipe(page.live.recipeFile, page.recipe()) : page.recipe());
     part('recipe-text').value = text;
     const notes = [page.tuning.note()];
     if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');

@@ -2,8 +2,8 @@
 
 import { element } from './controls.js';
 
-const kKinds = ['number', 'whole', 'choice', 'switch'];
-const kCrowded = 0.1;  // of the range; a default below has a slider with more room for small numbers
+const KINDS = ['number', 'whole', 'choice', 'switch'];
+const CROWDED = 0.1;  // of the range; a default below has a slider with more room for small numbers
 
 const rangeOf = (key) => (key.low < key.high ? `${key.low} to ${key.high}${key.unit ? ` ${key.unit}` : ''}` : '');
 
@@ -57,7 +57,7 @@ export class RecipeKeys {
     const draft = element('p', { class: 'help' }, 'This is a draft: one level of detail, small textures, no occlusion, drawn by distance. What else is set of those shows with --quality full.');
     const body = element('div', { class: 'keys' }, search, ...(this.isDraft ? [draft] : []), none);
     const sections = new Map();
-    for (const key of this.table.filter((k) => kKinds.includes(k.kind) && !taken.has(k.path))) {
+    for (const key of this.table.filter((k) => KINDS.includes(k.kind) && !taken.has(k.path))) {
       if (!sections.has(key.section)) {
         const rows = element('div', { class: 'rows' });
         sections.set(key.section, element('details', {}, element('summary', {}, key.section), rows));
@@ -116,7 +116,7 @@ export class RecipeKeys {
     box.addEventListener('change', () => take(box.value));
     if (key.default === null) return { nodes: [box], show: (value) => { box.value = value ?? ''; } };  // no place on a slider
     const span = key.high - key.low;
-    const power = (key.default - key.low) / span < kCrowded ? 3 : 1;
+    const power = (key.default - key.low) / span < CROWDED ? 3 : 1;
     const slider = element('input', { type: 'range', min: '0', max: '1', step: '0.001', 'aria-label': key.path });
     slider.addEventListener('input', () => take(String(Math.min(Number((key.low + span * slider.value ** power).toPrecision(3)), key.high))));
     const show = (value) => {

@@ -1,8 +1,8 @@
 // One tile of a sheet: a view of its own of the page's asset, which is drawn on the page's canvas and copied from there.
 
-const kDegreesOfTile = 220;  // of a drag from one side to the other
-const kHeldSeconds = 1;  // from a motion's last moment until it begins again
-const kMostTilePixels = 2;  // of the canvas for one of the page, each way
+const DEGREES_OF_TILE = 220;  // of a drag from one side to the other
+const HELD_SECONDS = 1;  // from a motion's last moment until it begins again
+const MOST_TILE_PIXELS = 2;  // of the canvas for one of the page, each way
 
 export class Tile {
   /** `plan`: as sheet_json.cpp writes it; `figure`: the element, as the template has it. */
@@ -13,8 +13,8 @@ export class Tile {
     this.canvas = figure.querySelector('canvas');
     this.picture = this.canvas.getContext('2d');
     this.view = 0;  // none yet
-    this.is_seen = false;
-    this.is_stale = true;
+    this.isSeen = false;
+    this.isStale = true;
     this.plays = false;
     this.time = 0;  // seconds into the motion
     this.wanted = undefined;  // the same, before it is drawn
@@ -22,7 +22,7 @@ export class Tile {
     this.turned = [0, 0];  // degrees around and above what the plan says
     this.drawn = 0;
     const last = plan.moments.at(-1);
-    this.length = last ? last.seconds + kHeldSeconds : 0;
+    this.length = last ? last.seconds + HELD_SECONDS : 0;
     this.label();
     this.listen();
   }
@@ -47,7 +47,7 @@ export class Tile {
       list.append(button);
       return { button, seconds };
     });
-    this.show_state();
+    this.showState();
   }
 
   listen() {
@@ -59,7 +59,7 @@ export class Tile {
     this.canvas.addEventListener('pointermove', (event) => {
       if (!this.canvas.hasPointerCapture(event.pointerId)) return;
       const { width, height } = this.canvas.getBoundingClientRect();
-      this.sheet.turn(this, -kDegreesOfTile * event.movementX / width, kDegreesOfTile * event.movementY / height);
+      this.sheet.turn(this, -DEGREES_OF_TILE * event.movementX / width, DEGREES_OF_TILE * event.movementY / height);
     });
   }
 
@@ -81,7 +81,7 @@ export class Tile {
     this.plays = on;
     this.held = undefined;
     if (on) this.wanted = this.sheet.clock % this.length;
-    this.show_state();
+    this.showState();
     this.change();
   }
 
@@ -89,11 +89,11 @@ export class Tile {
   hold(seconds) {
     this.plays = false;
     this.wanted = this.held = seconds;
-    this.show_state();
+    this.showState();
     this.change();
   }
 
-  show_state() {
+  showState() {
     this.player.textContent = this.plays ? '❚❚' : '▶';
     this.player.setAttribute('aria-label', `${this.plays ? 'Pause' : 'Play'}: ${this.plan.caption}`);
     for (const { button, seconds } of this.moments) button.setAttribute('aria-pressed', String(seconds === this.held));
@@ -110,26 +110,26 @@ export class Tile {
   }
 
   change() {
-    this.is_stale = true;
+    this.isStale = true;
     this.sheet.wake();
   }
 
-  see(is_seen) {
-    this.is_seen = is_seen;
-    if (is_seen && this.plays) this.wanted = this.sheet.clock % this.length;
-    if (is_seen) this.sheet.wake();
+  see(isSeen) {
+    this.isSeen = isSeen;
+    if (isSeen && this.plays) this.wanted = this.sheet.clock % this.length;
+    if (isSeen) this.sheet.wake();
   }
 
-  wants_drawing() { return this.is_seen && (this.is_stale || this.plays); }
+  wantsDrawing() { return this.isSeen && (this.isStale || this.plays); }
 
   /** The tile's view is the chosen one while `act` runs. */
   within(act) {
     const { page } = this.sheet;
-    const is_new = this.view === 0;
-    if (is_new) this.view = page.wasm.add();
+    const isNew = this.view === 0;
+    if (isNew) this.view = page.wasm.add();
     page.wasm.choose(this.view);
     try {
-      if (is_new) {
+      if (isNew) {
         for (const [name, value] of Object.entries(this.plan.settings)) page.set(name, value);
         page.set('samples', 1);  // and those of the driver, as pictures of a sheet have
       }
@@ -148,7 +148,7 @@ export class Tile {
 
   /** Goes on by so many seconds where it plays. */
   draw(seconds) {
-    this.is_stale = false;
+    this.isStale = false;
     this.within((page) => {
       this.look(page);
       if (this.plays && this.wanted === undefined && this.time + seconds >= this.length) this.wanted = (this.time + seconds) % this.length;
@@ -157,7 +157,7 @@ export class Tile {
       const step = this.plays && !begins ? seconds : 0;
       this.time = begins ? this.wanted : this.time + step;
       this.wanted = undefined;
-      const scale = Math.min(devicePixelRatio, kMostTilePixels);
+      const scale = Math.min(devicePixelRatio, MOST_TILE_PIXELS);
       const box = this.canvas.getBoundingClientRect();
       const width = Math.max(Math.round(box.width * scale), 16);
       const height = Math.max(Math.round(box.height * scale), 16);

@@ -1,8 +1,8 @@
 // The functions of page.cpp, in JavaScript's types.
 
 /** Where numbers lie in ViewNumbers. */
-const kNumbers = ['step_ns_of_bone', 'substeps', 'bones', 'triangles', 'asset_bytes', 'drawn', 'asleep', 'levels', 'time',
-  'tip_error_source', 'tip_rms', 'tip_max', 'head_x', 'head_y', 'head_z', 'head_qx', 'head_qy', 'head_qz', 'head_qw'];
+const NUMBERS = ['stepNsOfBone', 'substeps', 'bones', 'triangles', 'assetBytes', 'drawn', 'asleep', 'levels', 'time',
+  'tipErrorSource', 'tipRms', 'tipMax', 'headX', 'headY', 'headZ', 'headQx', 'headQy', 'headQz', 'headQw'];
 
 export class WasmPage {
   constructor(module) {
@@ -56,7 +56,7 @@ export class WasmPage {
 
   numbers() {
     const begin = this.module.ccall('coif_view_numbers', 'number', [], []) / 4;
-    return Object.fromEntries(kNumbers.map((name, i) => [name, this.module.HEAPF32[begin + i]]));
+    return Object.fromEntries(NUMBERS.map((name, i) => [name, this.module.HEAPF32[begin + i]]));
   }
 
   /** Goes on by so many seconds, in a canvas of so many pixels; true where something new is on it. */
@@ -75,7 +75,7 @@ export class WasmPage {
     this.module.ccall('coif_view_curve', null, ['number', 'array', 'number'], [which, bytes, points.length]);
   }
   /** What is set of how hair moves is what the asset was cooked with; the recipe says it, or does not have to. */
-  accept(recipe_says_it) { this.module.ccall('coif_view_accept', null, ['boolean'], [recipe_says_it]); }
+  accept(recipeSaysIt) { this.module.ccall('coif_view_accept', null, ['boolean'], [recipeSaysIt]); }
 
   grab(x, y) { return Boolean(this.module.ccall('coif_view_grab', 'boolean', ['number', 'number'], [x, y])); }
   drag(across, down) { this.module.ccall('coif_view_drag', null, ['number', 'number'], [across, down]); }
