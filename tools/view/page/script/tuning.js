@@ -88,9 +88,11 @@ export class Tuning {
 
   /** What the recipe's dialog has to say beside it; '': nothing. */
   note() {
-    if (this.page.live || Object.keys(this.page.wasm.dynamics()).length === 0) return '';
+    const dynamics = this.page.wasm.dynamics();
+    const springs = dynamics.source === 'curves' ? " The file's springs give way to the curve, and the bones at their ends and their limits go with them." : '';
+    if (this.page.live || Object.keys(dynamics).length === 0) return springs.trim();
     const conditioned = this.own.conditioned ? ' This asset was: the page adds as much damping as it got.' : '';
     return 'The page changes bones by the formulas that the cook uses. Beyond that a cook chooses sub-steps and twist anew, the model too '
-      + `where the recipe leaves it open, and may damp chains that would not move the same way twice.${conditioned} What "patches" says of some of them alone still holds there, and not here.`;
+      + `where the recipe leaves it open, and may damp chains that would not move the same way twice.${conditioned}${springs} What "patches" says of some hair alone still holds there, and not here.`;
   }
 }
