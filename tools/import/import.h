@@ -16,6 +16,9 @@ namespace coif {
 
 enum class UpAxis { kX, kY, kZ };
 
+/// From axes of which `up` points up to those of which Y does.
+[[nodiscard]] Eigen::Matrix3d y_up_from(UpAxis up);
+
 struct ImportSettings {
   std::optional<double> metres_per_unit;  ///< Overrides the file's unit.
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
