@@ -29,11 +29,11 @@ coif_cli_case(simulate_slow_rate EXIT 1 STDERR "coif simulate: error: --fps"
   ARGS simulate a.coif --motion nod --fps 5 -o out.csv)
 coif_cli_case(simulate_too_many_substeps EXIT 1 STDERR "coif simulate: error: --substeps"
   ARGS simulate a.coif --motion nod --substeps 65 -o out.csv)
-coif_cli_case(gallery_help EXIT 0 STDOUT "shifts and exponents.*--only.*1 to 7.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"
+coif_cli_case(gallery_help EXIT 0 STDOUT "a page of live tiles.*exponents.*SHEET.png.SHEET.html.*--only.*1 to 7.*--size.*64 to 1024.*--format.*Exit codes: 0 ok"
   ARGS gallery --help)
 coif_cli_case(gallery_unknown_number EXIT 1 STDERR "coif gallery: error: --only.*8"
   ARGS gallery a.coif --only 8 -o sheet.png)
-coif_cli_case(gallery_unknown_suffix EXIT 1 STDERR "coif gallery: error: sheet.jpg: the suffix must be .png"
+coif_cli_case(gallery_unknown_suffix EXIT 1 STDERR "coif gallery: error: sheet.jpg: the suffix must be .png or .html"
   ARGS gallery a.coif -o sheet.jpg)
 coif_cli_case(gallery_without_output EXIT 1 STDERR "coif gallery: error: .*--output.*see 'coif gallery --help'" ARGS gallery a.coif)
 coif_cli_case(render_bad_size EXIT 1 STDERR "--size: '4x4' is not WIDTHxHEIGHT within 16 .. 8192"

@@ -192,7 +192,7 @@ TEST(MotionSource, OfAChainWithAPresetOfItsOwnIsThat) {
   own.liveliness = 0.9;
   Recipe recipe = default_recipe();
   recipe.resistance = {{0, 0.5}};
-  recipe.damping_ratio = 1;
+  recipe.damping_ratio = 1.0;
   const SaidMotion motion = bake_dynamics(model, skeleton, recipe, std::vector(skeleton.chains.size(), own), unheard());
   EXPECT_EQ(std::ranges::count(motion.sources, MotionSource::kPreset), std::ptrdiff_t(skeleton.simulated_count()))
       << "before springs and resistances of the whole";
@@ -229,7 +229,7 @@ TEST(BakeDynamics, TakesSpringsWhereThereAreSomeUnlessTheRecipeSaysCurves) {
 TEST(BakeDynamics, SpringsGetStiffnessAndDampingAsCurvesDo) {
   const SourceModel model = sprung_wig();
   Recipe recipe = default_recipe();
-  recipe.damping_ratio = 1;
+  recipe.damping_ratio = 1.0;
   const auto pure = baked(model).made;
   const auto damped = baked(model, recipe).made;
   for (std::size_t b = 2; b < 4; ++b) {

@@ -163,6 +163,22 @@ TEST(BakeDynamics, TheDampingRatioMeansWhatItSaysAboveAndBelowTheResistancesOwn)
   EXPECT_LT(baked(undamped_recipe())[2].damping, before);
 }
 
+TEST(BakeDynamics, ADampingCurveIsTakenAtEachBonesMiddle) {
+  Recipe recipe = curve_recipe();
+  recipe.damping_ratio = std::vector<CurvePoint>{{0, 0.9}, {1, 0.3}};
+  const auto by_curve = baked(recipe);
+  const Skeleton skeleton = two_bones();
+  for (std::size_t b = 1; b < 3; ++b) {
+    const double middle = 0.5 * (skeleton.bones[skeleton.bones[b].parent].place + skeleton.bones[b].place);
+    recipe.damping_ratio = 0.9 - 0.6 * middle;
+    EXPECT_FLOAT_EQ(by_curve[b].damping, baked(recipe)[b].damping);
+  }
+  recipe.damping_ratio = std::vector<CurvePoint>{{0.5, 0.4}};
+  const auto flat = baked(recipe);
+  recipe.damping_ratio = 0.4;
+  for (std::size_t b = 1; b < 3; ++b) EXPECT_EQ(flat[b].damping, baked(recipe)[b].damping);
+}
+
 TEST(BakeDynamics, FrictionAloneMayBeMoreThanTheDampingRatio) {
   Recipe recipe = curve_recipe();
   recipe.damping_ratio = 0.01;

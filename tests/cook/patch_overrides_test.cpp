@@ -225,6 +225,22 @@ TEST(PatchOverrides, PrintAndReadBack) {
   EXPECT_EQ(said.parent_share, 0.25);
   EXPECT_EQ(said.preset, "wet");
   EXPECT_EQ(said.liveliness, 0.25);
+  EXPECT_EQ(said.damping_ratio, NumberOrCurve(0.5));
+}
+
+TEST(PatchOverrides, DampingMayBeACurve) {
+  using Curve = std::vector<CurvePoint>;
+  const Recipe recipe = recipe_from(R"({"dynamics": {"damping_ratio": 0.5},
+    "patches": [{"select": {"index": 1}, "damping_ratio": [[0, 1], [1, 0.25]]}]})");
+  ASSERT_EQ(recipe.patch_overrides.size(), 1u);
+  EXPECT_EQ(recipe.patch_overrides[0].damping_ratio, NumberOrCurve(Curve{{0, 1}, {1, 0.25}}));
+  EXPECT_EQ(print_recipe(recipe_from(print_recipe(recipe))), print_recipe(recipe));
+  Recipe of_patch = recipe;
+  recipe.patch_overrides[0].apply_motion(of_patch);
+  EXPECT_EQ(of_patch.damping_ratio, NumberOrCurve(Curve{{0, 1}, {1, 0.25}}));
+  EXPECT_NE(refusal_of(R"({"patches": [{"select": {"index": 1}, "damping_ratio": [[0, -1]]}]})")
+                .find("\"damping_ratio\" wants points"),
+            std::string::npos);
 }
 
 TEST(PatchListing, PartsOfACutPatchKeepItsNumber) {

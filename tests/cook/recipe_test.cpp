@@ -2,11 +2,13 @@
 
 #include "base/text.h"
 #include "cook/recipe/recipe_keys.h"
+#include "cook/recipe/recipe_keys_json.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace coif::recipe_test {
 
@@ -32,6 +34,29 @@ TEST(Recipe, EveryDefaultIsWithinItsOwnRange) {
   EXPECT_GE(recipe_keys().size(), 30u);
 }
 
+TEST(Recipe, KeysAreTheSameAsJson) {
+  const auto all = nlohmann::json::parse(recipe_keys_json());
+  ASSERT_EQ(all.size(), recipe_keys().size());
+  std::map<std::string, nlohmann::json> by_path;
+  for (const auto& key : all) by_path[key["path"]] = key;
+  const auto kind = [&](const char* path) { return by_path.at(path)["kind"].get<std::string>(); };
+  EXPECT_EQ(kind("scene.draw"), "switch");
+  EXPECT_EQ(kind("dynamics.gravity_scale"), "number");
+  EXPECT_EQ(kind("dynamics.torsion"), "number");
+  EXPECT_EQ(by_path.at("dynamics.torsion")["default"], nullptr);
+  EXPECT_EQ(kind("lods.levels"), "whole");
+  EXPECT_EQ(kind("dynamics.model"), "choice");
+  EXPECT_EQ(by_path.at("dynamics.model")["choices"], "auto|cascade|passive");
+  for (const char* path :
+       {"textures.shift", "hair.meshes", "dynamics.resistance", "dynamics.damping_ratio", "material.ambient"}) {
+    EXPECT_EQ(kind(path), "other") << path;
+  }
+  for (const auto& [path, key] : by_path) {
+    const bool is_number = key["kind"] == "number" || key["kind"] == "whole";
+    EXPECT_TRUE(!is_number || key["low"] < key["high"]) << path;
+  }
+}
+
 TEST(Recipe, EmptyObjectGivesTheDefaults) {
   const auto recipe = parse_recipe("{}", "r.json");
   ASSERT_TRUE(recipe);
@@ -51,6 +76,44 @@ TEST(Recipe, PrintedRecipeReadsBackWithEveryValue) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(print_recipe(*again), print_recipe(recipe));
   EXPECT_EQ(again->friction, recipe.friction);
+}
+
+TEST(Recipe, TheDampingRatioIsANumberOrACurve) {
+  const auto read = [](const std::string& value) {
+    const auto recipe = parse_recipe(R"({"dynamics": {"damping_ratio": )" + value + "}}", "r.json");
+    EXPECT_TRUE(recipe) << recipe.error().message;
+    return recipe ? recipe->damping_ratio : std::nullopt;
+  };
+  using Curve = std::vector<CurvePoint>;
+  EXPECT_EQ(read("null"), std::nullopt);
+  EXPECT_EQ(read("0.3"), NumberOrCurve(0.3)) << "a number stays one, and the recipe's hash what it was";
+  EXPECT_EQ(read("[[0, 0.5], [1, 0.1]]"), NumberOrCurve(Curve{{0, 0.5}, {1, 0.1}}));
+  for (const char* value : {"0.3", "[[0.25, 10]]"}) {
+    Recipe recipe = default_recipe();
+    recipe.damping_ratio = read(value);
+    const auto again = parse_recipe(print_recipe(recipe), "r.json");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->damping_ratio, recipe.damping_ratio);
+  }
+}
+
+TEST(Recipe, ACurveOfDampingIsRefusedWithWhatItHasToBe) {
+  const auto refused = [](const std::string& value) {
+    return message_of(R"({"dynamics": {"damping_ratio": )" + value + "}}");
+  };
+  EXPECT_NE(refused("\"much\"").find("\"dynamics.damping_ratio\" wants a number from 0 to 10, or points"),
+            std::string::npos);
+  EXPECT_NE(refused("11").find("wants a number from 0 to 10"), std::string::npos);
+  EXPECT_NE(refused("[]").find("wants at least one point"), std::string::npos);
+  EXPECT_NE(refused("[[0, 11]]").find("value from 0 to 10] with ascending places, found [0,11]"), std::string::npos);
+  EXPECT_NE(refused("[[0.5, 1], [0.5, 2]]").find("ascending places, found [0.5,2]"), std::string::npos);
+  EXPECT_NE(refused("[[-0.1, 1]]").find("place 0..1"), std::string::npos);
+}
+
+TEST(Recipe, WhatCommentsSayMoreIsNotHashed) {
+  const Recipe recipe = default_recipe();
+  EXPECT_NE(print_recipe(recipe).find("one number, or points"), std::string::npos);
+  EXPECT_EQ(canonical_recipe(recipe).find("one number, or points"), std::string::npos);
 }
 
 TEST(Recipe, TorsionIsANumberOrLeftToTheCooker) {

@@ -13,6 +13,7 @@ DRAWING = {"runtime/include/coif/debug_lines.h", "runtime/include/coif/drawing.h
 RENDERER = DRAWING | {"runtime/include/coif/motion_vectors.h", "runtime/include/coif/renderer.h", "runtime/include/coif/shadow.h"}
 C_HEADERS = {"runtime/include/coif.h", "runtime/include/coif/c"}  # What is read by C.
 HASH = {"formats/payload_hash.h"}  # Private to the format, but tools stamp sources and recipes with the same hash.
+VIEW_SETTINGS = {"tools/view/page/view_motions.h", "tools/view/page/view_settings.h"}
 # Folder (or file) -> folders it may include from; itself always. The longest match owns a file. Those of the tools follow
 # from what tools/CMakeLists.txt links: see tool_layers().
 LAYERS = {
@@ -36,13 +37,17 @@ LAYERS = {
     "runtime/gl": SIM | RENDERER,
     "runtime/examples": SIM | RENDERER | C_HEADERS,
     "tools/cli": None,  # Everything.
-    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it.
-    "tools/view/page": SIM | RENDERER | {"tools/base", "tools/motion", "tools/render"},
+    # For browsers, by the build for the web: tools/CMakeLists.txt knows nothing of it. Of the cook it has the formulas of bones, and what
+    # these stand on: view/page/CMakeLists.txt names their files.
+    "tools/view/page": SIM | RENDERER | VIEW_SETTINGS
+    | {"tools/base", "tools/motion", "tools/render", "tools/lab", "tools/cook/recipe", "tools/cook/dynamics"},
+    # What that page can set, which sheets speak of.
+    **{header: SIM | RENDERER | {"tools/motion"} for header in VIEW_SETTINGS},
     "tests": None,
 }
 # What every tool may include, and what linking these brings along.
 TOOL_BASE = SIM | HASH | {"formats/write"}
-LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING}
+LINKED = {"coif::gl": RENDERER, "coif::drawing": DRAWING, "coif_view_settings": VIEW_SETTINGS}
 
 # Third-party header -> the folders that may include it.
 HOMES = {

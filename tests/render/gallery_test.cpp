@@ -114,6 +114,22 @@ TEST_F(GalleryTest, MotionGoesOnFromPictureToPicture) {
   }
 }
 
+TEST_F(GalleryTest, PicturesOfANamedMotionAreMomentsOfIt) {
+  std::set<std::string> motions;
+  for (const Gallery& gallery : galleries()) {
+    if (gallery.motion.empty()) continue;
+    motions.insert(gallery.motion);
+    const PictureSettings& first = gallery.pictures.front().settings;
+    for (const GalleryPicture& picture : gallery.pictures) {
+      EXPECT_EQ(picture.settings.clip, first.clip) << gallery.title;
+      EXPECT_EQ(picture.settings.yaw_degrees, first.yaw_degrees) << gallery.title;
+      EXPECT_EQ(picture.settings.company, first.company) << gallery.title;
+      EXPECT_EQ(picture.settings.solver, first.solver) << gallery.title;
+    }
+  }
+  EXPECT_EQ(motions, (std::set<std::string>{"look-down", "look-aside", "look-up", "charge", "still"}));
+}
+
 TEST_F(GalleryTest, SwingsAreShownOfTheAssetsSolverAndOfAlgorithmOneAtTheSameMoments) {
   const auto swings = galleries(6);
   ASSERT_EQ(swings.size(), 2u);

@@ -1,6 +1,7 @@
 #include "view/server/live_server.h"
 
 #include "base/json.h"
+#include "cook/recipe/recipe_keys_json.h"
 
 #include <gtest/gtest.h>
 #include <httplib.h>
@@ -131,6 +132,15 @@ TEST_F(LiveServerTest, SendsTheLastGoodAsset) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->body, std::string("\1\0\2", 3));
   EXPECT_EQ(answer->get_header_value("Coif-Revision"), "1");
+}
+
+TEST_F(LiveServerTest, SendsTheTableOfRecipeKeys) {
+  const auto answer = client().Get(folder_ + "keys");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "application/json");
+  EXPECT_EQ(answer->body, recipe_keys_json());
+  EXPECT_EQ(status("/keys"), 403);
 }
 
 TEST_F(LiveServerTest, TakesChangesAndModels) {

@@ -4,6 +4,8 @@
 #include "cook/recipe/recipe_keys.h"
 #include "models/drawn_card.h"
 #include "view/page/held_head.h"
+#include "view/page/motion_settings.h"
+#include "view/page/view_motions.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +71,18 @@ TEST(ControlTable, RecipesKnowItsKeysWordsAndRanges) {
   EXPECT_GT(keys, 10);
 }
 
+TEST(ControlTable, PresetsAreThoseOfRecipes) {
+  const auto words = words_of(control("preset"));
+  const auto presets = hair_presets();
+  ASSERT_EQ(words.size(), presets.size() + 1);
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    ViewSettings settings;
+    settings.preset = float(i) + 1;
+    EXPECT_EQ(words[i + 1], presets[i].name);
+    EXPECT_EQ(tuning_between({}, settings).preset, &presets[i]);
+  }
+}
+
 TEST(ControlTable, WordsAreWhatTheyChoose) {
   ViewSettings settings;
   const auto modes = words_of(control("transparency"));
@@ -86,6 +100,17 @@ TEST(ControlTable, WordsAreWhatTheyChoose) {
   EXPECT_EQ(std::vector<std::string>(beside.begin() + 1, beside.end()), solvers) << "one number more, for none";
   EXPECT_EQ(&solver_of(float(std::ranges::find(solvers, "thesis") - solvers.begin())), &kThesisSolver);
   EXPECT_EQ(&solver_of(float(std::ranges::find(solvers, "passive") - solvers.begin())), &kPassiveSolver);
+}
+
+TEST(ControlTable, MotionsMoveHeadsAsTheyAreCalled) {
+  const auto words = words_of(control("motion"));
+  for (const MotionInfo& motion : all_motions()) {
+    const auto at = float(std::ranges::find(words, motion.name) - words.begin());
+    EXPECT_EQ(chosen_path(at)->pose(0.7).position[2], head_pose(motion.motion, 0.7).position[2]) << motion.name;
+  }
+  const auto down = chosen_path(float(std::ranges::find(words, "look-down") - words.begin()));
+  EXPECT_GT(down->pose(2).rotation.x, 0.3f) << "and stays there";
+  for (const float number : {-1.0f, 1e9f, float(NAN)}) EXPECT_NE(chosen_path(number), nullptr);
 }
 
 TEST(PageSettings, NumbersOutOfRangeChooseSomething) {
@@ -124,6 +149,19 @@ TEST(PageSettings, ChangesReachTheMaterialInItsUnits) {
   EXPECT_NEAR(material.roughness, 0.174533f, 1e-6);
   EXPECT_EQ(material.base_color[1], 0.5f * some_asset().material()->base_color[1]);
   EXPECT_EQ(material.primary_exponent, 77);
+}
+
+TEST(PageSettings, ATintThatIsCookedCountsOnce) {
+  ViewSettings settings = settings_of(some_asset());
+  settings.base_color[0] = settings.cooked_color[0] = 0.5f;
+  settings.base_color[1] = settings.cooked_color[1] = 0;  // nothing brings back what was cooked away
+  settings.base_color[2] = 0.25f;
+  settings.cooked_color[2] = 0.5f;
+  const float* const own = some_asset().material()->base_color;
+  const MaterialRecord material = material_of(some_asset(), settings);
+  EXPECT_EQ(material.base_color[0], own[0]);
+  EXPECT_EQ(material.base_color[1], 0);
+  EXPECT_EQ(material.base_color[2], 0.5f * own[2]) << "what was changed since is shown at once";
 }
 
 TEST(HeldHead, FollowsTheHandWithoutOvershootingAndComesBackToRest) {

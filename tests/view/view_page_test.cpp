@@ -30,6 +30,16 @@ TEST(ViewPage, AnAssetIsPutInOnceThoughItsNameIsThePlacesOwn) {
   EXPECT_EQ(*page, "@ASSET@|AP8Q");
 }
 
+TEST(ViewPage, HoldsASheetWhereThereIsOne) {
+  const char* const page = "@NAME@|@ASSET@|@SHEET@!";
+  EXPECT_EQ(view_page(page, {}, "a", "{\"tiles\": []}").value(), "a||{\"tiles\": []}!");
+  EXPECT_EQ(view_page(page, {}, "a").value(), "a||!");
+  EXPECT_EQ(view_page(page, {}, "@SHEET@", "b").value(), "@SHEET@||b!");
+  const auto older = view_page("@NAME@|@ASSET@", {}, "a", "b");
+  ASSERT_FALSE(older);
+  EXPECT_NE(older.error().message.find("knows no galleries"), std::string::npos);
+}
+
 TEST(ViewPage, OtherFilesAreRefused) {
   for (const char* text : {"", "<html></html>", "@NAME@", "@ASSET@", "@ASSET@ @NAME@"}) {
     const auto page = view_page(text, kThree, "bob.coif");

@@ -5,6 +5,8 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/report_options.h"
+#include "cli/view_output.h"
+#include "render/camera.h"
 #include "report/accuracy/accuracy_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
@@ -16,8 +18,6 @@
 
 namespace coif {
 namespace {
-
-constexpr const char* kPageSuffix = ".html";
 
 /// A report in the forms that somebody asked for.
 struct Rendered {
@@ -39,6 +39,7 @@ auto timed(const std::string& file, ReportHeading& heading, Measure measure) {
 struct ReportJob {
   const ReportOptions& options;
   const std::string& suffix;  ///< Of the output file; empty where there is none.
+  const std::string& view;    ///< The text of the page that the report links to; empty where there is none.
   const Asset& asset;
 };
 
@@ -53,13 +54,20 @@ struct ReportForms {
 template <typename Report, typename Measure>
 tl::expected<Rendered, ToolError> report_on(const ReportJob& job, const ReportForms<Report>& forms, Measure measure) {
   ReportHeading heading = heading_of(job.asset, job.options.file);
+  if (!job.view.empty()) {
+    heading.view = relative_url(job.options.view, job.options.output);
+    heading.view_name = std::filesystem::path(job.options.view).filename().string();
+  }
   const auto report = timed(job.options.file, heading, measure);
   if (!report) return tl::unexpected(report.error());
   const std::string numbers = json_text(forms.json(heading, *report));
   const bool as_json = job.options.format == OutputFormat::kJson;
   Rendered rendered{as_json ? numbers : forms.text(heading, *report), ""};
   if (job.suffix.empty()) return rendered;
-  if (!as_json) rendered.printed += job.options.output + ": written\n";
+  if (!as_json) {
+    if (!job.view.empty()) rendered.printed += job.options.view + ": written\n";
+    rendered.printed += job.options.output + ": written\n";
+  }
   rendered.file = job.suffix == kPageSuffix ? forms.page(heading, *report) : numbers;
   return rendered;
 }
@@ -119,6 +127,32 @@ tl::expected<AccuracySettings, ToolError> accuracy_settings(const ReportOptions&
   return settings;
 }
 
+/// The page of `coif view` that the report links to; empty where none was asked for. Before the minutes of measuring.
+tl::expected<std::string, ToolError> linked_page(const ReportOptions& options, const std::string& suffix,
+                                                 const AssetFile& file) {
+  if (options.view.empty()) {
+    if (!options.page.empty()) return usage("--page is for a report with --view");
+    return "";
+  }
+  if (suffix != kPageSuffix) return usage("--view is for a report that is a page; name one: --output OUT.html");
+  if (auto html = choose_suffix(options.view, {kPageSuffix}); !html) return tl::unexpected(html.error());
+  if (auto checked = check_output(options.view, {options.file, options.page}); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (std::filesystem::absolute(options.view).lexically_normal() ==
+      std::filesystem::absolute(options.output).lexically_normal()) {
+    return usage("--view and --output name the same file");
+  }
+  if (const auto drawable = check_drawable(file.asset()); !drawable) {
+    return file_failure(drawable.error().kind, options.file, "{}", drawable.error().message);
+  }
+  return filled_page(options.page, file, options.file);
+}
+
+tl::expected<void, ToolError> write_text(const std::string& path, const std::string& text) {
+  return path.empty() ? tl::expected<void, ToolError>{} : write_output(path, std::as_bytes(std::span(text)));
+}
+
 tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Messages& messages) {
   if (auto checked = check_subject(options); !checked) return tl::unexpected(checked.error());
   std::string suffix;
@@ -135,14 +169,15 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   const auto settings = accuracy_settings(options, messages);
   if (!settings) return tl::unexpected(settings.error());
 
-  const auto rendered = report_subject({options, suffix, file->asset()}, *settings);
+  const auto view = linked_page(options, suffix, *file);
+  if (!view) return tl::unexpected(view.error());
+
+  const auto rendered = report_subject({options, suffix, *view, file->asset()}, *settings);
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }
-  if (!options.output.empty()) {
-    const auto written = write_output(options.output, std::as_bytes(std::span(rendered->file)));
-    if (!written) return tl::unexpected(written.error());
-  }
+  if (const auto written = write_text(options.view, *view); !written) return tl::unexpected(written.error());
+  if (const auto written = write_text(options.output, rendered->file); !written) return tl::unexpected(written.error());
   print_result(rendered->printed);
   return Exit::kOk;
 }

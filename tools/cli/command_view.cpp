@@ -4,8 +4,9 @@
 #include "cli/input_files.h"
 #include "cli/live_source.h"
 #include "cli/messages.h"
+#include "cli/moved_page.h"
 #include "cli/options.h"
-#include "render/camera.h"
+#include "cli/view_output.h"
 #include "view/view_page.h"
 
 #include <memory>
@@ -17,6 +18,7 @@ struct ViewOptions {
   std::string file;
   std::string output;
   std::string page;
+  HeadMotion motion;
   LiveOptions live;            ///< Of a source.
   bool asks_for_cook = false;  ///< Something of `live` was given.
   OutputFormat format = OutputFormat::kText;
@@ -26,15 +28,6 @@ struct ViewOptions {
 std::filesystem::path output_of(const ViewOptions& options) {
   if (!options.output.empty()) return options.output;
   return std::filesystem::path(options.file).filename().replace_extension(".html");
-}
-
-tl::expected<AssetFile, ToolError> open_cooked(const std::string& path, FileBytes bytes) {
-  auto file = AssetFile::open(path, std::move(bytes));
-  if (!file) return file;
-  if (const auto drawable = check_drawable(file->asset()); !drawable) {
-    return file_failure(drawable.error().kind, path, "{}", drawable.error().message);
-  }
-  return file;
 }
 
 std::string result_text(const ViewOptions& options, const std::filesystem::path& output, std::size_t bytes) {
@@ -71,20 +64,19 @@ tl::expected<Exit, ToolError> run_view(const ViewOptions& options, const Message
   if (options.asks_for_cook)
     return usage(fmt::format("{} is cooked; --recipe, --quality, --port and --root are for a source", options.file));
   const std::filesystem::path output = output_of(options);
-  if (auto html = choose_suffix(output, {".html"}); !html) return tl::unexpected(html.error());
+  if (auto html = choose_suffix(output, {kPageSuffix}); !html) return tl::unexpected(html.error());
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto file = open_cooked(options.file, std::move(*bytes));
+  const auto file = open_drawable(options.file, std::move(*bytes));
   if (!file) return tl::unexpected(file.error());
   if (auto checked = check_output(output, {options.file, options.page}); !checked)
     return tl::unexpected(checked.error());
 
   const auto place = find_view_page(options.page);
   if (!place) return tl::unexpected(place.error());
-  const auto page = FileBytes::read(*place);
+  const auto page = moved_page(*place, options.live.motion, messages);
   if (!page) return tl::unexpected(page.error());
-  const auto text = view_page({reinterpret_cast<const char*>(page->span().data()), page->span().size()}, file->bytes(),
-                              std::filesystem::path(options.file).filename().string());
-  if (!text) return tl::unexpected(ToolError{text.error().kind, place->string() + ": " + text.error().message});
+  const auto text = filled_page(*place, *page, *file, options.file);
+  if (!text) return tl::unexpected(text.error());
   if (auto written = write_output(output, std::as_bytes(std::span(*text))); !written) {
     return tl::unexpected(written.error());
   }
@@ -125,15 +117,15 @@ Command add_view_page(CLI::App& program) {
   app->add_option("-o,--output", options->output,
                   "Of an asset: the page to write (default: FILE's name with .html, here)")
       ->type_name("PAGE.html");
-  app->add_option("--page", options->page,
-                  "The page without an asset, which the build for the web makes (default: as installed)")
-      ->type_name("VIEW.html");
+  add_page(*app, options->page);
+  add_motion(*app, options->motion, "What moves the head when the page opens, over and over");
   add_live(*app, *options);
   add_format(*app, options->format);
   return {app, [options, app](const Messages& messages) {
             for (const char* name : {"--recipe", "--quality", "--port", "--root"}) {
               if (app->count(name) > 0) options->asks_for_cook = true;
             }
+            if (app->count("--motion") > 0) options->live.motion = options->motion;
             return run_view(*options, messages);
           }};
 }

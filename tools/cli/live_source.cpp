@@ -4,6 +4,7 @@
 #include "base/parallel_for.h"
 #include "cli/cook_job.h"
 #include "cli/input_files.h"
+#include "cli/moved_page.h"
 #include "view/server/live_page.h"
 #include "view/server/live_view.h"
 
@@ -103,17 +104,16 @@ tl::expected<Exit, ToolError> view_live(LiveOptions options, const Messages& mes
   if (auto found = find_source(options); !found) return tl::unexpected(found.error());
   if (auto readable = check_readable(options.file, ImportSettings{}.max_file_bytes); !readable)
     return tl::unexpected(readable.error());
-  const auto page = FileBytes::read(options.page);
+  const auto page = moved_page(options.page, options.motion, messages);
   if (!page) return tl::unexpected(page.error());
 
-  const std::string_view text(reinterpret_cast<const char*>(page->span().data()), page->span().size());
-  if (auto fits = live_page(text, ""); !fits) {
+  if (auto fits = live_page(*page, ""); !fits) {
     return tl::unexpected(ToolError{fits.error().kind, options.page.string() + ": " + fits.error().message});
   }
 
   LiveViewSettings settings{options.file, options.recipe, cooking_of(options, messages), {}};
   settings.server.port = options.port;
-  settings.server.page = text;
+  settings.server.page = *page;
   const sigset_t ends = hold_back_signals();
   const auto view = LiveView::start(std::move(settings));
   if (!view) return tl::unexpected(view.error());

@@ -20,7 +20,8 @@ struct LiveOptions {
   std::string file;  ///< A source, or a recipe with its source beside it.
   std::optional<std::string> recipe;
   std::vector<std::filesystem::path> roots;
-  std::filesystem::path page;  ///< As find_view_page() found it.
+  std::filesystem::path page;        ///< As find_view_page() found it.
+  std::optional<HeadMotion> motion;  ///< That it begins with.
   bool draft = true;
   std::uint16_t port = 0;
   OutputFormat format = OutputFormat::kText;

@@ -142,8 +142,11 @@ tl::expected<HeadClip, ToolError> open_clip(const ClipChoice& choice, const Mess
   std::vector<ClipKey> keys;
   keys.reserve(clip->keys.size());
   for (const NodeKey& key : clip->keys) keys.push_back({key.seconds, key.position, key.rotation});
-  std::shared_ptr<const HeadPath> path = path_of(std::move(keys));
-  if (path) return HeadClip{printable_text(choice.file.filename().string()) + ":" + clip->node, std::move(path)};
+  std::shared_ptr<const HeadPath> path = path_of(keys);
+  if (path) {
+    return HeadClip{printable_text(choice.file.filename().string()) + ":" + clip->node, std::move(path),
+                    std::move(keys)};
+  }
   return tl::unexpected(ToolError{ToolError::Kind::kInternal, choice.file.string() + ": read keys make no path"});
 }
 

@@ -134,6 +134,7 @@ struct ClipChoice {
 struct HeadClip {
   std::string name;                      ///< "walk.glb:head", printable.
   std::shared_ptr<const HeadPath> path;  ///< Not null.
+  std::vector<ClipKey> keys;             ///< What it goes through.
 };
 
 /// Reads it; `messages` gets what was taken otherwise than the file says. Errors: as read_clip().

@@ -1,6 +1,7 @@
 #include "cli/report_options.h"
 
 #include "cli/options.h"
+#include "cli/view_output.h"
 
 #include <algorithm>
 #include <utility>
@@ -131,6 +132,10 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
   add_choice<ReportSubject>(app, "SUBJECT", options.subject, kSubjects, "What about (default accuracy)");
   app.add_option("-o,--output", options.output, "A page with plots and tables, or the numbers")
       ->type_name("OUT.html|OUT.json");
+  app.add_option("--view", options.view,
+                 "With OUT.html: also write the page of coif view of this asset, to which the report links")
+      ->type_name("PAGE.html");
+  add_page(app, options.page);
   add_solvers(app, options);
   options.only.push_back({ReportSubject::kAccuracy, "accuracy", add_accuracy_options(app, options)});
   options.only.push_back({ReportSubject::kCost, "cost", add_cost_options(app, options.cost)});

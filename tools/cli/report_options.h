@@ -44,6 +44,8 @@ struct ReportOptions {
   std::string file;
   ReportSubject subject = ReportSubject::kAccuracy;
   std::string output;  ///< Empty: the terminal only.
+  std::string view;    ///< The page of `coif view` to write beside it and to link to; empty: none.
+  std::string page;    ///< What that is made of; empty: as installed.
   OutputFormat format = OutputFormat::kText;
   AccuracySettings accuracy;
   std::optional<ClipChoice> clip;  ///< To be opened as accuracy.clip.
@@ -59,7 +61,7 @@ struct ReportOptions {
 /// Declares the options of `coif report`; `options` must outlive the parsing.
 void add_report_options(CLI::App& app, ReportOptions& options);
 
-/// Error (kUsage): an option that is not for this subject.
+/// Error (kUsage): an option that is not for this subject or this output.
 tl::expected<void, ToolError> check_subject(const ReportOptions& options);
 
 }  // namespace coif

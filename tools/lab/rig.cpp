@@ -128,7 +128,7 @@ std::vector<std::uint32_t> chosen_bones(const Rig& rig, std::size_t most_bones) 
     }
     if (bones.size() <= most_bones) break;
   }
-  std::ranges::sort(bones);
+  std::sort(bones.begin(), bones.end());
   return bones;
 }
 

@@ -64,7 +64,8 @@ class ClipPath final : public HeadPath {
   explicit ClipPath(std::vector<Knot> knots) : knots_(std::move(knots)) {}
 
   [[nodiscard]] HeadState at(double seconds, double inside) const override {
-    const auto after = std::ranges::upper_bound(knots_, std::max(inside, 0.0), {}, &Knot::seconds);
+    const auto is_before = [](double time, const Knot& knot) { return time < knot.seconds; };
+    const auto after = std::upper_bound(knots_.begin(), knots_.end(), std::max(inside, 0.0), is_before);
     if (after == knots_.begin()) return standing_at(knots_.front());
     if (after == knots_.end()) return standing_at(knots_.back());
     const HeadState state = between(after[-1], *after, std::max(seconds, 0.0));
@@ -107,9 +108,9 @@ bool is_usable(const ClipKey& key) {
 }  // namespace
 
 std::unique_ptr<HeadPath> path_of(std::vector<ClipKey> keys) {
-  if (keys.empty() || !std::ranges::all_of(keys, is_usable) || keys.front().seconds < 0) return nullptr;
+  if (keys.empty() || !std::all_of(keys.begin(), keys.end(), is_usable) || keys.front().seconds < 0) return nullptr;
   const auto too_close = [](const ClipKey& a, const ClipKey& b) { return !(b.seconds - a.seconds >= kLeastKeySpan); };
-  if (std::ranges::adjacent_find(keys, too_close) != keys.end()) return nullptr;
+  if (std::adjacent_find(keys.begin(), keys.end(), too_close) != keys.end()) return nullptr;
   return std::make_unique<ClipPath>(knots_of(keys));
 }
 

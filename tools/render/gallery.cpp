@@ -3,6 +3,7 @@
 
 #include "base/geometry.h"
 #include "base/srgb.h"
+#include "motion/head_looks.h"
 #include "motion/head_path.h"
 
 #include <coif/hair.h>
@@ -18,6 +19,7 @@
 #include <memory>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace coif {
@@ -94,26 +96,32 @@ Gallery colors(const Asset& asset, PictureSettings picture) {
 }
 
 struct Movement {
-  const char* title;
+  std::string title;
+  std::string motion;  ///< Its name.
   std::shared_ptr<const HeadPath> path;
   double yaw_degrees;                           ///< From where it is seen best.
   std::array<double, kGalleryColumns> moments;  ///< Seconds.
 };
 
+constexpr const char* kCharge = "charge";
+
+/// One of head_looks().
+Movement looking(const char* name, double yaw_degrees, const std::array<double, kGalleryColumns>& moments) {
+  const HeadLook& look = *std::ranges::find(head_looks(), std::string_view(name), &HeadLook::name);
+  return {std::string("Gallery 5: ") + look.caption, name, path_of(look), yaw_degrees, moments};
+}
+
 std::vector<Movement> movements() {
-  const Eigen::Vector3d across = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY();
-  return {
-      {"Gallery 5: looking down", held_turn(across, 55 * kDegree, 0.4), 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}},
-      {"Gallery 5: a rapid turn", held_turn(up, 80 * kDegree, 0.25), 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}},
-      {"Gallery 5: looking up", held_turn(across, -50 * kDegree, 0.4), 90, {0, 0.2, 0.3, 0.4, 0.5, 1.5}},
-      {"Gallery 5: charging forward", path_of(Motion::kCharge), 75, {0, 0.08, 0.16, 0.3, 0.4, 1.5}},
-  };
+  return {looking("look-down", 60, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
+          looking("look-aside", 150, {0, 0.1, 0.15, 0.2, 0.3, 0.6}),
+          looking("look-up", 90, {0, 0.2, 0.3, 0.4, 0.5, 1.5}),
+          {"Gallery 5: charging forward", kCharge, path_of(Motion::kCharge), 75, {0, 0.08, 0.16, 0.3, 0.4, 1.5}}};
 }
 
 void add_motion(PictureSettings picture, std::vector<Gallery>& galleries) {
   const char* const by = picture.solver == &kThesisSolver ? ", by Algorithm 1" : "";
   for (const Movement& movement : movements()) {
-    Gallery gallery{5, std::string(movement.title) + by, {}};
+    Gallery gallery{5, movement.title + by, {}, movement.motion};
     picture.clip = movement.path;
     picture.yaw_degrees = movement.yaw_degrees;
     for (const double moment : movement.moments) {
@@ -130,7 +138,8 @@ void add_swings(PictureSettings picture, std::vector<Gallery>& galleries) {
   picture.clip = path_of(Motion::kCharge);
   picture.yaw_degrees = 75;
   for (const Solver* const solver : {&kCoifSolver, &kThesisSolver}) {
-    Gallery gallery{6, solver == &kCoifSolver ? "Swing after a charge, as cooked" : "The same by Algorithm 1", {}};
+    Gallery gallery{
+        6, solver == &kCoifSolver ? "Swing after a charge, as cooked" : "The same by Algorithm 1", {}, kCharge};
     picture.solver = solver;
     if (solver == &kThesisSolver) picture.step.iterations = 8;
     for (int i = 0; i < kMoments; ++i) {

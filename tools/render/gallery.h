@@ -63,6 +63,8 @@ struct Gallery {
   std::uint32_t number = 1;  ///< In the thesis, up to 5.
   std::string title;
   std::vector<GalleryPicture> pictures;
+  /// Of pictures that differ by their times alone: what moves the head, a motion's name or that of one of head_looks().
+  std::string motion{};
 };
 
 /// What to take pictures of: 1 components apart, 2 shifts of the highlights, 3 their exponents, 4 colours, 5 motion, as

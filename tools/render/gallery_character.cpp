@@ -55,7 +55,7 @@ MovingCollider arm_at(const Eigen::Vector3d& hair, double seconds) {
 
 Gallery hand_through_hair(const Asset& asset, PictureSettings picture) {
   constexpr double kMoments[] = {0, 0.3, 0.5, 0.7, 1.0, 1.5};
-  Gallery gallery{7, "On a character: a hand through hair", {}};
+  Gallery gallery{7, "On a character: a hand through hair", {}, "still"};
   HairCompany company;
   company.colliders = [hair = hanging_hair(asset)](double seconds) { return std::vector{arm_at(hair, seconds)}; };
   picture.company = std::make_shared<HairCompany>(company);
@@ -115,7 +115,7 @@ Gallery pose_blend(const Asset& asset, PictureSettings picture) {
 /// Hair in a breeze from the side that gusts, moment by moment.
 Gallery gusts(PictureSettings picture) {
   constexpr double kMoments[] = {0.4, 0.8, 1.2, 1.6, 2.0, 2.4};
-  Gallery gallery{7, "On a character: gusts of up to 6 m/s in a wind of 3", {}};
+  Gallery gallery{7, "On a character: gusts of up to 6 m/s in a wind of 3", {}, "still"};
   HairCompany company;
   company.gusts.amplitude = 6;
   company.gusts.direction = {1, 0, 0};

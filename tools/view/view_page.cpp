@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 namespace coif {
 namespace {
 
-// tools/view/page/script/page.html has each once.
-constexpr std::string_view kAssetPlace = "@ASSET@", kNamePlace = "@NAME@";
+// tools/view/page/script/page.html has each once, in the order name, asset, sheet.
+constexpr std::string_view kAssetPlace = "@ASSET@", kNamePlace = "@NAME@", kSheetPlace = "@SHEET@";
 
 bool is_file(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -39,19 +39,28 @@ tl::expected<std::filesystem::path, ToolError> find_view_page(const std::filesys
 }
 
 tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
-                                               std::string_view name) {
-  const std::size_t name_at = page.find(kNamePlace);
-  const std::size_t asset_at = page.find(kAssetPlace, name_at == page.npos ? 0 : name_at);
-  if (name_at == page.npos || asset_at == page.npos) {
-    return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
+                                               std::string_view name, std::string_view sheet) {
+  const std::string bytes = base64({reinterpret_cast<const std::uint8_t*>(asset.data()), asset.size()});
+  const std::string title = markup_text(name);
+  const bool has_sheet = page.find(kSheetPlace) != page.npos;
+  if (!sheet.empty() && !has_sheet) {
+    return failure(ToolError::Kind::kBadInput,
+                   "a page of coif view that knows no galleries; build/web/view/view.html as it is made now does");
   }
-  const std::string text = base64({reinterpret_cast<const std::uint8_t*>(asset.data()), asset.size()});
   std::string out;
-  out.reserve(page.size() + text.size() + name.size());
-  out.append(page.substr(0, name_at)).append(markup_text(name));
-  const std::size_t between = name_at + kNamePlace.size();
-  out.append(page.substr(between, asset_at - between)).append(text).append(page.substr(asset_at + kAssetPlace.size()));
-  return out;
+  out.reserve(page.size() + bytes.size() + title.size() + sheet.size());
+  const std::pair<std::string_view, std::string_view> places[] = {
+      {kNamePlace, title}, {kAssetPlace, bytes}, {kSheetPlace, sheet}};
+  for (const auto& [place, text] : places) {
+    if (place == kSheetPlace && !has_sheet) break;
+    const std::size_t at = page.find(place);
+    if (at == page.npos) {
+      return failure(ToolError::Kind::kBadInput, "not the page of coif view; build/web/view/view.html is");
+    }
+    out.append(page.substr(0, at)).append(text);
+    page.remove_prefix(at + place.size());
+  }
+  return out.append(page);
 }
 
 }  // namespace coif

@@ -17,8 +17,8 @@ namespace coif {
 [[nodiscard]] tl::expected<std::filesystem::path, ToolError> find_view_page(const std::filesystem::path& named);
 
 /// One page that shows this asset, with all that it needs inside; `name` is what the page calls it. `page` as find_view_page() found it.
-/// kBadInput for a file that is no such page.
+/// `sheet`: galleries to show instead, as sheet_json() has them; empty: none. kBadInput for a file that is no such page.
 [[nodiscard]] tl::expected<std::string, ToolError> view_page(std::string_view page, std::span<const std::byte> asset,
-                                                             std::string_view name);
+                                                             std::string_view name, std::string_view sheet = {});
 
 }  // namespace coif

@@ -4,16 +4,16 @@ import { existsSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const kProgram = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-const kArguments = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--js-flags=--expose-gc'];
+const PROGRAM = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+const ARGUMENTS = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--js-flags=--expose-gc'];
 
 export async function launch(more = []) {
-  if (!kProgram) throw new Error('no Chromium: tools/install_packages.sh web installs it');
-  return chromium.launch({ executablePath: kProgram, args: [...kArguments, ...more] });
+  if (!PROGRAM) throw new Error('no Chromium: tools/install_packages.sh web installs it');
+  return chromium.launch({ executablePath: PROGRAM, args: [...ARGUMENTS, ...more] });
 }
 
 /** The page from disk, after `before` ran in it, and whatever the browser complained of. Nothing may be asked of any network. */
-export async function open_page(browser, file, viewport = { width: 640, height: 420 }, before = undefined) {
+export async function openPage(browser, file, viewport = { width: 640, height: 420 }, before = undefined) {
   const context = await browser.newContext({ viewport, offline: true });
   const page = await context.newPage();
   if (before) await page.addInitScript(before);

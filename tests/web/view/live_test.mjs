@@ -2,101 +2,31 @@
 // for view_test.mjs.
 
 import { strict as assert } from 'node:assert';
-import { spawn } from 'node:child_process';
-import { copyFileSync, mkdirSync, readFileSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { launch, take } from './browser.mjs';
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { take } from './browser.mjs';
+import { cooked, get, inWork, revision, setUp, until, withView, write } from './live_view.mjs';
 import { psnr } from './png.mjs';
 
-const { COIF, SOURCE, PAGE, WORK } = process.env;
-const kSize = { width: 320, height: 240 };
-const kPatience = 120_000;  // milliseconds
-const in_work = (name) => join(WORK, name);
-
-/** A running program; `address` once it is printed, `said` to the standard error, `ended` with its exit code. */
-function start(...words) {
-  const child = spawn(COIF, ['view', ...words, '--page', PAGE, '--format', 'json'], { cwd: WORK, stdio: ['ignore', 'pipe', 'pipe'] });
-  const view = { child, said: '' };
-  view.ended = new Promise((done) => { child.on('exit', done); });
-  child.stderr.on('data', (text) => { view.said += text; });
-  view.address = new Promise((found, failed) => {
-    let text = '';
-    child.stdout.on('data', (more) => { text += more; if (text.endsWith('}\n')) found(JSON.parse(text).address); });
-    child.on('exit', (code) => failed(new Error(`it ended with ${code}: ${view.said}`)));
-  });
-  return view;
-}
-
-/** Of bob's source and recipe; nothing may be complained of, and nothing asked of anybody but the program. */
-async function with_view(act) {
-  copyFileSync(SOURCE, in_work('bob.glb'));
-  copyFileSync(SOURCE.replace(/\.glb$/, '.recipe.json'), in_work('bob.recipe.json'));
-  const view = start('bob.glb');
-  const browser = await launch();
-  try {
-    const page = await (await browser.newContext({ viewport: { width: 640, height: 420 } })).newPage();
-    page.setDefaultTimeout(kPatience);
-    const complaints = [];
-    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
-    page.on('pageerror', (error) => complaints.push(error.message));
-    const address = await view.address;
-    page.on('request', (request) => {
-      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) complaints.push(`asks for ${request.url()}`);
-    });
-    await page.goto(address);
-    await page.evaluate(async () => { window.view = await window.coif; });
-    await act(page, view, complaints);
-    assert.deepEqual(complaints, [], 'the browser complains');
-    assert.equal(await page.textContent('#problem'), '');
-  } finally {
-    await browser.close();
-    view.child.kill('SIGTERM');
-    assert.equal(await view.ended, 0, view.said);
-  }
-}
-
-const revision = (page) => page.evaluate(() => window.view.live.revision);
-/** The page's policy forbids what playwright's own waiting does there. */
-async function until(page, holds, value) {
-  for (const end = Date.now() + kPatience; Date.now() < end; await new Promise((done) => { setTimeout(done, 50); })) {
-    if (await page.evaluate(holds, value)) return;
-  }
-  throw new Error(`never came: ${holds}, ${await page.textContent('#cooked')}`);
-}
-
-const cooked = (page, number) => until(page, (wanted) => window.view.live.revision >= wanted && !window.view.live.state.cooking, number);
-const set_up = (page, name, value) => page.$eval(`#control-${name}`, (input, wanted) => {
-  input.closest('details').open = true;
-  input.value = wanted;
-  input.dispatchEvent(new Event('input', { bubbles: true }));
-  input.dispatchEvent(new Event('change', { bubbles: true }));
-}, String(value));
-const get = (page, name) => page.evaluate((of) => window.view.get(of), name);
-
-/** A file that is written, with a time that differs. */
-function write(name, text) {
-  writeFileSync(in_work(name), text);
-  const later = new Date(Date.now() + 1000);
-  utimesSync(in_work(name), later, later);
-}
+const { SOURCE, WORK } = process.env;
+const SIZE = { width: 320, height: 240 };
 
 const cases = {
   async sliders_cook_and_change_the_picture() {
-    await with_view(async (page) => {
+    await withView(async (page) => {
       assert.match(await page.textContent('#name'), /^bob\.glb$/);
       assert.match(await page.textContent('#cooked'), /^Cooked as a draft in/);
-      await set_up(page, 'motion', 1);
+      await setUp(page, 'motion', 1);
       await page.evaluate(() => { const { view } = window; view.set('yaw', 70); for (let i = 0; i < 30; ++i) view.draw(64, 48, 1 / 60); view.play(); });
       const time = await page.evaluate(() => window.view.wasm.numbers().time);
       assert.ok(time > 0.4, `${time} s`);
-      const before = await take(page, kSize, { samples: 1 });
-      await set_up(page, 'primary_exponent', 40);
-      await set_up(page, 'opaque_threshold', 0.5);
-      const tuned = await take(page, kSize);
+      const before = await take(page, SIZE, { samples: 1 });
+      await setUp(page, 'primary_exponent', 40);
+      await setUp(page, 'opaque_threshold', 0.5);
+      const tuned = await take(page, SIZE);
       await cooked(page, 2);
       assert.deepEqual([await get(page, 'yaw'), await get(page, 'motion'), await get(page, 'primary_exponent')], [70, 1, 40]);
       assert.ok(Math.abs(await page.evaluate(() => window.view.wasm.numbers().time) - time) < 0.1, 'the motion begins anew');
-      const after = await take(page, kSize);
+      const after = await take(page, SIZE);
       const own = await page.evaluate(() => window.view.original[window.view.control('primary_exponent').at]);
       assert.equal(own, 250, "as it came is as the recipe's file has it");
       console.log(`tuned: ${psnr(before, tuned).toFixed(1)} dB from before, cooked: ${psnr(tuned, after).toFixed(1)} dB from tuned`);
@@ -119,27 +49,27 @@ const cases = {
   },
 
   async files_cook_and_problems_keep_the_hair() {
-    await with_view(async (page, view) => {
-      const before = await take(page, kSize, { samples: 1 });
-      const recipe = readFileSync(in_work('bob.recipe.json'), 'utf8');
+    await withView(async (page, view) => {
+      const before = await take(page, SIZE, { samples: 1 });
+      const recipe = readFileSync(inWork('bob.recipe.json'), 'utf8');
       write('bob.recipe.json', recipe.replace('"primary_exponent": 250', '"primary_exponent": 30').replace('[1.7, 1.6, 1.5]', '[4, 0, 0]'));
       await cooked(page, 2);
       assert.equal(await get(page, 'primary_exponent'), 30);
-      const after = await take(page, kSize);
+      const after = await take(page, SIZE);
       assert.ok(psnr(before, after) < 45, 'the file changes nothing');
 
       write('bob.recipe.json', '{"material": {"primary_shft": 1}}');
       await until(page, () => document.querySelector('#cooked.problem') !== null);
       const shown = await page.textContent('#cooked');
       assert.ok(view.said.includes(`coif view: error: ${shown}\n`), `${shown}\n${view.said}`);
-      assert.deepEqual(await take(page, kSize), after, 'the last good hair is gone');
+      assert.deepEqual(await take(page, SIZE), after, 'the last good hair is gone');
 
       write('bob.recipe.json', recipe);
       await cooked(page, 3);
       await until(page, () => document.querySelector('#cooked.problem') === null);
       await page.setInputFiles('#file', { name: 'other hair.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(SOURCE) });
       await until(page, () => document.getElementById('name').textContent === 'other hair.glb');
-      assert.ok(new Set(await take(page, kSize)).size > 50, 'nothing is shown');
+      assert.ok(new Set(await take(page, SIZE)).size > 50, 'nothing is shown');
     });
   },
 };

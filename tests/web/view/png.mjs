@@ -22,7 +22,7 @@ function unfiltered(data, width, height) {
 }
 
 /** { width, height, rgba } of a PNG of eight bits a channel, RGBA. */
-export function read_png(file) {
+export function readPng(file) {
   const bytes = readFileSync(file);
   const width = bytes.readUInt32BE(16), height = bytes.readUInt32BE(20);
   if (bytes[24] !== 8 || bytes[25] !== 6) throw new Error(`${file}: not RGBA of eight bits`);

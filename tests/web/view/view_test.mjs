@@ -5,31 +5,31 @@ import { strict as assert } from 'node:assert';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { launch, open_page, take } from './browser.mjs';
-import { psnr, read_png } from './png.mjs';
+import { launch, openPage, take } from './browser.mjs';
+import { psnr, readPng } from './png.mjs';
 
 const { COIF, ASSET, SOURCE, PAGE, WORK } = process.env;
-const kSize = { width: 480, height: 360 };
-const kLeastDb = 40;
+const SIZE = { width: 480, height: 360 };
+const LEAST_DB = 40;
 
-const in_work = (name) => join(WORK, name);
+const inWork = (name) => join(WORK, name);
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
 function rendered(asset, ...options) {
-  coif('render', asset, '-o', 'reference.png', '--size', `${kSize.width}x${kSize.height}`, '--view', '30,5', ...options);
-  return read_png(in_work('reference.png')).rgba;
+  coif('render', asset, '-o', 'reference.png', '--size', `${SIZE.width}x${SIZE.height}`, '--view', '30,5', ...options);
+  return readPng(inWork('reference.png')).rgba;
 }
 
-function make_page(asset = ASSET) {
+function makePage(asset = ASSET) {
   coif('view', asset, '-o', 'page.html', '--page', PAGE);
-  return in_work('page.html');
+  return inWork('page.html');
 }
 
 /** Of a page that shows the sample; nothing may be complained of. */
-async function with_page(act, viewport) {
+async function withPage(act, viewport) {
   const browser = await launch();
   try {
-    const { page, complaints } = await open_page(browser, make_page(), viewport);
+    const { page, complaints } = await openPage(browser, makePage(), viewport);
     await act(page);
     assert.deepEqual(complaints, [], 'the browser complains');
     assert.equal(await page.textContent('#problem'), '');
@@ -38,7 +38,7 @@ async function with_page(act, viewport) {
   }
 }
 
-const count_different = (a, b) => a.reduce((sum, value, i) => sum + (value !== b[i] ? 1 : 0), 0);
+const countDifferent = (a, b) => a.reduce((sum, value, i) => sum + (value !== b[i] ? 1 : 0), 0);
 
 /** Moves a slider or chooses a word, as a visitor does. */
 async function move(page, id, value) {
@@ -57,44 +57,44 @@ function merged(tuned) {
   return own;
 }
 
-const recipe_of = (page) => page.evaluate(async () => (await window.coif).recipe());
+const recipeOf = (page) => page.evaluate(async () => (await window.coif).recipe());
 
 const cases = {
   async opens_from_disk() {
-    await with_page(async (page) => {
-      const pixels = await take(page, kSize);
+    await withPage(async (page) => {
+      const pixels = await take(page, SIZE);
       assert.ok(new Set(pixels).size > 50, 'the picture is empty');
       assert.equal(await page.textContent('#name'), 'bob.coif');
       assert.equal((await page.$$('input:not([id]):not([aria-label]), select:not([id])')).length, 0, 'a control without a name');
     });
     const browser = await launch();
-    const { page, complaints } = await open_page(browser, PAGE);  // that nobody has filled in
+    const { page, complaints } = await openPage(browser, PAGE);  // that nobody has filled in
     assert.match(await page.textContent('#problem'), /Drop a [.]coif/);
     await page.click('#front');
     await page.setInputFiles('#file', ASSET);
     await page.waitForFunction(() => document.getElementById('problem').hidden);
-    assert.ok(new Set(await take(page, kSize)).size > 50, 'a file that was dropped is not shown');
+    assert.ok(new Set(await take(page, SIZE)).size > 50, 'a file that was dropped is not shown');
     assert.deepEqual(complaints, []);
     await browser.close();
     const most = statSync(PAGE).size + Math.ceil(statSync(ASSET).size / 3) * 4 + 1000;
-    assert.ok(statSync(in_work('page.html')).size < most, 'the page is larger than its parts');
+    assert.ok(statSync(inWork('page.html')).size < most, 'the page is larger than its parts');
   },
 
   async draws_what_render_draws() {
-    await with_page(async (page) => {
+    await withPage(async (page) => {
       const report = [];
       for (const mode of ['blend', 'opaque', 'coverage', 'proportional', 'jittered', 'screendoor', 'checkerboard', 'bayer', 'hashed']) {
-        const db = psnr(await take(page, kSize, { transparency: mode }), rendered(ASSET, '--transparency', mode));
+        const db = psnr(await take(page, SIZE, { transparency: mode }), rendered(ASSET, '--transparency', mode));
         report.push(`${mode} ${db.toFixed(1)} dB`);
-        assert.ok(db >= kLeastDb, `${mode}: ${db} dB`);
+        assert.ok(db >= LEAST_DB, `${mode}: ${db} dB`);
       }
       for (const shadows of ['none', 'plain', 'opacity', 'deep']) {
-        const db = psnr(await take(page, kSize, { transparency: 'blend', shadows }), rendered(ASSET, '--shadows', shadows));
+        const db = psnr(await take(page, SIZE, { transparency: 'blend', shadows }), rendered(ASSET, '--shadows', shadows));
         report.push(`${shadows} ${db.toFixed(1)} dB`);
-        assert.ok(db >= kLeastDb, `shadows ${shadows}: ${db} dB`);
+        assert.ok(db >= LEAST_DB, `shadows ${shadows}: ${db} dB`);
       }
       const bones = { transparency: 'blend', shadows: 'deep-shadow', bones: 1, colliders: 1 };
-      const db = psnr(await take(page, kSize, bones), rendered(ASSET, '--debug', 'bones,colliders'));
+      const db = psnr(await take(page, SIZE, bones), rendered(ASSET, '--debug', 'bones,colliders'));
       report.push(`bones ${db.toFixed(1)} dB`);
       assert.ok(db >= 35, `bones: ${db} dB`);  // lines of a pixel, drawn by two rasterizers
       console.log(report.join('\n'));
@@ -105,15 +105,15 @@ const cases = {
     const browser = await launch();
     const hide = () => {
       const { getSupportedExtensions, getExtension } = WebGL2RenderingContext.prototype;
-      const is_hidden = (name) => /color_buffer/.test(name);
+      const isHidden = (name) => /color_buffer/.test(name);
       WebGL2RenderingContext.prototype.getSupportedExtensions = function () {
-        return getSupportedExtensions.call(this).filter((name) => !is_hidden(name));
+        return getSupportedExtensions.call(this).filter((name) => !isHidden(name));
       };
-      WebGL2RenderingContext.prototype.getExtension = function (name) { return is_hidden(name) ? null : getExtension.call(this, name); };
+      WebGL2RenderingContext.prototype.getExtension = function (name) { return isHidden(name) ? null : getExtension.call(this, name); };
     };
-    const { page, complaints } = await open_page(browser, make_page(), undefined, hide);
+    const { page, complaints } = await openPage(browser, makePage(), undefined, hide);
     for (const shadows of ['deep-shadow', 'deep']) {
-      const db = psnr(await take(page, kSize, { shadows }), rendered(ASSET, '--shadows', shadows));
+      const db = psnr(await take(page, SIZE, { shadows }), rendered(ASSET, '--shadows', shadows));
       console.log(`${shadows} in bytes ${db.toFixed(1)} dB`);
       assert.ok(db >= 35, `${shadows}: ${db} dB`);
     }
@@ -122,47 +122,47 @@ const cases = {
   },
 
   async moved_sliders_change_picture_and_recipe() {
-    await with_page(async (page) => {
-      await take(page, kSize);
-      assert.deepEqual(await recipe_of(page), {});
-      const before = await take(page, kSize);
+    await withPage(async (page) => {
+      await take(page, SIZE);
+      assert.deepEqual(await recipeOf(page), {});
+      const before = await take(page, SIZE);
       await move(page, '#control-secondary_exponent', 90);
-      const after = await take(page, kSize);
-      assert.ok(count_different(before, after) > 2000, 'the picture stays');
+      const after = await take(page, SIZE);
+      assert.ok(countDifferent(before, after) > 2000, 'the picture stays');
       await move(page, '#control-primary_shift', 1.1);
       await move(page, '#control-base_color', '#8090ff');
       await move(page, '#control-solver', 2);
-      await move(page, '#control-stiffness', 2);
-      const recipe = await recipe_of(page);
+      await move(page, '#control-friction', 5);
+      const recipe = await recipeOf(page);
       assert.equal(recipe.material.secondary_exponent, 90);
       assert.equal(recipe.material.primary_shift, 1.1);
       assert.equal(recipe.material.base_color.length, 4);
-      assert.deepEqual(recipe.dynamics, { model: 'passive' });
+      assert.deepEqual(recipe.dynamics, { friction: 5, model: 'passive' });
       assert.deepEqual(Object.keys(recipe).sort(), ['dynamics', 'material']);
       await page.click('#copy-recipe');
       assert.deepEqual(JSON.parse(await page.inputValue('#recipe-text')), recipe);
-      assert.match(await page.textContent('#recipe-note'), /Stiffness/);
+      assert.match(await page.textContent('#recipe-note'), /formulas that the cook uses/);
     });
   },
 
   async copied_recipe_cooks_what_was_seen() {
-    await with_page(async (page) => {
-      await take(page, kSize);
+    await withPage(async (page) => {
+      await take(page, SIZE);
       for (const [id, value] of [['primary_exponent', 60], ['primary_shift', 1], ['secondary_shift', 0.2], ['base_color', '#b0a0ff']]) {
         await move(page, `#control-${id}`, value);
       }
-      const seen = await take(page, kSize);
-      writeFileSync(in_work('tuned.recipe.json'), JSON.stringify(merged(await recipe_of(page))));
+      const seen = await take(page, SIZE);
+      writeFileSync(inWork('tuned.recipe.json'), JSON.stringify(merged(await recipeOf(page))));
       coif('cook', SOURCE, '-o', 'tuned.coif', '--recipe', 'tuned.recipe.json', '--threads', '2');
       const db = psnr(seen, rendered('tuned.coif'));
       console.log(`the cooked recipe: ${db.toFixed(1)} dB; untuned: ${psnr(seen, rendered(ASSET)).toFixed(1)} dB`);
-      assert.ok(db >= kLeastDb, `${db} dB`);
-      assert.ok(psnr(seen, rendered(ASSET)) < kLeastDb - 5, 'the recipe changes nothing');
+      assert.ok(db >= LEAST_DB, `${db} dB`);
+      assert.ok(psnr(seen, rendered(ASSET)) < LEAST_DB - 5, 'the recipe changes nothing');
     });
   },
 
   async frames_need_no_more_memory() {
-    await with_page(async (page) => {
+    await withPage(async (page) => {
       const grown = await page.evaluate(async () => {
         const view = await window.coif;
         let made = 0;
@@ -190,8 +190,8 @@ const cases = {
   },
 
   async lost_context_comes_back() {
-    await with_page(async (page) => {
-      const before = await take(page, kSize);
+    await withPage(async (page) => {
+      const before = await take(page, SIZE);
       await page.evaluate(async () => {
         const view = await window.coif;
         const event = (name) => new Promise((done) => view.canvas.addEventListener(name, () => setTimeout(done), { once: true }));
@@ -204,13 +204,13 @@ const cases = {
         loses.restoreContext();
         await restored;
       });
-      assert.equal(count_different(before, await take(page, kSize)), 0);
+      assert.equal(countDifferent(before, await take(page, SIZE)), 0);
     });
   },
 
   async heads_move_and_rest() {
-    await with_page(async (page) => {
-      const still = await take(page, kSize, { shadows: 'none' });
+    await withPage(async (page) => {
+      const still = await take(page, SIZE, { shadows: 'none' });
       const moved = await page.evaluate(async () => {
         const view = await window.coif;
         view.set('motion', 'turn');
@@ -228,7 +228,7 @@ const cases = {
         for (let i = 0; i < 10; ++i) view.draw(64, 48, 1 / 60);
         const asleep = view.wasm.numbers().asleep;
         view.wasm.release();
-        return { held, asleep, cost: view.wasm.numbers().step_ns_of_bone };
+        return { held, asleep, cost: view.wasm.numbers().stepNsOfBone };
       });
       assert.deepEqual([moved.held, moved.asleep], [true, 0]);
       assert.ok(moved.cost >= 0 && moved.cost < 1e5, `${moved.cost} ns a bone`);
@@ -238,7 +238,7 @@ const cases = {
         return view.wasm.numbers().asleep;
       });
       assert.equal(rested, 1, 'the hair never rests');
-      assert.ok(psnr(still, await take(page, kSize)) > 38, 'hair comes back to where it hung');
+      assert.ok(psnr(still, await take(page, SIZE)) > 38, 'hair comes back to where it hung');
     });
   },
 
@@ -248,21 +248,21 @@ const cases = {
                     'spoilt.coif': Buffer.concat([good.subarray(0, good.length - 9), Buffer.from('spoilt!!!')]), 'empty.coif': Buffer.alloc(0) };
     const browser = await launch();
     try {
-      const { page } = await open_page(browser, make_page());
+      const { page } = await openPage(browser, makePage());
       for (const [name, bytes] of Object.entries(files)) {
-        writeFileSync(in_work(name), bytes);
+        writeFileSync(inWork(name), bytes);
         const told = spawnSync(COIF, ['view', name, '-o', 'no.html', '--page', PAGE], { encoding: 'utf8', cwd: WORK });
         assert.notEqual(told.status, 0, name);
-        await page.setInputFiles('#file', in_work(name));
+        await page.setInputFiles('#file', inWork(name));
         await page.waitForFunction(() => !document.getElementById('problem').hidden);
         const shown = await page.textContent('#problem');
         assert.equal(`coif view: error: ${shown}`, told.stderr.trim());
         await page.evaluate(async () => (await window.coif).say(''));
       }
-      copyFileSync(ASSET, in_work('other.coif'));
-      await page.setInputFiles('#file', in_work('other.coif'));
+      copyFileSync(ASSET, inWork('other.coif'));
+      await page.setInputFiles('#file', inWork('other.coif'));
       await page.waitForFunction(() => document.getElementById('name').textContent === 'other.coif');
-      assert.ok(new Set(await take(page, kSize)).size > 50, 'what was shown is gone');
+      assert.ok(new Set(await take(page, SIZE)).size > 50, 'what was shown is gone');
     } finally {
       await browser.close();
     }

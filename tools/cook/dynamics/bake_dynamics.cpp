@@ -2,7 +2,6 @@
 
 #include "base/geometry.h"
 #include "cook/recipe/hair_preset.h"
-#include "write/pose_oscillator.h"
 
 #include <fmt/format.h>
 
@@ -17,12 +16,15 @@ constexpr double kLeastKept = 1.0e-4;       ///< Share of the velocity; a drag o
 constexpr double kMostGravity = 1000;       ///< What a DynamicsRecord may hold.
 constexpr double kVertical = 1.0 - 1.0e-4;  ///< Cosine of a direction that counts as down.
 
-DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& bone, const Recipe& recipe) {
+/// Of a bone's middle, where it takes the values of curves.
+double middle_place(const Skeleton& skeleton, const SkeletonBone& bone) {
   const double root_place = bone.kind == BoneKind::kSimulated ? skeleton.bones[bone.parent].place : 0;
+  return 0.5 * (root_place + bone.place);
+}
+
+DynamicsRecord dynamics_by_curve(double place, const Recipe& recipe) {
   DynamicsRecord record{};
-  if (!recipe.resistance.empty()) {
-    record.resistance = float(evaluate_curve(recipe.resistance, 0.5 * (root_place + bone.place)));
-  }
+  if (!recipe.resistance.empty()) record.resistance = float(evaluate_curve(recipe.resistance, place));
   record.friction =
       float(recipe.friction.value_or(recipe.resistance.empty() ? preset_of(recipe).friction : kUsualFriction));
   record.gravity_scale = float(recipe.gravity_scale);
@@ -30,25 +32,15 @@ DynamicsRecord dynamics_by_curve(const Skeleton& skeleton, const SkeletonBone& b
   return record;
 }
 
-/// The damping that, with the friction, brings a bone of `length` metres to this share of critical damping; 0 where friction
-/// alone does more.
-double damping_for(double ratio, double length, const DynamicsRecord& record) {
-  return std::max(0.0, 2 * ratio * natural_rate(record, length) - double(record.friction));
-}
-
-/// What the recipe says of critical damping; none: nothing.
-std::optional<double> said_ratio(const Recipe& recipe) {
-  if (recipe.damping_ratio) return recipe.damping_ratio;
+/// What the recipe says of critical damping at this place; none: nothing.
+std::optional<double> said_ratio(const Recipe& recipe, double place) {
+  if (recipe.damping_ratio) return evaluate(*recipe.damping_ratio, place);
   return recipe.liveliness ? std::optional(1 - *recipe.liveliness) : std::nullopt;
 }
 
 /// What the runtime's default solver moves by; see runtime/docs/MODEL.md.
-void bake_oscillator(const Recipe& recipe, double length, DynamicsRecord& record) {
-  const PoseOscillator oscillator = oscillator_of(record.resistance, record.authoring_rate);
-  record.stiffness = float(std::min(oscillator.stiffness, kMostStiffness));
-  const std::optional<double> ratio = said_ratio(recipe);
-  const double damping = ratio ? damping_for(*ratio, length, record) : oscillator.damping;
-  record.damping = float(std::min(damping, kMostDamping));
+void bake_motion(const Recipe& recipe, std::optional<double> ratio, double length, DynamicsRecord& record) {
+  bake_oscillator(ratio, length, record);
   record.torsion = float(recipe.torsion.value_or(kUsualTorsion));
   record.angle_limit = std::min(float(recipe.angle_limit * kDegree), kNoAngleLimit);
   record.parent_share = float(recipe.parent_share);
@@ -90,15 +82,17 @@ std::vector<Sayer> sayers_of(const SourceModel& source, const Skeleton& skeleton
 /// What a bone's recipe, in which what is said of its chain holds, and the file say of it.
 void add_motion(const Skeleton& skeleton, const SkeletonBone& bone, const Sayer& sayer, const Recipe& recipe,
                 SaidMotion& motion) {
+  const double place = middle_place(skeleton, bone);
+  const std::optional<double> ratio = said_ratio(recipe, place);
   DynamicsRecord record = sayer.source == MotionSource::kSpring ? dynamics_of_joint(*sayer.joint.joint, bone.length())
-                                                                : dynamics_by_curve(skeleton, bone, recipe);
+                                                                : dynamics_by_curve(place, recipe);
   if (sayer.said != nullptr && sayer.said->friction) record.friction = float(*sayer.said->friction);
   if (sayer.said != nullptr && sayer.said->gravity_scale) record.gravity_scale = float(*sayer.said->gravity_scale);
-  bake_oscillator(recipe, bone.length(), record);
+  bake_motion(recipe, ratio, bone.length(), record);
   motion.records.push_back(record);
   motion.sources.push_back(sayer.source);
   motion.presets.push_back(&preset_of(recipe));
-  motion.damping_ratios.push_back(said_ratio(recipe).value_or(preset_of(recipe).damping_ratio));
+  motion.damping_ratios.push_back(ratio.value_or(preset_of(recipe).damping_ratio));
 }
 
 void report_sources(const std::vector<MotionSource>& sources, std::size_t simulated, const Recipe& recipe,
@@ -144,21 +138,6 @@ void warn_of_lost_settings(const SourceModel& source, std::span<const Sayer> say
 }
 
 }  // namespace
-
-double natural_rate(const DynamicsRecord& record, double length) {
-  const double pendulum = length > 0 ? 2 * kGravity * std::abs(record.gravity_scale) / length : 0;
-  return std::sqrt(record.stiffness + pendulum);
-}
-
-double evaluate_curve(std::span<const CurvePoint> curve, double at) {
-  if (at <= curve.front().at) return curve.front().value;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    if (at > curve[i].at) continue;
-    const double share = (at - curve[i - 1].at) / (curve[i].at - curve[i - 1].at);
-    return curve[i - 1].value + share * (curve[i].value - curve[i - 1].value);
-  }
-  return curve.back().value;
-}
 
 SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,
                          std::span<const PatchOverride> of_chain, Findings& findings) {

@@ -33,6 +33,7 @@
 // center a hair only feels where down is. Here hair is simulated in the world and feels every motion of the head.
 // Both are reported.
 
+#include "cook/dynamics/bone_motion.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/hair_preset.h"
 #include "cook/recipe/recipe.h"
@@ -45,27 +46,14 @@
 
 namespace coif {
 
-inline constexpr double kGravity = 9.81;  ///< m/s^2
-
 inline constexpr double kSpringRate = 60;  ///< Frames per second at which spring bones have their look.
 
 /// Settings of one joint for a bone of `length` metres; hit_radius is left at 0.
 [[nodiscard]] DynamicsRecord dynamics_of_joint(const SourceSpringJoint& joint, double length);
 
-/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
-/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
-inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
-
 /// Rate at which a twist goes back where the recipe leaves it open, 1/s: a twist is gone within a swing of the hair, and not
 /// so fast that it shows.
 inline constexpr double kUsualTorsion = 20;
-
-/// Piecewise linear through the points, constant outside them. `curve` is not empty and ascends.
-[[nodiscard]] double evaluate_curve(std::span<const CurvePoint> curve, double at);
-
-/// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
-/// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
-[[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
 
 /// Who says how a bone moves.
 enum class MotionSource { kRigid, kSpring, kCurve, kPreset };
@@ -85,7 +73,7 @@ struct SaidMotion {
 [[nodiscard]] float air_lag(const Recipe& recipe, const SaidMotion& said);
 
 /// How each bone moves: as the file's spring bones say or by the recipe's curves, as "dynamics.source" has it. By its curve a
-/// bone takes the value at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
+/// bone takes the values at its middle, so that a chain of one bone has the mean and not the tip's value. `of_chain`, empty or
 /// one for each chain, is what the recipe says of its motion alone, before the file's springs. Notes how many have springs;
 /// warns of what springs lose.
 [[nodiscard]] SaidMotion bake_dynamics(const SourceModel& source, const Skeleton& skeleton, const Recipe& recipe,

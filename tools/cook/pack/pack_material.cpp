@@ -95,9 +95,8 @@ float bounding_cut(const MaterialRecord& material) { return float(1 - 1 / std::m
 
 namespace {
 
-/// Of the complete recipe as print_recipe() writes it.
 std::uint64_t recipe_hash(const Recipe& recipe) {
-  const std::string text = print_recipe(recipe);
+  const std::string text = canonical_recipe(recipe);
   return xxh64(std::as_bytes(std::span(text.data(), text.size())));
 }
 

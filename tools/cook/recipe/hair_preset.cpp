@@ -14,8 +14,11 @@ constexpr HairPreset kPresets[] = {{"natural", 0.08, 0.45, 2.2},
 
 }  // namespace
 
+std::span<const HairPreset> hair_presets() { return kPresets; }
+
 const HairPreset& preset_of(const Recipe& recipe) {
-  const auto* const found = std::ranges::find(kPresets, recipe.dynamics_preset, &HairPreset::name);
+  const auto is_meant = [&](const HairPreset& preset) { return recipe.dynamics_preset == preset.name; };
+  const auto* const found = std::find_if(std::begin(kPresets), std::end(kPresets), is_meant);
   return found != std::end(kPresets) ? *found : kPresets[0];
 }
 

@@ -2,6 +2,8 @@
 
 #include "cook/recipe/recipe.h"
 
+#include <span>
+
 namespace coif {
 
 /// What "dynamics.preset" means.
@@ -12,6 +14,7 @@ struct HairPreset {
   double friction;  ///< 1/s, against the air.
 };
 
+[[nodiscard]] std::span<const HairPreset> hair_presets();
 [[nodiscard]] const HairPreset& preset_of(const Recipe& recipe);
 
 }  // namespace coif

@@ -2,6 +2,8 @@
 
 // What a recipe says of some patches alone.
 
+#include "cook/recipe/root_tip_curve.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,14 +13,6 @@
 namespace coif {
 
 struct Recipe;
-
-/// One point of a root-to-tip curve: `at` 0 root .. 1 tip.
-struct CurvePoint {
-  double at = 0;
-  double value = 0;
-
-  bool operator==(const CurvePoint&) const = default;
-};
 
 /// Which patches are meant: those for which all that is given holds. 'coif cook --list patches' prints what there is.
 struct PatchSelection {
@@ -45,7 +39,8 @@ struct PatchOverride {
   // Of the chains that carry mostly these patches.
   std::optional<std::vector<CurvePoint>> resistance;
   std::optional<std::string> preset;  ///< Before springs and resistances of the whole.
-  std::optional<double> liveliness, friction, gravity_scale, damping_ratio, angle_limit, parent_share;
+  std::optional<NumberOrCurve> damping_ratio;
+  std::optional<double> liveliness, friction, gravity_scale, angle_limit, parent_share;
 
   /// Something is said of how the patches move.
   [[nodiscard]] bool is_of_motion() const {

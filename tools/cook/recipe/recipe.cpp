@@ -53,6 +53,24 @@ tl::expected<void, std::string> read_section(const std::string& section, const j
   return {};
 }
 
+/// `says_all`: with RecipeKey::also.
+std::string commented(const Recipe& recipe, bool says_all) {
+  std::string text = "{";
+  const char* section = "";
+  for (const RecipeKey& key : recipe_keys()) {
+    const bool first = std::strcmp(section, key.section) != 0;
+    if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
+    section = key.section;
+    std::string facts = fmt::format("default {}", key.default_json);
+    if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
+    if (key.low < key.high)
+      facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
+    text += fmt::format("{}\n    // {}{} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, says_all ? key.also : "",
+                        facts, key.name, write_value(key, recipe).dump());
+  }
+  return text + "\n  }\n}\n";
+}
+
 }  // namespace
 
 Recipe default_recipe() {
@@ -111,21 +129,8 @@ tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
   return parse_recipe(*text, path.string());
 }
 
-std::string print_recipe(const Recipe& recipe) {
-  std::string text = "{";
-  const char* section = "";
-  for (const RecipeKey& key : recipe_keys()) {
-    const bool first = std::strcmp(section, key.section) != 0;
-    if (first) text += fmt::format("{}\n  \"{}\": {{", *section != 0 ? "\n  }," : "", key.section);
-    section = key.section;
-    std::string facts = fmt::format("default {}", key.default_json);
-    if (key.choices != nullptr) facts += fmt::format(", one of {}", key.choices);
-    if (key.low < key.high)
-      facts += fmt::format(", {} to {}{}{}", key.low, key.high, *key.unit != 0 ? " " : "", key.unit);
-    text += fmt::format("{}\n    // {} ({})\n    \"{}\": {}", first ? "" : ",", key.meaning, facts, key.name,
-                        write_value(key, recipe).dump());
-  }
-  return text + "\n  }\n}\n";
-}
+std::string print_recipe(const Recipe& recipe) { return commented(recipe, true); }
+
+std::string canonical_recipe(const Recipe& recipe) { return commented(recipe, false); }
 
 }  // namespace coif

@@ -72,7 +72,7 @@ struct Recipe {
   bool sags = false;
   double gravity_scale = 0;
   double authoring_rate = 0;
-  std::optional<double> damping_ratio;  ///< None: as `liveliness` says.
+  std::optional<NumberOrCurve> damping_ratio;  ///< None: as `liveliness` says.
   std::string conditioning;       ///< "auto" or "off".
   std::optional<double> torsion;  ///< 1/s; none: chosen for each chain.
   double angle_limit = 0;         ///< Degrees.
@@ -165,5 +165,8 @@ tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::pat
 
 /// The complete recipe as JSON with a comment for each key: default, range, unit, meaning. Parses back to `recipe`.
 [[nodiscard]] std::string print_recipe(const Recipe& recipe);
+
+/// The same without what was added to comments since: what a recipe's hash is taken of, so that it stays what it was.
+[[nodiscard]] std::string canonical_recipe(const Recipe& recipe);
 
 }  // namespace coif

@@ -105,7 +105,7 @@ const RecipeKey kKeys[] = {
    "frame rate at which the resistance was tuned"},
   {"dynamics", "damping_ratio", &R::damping_ratio, "null", 0, 10, nullptr, "",
    "the same as a share of what would keep a bone from swinging past its pose, the air's friction included; null: as"
-   " \"liveliness\" says"},
+   " \"liveliness\" says", "; one number, or points [place along the chain from root 0 to tip 1, value 0..10]"},
   {"dynamics", "conditioning", &R::conditioning, "\"auto\"", 0, 0, "auto|off", "",
    "auto: where a chain's motion would not be the same twice, damps it, by what changes it least, and says so; off: never"},
   {"dynamics", "torsion", &R::torsion, "null", 0, 1.0e6, nullptr, "1/s",

@@ -13,13 +13,13 @@
 
 namespace coif {
 
-using RecipeField = std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
-                                 std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*,
-                                 std::array<double, 3> Recipe::*, std::array<double, 4> Recipe::*,
-                                 std::optional<double> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
-                                 std::vector<PatchOverride> Recipe::*,
-                                 std::vector<RecipeBodyCollider> Recipe::*, std::vector<RecipeBoneLimit> Recipe::*,
-                                 RecipeLinks Recipe::*>;
+using RecipeField =
+    std::variant<bool Recipe::*, double Recipe::*, std::uint32_t Recipe::*, std::string Recipe::*,
+                 std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*, std::array<double, 3> Recipe::*,
+                 std::array<double, 4> Recipe::*, std::optional<double> Recipe::*,
+                 std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
+                 std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
+                 std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*>;
 
 /// One key of a recipe: everything that reading, checking and printing it needs.
 struct RecipeKey {
@@ -32,6 +32,7 @@ struct RecipeKey {
   const char* choices;  ///< Words allowed, separated by '|'; null: any text.
   const char* unit;     ///< "" where there is none.
   const char* meaning;  ///< What the artist sees, one line.
+  const char* also = "";  ///< What more it may be, a clause that follows; no part of canonical_recipe().
 
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };

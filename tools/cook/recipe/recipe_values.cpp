@@ -82,6 +82,21 @@ Outcome read(const RecipeKey& key, const json& value, std::vector<CurvePoint>& o
   return {};
 }
 
+Outcome read(const RecipeKey& key, const json& value, NumberOrCurve& out) {
+  if (value.is_array()) {
+    std::vector<CurvePoint> points;
+    if (Outcome outcome = read(key, value, points); !outcome) return outcome;
+    if (points.empty()) return wants("at least one point, or a number " + number_range(key), value);
+    out = std::move(points);
+    return {};
+  }
+  if (!allowed(key, value)) {
+    return wants(fmt::format("a number {}, or points [place 0..1, such a number]", number_range(key)), value);
+  }
+  out = value.get<double>();
+  return {};
+}
+
 Outcome read(const RecipeKey&, const json& value, std::vector<PatchOverride>& out) { return read_overrides(value, out); }
 
 Outcome read(const RecipeKey&, const json& value, std::vector<RecipeBodyCollider>& out) {
@@ -126,6 +141,10 @@ json write(const std::vector<CurvePoint>& points) {
   return list;
 }
 
+json write(const NumberOrCurve& value) {
+  return std::visit([](const auto& held) { return write(held); }, value);
+}
+
 json write(const std::vector<PatchOverride>& overrides) { return write_overrides(overrides); }
 
 json write(const std::vector<RecipeBodyCollider>& colliders) { return write_body_colliders(colliders); }
@@ -136,7 +155,7 @@ json write(const RecipeLinks& links) { return write_chain_links(links); }
 
 template <typename Value>
 json write(const std::optional<Value>& value) {
-  return value ? json(*value) : json(nullptr);
+  return value ? write(*value) : json(nullptr);
 }
 
 }  // namespace

@@ -239,26 +239,25 @@ Table settings_table(const AccuracyReport& report) {
 }
 
 std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report) {
-  HtmlPage page = report_page("Error against run time", heading, accuracy_summary(report));
+  HtmlPage page = report_page("Error against run time", heading, accuracy_summary(report), accuracy_link(report));
   page.heading("What each solver costs and gets right");
   page.figure(work_precision_figure(report));
   page.figure(own_model_figure(report));
   page.table(settings_table(report));
-  page.paragraph(
-      fmt::format("All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that "
-                  "repeat their "
-                  "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's "
-                  "length; stretch "
-                  "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the "
-                  "collider's radius, "
-                  "and beside it the same of whole bones. Time is of one core.",
-                  main_frame_rate(report)));
+  page.paragraph(fmt::format(
+      "All motions at {} frames per second. Steps are sub-steps of a frame, or iterations for solvers that repeat their "
+      "constraints instead. Errors are distances of chain tips, seen from the head, in % of the chain's length; stretch "
+      "is in % of a bone's length; penetration is how deep a bone's end is in a collider, in % of the collider's radius, "
+      "and beside it the same of whole bones. Time is of one core.",
+      main_frame_rate(report)));
   page.heading("Does it look the same at every frame rate?");
   page.paragraph(
       "A solver whose error is large and changes with the frame rate makes hair that looks different on every machine; "
       "one whose error is small everywhere looks the same everywhere.");
-  for (const std::string& motion : names_of(report.rows, &AccuracyRow::motion))
+  for (const std::string& motion : names_of(report.rows, &AccuracyRow::motion)) {
     page.figure(frame_rate_figure(report, motion));
+    page.links("See " + motion + " at so many frames per second: ", motion_links(heading, report, motion));
+  }
   page.figure(stretch_figure(report));
   page.paragraph("Frame-rate spread: the largest RMS difference between any two frame rates, in % of the length.");
   page.table(spread_table(report));

@@ -182,6 +182,13 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// `coif report accuracy` as one HTML document.
 [[nodiscard]] std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& report);
 
+/// What the page of `coif view` shows of the report: a motion at main_frame_rate(), two of the solvers beside each other.
+[[nodiscard]] ViewLink accuracy_link(const AccuracyReport& report);
+/// The same of one motion, a link for each frame rate that was measured and that the page has. Empty where it has not the
+/// motion, or where there is no page.
+[[nodiscard]] std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
+                                                 const std::string& motion);
+
 /// What to use and what it costs, in sentences for who sets up hair and has never heard of an integrator.
 [[nodiscard]] std::string accuracy_summary(const AccuracyReport& report);
 
@@ -203,7 +210,8 @@ void mark_fronts(std::span<AccuracyRow> rows);
 
 /// Error against frame rate in one motion: the runtime's solvers and the best of the others, each with its fewest
 /// sub-steps, which is how they are run where nobody asks for more.
-[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report, const std::string& motion);
+[[nodiscard]] Figure frame_rate_figure(const AccuracyReport& report,
+                                                 const std::string& motion);
 
 /// Worst stretch over the motions against frame rate, every solver with its fewest sub-steps.
 [[nodiscard]] Figure stretch_figure(const AccuracyReport& report);

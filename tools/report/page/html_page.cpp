@@ -29,6 +29,7 @@ body { color: var(--text); background: var(--ground); font: 15px/1.5 system-ui, 
 h1 { font-size: 1.6rem; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem; break-after: avoid; border-bottom: 1px solid var(--line); }
 p { max-width: 52rem; }
+a { color: inherit; text-decoration-color: #2f8fd8; text-underline-offset: 0.15em; }
 .summary { font-size: 1.1rem; background: var(--raised); border-left: 4px solid #2f8fd8; padding: 0.7rem 1rem; }
 .table { overflow: auto; max-height: 90vh; margin: 1rem 0; }
 table { border-collapse: collapse; }
@@ -132,6 +133,16 @@ void HtmlPage::heading(std::string_view text) { element("h2", text); }
 void HtmlPage::summary(std::string_view text) { element("p class=\"summary\"", text); }
 void HtmlPage::paragraph(std::string_view text) {
   if (!text.empty()) element("p", text);
+}
+
+void HtmlPage::links(std::string_view lead, std::span<const PageLink> links) {
+  if (links.empty()) return;
+  body_ += "<p>" + markup_text(lead);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    body_ += fmt::format("{}<a href=\"{}\">{}</a>", i > 0 ? ", " : "", markup_text(links[i].url),
+                         markup_text(links[i].text));
+  }
+  body_ += "</p>\n";
 }
 
 void HtmlPage::table(const Table& table) {

@@ -34,6 +34,12 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  ///< Short rows are filled up with empty cells.
 };
 
+/// To another document.
+struct PageLink {
+  std::string text;
+  std::string url;
+};
+
 /// One HTML document that needs nothing but itself: no script, no file beside it, no network; its own policy forbids a
 /// browser to fetch any. Readable on light and dark screens and on paper. Every text that comes in is escaped.
 class HtmlPage {
@@ -45,6 +51,8 @@ class HtmlPage {
   void summary(std::string_view text);
   /// Nothing for an empty text.
   void paragraph(std::string_view text);
+  /// One after the other behind `lead`; nothing where there are none.
+  void links(std::string_view lead, std::span<const PageLink> links);
   void table(const Table& table);
   void figure(const Figure& figure);
   /// Bytes of a PNG file, put into the page.

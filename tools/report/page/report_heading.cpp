@@ -85,9 +85,14 @@ nlohmann::ordered_json heading_json(const ReportHeading& heading) {
       {"seconds_taken", heading.seconds_taken}};
 }
 
-HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary) {
+HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary,
+                     const ViewLink& shown) {
   HtmlPage page(title + ": " + heading.asset);
   page.paragraph(heading_text(heading));
+  if (!heading.view.empty()) {
+    const PageLink link{heading.view_name, view_url(heading.view, shown)};
+    page.links("See it move: ", {&link, 1});
+  }
   page.summary(summary);
   return page;
 }

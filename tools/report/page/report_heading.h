@@ -4,6 +4,7 @@
 
 #include "base/json.h"
 #include "report/page/html_page.h"
+#include "report/page/view_link.h"
 
 #include <coif/asset.h>
 
@@ -33,6 +34,8 @@ struct ReportHeading {
   double shortest_chain = 0, median_chain = 0, longest_chain = 0;
   std::string machine;       ///< Processor and cores, one line; empty where the system does not tell.
   double seconds_taken = 0;  ///< By the whole measurement.
+  std::string view{};        ///< The page of `coif view` of this asset: a relative URL; empty: there is none.
+  std::string view_name{};   ///< What it is called, for people.
 };
 
 /// All but the time it took.
@@ -47,8 +50,10 @@ struct ReportHeading {
 /// The keys that every report begins with.
 [[nodiscard]] nlohmann::ordered_json heading_json(const ReportHeading& heading);
 
-/// A page that begins with them, and with the sentences that a hurried reader should see.
-[[nodiscard]] HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary);
+/// A page that begins with them, with the sentences that a hurried reader should see, and with a link to the page of `coif view`, where
+/// there is one, which it opens with the settings of `shown`.
+[[nodiscard]] HtmlPage report_page(const std::string& title, const ReportHeading& heading, std::string_view summary,
+                                   const ViewLink& shown = {});
 
 /// The names in one member of the records, each once, in the order in which they first occur.
 template <typename Record>

@@ -1,7 +1,7 @@
 // What the page offers to set, row by row. Numbers of a recipe have its ranges, or those that look like hair.
 
 #include "base/hair_runtime.h"
-#include "motion/head_path.h"
+#include "view/page/view_motions.h"
 #include "view/page/view_settings.h"
 
 #include <cstddef>
@@ -30,6 +30,8 @@ constexpr char kModeWords[] = "blend|opaque|coverage|proportional|jittered|scree
 constexpr char kShadowWords[] = "none|plain|opacity|deep|deep-shadow";
 constexpr char kSolverWords[] = "coif|cascade|passive|thesis";
 constexpr char kBesideWords[] = "none|coif|cascade|passive|thesis";
+constexpr char kViewWords[] = "hair|patches|overdraw|draw order";
+constexpr char kPresetWords[] = "its own numbers|natural|stiff|heavy|bouncy|wet";
 constexpr char kComponentWords[] = "all|ambient|diffuse|specular|primary|secondary|direction";
 
 constexpr Control kControls[] = {
@@ -47,22 +49,33 @@ constexpr Control kControls[] = {
     {"gusts", "Motion", "Gusts", "The strongest, on top of the wind; for the solver coif", "m/s", "number",
      COIF_AT(gusts), 0, 12, 0.1f},
 
+    {"preset", "Simulation", "Kind of hair",
+     "How long it has to be to hang, and how it swings; for hair that nobody gave numbers to", "", "choice",
+     COIF_AT(preset), 0, 5, 1, kPresetWords, "dynamics.preset", "natural|stiff|heavy|bouncy|wet"},
+    {"liveliness", "Simulation", "Liveliness", "0: no bone swings past where it rests, 1: only the air stops it", "",
+     "number", COIF_AT(liveliness), 0, 1, 0.01f, "", "dynamics.liveliness"},
+    {"gravity_scale", "Simulation", "Weight", "Share of gravity that hair feels", "x", "number", COIF_AT(gravity_scale),
+     0, 3, 0.01f, "", "dynamics.gravity_scale"},
+    {"friction", "Simulation", "Friction of air", "How fast hair takes on the air's velocity", "1/s", "number",
+     COIF_AT(friction), 0, 20, 0.1f, "", "dynamics.friction"},
+    {"air_follow", "Simulation", "Air goes along",
+     "Share of the head's velocity; 0: hair streams back when the head runs", "", "number", COIF_AT(air_follow), 0, 1,
+     0.01f, "", "dynamics.air_follow"},
+    {"angle_limit", "Simulation", "Bend limit", "From its modelled direction, each bone; 180: any way", "deg", "number",
+     COIF_AT(angle_limit), 0, 180, 1, "", "dynamics.angle_limit"},
     {"solver", "Simulation", "Solver", "What moves the bones; coif takes what the asset was cooked for", "", "choice",
      COIF_AT(solver), 0, 3, 1, kSolverWords, "dynamics.model", "cascade|passive"},
     {"beside", "Simulation", "Beside it", "A second head, to compare", "", "choice", COIF_AT(beside), 0, 4, 1,
      kBesideWords},
-    {"stiffness", "Simulation", "Stiffness", "Times what the asset says; not for thesis", "x", "number",
-     COIF_AT(stiffness), 0, 4, 0.01f},
-    {"damping", "Simulation", "Damping", "Times what the asset says; not for thesis", "x", "number", COIF_AT(damping),
-     0, 4, 0.01f},
-    {"friction", "Simulation", "Friction of air", "Times what the asset says; not for thesis", "x", "number",
-     COIF_AT(friction), 0, 4, 0.01f},
+    {"iterations", "Simulation", "Iterations", "Of thesis: how often a step repeats its constraints", "", "number",
+     COIF_AT(iterations), 1, 16, 1},
     {"lod", "Simulation", "Level of detail", "0 is the finest", "", "number", COIF_AT(lod), 0, 0, 1},
 
     {"shading", "Hair", "Shading", "How strands reflect light", "", "choice", COIF_AT(shading), 0, 2, 1,
      kShadingWords.data(), "material.shading"},
     {"base_color", "Hair", "Tint", "Times the colour that was cooked", "", "color", COIF_AT(base_color), 0, 4, 0.01f,
      "", "material.base_color"},
+    {"cooked_color", "", "", "", "", "color", COIF_AT(cooked_color), 0, 4, 0.01f},
     {"ambient", "Hair", "Light around", "Light from everywhere, times the hair's colour", "", "color", COIF_AT(ambient),
      0, 1, 0.005f, "", "material.ambient"},
     {"transparency", "Hair", "Soft edges", "How they are drawn", "", "choice", COIF_AT(transparency), 0, 8, 1,
@@ -93,6 +106,10 @@ constexpr Control kControls[] = {
     {"scatter", "Highlights", "Scatter", "Light that other strands scatter; for marschner", "", "number",
      COIF_AT(scatter), 0, 1, 0.01f, "", "material.scatter"},
 
+    {"view", "Show", "View",
+     "The hair, or of what it is made. Overdraw counts every texel of its triangles that is not clear, whatever Soft "
+     "edges says; draw order is that within each pass. Key V",
+     "", "choice", COIF_AT(view), 0, 3, 1, kViewWords},
     {"component", "Show", "Part of the light", "Or the strands' direction: green roots, red tips", "", "choice",
      COIF_AT(component), 0, 6, 1, kComponentWords},
     {"bones", "Show", "Bones", "Key B", "", "switch", COIF_AT(bones), 0, 1, 1},
@@ -114,15 +131,9 @@ void add_number(std::string& json, const char* key, double number) {
   json += text;
 }
 
-std::string motion_words() {
-  std::string words;
-  for (const MotionInfo& info : all_motions()) words.append(words.empty() ? "" : "|").append(info.name);
-  return words;
-}
-
 }  // namespace
 
-std::string controls_json(const Asset& asset) {
+std::string controls_json(const Asset& asset, bool has_clip) {
   std::string json = "[";
   for (const Control& control : kControls) {
     const std::string_view name = control.name, kind = control.kind;
@@ -132,7 +143,7 @@ std::string controls_json(const Asset& asset) {
     add_text(json, "label", control.label);
     add_text(json, "hint", control.hint);
     add_text(json, "unit", control.unit);
-    add_text(json, "words", name == "motion" ? motion_words() : control.words);
+    add_text(json, "words", name == "motion" ? motion_words(has_clip) : control.words);
     add_text(json, "recipe", control.recipe);
     add_text(json, "recipe_words", control.recipe_words);
     add_number(json, "at", double(control.at / sizeof(float)));

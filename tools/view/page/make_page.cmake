@@ -1,9 +1,13 @@
-# Puts style, program and scripts into the page: cmake -D HTML= -D STYLE= -D WASM= -D SCRIPTS= -D OUT= -P make_page.cmake.
+# Puts style, program and scripts into the page: cmake -D HTML= -D STYLES= -D WASM= -D SCRIPTS= -D OUT= -P make_page.cmake.
 # A page that opens from disk cannot load modules from files, so that they become one: without lines that import, and names that
 # are the only ones among them.
 file(READ ${HTML} page)
-file(READ ${STYLE} style)
 file(READ ${WASM} program)
+set(style "")
+foreach(sheet IN LISTS STYLES)
+  file(READ ${sheet} text)
+  string(APPEND style "${text}")
+endforeach()
 set(scripts "")
 foreach(script IN LISTS SCRIPTS)
   file(READ ${script} text)

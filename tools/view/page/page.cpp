@@ -1,6 +1,8 @@
-// What the page's scripts call. One asset, one canvas. Functions that may fail return null or a sentence that lives until the
-// next call.
+// What the page's scripts call. One asset, one canvas, one view of it or several. Functions that may fail return null or a
+// sentence that lives until the next call.
 
+#include "motion/clip_bytes.h"
+#include "view/page/hair_views.h"
 #include "view/page/view_session.h"
 
 #include <emscripten/emscripten.h>
@@ -16,7 +18,9 @@ namespace {
 struct Page {
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
   std::vector<std::byte> incoming;
-  std::unique_ptr<coif::ViewSession> session;
+  std::vector<coif::ClipKey> clip;                        ///< Of whatever is opened.
+  std::vector<std::unique_ptr<coif::ViewSession>> views;  ///< First the page's own, then tiles of a sheet.
+  coif::ViewSession* session = nullptr;                   ///< The one that all functions are about.
   std::string said;
   bool has_drawn = false;
 };
@@ -33,6 +37,14 @@ const char* say(std::string text) {
 
 const char* outcome(const tl::expected<void, coif::ToolError>& done) {
   return done ? nullptr : say(done.error().message);
+}
+
+/// In place of all views that there were.
+const char* show(std::unique_ptr<coif::ViewSession> session) {
+  page().session = session.get();
+  page().views.clear();
+  page().views.push_back(std::move(session));
+  return outcome(page().session->start_drawing());
 }
 
 }  // namespace
@@ -62,12 +74,18 @@ EMSCRIPTEN_KEEPALIVE void* coif_view_room(std::size_t bytes) {
   return page().incoming.data();
 }
 
+/// Takes what was written there, clip_bytes(), as a motion of the assets that are opened from now on.
+EMSCRIPTEN_KEEPALIVE const char* coif_view_clip() {
+  page().clip = coif::clip_keys(std::exchange(page().incoming, {}));
+  return page().clip.empty() ? say("the page's clip is damaged; make the page again") : nullptr;
+}
+
 /// Opens what was written there. A file that is refused leaves the one that is shown.
 EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
-  page().session = std::move(*session);
-  return outcome(page().session->start_drawing());
+  (*session)->set_clip(page().clip);
+  return show(std::move(*session));
 }
 
 /// The same for another cook of what is shown, which goes on where it was. The settings become what the asset says; the script
@@ -75,13 +93,30 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_open() {
 EMSCRIPTEN_KEEPALIVE const char* coif_view_replace() {
   auto session = coif::ViewSession::open(std::exchange(page().incoming, {}));
   if (!session) return say(session.error().message);
+  (*session)->set_clip(page().clip);
   const coif::ViewSettings own = (*session)->settings();
   if (page().session) {
     if (auto gone_on = (*session)->go_on(*page().session); !gone_on) return say(gone_on.error().message);
   }
   (*session)->settings() = own;
-  page().session = std::move(*session);
-  return outcome(page().session->start_drawing());
+  return show(std::move(*session));
+}
+
+/// Another view of what was opened. Its number; the page's own is 0.
+EMSCRIPTEN_KEEPALIVE std::uint32_t coif_view_add() {
+  if (page().views.empty()) return 0;
+  page().views.push_back(page().views.front()->another());
+  return std::uint32_t(page().views.size() - 1);
+}
+/// From here on all functions are about this one.
+EMSCRIPTEN_KEEPALIVE void coif_view_choose(std::uint32_t number) {
+  if (number < page().views.size()) page().session = page().views[number].get();
+}
+EMSCRIPTEN_KEEPALIVE void coif_view_redraw() {
+  if (page().session) page().session->redraw();
+}
+EMSCRIPTEN_KEEPALIVE const char* coif_view_seek(double seconds) {
+  return page().session ? outcome(page().session->seek(seconds)) : nullptr;
 }
 
 /// When the browser has taken the context away.
@@ -95,7 +130,39 @@ EMSCRIPTEN_KEEPALIVE const char* coif_view_restore() {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* coif_view_controls() {
-  return page().session ? say(coif::controls_json(page().session->asset())) : say("[]");
+  return page().session ? say(coif::controls_json(page().session->asset(), !page().clip.empty())) : say("[]");
+}
+
+/// What the colours of the view mean: legend_json().
+EMSCRIPTEN_KEEPALIVE const char* coif_view_legend() {
+  if (!page().session) return nullptr;
+  const coif::ViewSettings& settings = page().session->settings();
+  return say(
+      coif::legend_json(page().session->asset(), coif::hair_view_of(settings.view), std::uint32_t(settings.lod)));
+}
+
+/// How the asset's hair moves as it came: AssetMotion::json().
+EMSCRIPTEN_KEEPALIVE const char* coif_view_motion() {
+  return page().session ? say(page().session->motion().json()) : say("{}");
+}
+
+/// So many points, place and value by turns, in place of the asset's own resistances (`which` 0) or damping ratios (1); 0 points: its own.
+EMSCRIPTEN_KEEPALIVE void coif_view_curve(int which, const double* numbers, int points) {
+  if (!page().session) return;
+  std::vector<coif::CurvePoint> curve;
+  for (int i = 0; i < points; ++i) curve.push_back({numbers[2 * i], numbers[2 * i + 1]});
+  coif::TunableMotion& motion = page().session->motion();
+  which == 0 ? motion.set_resistance(std::move(curve)) : motion.set_damping_ratio(std::move(curve));
+}
+
+/// The settings as they are now are what the asset was cooked with; the recipe says so, or does not have to.
+EMSCRIPTEN_KEEPALIVE void coif_view_accept(bool recipe_says_it) {
+  if (page().session) page().session->motion().accept(page().session->settings(), recipe_says_it);
+}
+
+/// What was changed of how hair moves, as a recipe's "dynamics".
+EMSCRIPTEN_KEEPALIVE const char* coif_view_dynamics() {
+  return page().session ? say(page().session->motion().recipe(page().session->settings())) : say("{}");
 }
 
 EMSCRIPTEN_KEEPALIVE float* coif_view_settings() { return page().session ? &page().session->settings().yaw : nullptr; }

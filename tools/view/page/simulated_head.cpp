@@ -33,9 +33,9 @@ Status SimulatedHead::settle(const HeadPose& pose, const StepSettings& step) {
   return status == Status::kOk ? hair_.settle(0, kSettlingSeconds, step) : status;
 }
 
-Status SimulatedHead::step(const HeadPose& pose, const StepSettings& step, const Gusts& gusts) {
+Status SimulatedHead::step(const HeadPose& pose, Way way, const StepSettings& step, const Gusts& gusts) {
   if (!rest_.empty()) return Status::kOk;
-  Status status = hair_.set_head(0, pose);
+  Status status = way == Way::kMoves ? hair_.set_head(0, pose) : hair_.teleport(0, pose);
   if (status == Status::kOk && in_gusts_) status = hair_.set_gusts(gusts);
   if (status == Status::kOk) status = hair_.step(step);
   return status;

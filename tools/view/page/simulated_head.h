@@ -20,7 +20,11 @@ class SimulatedHead {
   /// At this pose, as it hangs there after two seconds: what `coif render` shows of a head at rest.
   Status settle(const HeadPose& pose, const StepSettings& step);
 
-  Status step(const HeadPose& pose, const StepSettings& step, const Gusts& gusts);
+  enum class Way : std::uint8_t {
+    kMoves,  ///< The head goes to its pose.
+    kNone,   ///< It is put there, with its hair as it is.
+  };
+  Status step(const HeadPose& pose, Way way, const StepSettings& step, const Gusts& gusts);
 
   /// One matrix per bone; those of the rest pose where the asset has no dynamics.
   [[nodiscard]] std::span<const Mat34> palette() const;

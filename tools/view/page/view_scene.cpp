@@ -101,7 +101,8 @@ Status ViewScene::cast(const ShadowCrowd& crowd, std::span<const HairInstance> h
 tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, const CrowdView& view,
                                               std::span<const HairInstance> heads, std::uint32_t width,
                                               std::uint32_t height) {
-  if (auto chosen = choose_shadow(shadows_of(settings)); !chosen) return chosen;
+  const bool shows_hair = hair_view_of(settings.view) == HairView::kHair;
+  if (auto chosen = choose_shadow(shows_hair ? shadows_of(settings) : nullptr); !chosen) return chosen;
   const std::uint32_t finer = finer_of(settings);
   const TransparencyMode& mode = transparency_of(settings);
   const bool needs_samples = finer == 1 || covers_samples(mode);
@@ -122,9 +123,12 @@ tl::expected<void, ToolError> ViewScene::draw(const ViewSettings& settings, cons
   target_->bind();
   stage_->draw_backdrop();
   for (const HairInstance& head : heads) stage_->draw_bodies(view.camera, head.head, lights, desc.shadow);
-  if (status == Status::kOk) status = renderer_.draw(model_, heads, desc);
+  if (status == Status::kOk && shows_hair) status = renderer_.draw(model_, heads, desc);
   if (status != Status::kOk)
     return refused("the hair", status == Status::kDriver ? renderer_.failure() : describe(status));
+  if (!shows_hair) {
+    if (auto drawn = painter_.draw(settings, view.camera, heads, *stage_, *target_); !drawn) return drawn;
+  }
   if (auto drawn = draw_lines(settings, view.camera, heads); !drawn) return drawn;
   target_->develop();
   return {};

@@ -5,6 +5,7 @@
 #include "render/debug_overlay.h"
 #include "render/stage_renderer.h"
 #include "view/page/developed_target.h"
+#include "view/page/view_painter.h"
 #include "view/page/view_settings.h"
 
 #include <coif/asset.h>
@@ -40,7 +41,7 @@ class ViewScene {
   [[nodiscard]] const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
-  explicit ViewScene(const Asset& asset) : asset_(asset), points_(framed_points(asset)) {}
+  explicit ViewScene(const Asset& asset) : asset_(asset), points_(framed_points(asset)), painter_(asset) {}
   tl::expected<void, ToolError> make();
   /// The shadow of this technique, and a stage whose shader looks it up.
   tl::expected<void, ToolError> choose_shadow(const ShadowTechnique* technique);
@@ -64,6 +65,7 @@ class ViewScene {
   const ShadowTechnique* technique_ = nullptr;
   std::optional<StageRenderer> stage_;
   std::optional<LineOverlay> lines_;
+  ViewPainter painter_;
   std::optional<DevelopedTarget> target_;
   Framed framed_;
   CrowdView view_;

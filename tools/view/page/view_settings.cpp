@@ -69,7 +69,8 @@ MaterialRecord material_of(const Asset& asset, const ViewSettings& s) {
     material.shading = ShadingModel(model);
     fill_in_fiber(material);
   }
-  for (int k = 0; k < 3; ++k) material.base_color[k] *= s.base_color[k];
+  for (int k = 0; k < 3; ++k)
+    material.base_color[k] *= s.base_color[k] / (s.cooked_color[k] > 0 ? s.cooked_color[k] : 1);
   std::copy_n(s.ambient, 3, material.ambient);
   material.opaque_threshold = s.opaque_threshold;
   material.discard_threshold = s.discard_threshold;

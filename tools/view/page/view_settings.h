@@ -23,11 +23,15 @@ struct ViewSettings {
   float wind = 0, wind_from = 0, gusts = 0;
 
   float solver = 0, beside = 0;  ///< `beside`: of a second head, 0: none.
-  float stiffness = 1, damping = 1, friction = 1;
+  float iterations = 1;
+  float preset = 0;              ///< 0: none, what moves the hair is its own.
+  float liveliness = 0, gravity_scale = 1, friction = 0, air_follow = 1;
+  float angle_limit = 180;  ///< Degrees.
   float lod = 0;
 
   float shading = 0;
-  float base_color[3] = {1, 1, 1};  ///< Times the asset's own.
+  float base_color[3] = {1, 1, 1};    ///< Times the asset's own,
+  float cooked_color[3] = {1, 1, 1};  ///< in which this much of it is already.
   float ambient[3] = {};
   float transparency = 0;
   float opaque_threshold = 1, discard_threshold = 0;
@@ -39,13 +43,14 @@ struct ViewSettings {
   float secondary_exponent = 100, secondary_shift = 0;
   float tilt = 3, roughness = 8, scatter = 0.8f;  ///< Degrees, degrees, share.
 
+  float view = 0;  ///< hair_view_of() it.
   float component = 0;
   float bones = 0, colliders = 0, contacts = 0, limits = 0;
   float samples = 2;  ///< Of each pixel, each way.
 };
 inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(float);
 
-/// What the asset itself says.
+/// What the asset itself says of how hair looks; of how it moves: with_motion().
 [[nodiscard]] ViewSettings settings_of(const Asset& asset);
 
 /// The asset's material with the visitor's changes.
@@ -60,6 +65,7 @@ inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(flo
 
 /// The rows of the control table as JSON, for the page: [{"name", "group", "label", "hint", "unit", "kind": "number" | "choice" | "switch" |
 /// "color", "at", "count", "low", "high", "step", "words", "recipe", "recipe_words"}]. `at`: of the array, in floats.
-[[nodiscard]] std::string controls_json(const Asset& asset);
+/// `has_clip`: "clip" is the last of the motions.
+[[nodiscard]] std::string controls_json(const Asset& asset, bool has_clip = false);
 
 }  // namespace coif

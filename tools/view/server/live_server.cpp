@@ -1,6 +1,7 @@
 #include "view/server/live_server.h"
 
 #include "base/text.h"
+#include "cook/recipe/recipe_keys_json.h"
 #include "import/import.h"
 #include "view/server/live_page.h"
 #include "view/server/request_guard.h"
@@ -130,6 +131,8 @@ class LiveServer::Inside {
     http_.Get(folder, [this](const Request&, Response& response) { send_page(response); });
     http_.Get(folder + "asset", [this](const Request&, Response& response) { send_asset(response); });
     http_.Get(folder + "events", [this](const Request&, Response& response) { send_events(response); });
+    http_.Get(folder + "keys",
+              [](const Request&, Response& response) { response.set_content(recipe_keys_json(), "application/json"); });
     http_.Post(folder + "recipe", [this](const Request& request, Response& response) {
       answer(response, requests_.change(request.body));
     });

@@ -31,6 +31,7 @@ struct LiveServerSettings {
 ///   GET  (the folder itself)  the page
 ///   GET  asset                the last good asset; its revision in the header Coif-Revision; 404 before there is one
 ///   GET  events               server-sent events: LiveState's JSON, at once and whenever it changes
+///   GET  keys                 the table of a recipe's keys: recipe_keys_json()
 ///   POST recipe               a JSON object of what differs from the recipe's file -> 202 {"request": number}
 ///   POST model?format=glb&name=bob.glb   a model's bytes; the name is for people -> 202 {"request": number}
 /// and nothing else; no path of a file comes from a request. What is refused for what it says gets 400 and {"problem": sentence}.

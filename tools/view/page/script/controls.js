@@ -1,18 +1,19 @@
 // The panel: a control for each row of the table that the asset's controls come in.
 
-const to_srgb = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
-const to_linear = (v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+const toSrgb = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+const toLinear = (v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
 
-export function hex_of(linear) {
-  const byte = (v) => Math.round(255 * to_srgb(Math.min(Math.max(v, 0), 1))).toString(16).padStart(2, '0');
+export function hexOf(linear) {
+  const byte = (v) => Math.round(255 * toSrgb(Math.min(Math.max(v, 0), 1))).toString(16).padStart(2, '0');
   return `#${linear.map(byte).join('')}`;
 }
 
-export function linear_of(hex) {
-  return [1, 3, 5].map((at) => to_linear(parseInt(hex.slice(at, at + 2), 16) / 255));
+export function linearOf(hex) {
+  return [1, 3, 5].map((at) => toLinear(parseInt(hex.slice(at, at + 2), 16) / 255));
 }
 
-function element(name, attributes = {}, ...children) {
+/** An element of HTML; attributes that are '' or undefined are left out. */
+export function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (value !== '' && value !== undefined) made.setAttribute(key, value);
@@ -24,7 +25,7 @@ function element(name, attributes = {}, ...children) {
 const shown = (value) => String(Number(value.toPrecision(4)));
 
 /** Two inputs of one number: a slider, and a box for what the slider's range leaves out. */
-function number_inputs(control, id, set) {
+function numberInputs(control, id, set) {
   const range = { min: control.low, max: control.high, step: control.step };
   const slider = element('input', { type: 'range', id, ...range });
   const box = element('input', { type: 'number', step: 'any', 'aria-label': `${control.label}, number` });
@@ -39,27 +40,27 @@ function number_inputs(control, id, set) {
   return { nodes: [slider, box], show: (values) => show(values[0]) };
 }
 
-function choice_input(control, id, set) {
+function choiceInput(control, id, set) {
   const select = element('select', { id });
   control.words.split('|').forEach((word, i) => select.append(element('option', { value: i }, word)));
   select.addEventListener('change', () => set(0, Number(select.value)));
   return { nodes: [select], show: (values) => { select.value = values[0]; } };
 }
 
-function switch_input(control, id, set) {
+function switchInput(control, id, set) {
   const box = element('input', { type: 'checkbox', id });
   box.addEventListener('change', () => set(0, box.checked ? 1 : 0));
   return { nodes: [box], show: (values) => { box.checked = values[0] !== 0; } };
 }
 
 /** A colour and how bright it is, for light that a screen's colours do not reach. */
-function color_inputs(control, id, set) {
+function colorInputs(control, id, set) {
   const color = element('input', { type: 'color', id });
   const slider = element('input', { type: 'range', min: 0, max: control.high, step: control.step, 'aria-label': `${control.label}, brightness` });
   let hue = [1, 1, 1];
   const write = () => hue.forEach((v, i) => set(i, v * Number(slider.value)));
   color.addEventListener('input', () => {
-    const linear = linear_of(color.value);
+    const linear = linearOf(color.value);
     const most = Math.max(...linear);
     hue = most > 0 ? linear.map((v) => v / most) : [1, 1, 1];
     write();
@@ -69,12 +70,12 @@ function color_inputs(control, id, set) {
     const most = Math.max(...values);
     if (most > 0) hue = values.map((v) => v / most);
     slider.value = most;
-    color.value = hex_of(hue);
+    color.value = hexOf(hue);
   };
   return { nodes: [color, slider], show };
 }
 
-const kInputs = { number: number_inputs, choice: choice_input, switch: switch_input, color: color_inputs };
+const INPUTS = { number: numberInputs, choice: choiceInput, switch: switchInput, color: colorInputs };
 
 /** Fills `panel`. `wasm` holds the settings; `original` is how the asset came. */
 export class Controls {
@@ -86,7 +87,7 @@ export class Controls {
     const groups = new Map();
     for (const control of controls.filter((c) => c.group !== '')) {
       if (control.kind === 'number' && control.low === control.high) continue;
-      const open = control.group === 'Motion' || control.group === 'Hair' ? '' : undefined;
+      const open = ['Motion', 'Simulation', 'Hair'].includes(control.group) ? '' : undefined;
       if (!groups.has(control.group)) {
         const body = element('div', { class: 'rows' });
         const group = element('details', {}, element('summary', {}, control.group), body);
@@ -94,19 +95,19 @@ export class Controls {
         groups.set(control.group, body);
         panel.append(group);
       }
-      groups.get(control.group).append(this.add_row(control, original, changed));
+      groups.get(control.group).append(this.addRow(control, original, changed));
     }
     this.show();
   }
 
-  add_row(control, original, changed) {
+  addRow(control, original, changed) {
     const id = `control-${control.name}`;
     const set = (i, value) => {
       this.wasm.settings()[control.at + i] = value;
       this.mark(row);
       changed(control.name);
     };
-    const { nodes, show } = kInputs[control.kind](control, id, set);
+    const { nodes, show } = INPUTS[control.kind](control, id, set);
     const reset = element('button', { type: 'button', class: 'reset', title: 'As it came', 'aria-label': `${control.label}: as it came` }, '↺');
     reset.addEventListener('click', () => {
       this.wasm.settings().set(original.subarray(control.at, control.at + control.count), control.at);

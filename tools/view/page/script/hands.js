@@ -1,12 +1,12 @@
 // Mouse, fingers and keys: looking around, and shaking the head.
 
-const kDegreesOfCanvas = 220;  // of a drag from one side to the other
-const kRadiansOfCanvas = 3;
-const kZoomOfStep = 1.1;
+const DEGREES_OF_CANVAS = 220;  // of a drag from one side to the other
+const RADIANS_OF_CANVAS = 3;
+const ZOOM_OF_STEP = 1.1;
 
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** `page`: { wasm, controls, get(name), set(name, value) }. */
+/** `page`: { wasm, controls, get(name), set(name, value), control(name) }. */
 export class Hands {
   constructor(canvas, page) {
     this.canvas = canvas;
@@ -52,8 +52,8 @@ export class Hands {
     const down = now[1] - before[1];
     if (this.action === 'pinch') return this.zoom(this.spread() / spread);
     if (this.action === 'drag') this.page.wasm.drag(across, down);
-    if (this.action === 'turn') this.page.wasm.turn(kRadiansOfCanvas * across, kRadiansOfCanvas * down);
-    if (this.action === 'orbit') this.orbit(-kDegreesOfCanvas * across, kDegreesOfCanvas * down);
+    if (this.action === 'turn') this.page.wasm.turn(RADIANS_OF_CANVAS * across, RADIANS_OF_CANVAS * down);
+    if (this.action === 'orbit') this.orbit(-DEGREES_OF_CANVAS * across, DEGREES_OF_CANVAS * down);
     this.page.wake();
   }
 
@@ -90,12 +90,13 @@ export class Hands {
   key(event) {
     const toggle = (name) => this.page.set(name, this.page.get(name) ? 0 : 1);
     const direction = () => this.page.set('component', this.page.get('component') === 6 ? 0 : 6);
+    const nextView = () => this.page.set('view', (this.page.get('view') + 1) % this.page.control('view').words.split('|').length);
     const keys = {
       ArrowLeft: () => this.orbit(-5, 0), ArrowRight: () => this.orbit(5, 0),
       ArrowUp: () => this.orbit(0, 5), ArrowDown: () => this.orbit(0, -5),
-      '+': () => this.zoom(kZoomOfStep), '=': () => this.zoom(kZoomOfStep), '-': () => this.zoom(1 / kZoomOfStep),
+      '+': () => this.zoom(ZOOM_OF_STEP), '=': () => this.zoom(ZOOM_OF_STEP), '-': () => this.zoom(1 / ZOOM_OF_STEP),
       ' ': () => this.page.play(), r: () => this.page.restart(),
-      b: () => toggle('bones'), c: () => toggle('colliders'), d: direction,
+      b: () => toggle('bones'), c: () => toggle('colliders'), d: direction, v: nextView,
       1: () => this.page.look(0, 5), 2: () => this.page.look(90, 5), 3: () => this.page.look(180, 5), 4: () => this.page.look(30, 5),
     };
     const act = event.ctrlKey || event.metaKey || event.altKey ? undefined : keys[event.key];

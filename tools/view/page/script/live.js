@@ -1,36 +1,35 @@
 // What the page does beside that where a server cooks for it: it shows each new asset, and tells the server what sliders say.
 
-const kPause = 120;  // milliseconds without a change, after which a slider counts as set
-const kShownAtOnce = ['material.base_color'];  // a factor of the picture; cooked in, it would count twice
+import { RecipeKeys } from './recipe_keys.js';
 
-const is_object = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
+const PAUSE = 120;  // milliseconds without a change, after which a slider counts as set
+const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
 /** `changes` laid over `recipe`, section by section. */
 export function merged(recipe, changes) {
   const all = { ...recipe };
-  for (const [key, value] of Object.entries(changes)) all[key] = is_object(value) && is_object(all[key]) ? merged(all[key], value) : value;
+  for (const [key, value] of Object.entries(changes)) all[key] = isObject(value) && isObject(all[key]) ? merged(all[key], value) : value;
   return all;
 }
 
-/** Of sections and keys, those for which `wanted(section.key)` holds. */
-function some_of(recipe, wanted) {
-  const some = {};
-  for (const [section, keys] of Object.entries(recipe)) {
-    const kept = Object.entries(keys).filter(([key]) => wanted(`${section}.${key}`));
-    if (kept.length > 0) some[section] = Object.fromEntries(kept);
-  }
-  return some;
+/** The colour of a recipe's file. */
+const ownColor = (recipeFile) => (Array.isArray(recipeFile.material?.base_color) ? recipeFile.material.base_color : [1, 1, 1, 1]);
+
+/** What the page says, for a server: its tint is a factor of the file's colour. */
+export function forFile(tuned, recipeFile) {
+  const factor = tuned.material?.base_color;
+  if (!factor) return tuned;
+  const color = factor.map((v, i) => Number((v * ownColor(recipeFile)[i]).toPrecision(6)));
+  return { ...tuned, material: { ...tuned.material, base_color: color } };
 }
 
-const without_picture = (recipe) => some_of(recipe, (key) => !kShownAtOnce.includes(key));
-
 /** The whole recipe of what is seen: the file's, with what sliders say. */
-export function whole_recipe(recipe_file, tuned) {
-  const whole = merged(recipe_file, tuned);
-  const factor = tuned.material?.base_color;
-  const own = recipe_file.material?.base_color;
-  if (factor && Array.isArray(own)) whole.material.base_color = factor.map((v, i) => Number((v * own[i]).toPrecision(6)));
-  return whole;
+export const wholeRecipe = (recipeFile, tuned) => withoutNulls(merged(recipeFile, forFile(tuned, recipeFile)));
+
+/** A null takes a key out, as the server reads it. */
+function withoutNulls(recipe) {
+  const kept = Object.entries(recipe).filter(([, value]) => value !== null);
+  return Object.fromEntries(kept.map(([key, value]) => [key, isObject(value) ? withoutNulls(value) : value]));
 }
 
 export class Live {
@@ -46,12 +45,13 @@ export class Live {
     this.news = Promise.resolve();
     this.revision = 0;
     this.sent = '{}';
-    this.recipe_file = {};
+    this.recipeFile = {};
     this.timer = 0;
   }
 
   /** Resolves once something is shown, or cannot be. */
-  begin() {
+  async begin() {
+    this.keys = new RecipeKeys(await (await fetch('keys')).json(), () => { this.page.wake(); this.changed(); });
     return new Promise((shown) => {
       this.events = new EventSource('events');
       this.events.addEventListener('message', (event) => {
@@ -64,14 +64,15 @@ export class Live {
     });
   }
 
-  tell(text, is_problem = false) {
+  tell(text, isProblem = false) {
     this.line.textContent = text;
-    this.line.classList.toggle('problem', is_problem);
+    this.line.classList.toggle('problem', isProblem);
   }
 
   /** A state of the server. True where nothing is being cooked for the first time. */
   async take(state) {
     this.state = state;
+    this.keys.isDraft = state.quality === 'draft';
     try {
       if (state.revision > this.revision) await this.replace(state);
       this.tell(state.problem || this.told(state), state.problem !== '');
@@ -93,20 +94,24 @@ export class Live {
     if (!response.ok || revision !== state.revision) return;  // a newer one, of which the server is about to tell
     const bytes = new Uint8Array(await response.arrayBuffer());
     this.revision = revision;
-    this.recipe_file = state.recipe_file;
-    const keys = new Set(Object.entries(without_picture(state.changes)).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
+    this.recipeFile = state.recipe_file;
+    const keys = new Set(Object.entries(state.changes).flatMap(([section, of]) => Object.keys(of).map((key) => `${section}.${key}`)));
     if (state.name === this.page.name) this.page.replace(bytes, state.name, keys);
     else this.page.open(bytes, state.name);
+    this.keys.takeFile(state.recipe_file);
+    const cooked = state.changes.material?.base_color, own = ownColor(state.recipe_file);
+    this.page.set('cooked_color', [0, 1, 2].map((i) => (cooked && own[i] > 0 && state.name === this.shown ? cooked[i] / own[i] : 1)));
+    this.shown = state.name;
   }
 
   /** A slider was moved. */
   changed() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.send(), kPause);
+    this.timer = setTimeout(() => this.send(), PAUSE);
   }
 
   async send() {
-    const text = JSON.stringify(without_picture(this.page.recipe()));
+    const text = JSON.stringify(forFile(this.page.recipe(), this.recipeFile));
     if (text === this.sent) return;
     this.sent = text;
     await this.post('recipe', text);

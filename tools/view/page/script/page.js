@@ -2,12 +2,19 @@
 
 import { Controls } from './controls.js';
 import { Hands } from './hands.js';
-import { Live, whole_recipe } from './live.js';
-import { left_out, recipe_of, recipe_text } from './recipe.js';
+import { followAddress } from './hash.js';
+import { showLegend } from './legend.js';
+import { Live, merged } from './live.js';
+import { beginMotion, takeMotion } from './motion.js';
+import { showNumbers } from './numbers.js';
+import { recipeOf } from './recipe.js';
+import { offerRecipe } from './recipe_dialog.js';
+import { Sheet, sheetPlan } from './sheet.js';
+import { MOTION_KEYS, Tuning } from './tuning.js';
 import { WasmPage } from './wasm_page.js';
 
 const at = (id) => document.getElementById(id);
-const kMostPixels = 2;  // of the canvas for one of the page, each way
+const MOST_PIXELS = 2;  // of the canvas for one of the page, each way
 
 class Page {
   constructor(wasm) {
@@ -16,18 +23,23 @@ class Page {
     this.last = 0;
     this.waiting = 0;
     this.rate = 0;
-    this.is_lost = false;
+    this.isLost = false;
   }
 
   /** An asset's bytes, and what the file is called. */
   open(bytes, name) {
     this.wasm.open(bytes);
+    this.sheet?.leave();
     this.name = name;
     this.table = this.wasm.controls();
     this.original = this.wasm.settings().slice();
     this.set('zoom', 0.9);  // room for hair that swings
     if (devicePixelRatio >= 1.5) this.set('samples', 1);
+    beginMotion(this);
     this.controls = new Controls(at('controls'), this.wasm, this.table, this.wasm.settings().slice(), (name) => this.changed(name));
+    this.tuning = new Tuning(this);
+    this.tuning.enter(this.controls);
+    this.live?.keys.enter(at('controls'), this.table);
     at('name').textContent = name;
     document.title = `${name} - coif view`;
     this.say('');
@@ -41,13 +53,17 @@ class Page {
     const table = this.wasm.controls();
     if (JSON.stringify(table) !== JSON.stringify(this.table)) return this.open(bytes, name);
     const settings = this.wasm.settings();
+    const saysMotion = MOTION_KEYS.some((key) => cooked.has(key));
+    if (saysMotion) MOTION_KEYS.forEach((key) => cooked.add(key));  // they are told together
     for (const { at: place, count, recipe } of table) {
       for (let i = place; i < place + count; ++i) {
-        const is_tuned = before[i] !== this.original[i];
+        const isTuned = before[i] !== this.original[i];
         if (recipe && !cooked.has(recipe)) this.controls.original[i] = this.original[i] = settings[i];
-        settings[i] = recipe && !is_tuned ? this.original[i] : before[i];
+        settings[i] = recipe && !isTuned ? this.original[i] : before[i];
       }
     }
+    this.wasm.accept(saysMotion);
+    this.tuning.takeOwn();
     this.controls.show();
     this.wake();
   }
@@ -65,6 +81,11 @@ class Page {
     this.wasm.settings().set(values, place);
     this.wake();
   }
+  reset(name) {
+    const { at: place, count } = this.control(name);
+    this.wasm.settings().set(this.original.subarray(place, place + count), place);
+    this.controls.show();
+  }
   look(yaw, pitch, zoom) {
     this.set('yaw', yaw);
     this.set('pitch', pitch);
@@ -81,6 +102,7 @@ class Page {
       this.set('plays', 1);
       this.controls.show();
     }
+    this.tuning.changed(name);
     const beside = this.word('beside');
     at('compared').textContent = beside === 'none' ? '' : `Left: ${this.word('solver')}. Right: ${beside}.`;
     this.wake();
@@ -88,24 +110,32 @@ class Page {
   }
 
   /** {section: {key: value}} of what was changed. */
-  recipe() { return recipe_of(this.table, this.wasm.settings(), this.original); }
+  recipe() {
+    const recipe = recipeOf(this.table.filter((c) => !MOTION_KEYS.includes(c.recipe)), this.wasm.settings(), this.original);
+    const dynamics = { ...this.wasm.dynamics(), ...recipe.dynamics };
+    if (Object.keys(dynamics).length > 0) recipe.dynamics = dynamics;
+    return this.live ? merged(recipe, this.live.keys.recipe()) : recipe;
+  }
 
   /** A red line of text; '': none. */
   say(problem) {
     at('problem').textContent = problem;
     at('problem').hidden = problem === '';
+    this.sheet?.say(problem);
   }
 
   wake() {
-    if (this.waiting || this.is_lost || !this.table) return;
+    if (this.sheet?.isShown) return this.sheet.wake();
+    if (this.waiting || this.isLost || !this.table) return;
     this.waiting = requestAnimationFrame((now) => this.tick(now));
   }
 
   tick(now) {
     this.waiting = 0;
+    if (this.sheet?.isShown) return;
     const seconds = this.last ? (now - this.last) / 1000 : 0;
     this.last = now;
-    const scale = Math.min(devicePixelRatio, kMostPixels);
+    const scale = Math.min(devicePixelRatio, MOST_PIXELS);
     const box = this.canvas.parentElement.getBoundingClientRect();
     if (this.draw(Math.round(box.width * scale), Math.round(box.height * scale), seconds)) {
       if (seconds > 0) this.rate += 0.1 * (1 / seconds - this.rate);
@@ -113,7 +143,7 @@ class Page {
     } else {
       this.last = 0;
     }
-    this.show_numbers();
+    this.showNumbers();
   }
 
   /** True where something new was drawn. */
@@ -128,54 +158,41 @@ class Page {
     }
   }
 
-  show_numbers() {
-    const n = this.wasm.numbers();
-    const size = n.asset_bytes < 1e6 ? `${Math.round(n.asset_bytes / 1024)} KB` : `${(n.asset_bytes / (1 << 20)).toFixed(1)} MB`;
-    const cost = n.step_ns_of_bone > 0 ? `${n.step_ns_of_bone.toFixed(0)} ns` : '-';
-    const numbers = [
-      ['a bone and sub-step', cost], ['bones', n.bones], ['sub-steps', n.substeps], ['triangles', n.triangles.toLocaleString('en')],
-      ['asset', size], n.asleep ? ['at rest', ''] : ['pictures a second', this.rate.toFixed(0)],
-    ];
-    at('numbers').replaceChildren(...numbers.map(([what, value]) => {
-      const cell = document.createElement('span');
-      cell.title = what === 'a bone and sub-step' ? 'In a crowd of 64 heads, in this browser' : '';
-      const strong = document.createElement('b');
-      strong.textContent = value;
-      cell.append(strong, ` ${what}`);
-      return cell;
-    }));
+  showNumbers() {
+    showNumbers(at('numbers'), this.wasm.numbers(), this.rate);
+    showLegend(at('legend'), this.wasm.legend());
   }
 
   /** Pixels of a picture of this size, RGBA, rows top to bottom; time stands still. */
   take(width, height) {
     if (!this.draw(width, height, 0)) this.draw(width, height, 0);
     const gl = this.canvas.getContext('webgl2');
-    const upside_down = new Uint8Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upside_down);
-    const pixels = new Uint8Array(upside_down.length);
+    const upsideDown = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upsideDown);
+    const pixels = new Uint8Array(upsideDown.length);
     const row = 4 * width;
-    for (let y = 0; y < height; ++y) pixels.set(upside_down.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
+    for (let y = 0; y < height; ++y) pixels.set(upsideDown.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
     this.wake();
     return pixels;
   }
 
   /** The browser may take the graphics card away, and gives it back. */
-  watch_context() {
+  watchContext() {
     this.canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      this.is_lost = true;
+      this.isLost = true;
       this.wasm.lose();
       this.say('The graphics card is gone for a moment.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => {
       const gl = this.canvas.getContext('webgl2');
       for (const name of gl.getSupportedExtensions()) gl.getExtension(name);
-      this.is_lost = false;
-      this.try_to(() => { this.wasm.restore(); this.say(''); this.wake(); });
+      this.isLost = false;
+      this.tryTo(() => { this.wasm.restore(); this.say(''); this.wake(); });
     });
   }
 
-  try_to(act) {
+  tryTo(act) {
     try {
       act();
     } catch (error) {
@@ -183,7 +200,7 @@ class Page {
     }
   }
 
-  async open_file(file) {
+  async openFile(file) {
     if (this.live?.takes(file)) return this.live.drop(file);
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
@@ -195,47 +212,27 @@ class Page {
   }
 }
 
-function accept_files(page) {
+function acceptFiles(page) {
   const whole = document.body;
   whole.addEventListener('dragover', (event) => { event.preventDefault(); whole.classList.add('dropping'); });
   whole.addEventListener('dragleave', () => whole.classList.remove('dropping'));
   whole.addEventListener('drop', (event) => {
     event.preventDefault();
     whole.classList.remove('dropping');
-    if (event.dataTransfer.files.length > 0) page.open_file(event.dataTransfer.files[0]);
+    if (event.dataTransfer.files.length > 0) page.openFile(event.dataTransfer.files[0]);
   });
   at('file').addEventListener('change', (event) => {
-    if (event.target.files.length > 0) page.open_file(event.target.files[0]);
+    if (event.target.files.length > 0) page.openFile(event.target.files[0]);
     event.target.value = '';
   });
 }
 
-function offer_recipe(page) {
-  const dialog = at('recipe');
-  at('copy-recipe').addEventListener('click', () => {
-    if (!page.table) return;
-    const text = recipe_text(page.live ? whole_recipe(page.live.recipe_file, page.recipe()) : page.recipe());
-    const unsaid = left_out(page.table, page.wasm.settings(), page.original);
-    at('recipe-text').value = text;
-    const notes = [];
-    if (unsaid.length > 0) {
-      notes.push(`Not in it: ${unsaid.join(', ')}. The bones' own numbers are dynamics.resistance and dynamics.damping_ratio in a recipe.`);
-    }
-    if (page.recipe().material?.base_color && !page.live) notes.push('Where your recipe has a material.base_color, multiply the two.');
-    at('recipe-note').textContent = notes.join(' ');
-    dialog.showModal();
-    at('recipe-text').select();
-    navigator.clipboard?.writeText(text).then(() => { at('recipe-done').textContent = 'Copied.'; }, () => {});
-  });
-  at('close-recipe').addEventListener('click', () => dialog.close());
-}
-
 function wire(page) {
   new Hands(page.canvas, page);
-  accept_files(page);
-  offer_recipe(page);
-  page.watch_context();
-  at('restart').addEventListener('click', () => page.try_to(() => page.restart()));
+  acceptFiles(page);
+  offerRecipe(page);
+  page.watchContext();
+  at('restart').addEventListener('click', () => page.tryTo(() => page.restart()));
   at('save').addEventListener('click', () => page.table && page.canvas.toBlob((blob) => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
@@ -254,7 +251,7 @@ function wire(page) {
   new ResizeObserver(() => page.wake()).observe(page.canvas.parentElement);
 }
 
-function embedded_asset() {
+function embeddedAsset() {
   const holder = at('asset');
   const text = atob(holder.textContent.trim());
   const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
@@ -267,14 +264,21 @@ async function begin() {
   const page = new Page(wasm);
   wasm.start();
   wire(page);
+  page.motion = takeMotion(wasm, at('motion').textContent);
   if ('live' in document.documentElement.dataset) {
     page.live = new Live(page, at('title'));
     await page.live.begin();
     return page;
   }
   const name = at('asset').dataset.name;
-  if (name !== '@' + 'NAME@') page.open(embedded_asset(), name);  // else nobody has filled the page in
-  else page.say('Drop a .coif file here.');
+  if (name === '@' + 'NAME@') {  // nobody has filled the page in
+    page.say('Drop a .coif file here.');
+    return page;
+  }
+  page.open(embeddedAsset(), name);
+  const plan = sheetPlan();
+  if (plan) page.sheet = new Sheet(page, plan);
+  else followAddress(page);
   return page;
 }
 

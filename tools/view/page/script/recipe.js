@@ -2,14 +2,14 @@
 
 const rounded = (value) => Number(value.toPrecision(6));
 
-function value_of(control, settings) {
+function valueOf(control, settings) {
   const values = Array.from(settings.subarray(control.at, control.at + control.count), rounded);
   if (control.kind === 'choice') return control.words.split('|')[values[0]];
   if (control.recipe === 'material.base_color') return [...values, 1];
   return control.count > 1 ? values : values[0];
 }
 
-function is_changed(control, settings, original) {
+function isChanged(control, settings, original) {
   for (let i = control.at; i < control.at + control.count; ++i) {
     if (settings[i] !== original[i]) return true;
   }
@@ -17,11 +17,11 @@ function is_changed(control, settings, original) {
 }
 
 /** Only what differs from `original`, the settings as the asset came, and what recipes have a key for. */
-export function recipe_of(controls, settings, original) {
+export function recipeOf(controls, settings, original) {
   const recipe = {};
   for (const control of controls) {
-    if (!control.recipe || !is_changed(control, settings, original)) continue;
-    const value = value_of(control, settings);
+    if (!control.recipe || !isChanged(control, settings, original)) continue;
+    const value = valueOf(control, settings);
     if (control.recipe_words && !control.recipe_words.split('|').includes(value)) continue;
     const [section, key] = control.recipe.split('.');
     (recipe[section] ??= {})[key] = value;
@@ -29,13 +29,8 @@ export function recipe_of(controls, settings, original) {
   return recipe;
 }
 
-/** Labels of what was changed and what no recipe can say. */
-export function left_out(controls, settings, original) {
-  const names = ['stiffness', 'damping', 'friction'];
-  return controls.filter((c) => names.includes(c.name) && is_changed(c, settings, original)).map((c) => c.label);
-}
-
-export function recipe_text(recipe) {
-  // Short arrays on one line, as artists write them.
-  return JSON.stringify(recipe, null, 2).replace(/\[\s+([^\]]*?)\s+\]/g, (_, inside) => `[${inside.split(/,\s+/).join(', ')}]`);
+export function recipeText(recipe) {
+  // Short arrays on one line, as artists write them, and curves.
+  const short = JSON.stringify(recipe, null, 2).replace(/\[\s+([^[\]]*?)\s+\]/g, (_, inside) => `[${inside.split(/,\s+/).join(', ')}]`);
+  return short.replace(/\[\s+((?:\[[^[\]]*\],?\s+)+)\]/g, (_, inside) => `[${inside.trim().split(/\],\s+/).join('], ')}]`);
 }

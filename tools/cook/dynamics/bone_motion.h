@@ -1,0 +1,54 @@
+#pragma once
+
+// The formulas that make a bone's numbers from what is said of it: pure, for whoever has said it. runtime/docs/MODEL.md derives them.
+
+#include "cook/recipe/hair_preset.h"
+#include "lab/passive_model.h"
+#include "lab/rig.h"
+
+#include <coif/asset_records.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+inline constexpr double kGravity = 9.81;  ///< m/s^2
+
+/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
+/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
+inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
+
+/// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
+/// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
+[[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
+
+/// The damping that, with the friction, brings a bone of `length` metres to this share of critical damping; 0 where friction
+/// alone does more.
+[[nodiscard]] double damping_for(double ratio, double length, const DynamicsRecord& record);
+
+/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity. `ratio`: share of critical
+/// damping; none: what the resistance brings.
+void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord& record);
+
+/// 1/s^2: of the joint where bone `i` of the rig starts, of hair that its own weight just bends over at `bending_length` metres.
+[[nodiscard]] double natural_stiffness(const Rig& rig, std::span<const Carried> carried, std::size_t i,
+                                       double bending_length);
+
+/// 1/s: how fast bone `i` swings with this stiffness and what hangs from it, in the passive model.
+[[nodiscard]] double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t i, double stiffness);
+
+/// Stiffness, damping (this share of what keeps the joint from swinging past) and, for Algorithm 1, resistance of `record`, which is bone
+/// `i` of the rig.
+void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length, double ratio,
+                  DynamicsRecord& record);
+
+/// Leans the pull of each bone of the rig for which `takes` is true against the weight that it carries, so that it rests as modelled
+/// under an upright head. A bone too soft for that is made as stiff as it takes, its damping with it. `bones`, `records` and
+/// `takes` begin at the asset's first simulated bone; the rig has the records' gravity and parent shares. Returns how many were too soft.
+std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
+                                std::span<DynamicsRecord> records);
+
+}  // namespace coif

@@ -1,0 +1,104 @@
+#include "cook/dynamics/bone_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Most of the pull that may lean: what is left along the bone keeps it stable.
+constexpr double kMostLean = 0.8;
+constexpr double kSteady = 1.5;  ///< Hair that stands is this much stiffer than its weight could topple.
+
+/// What bends a bone at its start, in its model's own unit, and what topples it, against its `stiffness` in that unit.
+struct Burden {
+  Vector3d side = Vector3d::Zero();  ///< At right angles to the bone: its pull has to lean by as much.
+  double topple = 0;
+};
+
+/// Per kilogram: accelerations.
+std::vector<Burden> burdens_in_cascade(const Rig& rig) {
+  std::vector<Burden> burdens;
+  for (const RigBone& bone : rig.bones) {
+    const Vector3d weight = bone.gravity_scale / bone.length * Vector3d(0, -kGravity, 0);
+    burdens.push_back({-across(weight, bone.rest_direction), std::max(0.0, -weight.dot(bone.rest_direction))});
+  }
+  return burdens;
+}
+
+/// Of how many bones the longest way from the head to a tip through each bone has.
+std::vector<double> bones_in_a_row(const Rig& rig) {
+  std::vector<double> above(rig.bones.size()), below(rig.bones.size(), 0.0), all;
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    above[i] = rig.bones[i].parent < 0 ? 1 : above[std::size_t(rig.bones[i].parent)] + 1;
+  }
+  for (std::size_t i = rig.bones.size(); i-- > 0;) {
+    if (rig.bones[i].parent < 0) continue;
+    double& of_parent = below[std::size_t(rig.bones[i].parent)];
+    of_parent = std::max(of_parent, below[i] + 1);
+  }
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) all.push_back(above[i] + below[i]);
+  return all;
+}
+
+/// Torques over what each joint carries. A column buckles where its joints give way together: each has to hold its share
+/// (Dunkerley's bound).
+std::vector<Burden> burdens_in_passive(const Rig& rig) {
+  const std::vector<Carried> carried = carried_at_rest(rig.bones);
+  const std::vector<double> joints = bones_in_a_row(rig);
+  std::vector<Vector3d> weights(rig.bones.size(), Vector3d::Zero()), torques = weights, middles = weights;
+  std::vector<Burden> burdens(rig.bones.size());
+  for (std::size_t i = rig.bones.size(); i-- > 0;) {
+    const RigBone& bone = rig.bones[i];
+    const Vector3d own = bone.gravity_scale * bone.length * Vector3d(0, -kGravity, 0), direction = bone.rest_direction;
+    weights[i] += own;
+    middles[i] += weights[i].y() * bone.length * direction;  // first moment about the start, times gravity
+    // The bending of what hangs from it turns it too; what is left, its own has to hold.
+    const Vector3d wanted = -bone.length * direction.cross(weights[i]);
+    const Vector3d torque = wanted - across(torques[i], direction);
+    burdens[i] = {torque.cross(direction) / carried[i].inertia,
+                  joints[i] * std::max(0.0, -middles[i].y() / carried[i].inertia)};
+    if (bone.parent < 0) continue;
+    const auto up = std::size_t(bone.parent);
+    const Vector3d all = torque + torques[i];
+    torques[up] += all.dot(direction) * direction - bone.parent_share * torque;
+    weights[up] += weights[i];
+    middles[up] += middles[i];
+  }
+  return burdens;
+}
+
+void lean(const Vector3d& side, const BoneRecord& bone, DynamicsRecord& record) {
+  for (int k = 0; k < 2; ++k) {
+    const float along[2] = {k == 0 ? 1.0f : 0.0f, k == 1 ? 1.0f : 0.0f};
+    float axis[3];
+    pull_direction(bone.rest_direction, along, axis);
+    record.lean[k] = float(side.dot(Eigen::Map<const Eigen::Vector3f>(axis).cast<double>()));
+  }
+}
+
+}  // namespace
+
+std::size_t lean_against_weight(const Rig& rig, std::span<const BoneRecord> bones, const std::vector<bool>& takes,
+                                std::span<DynamicsRecord> records) {
+  const std::vector<Burden> passive = burdens_in_passive(rig), cascade = burdens_in_cascade(rig);
+  std::size_t stiffened = 0;
+  for (std::size_t i = 0; i < rig.bones.size(); ++i) {
+    if (!takes[i]) continue;
+    const Burden& burden = rig.bones[i].model == ChainModel::kPassive ? passive[i] : cascade[i];
+    DynamicsRecord& record = records[i];
+    const double least = std::max(burden.side.norm() / kMostLean, kSteady * burden.topple);
+    if (double(record.stiffness) < least) {
+      record.damping *= float(std::sqrt(least / std::max(double(record.stiffness), 1.0e-9)));
+      record.damping = std::min(record.damping, float(kMostDamping));
+      record.stiffness = float(std::min(least, kMostStiffness));
+      ++stiffened;
+    }
+    if (record.stiffness > 0) lean(burden.side / double(record.stiffness), bones[i], record);
+  }
+  return stiffened;
+}
+
+}  // namespace coif

@@ -1,0 +1,41 @@
+#include "cook/recipe/recipe_keys_json.h"
+
+#include "cook/recipe/recipe_keys.h"
+
+#include <string>
+#include <variant>
+
+namespace coif {
+namespace {
+
+const char* kind_of(const RecipeKey& key) {
+  const auto holds = [&]<typename Field>(Field Recipe::*) {
+    return std::holds_alternative<Field Recipe::*>(key.field);
+  };
+  if (holds(&Recipe::scene_draw)) return "switch";
+  if (holds(&Recipe::gravity_scale) || holds(&Recipe::friction)) return "number";
+  if (holds(&Recipe::lod_levels)) return "whole";
+  return key.choices != nullptr && holds(&Recipe::up_axis) ? "choice" : "other";
+}
+
+}  // namespace
+
+std::string recipe_keys_json() {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const RecipeKey& key : recipe_keys()) {
+    const nlohmann::ordered_json choices = key.choices != nullptr ? nlohmann::ordered_json(key.choices) : nullptr;
+    all.push_back({{"path", key.path()},
+                   {"section", key.section},
+                   {"name", key.name},
+                   {"kind", kind_of(key)},
+                   {"default", nlohmann::ordered_json::parse(key.default_json)},
+                   {"low", key.low},
+                   {"high", key.high},
+                   {"choices", choices},
+                   {"unit", key.unit},
+                   {"meaning", std::string(key.meaning) + key.also}});
+  }
+  return all.dump();
+}
+
+}  // namespace coif

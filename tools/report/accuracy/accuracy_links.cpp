@@ -1,0 +1,63 @@
+// Links from an accuracy report to the page of `coif view`, which shows what the figures measure.
+
+#include "motion/head_path.h"
+#include "report/accuracy/accuracy_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace coif {
+namespace {
+
+// What that page has of what reports have.
+constexpr std::array<std::string_view, 4> kViewSolvers{"coif", "thesis", "cascade", "passive"};
+constexpr double kSlowestView = 15, kFastestView = 240;  // steps a second
+
+/// The first two that were measured beside each other.
+void choose_solvers(const AccuracyReport& report, ViewLink& link) {
+  const auto measured = names_of(report.rows, &AccuracyRow::solver);
+  for (const std::string_view solver : kViewSolvers) {
+    if (std::ranges::find(measured, solver) == measured.end()) continue;
+    if (!link.solver.empty()) {
+      link.beside = solver;
+      return;
+    }
+    link.solver = solver;
+  }
+}
+
+ViewLink link_at(const AccuracyReport& report, const std::string& motion, double fps) {
+  ViewLink link;
+  if (find_motion(motion)) link.motion = motion;
+  if (fps >= kSlowestView && fps <= kFastestView) link.rate = fps;
+  choose_solvers(report, link);
+  return link;
+}
+
+}  // namespace
+
+ViewLink accuracy_link(const AccuracyReport& report) {
+  for (const std::string& motion : names_of(report.rows, &AccuracyRow::motion)) {
+    if (motion != "still" && find_motion(motion)) return link_at(report, motion, main_frame_rate(report));
+  }
+  return link_at(report, "", main_frame_rate(report));
+}
+
+std::vector<PageLink> motion_links(const ReportHeading& heading, const AccuracyReport& report,
+                                   const std::string& motion) {
+  std::vector<PageLink> links;
+  if (heading.view.empty() || !find_motion(motion)) return links;
+  std::set<double> rates;
+  for (const AccuracyRow& row : report.rows) {
+    if (row.motion == motion && row.fps >= kSlowestView && row.fps <= kFastestView) rates.insert(row.fps);
+  }
+  for (const double fps : rates) {
+    links.push_back({fmt::format("{:g}", fps), view_url(heading.view, link_at(report, motion, fps))});
+  }
+  return links;
+}
+
+}  // namespace coif
