@@ -29,41 +29,94 @@ float resample(std::span<const Eigen::Vector3f> line, bool from_end, std::span<E
   return length;
 }
 
+constexpr double kBeyondDoubt = 0.6;  // radii of the scalp that a tip is farther from it than the root
+
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0;
-  double residual = 1;  ///< Median distance from its surface, in radii.
+
+  /// From its surface, in radii.
+  [[nodiscard]] double off(const Eigen::Vector3f& point) const {
+    return std::abs((point.cast<double>() - center).norm() / radius - 1);
+  }
 };
 
-/// The sphere that points lie on, by least squares of |p|^2 = 2 c p + d, once for all and once for the nearer half.
-Sphere sphere_of(const std::vector<Eigen::Vector3f>& points) {
-  std::vector<Eigen::Vector3f> kept = points;
-  Sphere sphere;
-  for (int round = 0; round < 2; ++round) {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3f& p : kept) middle += p.cast<double>() / double(kept.size());
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (const Eigen::Vector3f& p : kept) {
-      const Eigen::Vector3d q = p.cast<double>() - middle;
-      const Eigen::Vector4d row(2 * q.x(), 2 * q.y(), 2 * q.z(), 1);
-      normal += row * row.transpose();
-      right += row * q.squaredNorm();
-    }
-    const Eigen::Vector4d found = least_squares(normal, right);
-    sphere.center = middle + found.head<3>();
-    sphere.radius = std::sqrt(std::max(found.w() + found.head<3>().squaredNorm(), 0.0));
-    if (!(sphere.radius > 0)) return sphere;
-    const auto off = [&](const Eigen::Vector3f& p) {
-      return std::abs((p.cast<double>() - sphere.center).norm() / sphere.radius - 1);
-    };
-    const auto half = kept.begin() + std::ptrdiff_t(kept.size() / 2);
-    std::ranges::nth_element(kept, half, {}, off);
-    sphere.residual = off(*half);
-    if (kept.size() > 8) kept.erase(half + 1, kept.end());
+/// The sphere that points lie on, by least squares of |p|^2 = 2 c p + d; radius 0: none.
+Sphere sphere_of(std::span<const Eigen::Vector3f> points) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : points) middle += p.cast<double>() / double(points.size());
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector3d q = p.cast<double>() - middle;
+    const Eigen::Vector4d row(2 * q.x(), 2 * q.y(), 2 * q.z(), 1);
+    normal += row * row.transpose();
+    right += row * q.squaredNorm();
   }
-  return sphere;
+  const Eigen::Vector4d found = least_squares(normal, right);
+  const double squared = found.w() + found.head<3>().squaredNorm();
+  return {middle + found.head<3>(), squared > 0 && std::isfinite(squared) ? std::sqrt(squared) : 0.0};
 }
+
+/// Both ends of all strands, and which of them lie on a scalp.
+class StrandEnds {
+ public:
+  explicit StrandEnds(const Groom& groom) {
+    for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+      first_.push_back(groom.strand(i).front());
+      last_.push_back(groom.strand(i).back());
+    }
+  }
+
+  /// The sphere that one end of each strand lies on: from the one through all first, all last or all ends, by taking of each strand
+  /// the end that is nearer to it.
+  [[nodiscard]] Sphere scalp() const {
+    Sphere best;
+    double least = 1e30;
+    std::vector<Eigen::Vector3f> all = first_;
+    all.insert(all.end(), last_.begin(), last_.end());
+    const std::vector<Eigen::Vector3f>* const begins[] = {&first_, &last_, &all};
+    for (const auto* const begin : begins) {
+      const Sphere sphere = settled(sphere_of(*begin));
+      if (!(sphere.radius > 0)) continue;
+      const double off = typical_distance(sphere);
+      if (off < 0.98 * least) {
+        least = off;
+        best = sphere;
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::size_t count() const { return first_.size(); }
+  [[nodiscard]] const Eigen::Vector3f& first(std::size_t i) const { return first_[i]; }
+  [[nodiscard]] const Eigen::Vector3f& last(std::size_t i) const { return last_[i]; }
+
+ private:
+  [[nodiscard]] Sphere settled(Sphere sphere) const {
+    constexpr int kRounds = 20;
+    std::vector<Eigen::Vector3f> nearer(count());
+    for (int round = 0; round < kRounds && sphere.radius > 0; ++round) {
+      for (std::size_t i = 0; i < count(); ++i) nearer[i] = sphere.off(first_[i]) <= sphere.off(last_[i]) ? first_[i] : last_[i];
+      // Hair of an animal's tail or of a beard has its roots elsewhere: the farther third has no say.
+      const auto kept = nearer.begin() + std::ptrdiff_t(2 * nearer.size() / 3);
+      std::ranges::nth_element(nearer, kept, {}, [&](const Eigen::Vector3f& p) { return sphere.off(p); });
+      sphere = sphere_of(std::span(nearer).first(std::max<std::size_t>(2 * nearer.size() / 3, std::min<std::size_t>(nearer.size(), 4))));
+    }
+    return sphere;
+  }
+
+  /// Median of the nearer ends', metres: a small sphere is not better for being small.
+  [[nodiscard]] double typical_distance(const Sphere& sphere) const {
+    std::vector<double> off(count());
+    for (std::size_t i = 0; i < off.size(); ++i) off[i] = sphere.radius * std::min(sphere.off(first_[i]), sphere.off(last_[i]));
+    const auto middle = off.begin() + std::ptrdiff_t(off.size() / 2);
+    std::ranges::nth_element(off, middle);
+    return *middle;
+  }
+
+  std::vector<Eigen::Vector3f> first_, last_;
+};
 
 }  // namespace
 
@@ -82,21 +135,23 @@ EvenStrands even_strands(const Groom& groom, std::span<const std::uint8_t> is_re
 std::vector<std::uint8_t> find_reversed_strands(const Groom& groom) {
   std::vector<std::uint8_t> reversed(groom.strand_count(), 0);
   if (groom.root_first || groom.strand_count() == 0) return reversed;
-  std::vector<Eigen::Vector3f> first, last;
-  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
-    first.push_back(groom.strand(i).front());
-    last.push_back(groom.strand(i).back());
+  const StrandEnds ends(groom);
+  const Sphere scalp = ends.scalp();
+  if (!(scalp.radius > 0)) return reversed;
+  // Hair that is tied or lies on the head has both ends near the scalp. What hangs free tells how the file has its strands.
+  std::vector<double> begins_nearer(ends.count());  // by how much, radii
+  std::size_t free = 0, free_from_root = 0;
+  for (std::size_t i = 0; i < ends.count(); ++i) {
+    begins_nearer[i] = scalp.off(ends.last(i)) - scalp.off(ends.first(i));
+    if (std::abs(begins_nearer[i]) < kBeyondDoubt) continue;
+    ++free;
+    free_from_root += begins_nearer[i] > 0 ? 1 : 0;
   }
-  const Sphere of_first = sphere_of(first), of_last = sphere_of(last);
-  const Sphere& scalp = of_first.residual <= of_last.residual ? of_first : of_last;
-  const auto off = [&](const Eigen::Vector3f& p) { return std::abs((p.cast<double>() - scalp.center).norm() - scalp.radius); };
-  const bool mostly = &scalp == &of_last;
+  const double share = free > 0 ? double(free_from_root) / double(free) : 1;
+  const bool is_ordered = share < 0.1 || share > 0.9;  // else somebody has put files of both kinds together
   for (std::size_t i = 0; i < reversed.size(); ++i) {
-    // The other way round only where that is beyond doubt: hair that lies on the head has both ends near the scalp.
-    const double begin = off(first[i]), end = off(last[i]);
-    const bool is_odd = mostly ? begin < 0.1 * scalp.radius && end > 3 * begin + 0.2 * scalp.radius
-                               : end < 0.1 * scalp.radius && begin > 3 * end + 0.2 * scalp.radius;
-    reversed[i] = mostly != is_odd;
+    const bool is_told = !is_ordered || std::abs(begins_nearer[i]) >= kBeyondDoubt;
+    reversed[i] = is_told ? begins_nearer[i] < 0 : share < 0.5;
   }
   return reversed;
 }
