@@ -8,16 +8,20 @@
 
 namespace coif::even_strands_test {
 
+constexpr float kWidth = 0.0001f;
+
 TEST(EvenStrands, HavePointsAtEvenSharesOfTheirLength) {
   // Points where they are not even: the shape is what counts.
-  const Groom groom = test::groom_of({{{0, 0, 0}, {0, -0.01f, 0}, {0, -0.2f, 0}, {0.1f, -0.2f, 0}}, {{0, 0, 1}, {0, 0, 2}}});
-  const EvenStrands even = even_strands(groom);
+  const Groom groom =
+      test::groom_of({{{0, 0, 0}, {0, -0.01f, 0}, {0, -0.2f, 0}, {0.1f, -0.2f, 0}}, {{0, 0, 1}, {0, 0, 2}}});
+  const EvenStrands even = even_strands(groom, kWidth);
   ASSERT_EQ(even.count(), 2u);
   EXPECT_NEAR(even.lengths[0], 0.3f, 1e-6f);
   const auto bent = even.strand(0);
   for (std::size_t k = 0; k < EvenStrands::kStations; ++k) {
     const float along = 0.3f * float(k) / float(EvenStrands::kStations - 1);
-    const Eigen::Vector3f wanted = along < 0.2f ? Eigen::Vector3f(0, -along, 0) : Eigen::Vector3f(along - 0.2f, -0.2f, 0);
+    const Eigen::Vector3f wanted =
+        along < 0.2f ? Eigen::Vector3f(0, -along, 0) : Eigen::Vector3f(along - 0.2f, -0.2f, 0);
     EXPECT_LT((bent[k] - wanted).norm(), 1e-6f) << k;
   }
   EXPECT_EQ(even.strand(1).front(), Eigen::Vector3f(0, 0, 1));
@@ -27,7 +31,7 @@ TEST(EvenStrands, HavePointsAtEvenSharesOfTheirLength) {
 TEST(EvenStrands, BeginWithRootsWhereThatIsSaid) {
   const Groom groom = test::groom_of({{{0, 0, 0}, {0, -1, 0}}});
   const std::uint8_t reversed = 1;
-  const EvenStrands even = even_strands(groom, std::span(&reversed, 1));
+  const EvenStrands even = even_strands(groom, kWidth, std::span(&reversed, 1));
   EXPECT_EQ(even.strand(0).front(), Eigen::Vector3f(0, -1, 0));
   EXPECT_EQ(even.strand(0).back(), Eigen::Vector3f(0, 0, 0));
 }
@@ -46,7 +50,8 @@ TEST(ReversedStrands, AreThoseWhoseLastPointLiesOnTheScalp) {
     groom.root_first = false;
     const auto found = find_reversed_strands(groom);
     std::size_t right = 0;
-    for (std::size_t i = 0; i < strands.size(); ++i) right += (found[i] != 0) == (int(i % 10) < reversed_of_ten) ? 1 : 0;
+    for (std::size_t i = 0; i < strands.size(); ++i)
+      right += (found[i] != 0) == (int(i % 10) < reversed_of_ten) ? 1 : 0;
     EXPECT_GE(double(right), 0.97 * double(strands.size())) << expected << " reversed";
   }
 }

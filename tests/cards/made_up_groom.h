@@ -27,7 +27,8 @@ inline Groom groom_of(const std::vector<std::vector<Eigen::Vector3f>>& strands) 
 /// Straight down from a place, `points` of them.
 inline std::vector<Eigen::Vector3f> hanging(const Eigen::Vector3f& root, float length, std::size_t points = 9) {
   std::vector<Eigen::Vector3f> strand;
-  for (std::size_t k = 0; k < points; ++k) strand.emplace_back(root - Eigen::Vector3f(0, length * float(k) / float(points - 1), 0));
+  for (std::size_t k = 0; k < points; ++k)
+    strand.emplace_back(root - Eigen::Vector3f(0, length * float(k) / float(points - 1), 0));
   return strand;
 }
 

@@ -55,7 +55,8 @@ TEST(StrandPicture, IsTheSameFromBehindAndWithAnyNumberOfThreads) {
   const HairPicture mirrored = draw_strands(groom, back, 0.002f, 2);
   double difference = 0;
   for (std::size_t y = 0; y < 96; ++y) {
-    for (std::size_t x = 0; x < 96; ++x) difference += std::abs(double(one.coverage[y * 96 + x]) - double(mirrored.coverage[y * 96 + 95 - x]));
+    for (std::size_t x = 0; x < 96; ++x)
+      difference += std::abs(double(one.coverage[y * 96 + x]) - double(mirrored.coverage[y * 96 + 95 - x]));
   }
   EXPECT_LT(difference / (96 * 96), 1e-3);
 }

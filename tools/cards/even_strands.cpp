@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coif {
 namespace {
@@ -97,11 +98,13 @@ class StrandEnds {
     constexpr int kRounds = 20;
     std::vector<Eigen::Vector3f> nearer(count());
     for (int round = 0; round < kRounds && sphere.radius > 0; ++round) {
-      for (std::size_t i = 0; i < count(); ++i) nearer[i] = sphere.off(first_[i]) <= sphere.off(last_[i]) ? first_[i] : last_[i];
+      for (std::size_t i = 0; i < count(); ++i)
+        nearer[i] = sphere.off(first_[i]) <= sphere.off(last_[i]) ? first_[i] : last_[i];
       // Hair of an animal's tail or of a beard has its roots elsewhere: the farther third has no say.
       const auto kept = nearer.begin() + std::ptrdiff_t(2 * nearer.size() / 3);
       std::ranges::nth_element(nearer, kept, {}, [&](const Eigen::Vector3f& p) { return sphere.off(p); });
-      sphere = sphere_of(std::span(nearer).first(std::max<std::size_t>(2 * nearer.size() / 3, std::min<std::size_t>(nearer.size(), 4))));
+      sphere = sphere_of(std::span(nearer).first(
+          std::max<std::size_t>(2 * nearer.size() / 3, std::min<std::size_t>(nearer.size(), 4))));
     }
     return sphere;
   }
@@ -109,7 +112,8 @@ class StrandEnds {
   /// Median of the nearer ends', metres: a small sphere is not better for being small.
   [[nodiscard]] double typical_distance(const Sphere& sphere) const {
     std::vector<double> off(count());
-    for (std::size_t i = 0; i < off.size(); ++i) off[i] = sphere.radius * std::min(sphere.off(first_[i]), sphere.off(last_[i]));
+    for (std::size_t i = 0; i < off.size(); ++i)
+      off[i] = sphere.radius * std::min(sphere.off(first_[i]), sphere.off(last_[i]));
     const auto middle = off.begin() + std::ptrdiff_t(off.size() / 2);
     std::ranges::nth_element(off, middle);
     return *middle;
@@ -120,8 +124,12 @@ class StrandEnds {
 
 }  // namespace
 
-EvenStrands even_strands(const Groom& groom, std::span<const std::uint8_t> is_reversed) {
+EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed) {
   EvenStrands even;
+  even.width = width;
+  if (!groom.widths.empty()) {
+    even.width = std::accumulate(groom.widths.begin(), groom.widths.end(), 0.0f) / float(groom.widths.size());
+  }
   even.points.resize(groom.strand_count() * EvenStrands::kStations);
   even.lengths.resize(groom.strand_count());
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {

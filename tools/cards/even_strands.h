@@ -17,6 +17,7 @@ struct EvenStrands {
 
   std::vector<Eigen::Vector3f> points;  ///< kStations of each strand.
   std::vector<float> lengths;           ///< Metres, > 0.
+  float width = 0;                      ///< Of a strand, metres: mean of all.
 
   [[nodiscard]] std::size_t count() const { return lengths.size(); }
   [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {
@@ -24,8 +25,8 @@ struct EvenStrands {
   }
 };
 
-/// `is_reversed`, empty or one for each strand: it begins with its tip.
-[[nodiscard]] EvenStrands even_strands(const Groom& groom, std::span<const std::uint8_t> is_reversed = {});
+/// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
+[[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});
 
 /// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots lie on a scalp,
 /// which is round, tips do not; where the file's own order does not tell them apart as a whole, each strand is judged by how far

@@ -14,10 +14,10 @@ namespace coif {
 
 /// Looks along a direction without perspective at a ball, so that pictures of one size from all around show one scale.
 struct PictureFrame {
-  Eigen::Matrix3f axes;              ///< Rows: right, down, away from the eye. Unit.
-  Eigen::Vector3f center;            ///< In the picture's middle, at depth 0.
+  Eigen::Matrix3f axes;    ///< Rows: right, down, away from the eye. Unit.
+  Eigen::Vector3f center;  ///< In the picture's middle, at depth 0.
   float pixels_of_metre = 1;
-  std::uint32_t size = 0;            ///< Pixels, both ways.
+  std::uint32_t size = 0;  ///< Pixels, both ways.
 
   /// x and y in pixels, (0, 0) at the upper left corner; depth in metres, growing away from the eye.
   [[nodiscard]] Eigen::Vector3f place(const Eigen::Vector3f& point) const {
@@ -44,7 +44,8 @@ struct ShownBall {
 }
 
 /// From the side that `towards` points away from: (0, 0, -1) looks along -Z, from the front of a model that faces +Z.
-[[nodiscard]] inline PictureFrame frame_along(const Eigen::Vector3f& towards, const ShownBall& ball, std::uint32_t size) {
+[[nodiscard]] inline PictureFrame frame_along(const Eigen::Vector3f& towards, const ShownBall& ball,
+                                              std::uint32_t size) {
   const Eigen::Vector3f away = towards.normalized();
   const Eigen::Vector3f up = std::abs(away.y()) < 0.99f ? Eigen::Vector3f::UnitY() : Eigen::Vector3f::UnitZ();
   const Eigen::Vector3f right = away.cross(up).normalized();

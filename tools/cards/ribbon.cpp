@@ -26,7 +26,9 @@ void set_middle(const EvenStrands& strands, std::span<const std::uint32_t> membe
   }
   for (std::size_t k = 0; k < kStations; ++k) {
     const Eigen::Vector3f way = ribbon.middle[std::min(k + 1, kStations - 1)] - ribbon.middle[k == 0 ? 0 : k - 1];
-    ribbon.along[k] = way.norm() > kShortest ? way.normalized() : k > 0 ? ribbon.along[k - 1] : Eigen::Vector3f::UnitY().eval();
+    ribbon.along[k] = way.norm() > kShortest ? way.normalized()
+                      : k > 0                ? ribbon.along[k - 1]
+                                             : Eigen::Vector3f::UnitY().eval();
   }
 }
 
@@ -91,7 +93,7 @@ void set_widths(const EvenStrands& strands, std::span<const std::uint32_t> membe
       beside[m] = std::abs(off.dot(ribbon.across[k]));
       before[m] = std::abs(off.dot(normal));
     }
-    ribbon.half_width[k] = bound_of(beside, stray);
+    ribbon.half_width[k] = bound_of(beside, stray) + 0.5f * strands.width;
     ribbon.half_depth[k] = bound_of(before, stray);
   }
 }

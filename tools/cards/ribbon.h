@@ -16,8 +16,9 @@ struct Ribbon {
   std::array<Eigen::Vector3f, kStations> middle;
   std::array<Eigen::Vector3f, kStations> along;   ///< Unit.
   std::array<Eigen::Vector3f, kStations> across;  ///< Unit, at right angles to `along`.
-  std::array<float, kStations> half_width;        ///< Metres: strands lie within, but for those that stray.
-  std::array<float, kStations> half_depth;        ///< The same at right angles to the card.
+  std::array<float, kStations>
+      half_width;  ///< Metres, > 0 where strands have a width: they lie within, but for those that stray.
+  std::array<float, kStations> half_depth;  ///< The same at right angles to the card.
 };
 
 /// The ribbon of some strands, not none: middle lines run through their means; across is where they spread most, turned as little as

@@ -9,7 +9,7 @@
 namespace coif {
 namespace {
 
-constexpr int kSide = 8;         // samples of a pixel, each way
+constexpr int kSide = 8;             // samples of a pixel, each way
 constexpr std::uint32_t kBand = 16;  // rows of pixels that are drawn together
 
 constexpr float kNothing = std::numeric_limits<float>::infinity();
@@ -25,7 +25,11 @@ struct Piece {
 class Band {
  public:
   Band(std::uint32_t width, std::uint32_t first_row, std::uint32_t rows)
-      : width_(int(width)), first_(int(first_row)), rows_(int(rows)), depth_(std::size_t(width) * rows, kNothing), piece_(depth_.size(), 0) {}
+      : width_(int(width)),
+        first_(int(first_row)),
+        rows_(int(rows)),
+        depth_(std::size_t(width) * rows, kNothing),
+        piece_(depth_.size(), 0) {}
 
   void draw(const Piece& piece, std::uint32_t number) {
     const float h = piece.half_width;
@@ -51,7 +55,9 @@ class Band {
   }
 
   [[nodiscard]] float depth(std::size_t x, std::size_t row) const { return depth_[row * std::size_t(width_) + x]; }
-  [[nodiscard]] std::uint32_t piece(std::size_t x, std::size_t row) const { return piece_[row * std::size_t(width_) + x]; }
+  [[nodiscard]] std::uint32_t piece(std::size_t x, std::size_t row) const {
+    return piece_[row * std::size_t(width_) + x];
+  }
 
  private:
   /// Columns that the piece may cover in a row of samples.
@@ -85,7 +91,8 @@ std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, floa
     for (std::uint32_t p = groom.begin[i]; p + 1 < groom.begin[i + 1]; ++p) {
       const float wide = groom.widths.empty() ? width : 0.5f * (groom.widths[p] + groom.widths[p + 1]);
       const Eigen::Vector3f way = frame.axes * (groom.points[p + 1] - groom.points[p]);
-      pieces.push_back({in_samples(groom.points[p]), in_samples(groom.points[p + 1]), 0.5f * wide * samples_of_metre, way.normalized()});
+      pieces.push_back({in_samples(groom.points[p]), in_samples(groom.points[p + 1]), 0.5f * wide * samples_of_metre,
+                        way.normalized()});
     }
   }
   return pieces;
@@ -105,14 +112,16 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Piece>& pieces
   return lists;
 }
 
-void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t first_row, std::uint32_t rows, HairPicture& picture) {
+void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t first_row, std::uint32_t rows,
+             HairPicture& picture) {
   for (std::uint32_t y = 0; y < rows; ++y) {
     for (std::uint32_t x = 0; x < picture.size; ++x) {
       int covered = 0;
       float depth = 0;
       Eigen::Vector3f along = Eigen::Vector3f::Zero();
       for (int s = 0; s < kSide * kSide; ++s) {
-        const std::size_t sx = std::size_t(x) * kSide + std::size_t(s % kSide), sy = std::size_t(y) * kSide + std::size_t(s / kSide);
+        const std::size_t sx = std::size_t(x) * kSide + std::size_t(s % kSide),
+                          sy = std::size_t(y) * kSide + std::size_t(s / kSide);
         if (band.depth(sx, sy) == kNothing) continue;
         ++covered;
         depth += band.depth(sx, sy);

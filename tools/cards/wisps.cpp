@@ -21,7 +21,8 @@ float squared_distance(std::span<const Eigen::Vector3f> a, std::span<const Eigen
 }
 
 /// Strands that lie far from each other, chosen by the squares of their distances from those chosen before.
-std::vector<std::uint32_t> first_middles(const EvenStrands& strands, std::span<const std::uint32_t> sample, std::size_t count) {
+std::vector<std::uint32_t> first_middles(const EvenStrands& strands, std::span<const std::uint32_t> sample,
+                                         std::size_t count) {
   std::mt19937_64 random(1);
   std::vector<std::uint32_t> chosen{sample[sample.size() / 2]};
   std::vector<float> nearest(sample.size(), std::numeric_limits<float>::max());
@@ -93,7 +94,8 @@ std::vector<std::vector<std::uint32_t>> members_of(std::span<const std::uint32_t
   return members;
 }
 
-std::vector<Ribbon> ribbons_of(const EvenStrands& strands, const std::vector<std::vector<std::uint32_t>>& members, unsigned threads) {
+std::vector<Ribbon> ribbons_of(const EvenStrands& strands, const std::vector<std::vector<std::uint32_t>>& members,
+                               unsigned threads) {
   std::vector<Ribbon> ribbons(members.size());
   parallel_for(members.size(), threads, [&](std::size_t i) { ribbons[i] = ribbon_of(strands, members[i]); });
   return ribbons;
