@@ -1,3 +1,5 @@
+#include "base/parallel_for.h"
+#include "cards/hair_source.h"
 #include "cli/asset_summary.h"
 #include "cli/batch.h"
 #include "cli/command.h"
@@ -13,8 +15,8 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model =
-      import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
+  const auto model = read_hair_source(options.source(), choice.recipe, options.import_limits(import_settings(choice.recipe, options.roots)),
+                                      options.threads.value_or(all_threads()));
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;

@@ -24,6 +24,10 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
     return file_failure(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",
                         path.extension().string(), supported_suffixes());
   }
+  if (suffix->assimp_suffix == nullptr) {
+    return file_failure(ToolError::Kind::kUnsupported, path, "{} holds strands, and a mesh is wanted here; export as .glb",
+                        format_name(suffix->format));
+  }
   auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_with_assimp(path, *suffix, settings)); });
   if (!answer) return tl::unexpected(answer.error());
   ImportOutcome outcome;
