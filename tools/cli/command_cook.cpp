@@ -88,7 +88,7 @@ void add_limits(CLI::App& app, CookOptions& options) {
 Command add_cook(CLI::App& program) {
   CLI::App* app = program.add_subcommand("cook", "Turn models into hair assets");
   const auto options = std::make_shared<CookOptions>();
-  app->add_option("SOURCE", options->sources, "FBX, glTF, GLB, VRM, OBJ or DAE; several are cooked at once");
+  app->add_option("SOURCE", options->sources, "FBX, glTF, GLB, VRM, OBJ or DAE with strips of hair; or strands, which become cards: HAIR, TFX, OBJ or glTF with lines. Several are cooked at once");
   app->add_option("-o,--output", options->output, "The asset to write; for several sources a folder")
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
