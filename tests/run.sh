@@ -84,7 +84,7 @@ for part in ${*:-plain}; do
   for part in $part; do
     case $part in
       plain) build release -DCOIF_TESTS=ON all && run release plain -LE '^(farm|other_builds|web)$' ;;
-      asan) sanitize asan formats sim c import ;;
+      asan) sanitize asan formats sim c import groom ;;
       asan-cook) sanitize asan-cook cook cache validate view ;;
       fuzz) install fuzz && build fuzz -DCOIF_TESTS=ON fuzz_readers && run fuzz fuzz ;;
       farm) install farm && build release -DCOIF_TESTS=ON coif_cli && run release farm -L '^farm$' ;;

@@ -7,7 +7,7 @@ find_package(tl-expected REQUIRED)
 
 set(tools ${PROJECT_SOURCE_DIR}/tools)
 file(GLOB readers CONFIGURE_DEPENDS ${tools}/base/*.cpp ${tools}/cook/recipe/*.cpp ${tools}/import/clip*.cpp
-  ${tools}/import/gltf*.cpp ${tools}/import/model_stream.cpp ${tools}/import/source_*.cpp ${tools}/import/vrm*.cpp)
+  ${tools}/groom/groom*.cpp ${tools}/groom/*_file.cpp ${tools}/groom/*_lines.cpp ${tools}/import/gltf*.cpp ${tools}/import/model_stream.cpp ${tools}/import/source_*.cpp ${tools}/import/vrm*.cpp)
 add_executable(fuzz_readers libfuzzer_main.cpp ${targets} ${readers} ${tools}/cache/cache_entry.cpp
   ${tools}/cache/manifest.cpp)
 target_compile_options(fuzz_readers PRIVATE ${COIF_WARNINGS})

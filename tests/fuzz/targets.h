@@ -22,15 +22,29 @@ bool try_asset(Input input);         ///< A .coif, and a game that plays it.
 bool try_cache_entry(Input input);   ///< A file of the cache of cooks.
 bool try_can_fail(Input input);      ///< Reads nothing, but fails at an exclamation mark.
 bool try_clip(Input input);          ///< The animation of a .gltf or .glb.
+bool try_gltf_lines(Input input);    ///< Lines of a .gltf or .glb.
+bool try_groom_stream(Input input);  ///< What the process that reads strands sends back.
+bool try_hair_file(Input input);     ///< A .hair.
 bool try_manifest(Input input);      ///< A list of assets to cook.
 bool try_model_stream(Input input);  ///< What the import process sends back.
+bool try_obj_lines(Input input);     ///< Lines of an .obj.
 bool try_recipe(Input input);        ///< A recipe's text, and printing it.
+bool try_tressfx(Input input);       ///< A .tfx.
 bool try_vrm(Input input);           ///< The extensions of a .gltf, .glb or .vrm. False where it has no spring.
 
-inline constexpr Target kTargets[] = {{"asset", try_asset},       {"cache_entry", try_cache_entry},
-                                      {"can_fail", try_can_fail}, {"clip", try_clip},
-                                      {"manifest", try_manifest}, {"model_stream", try_model_stream},
-                                      {"recipe", try_recipe},     {"vrm", try_vrm}};
+inline constexpr Target kTargets[] = {{"asset", try_asset},
+                                      {"cache_entry", try_cache_entry},
+                                      {"can_fail", try_can_fail},
+                                      {"clip", try_clip},
+                                      {"gltf_lines", try_gltf_lines},
+                                      {"groom_stream", try_groom_stream},
+                                      {"hair_file", try_hair_file},
+                                      {"manifest", try_manifest},
+                                      {"model_stream", try_model_stream},
+                                      {"obj_lines", try_obj_lines},
+                                      {"recipe", try_recipe},
+                                      {"tressfx", try_tressfx},
+                                      {"vrm", try_vrm}};
 
 /// Null where there is no target of that name; `usage` is then printed to the standard error output, with the names.
 const Target* find_target(std::string_view name, const char* usage);

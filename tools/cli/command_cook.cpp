@@ -1,3 +1,5 @@
+#include "base/parallel_for.h"
+#include "cards/hair_source.h"
 #include "cli/asset_summary.h"
 #include "cli/batch.h"
 #include "cli/command.h"
@@ -13,8 +15,8 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model =
-      import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
+  const auto model = read_hair_source(options.source(), choice.recipe, options.import_limits(import_settings(choice.recipe, options.roots)),
+                                      options.threads.value_or(all_threads()));
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -86,7 +88,7 @@ void add_limits(CLI::App& app, CookOptions& options) {
 Command add_cook(CLI::App& program) {
   CLI::App* app = program.add_subcommand("cook", "Turn models into hair assets");
   const auto options = std::make_shared<CookOptions>();
-  app->add_option("SOURCE", options->sources, "FBX, glTF, GLB, VRM, OBJ or DAE; several are cooked at once");
+  app->add_option("SOURCE", options->sources, "FBX, glTF, GLB, VRM, OBJ or DAE with strips of hair; or strands, which become cards: HAIR, TFX, OBJ or glTF with lines. Several are cooked at once");
   app->add_option("-o,--output", options->output, "The asset to write; for several sources a folder")
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")

@@ -112,7 +112,7 @@ Command add_view_page(CLI::App& program) {
                                          "shows what comes of it, or what is wrong");
   const auto options = std::make_shared<ViewOptions>();
   app->add_option("FILE", options->file,
-                  "A cooked asset; or a source (FBX, glTF, GLB, VRM, OBJ or DAE), or the recipe (.json) beside it")
+                  "A cooked asset; or a source (as coif cook takes them), or the recipe (.json) beside it")
       ->required();
   app->add_option("-o,--output", options->output,
                   "Of an asset: the page to write (default: FILE's name with .html, here)")

@@ -1,9 +1,11 @@
 #include "cli/cook_job.h"
 
 #include "base/files.h"
+#include "base/parallel_for.h"
 #include "base/work_limit.h"
 #include "cache/cook_cache.h"
 #include "cache/manifest.h"
+#include "cards/hair_source.h"
 #include "cli/command.h"
 #include "cli/cook_limits.h"
 #include "cli/messages.h"
@@ -85,11 +87,13 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   };
   show("import");
   const auto begin = std::chrono::steady_clock::now();
-  const auto model = import_model(options.source(), options.import_limits(import_settings(choice.recipe, options.roots)));
+  const unsigned threads = options.threads.value_or(all_threads());
+  const auto model =
+      read_hair_source(options.source(), choice.recipe, options.import_limits(import_settings(choice.recipe, options.roots)), threads);
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookSettings settings;
-  settings.threads = options.threads.value_or(all_threads());
+  settings.threads = threads;
   settings.recipe_directory = choice.directory;
   settings.source_hash = xxh64(bytes);
   settings.progress = show;

@@ -202,4 +202,26 @@ tl::expected<std::vector<float>, std::string> read_gltf_numbers(const json& docu
   return numbers;
 }
 
+tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const json& document, GltfBuffers& buffers,
+                                                                        const json& accessor, std::size_t most) {
+  const json& accessors = list_of(member(document, "accessors"));
+  const auto index = index_of(accessor, accessors.size());
+  if (!index) return fault("there is no such accessor among {}", accessors.size());
+  const json& entry = accessors[*index];
+  const auto type = index_of(member(entry, "componentType"), 10000);
+  const std::size_t size = type == 5121 ? 1 : type == 5123 ? 2 : type == 5125 ? 4 : 0;
+  if (size == 0 || member(entry, "type") != "SCALAR" || !member(entry, "sparse").is_null()) {
+    return fault("accessor {} has no plain list of unsigned numbers", *index);
+  }
+  const auto count = index_of(member(entry, "count"), most + 1);
+  if (!count || *count == 0) return fault("accessor {} has no count of 1 to {}", *index, most);
+  const auto elements = find_elements(document, buffers, entry, size);
+  if (!elements) return fault("accessor {} {}", *index, elements.error());
+  const std::size_t held = elements->bytes.size() < size ? 0 : (elements->bytes.size() - size) / elements->stride + 1;
+  if (held < *count) return fault("accessor {} is cut off: {} of {} elements", *index, held, *count);
+  std::vector<std::uint32_t> numbers(*count, 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) std::memcpy(&numbers[i], &elements->bytes[i * elements->stride], size);
+  return numbers;
+}
+
 }  // namespace coif

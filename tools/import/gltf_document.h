@@ -70,6 +70,12 @@ struct NumbersWanted {
                                                                               const nlohmann::json& accessor,
                                                                               const NumbersWanted& wanted);
 
+/// All numbers of an accessor of unsigned integers, such as indices; at most so many. As read_gltf_numbers() otherwise.
+[[nodiscard]] tl::expected<std::vector<std::uint32_t>, std::string> read_gltf_indices(const nlohmann::json& document,
+                                                                                      GltfBuffers& buffers,
+                                                                                      const nlohmann::json& accessor,
+                                                                                      std::size_t most);
+
 /// Who is whose parent among a glTF document's nodes. `document` needs the member `nodes` and must outlive the object.
 class GltfTree {
  public:

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "import/assimp_scene.h"
 #include "import/model_stream.h"
-#include "process/child_process.h"
+#include "import/reader_process.h"
 
 #include <fmt/format.h>
 
@@ -17,27 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<ToolError> explain(const ChildResult& result, const fs::path& path, const ImportSettings& settings) {
-  using Kind = ToolError::Kind;
-  switch (result.end) {
-    case ChildResult::End::kTooSlow:
-      return file_failure(Kind::kBadInput, path, "the importer exceeded {} s; {}", settings.max_seconds, kReduce);
-    case ChildResult::End::kOutOfMemory:
-    case ChildResult::End::kTooMuchOutput:
-      return file_failure(Kind::kBadInput, path, "the importer exceeded {} MiB of memory; {}",
-                          settings.max_memory_bytes >> 20, kReduce);
-    case ChildResult::End::kNotStarted:
-      return file_failure(Kind::kInternal, path, "cannot start the import process: {}", std::strerror(result.code));
-    case ChildResult::End::kCrashed:
-    case ChildResult::End::kFinished: break;
-  }
-  if (result.end == ChildResult::End::kFinished) {
-    return file_failure(Kind::kBadInput, path, "the importer crashed (its answer makes no sense); {}", kReexport);
-  }
-  return file_failure(Kind::kBadInput, path, "the importer crashed ({} {}); {}",
-                      result.by_signal ? "signal" : "exit status", result.code, kReexport);
-}
-
 tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const ImportSettings& settings) {
   if (auto checked = check_readable(path, settings.max_file_bytes); !checked) return tl::unexpected(checked.error());
   const std::optional<SourceSuffix> suffix = find_suffix(path);
@@ -45,17 +24,16 @@ tl::expected<SourceModel, ToolError> import_checked(const fs::path& path, const 
     return file_failure(ToolError::Kind::kUnsupported, path, "'{}' is not a known suffix; export as one of {}",
                         path.extension().string(), supported_suffixes());
   }
-  const ChildLimits limits{settings.max_memory_bytes, settings.max_seconds, settings.max_memory_bytes};
-  const ChildResult result = run_in_child(limits, [&] {
-    fence_files(folders_of_source(path, settings.roots), path);  // where the kernel can; without it the other limits hold
-    return encode_outcome(read_with_assimp(path, *suffix, settings));
-  });
-  ImportOutcome outcome;
-  if (result.end == ChildResult::End::kFinished && decode_outcome(result.output, outcome)) {
-    if (outcome) outcome->roots = settings.roots;
-    return outcome;
+  if (suffix->assimp_suffix == nullptr) {
+    return file_failure(ToolError::Kind::kUnsupported, path, "{} holds strands, and a mesh is wanted here; export as .glb",
+                        format_name(suffix->format));
   }
-  return explain(result, path, settings);
+  auto answer = read_in_child(path, settings, [&] { return encode_outcome(read_with_assimp(path, *suffix, settings)); });
+  if (!answer) return tl::unexpected(answer.error());
+  ImportOutcome outcome;
+  if (!decode_outcome(*answer, outcome)) return senseless_answer(path);
+  if (outcome) outcome->roots = settings.roots;
+  return outcome;
 }
 
 }  // namespace

@@ -16,6 +16,9 @@ namespace coif {
 
 enum class UpAxis { kX, kY, kZ };
 
+/// From axes of which `up` points up to those of which Y does.
+[[nodiscard]] Eigen::Matrix3d y_up_from(UpAxis up);
+
 struct ImportSettings {
   std::optional<double> metres_per_unit;  ///< Overrides the file's unit.
   std::optional<UpAxis> up_axis;          ///< Overrides the file's axis.
@@ -30,7 +33,7 @@ struct ImportSettings {
 /// Name and version of the library that reads sources, for example "assimp 5.2.4".
 [[nodiscard]] std::string importer_name();
 
-/// Reads FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
+/// Reads the meshes of an FBX, glTF, GLB, VRM, OBJ or DAE. The parser runs in a child process under limits: third-party importers crash
 /// on hostile files. Never throws. Errors: kFileAccess (absent, unreadable), kBadInput (not parseable, crash, limit,
 /// no triangles), kUnsupported (suffix or variant not known). Blocks; costs a fork, so call it before starting threads
 /// where you can.
@@ -38,12 +41,12 @@ tl::expected<SourceModel, ToolError> import_model(const std::filesystem::path& p
                                                   const ImportSettings& settings = {});
 
 /// File families that differ in how the importer treats units, axes and materials.
-enum class SourceFormat { kFbx, kGltf, kObj, kDae };
+enum class SourceFormat { kFbx, kGltf, kObj, kDae, kHair, kTressFx };
 
 struct SourceSuffix {
   const char* suffix;  ///< Lower case, with the dot.
   SourceFormat format;
-  const char* assimp_suffix;  ///< Under which name assimp knows it, without the dot.
+  const char* assimp_suffix;  ///< Under which name assimp knows it, without the dot; null: it holds strands (groom/read_groom.h).
 };
 
 /// How people know the format, for messages.

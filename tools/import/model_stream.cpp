@@ -1,88 +1,15 @@
 #include "import/model_stream.h"
 
 #include "import/source_model.h"
-
-#include <concepts>
-#include <cstring>
-#include <type_traits>
+#include "import/stream_parts.h"
 
 namespace coif {
+
 namespace {
 
 constexpr std::uint32_t kMagic = 0x31464D49u;  // so that a stray write into the pipe is not taken for a model
 
-static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector2f) == 8 && sizeof(SourceInfluence) == 8);
-
-// Elements that may be copied as bytes: no padding, no value that is not valid.
-template <class T>
-inline constexpr bool kPlain = std::is_arithmetic_v<T> || std::same_as<T, SourceInfluence> ||
-                               std::same_as<T, Eigen::Vector3f> || std::same_as<T, Eigen::Vector2f>;
-
-class Encoder {
- public:
-  bool raw(const void* data, std::size_t size) {
-    const std::size_t start = bytes.size();
-    bytes.resize(start + size);
-    if (size != 0) std::memcpy(bytes.data() + start, data, size);
-    return true;
-  }
-  template <class T>
-  requires kPlain<T>
-  bool plain(const T& value) { return raw(&value, sizeof value); }
-  template <class Container>
-  bool sequence(const Container& items) {
-    return plain(std::uint64_t{items.size()}) && raw(items.data(), items.size() * sizeof *items.data());
-  }
-  template <class Item, class Transfer>
-  bool list(const std::vector<Item>& items, std::size_t, Transfer transfer) {
-    plain(std::uint64_t{items.size()});
-    for (const Item& item : items) transfer(*this, item);
-    return true;
-  }
-
-  std::vector<std::uint8_t> bytes;
-};
-
-class Decoder {
- public:
-  explicit Decoder(std::span<const std::uint8_t> bytes) : left_(bytes) {}
-
-  bool raw(void* data, std::size_t size) {
-    if (size > left_.size()) return false;
-    if (size != 0) std::memcpy(data, left_.data(), size);
-    left_ = left_.subspan(size);
-    return true;
-  }
-  template <class T>
-  requires kPlain<T>
-  bool plain(T& value) { return raw(&value, sizeof value); }
-  template <class Container>
-  bool sequence(Container& items) {
-    std::uint64_t count = 0;
-    if (!plain(count) || count > left_.size() / sizeof *items.data()) return false;
-    items.resize(static_cast<std::size_t>(count));
-    return raw(items.data(), items.size() * sizeof *items.data());
-  }
-  // `least`: bytes that every item takes at least, so that a count cannot promise more items than there are bytes.
-  template <class Item, class Transfer>
-  bool list(std::vector<Item>& items, std::size_t least, Transfer transfer) {
-    std::uint64_t count = 0;
-    if (!plain(count) || count > left_.size() / least) return false;
-    items.resize(static_cast<std::size_t>(count));
-    for (Item& item : items) {
-      if (!transfer(*this, item)) return false;
-    }
-    return true;
-  }
-  [[nodiscard]] bool at_end() const { return left_.empty(); }
-
- private:
-  std::span<const std::uint8_t> left_;
-};
-
-// One list of fields serves both directions: `Archive` is Encoder with a const object, or Decoder with a mutable one.
-
-constexpr auto transfer_text = [](auto& archive, auto& text) { return archive.sequence(text); };
+// One list of fields serves both directions: see stream_parts.h.
 
 constexpr auto transfer_node = [](auto& archive, auto& node) {
   return archive.sequence(node.name) && archive.plain(node.parent) &&
@@ -95,30 +22,6 @@ constexpr auto transfer_mesh = [](auto& archive, auto& mesh) {
          archive.sequence(mesh.influence_begin) && archive.sequence(mesh.influences) &&
          archive.sequence(mesh.triangles);
 };
-
-bool transfer_flag(Encoder& archive, const bool& flag) { return archive.plain(std::uint8_t{flag}); }
-
-// Any byte but 0 and 1 copied into a bool would be undefined.
-bool transfer_flag(Decoder& archive, bool& flag) {
-  std::uint8_t byte = 0;
-  if (!archive.plain(byte) || byte > 1) return false;
-  flag = byte == 1;
-  return true;
-}
-
-template <class Choice>
-bool transfer_choice(Encoder& archive, const Choice& choice, Choice) {
-  return archive.plain(static_cast<std::uint8_t>(choice));
-}
-
-// A number beyond the last enumerator is no value of the type that anything after this expects.
-template <class Choice>
-bool transfer_choice(Decoder& archive, Choice& choice, Choice last) {
-  std::uint8_t byte = 0;
-  if (!archive.plain(byte) || byte > static_cast<std::uint8_t>(last)) return false;
-  choice = static_cast<Choice>(byte);
-  return true;
-}
 
 constexpr auto transfer_material = [](auto& archive, auto& material) {
   return archive.sequence(material.name) && archive.raw(material.base_color.data(), 4 * sizeof(float)) &&
@@ -159,16 +62,6 @@ constexpr auto transfer_image = [](auto& archive, auto& image) {
   return archive.sequence(image.name) && archive.sequence(image.bytes);
 };
 
-bool transfer_axis(Encoder& archive, const char& axis) { return archive.plain(axis); }
-
-bool transfer_axis(Decoder& archive, char& axis) { return archive.plain(axis) && axis >= 'x' && axis <= 'z'; }
-
-constexpr auto transfer_space = [](auto& archive, auto& space) {
-  return archive.plain(space.metres_per_unit) && transfer_choice(archive, space.unit, Statement::kUnsaid) &&
-         transfer_choice(archive, space.up, Statement::kUnsaid) && transfer_axis(archive, space.up_axis) &&
-         archive.sequence(space.unit_words) && archive.sequence(space.up_words) && archive.sequence(space.generator);
-};
-
 constexpr auto transfer_model = [](auto& archive, auto& model) {
   constexpr std::size_t kCount = sizeof(std::uint64_t);
   return archive.sequence(model.path) && archive.sequence(model.importer) &&
@@ -183,41 +76,12 @@ constexpr auto transfer_model = [](auto& archive, auto& model) {
          archive.list(model.warnings, kCount, transfer_text) && archive.list(model.side_files, kCount, transfer_text);
 };
 
-bool decode_error(Decoder& decoder, ImportOutcome& outcome) {
-  std::uint8_t kind = 0;
-  ToolError error;
-  if (!decoder.plain(kind) || kind > static_cast<std::uint8_t>(ToolError::Kind::kInternal)) return false;
-  if (!decoder.sequence(error.message) || !decoder.at_end()) return false;
-  error.kind = static_cast<ToolError::Kind>(kind);
-  outcome = tl::unexpected(std::move(error));
-  return true;
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) {
-  Encoder encoder;
-  encoder.plain(kMagic);
-  transfer_flag(encoder, outcome.has_value());
-  if (outcome) {
-    transfer_model(encoder, *outcome);
-  } else {
-    encoder.plain(static_cast<std::uint8_t>(outcome.error().kind));
-    encoder.sequence(outcome.error().message);
-  }
-  return std::move(encoder.bytes);
-}
+std::vector<std::uint8_t> encode_outcome(const ImportOutcome& outcome) { return encode_framed(kMagic, outcome, transfer_model); }
 
 bool decode_outcome(std::span<const std::uint8_t> bytes, ImportOutcome& outcome) {
-  Decoder decoder(bytes);
-  std::uint32_t magic = 0;
-  bool has_model = false;
-  if (!decoder.plain(magic) || magic != kMagic || !transfer_flag(decoder, has_model)) return false;
-  if (!has_model) return decode_error(decoder, outcome);
-  SourceModel model;
-  if (!transfer_model(decoder, model) || !decoder.at_end() || !find_model_fault(model).empty()) return false;
-  outcome = std::move(model);
-  return true;
+  return decode_framed(kMagic, bytes, outcome, transfer_model, find_model_fault);
 }
 
 }  // namespace coif

@@ -10,6 +10,14 @@
 #include <optional>
 
 namespace coif {
+
+Eigen::Matrix3d y_up_from(UpAxis up) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  if (up == UpAxis::kX) rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  if (up == UpAxis::kZ) rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return rotation;
+}
+
 namespace {
 
 std::optional<double> number(const aiMetadata* metadata, const char* key) {
@@ -29,13 +37,6 @@ std::optional<Eigen::Vector3d> axis(const aiMetadata* metadata, const std::strin
   const double sign = number(metadata, (name + "Sign").c_str()).value_or(1);
   if (index != 0 && index != 1 && index != 2) return std::nullopt;
   return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(index)) * (sign < 0 ? -1.0 : 1.0);
-}
-
-Eigen::Matrix3d y_up_from(UpAxis up) {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  if (up == UpAxis::kX) rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  if (up == UpAxis::kZ) rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  return rotation;
 }
 
 // FBX names the file's right (Coord), up and front axes; front points at the viewer, so (right, up, front) = (X, Y, Z).

@@ -45,6 +45,7 @@ namespace {
 constexpr SourceSuffix kSuffixes[] = {
     {".fbx", SourceFormat::kFbx, "fbx"},  {".gltf", SourceFormat::kGltf, "gltf"}, {".glb", SourceFormat::kGltf, "glb"},
     {".vrm", SourceFormat::kGltf, "glb"}, {".obj", SourceFormat::kObj, "obj"},    {".dae", SourceFormat::kDae, "dae"},
+    {".hair", SourceFormat::kHair, nullptr}, {".tfx", SourceFormat::kTressFx, nullptr},
 };
 
 }  // namespace
@@ -55,6 +56,8 @@ const char* format_name(SourceFormat format) {
     case SourceFormat::kGltf: return "glTF 2.0";
     case SourceFormat::kObj: return "Wavefront OBJ";
     case SourceFormat::kDae: return "COLLADA";
+    case SourceFormat::kHair: return "HAIR";
+    case SourceFormat::kTressFx: return "TressFX";
   }
   return "unknown";
 }

@@ -46,6 +46,10 @@ struct Recipe {
   std::string head_bone;  ///< Pattern; "": found by name and hierarchy.
   std::string scalp;      ///< "thesis", "none" or "pattern".
   std::vector<std::string> scalp_bones;
+  // cards, where the file has strands
+  std::uint32_t cards_triangles = 0;
+  std::uint32_t cards_texels = 0;
+  double cards_strand_width = 0;  ///< Metres; 0: from how many strands there are.
   // chains, where the file has no bones
   std::string chain_source;  ///< "auto", "file", "fit" or "none".
   std::uint32_t chain_max_count = 0;

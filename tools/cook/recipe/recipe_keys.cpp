@@ -51,6 +51,13 @@ const RecipeKey kKeys[] = {
   {"skeleton", "scalp_bones", &R::scalp_bones, "[]", 0, 0, nullptr, "",
    "names of the bones that stay rigid with the head, where scalp is 'pattern'"},
 
+  {"cards", "triangles", &R::cards_triangles, "8000", 2, 1000000, nullptr, "triangles",
+   "where the file has strands instead of strips: what the cards that are made of them may have"},
+  {"cards", "texels", &R::cards_texels, "4194304", 4096, 67108864, nullptr, "texels",
+   "what their texture may have, all cards together"},
+  {"cards", "strand_width", &R::cards_strand_width, "0", 0, 0.1, nullptr, "m",
+   "how wide a strand is where the file does not say; 0: so wide that the strands cover what all hair of a head does"},
+
   {"chains", "source", &R::chain_source, "\"auto\"", 0, 0, "auto|file|fit|none", "",
    "where moving bones come from: the file, fitted to the hair, or neither; auto: fitted where the file has none"},
   {"chains", "max_count", &R::chain_max_count, "16", 1, 128, nullptr, "chains",

@@ -1,7 +1,9 @@
 #include "view/server/live_cook.h"
 
 #include "base/files.h"
+#include "base/parallel_for.h"
 #include "base/work_limit.h"
+#include "cards/hair_source.h"
 #include "payload_hash.h"
 
 #include <algorithm>
@@ -134,14 +136,16 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
 tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe) {
   ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
   const bool is_stale = is_stale_.exchange(false);
-  if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings))
+  const CardsAsked cards{recipe.cards_triangles, recipe.cards_texels, recipe.cards_strand_width};
+  if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings) &&
+      imported_->cards == cards)
     return &*imported_;
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto model = import_model(order.source, settings);
+  auto model = read_hair_source(order.source, recipe, settings, all_threads());
   if (!model) return tl::unexpected(model.error());
-  imported_ = Imported{order.source, std::move(settings), std::move(*model), xxh64(bytes->span())};
+  imported_ = Imported{order.source, std::move(settings), cards, std::move(*model), xxh64(bytes->span())};
   return &*imported_;
 }
 

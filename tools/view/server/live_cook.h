@@ -16,6 +16,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <string_view>
 #include <vector>
 
@@ -72,9 +73,11 @@ class LiveCook {
     /// Which is read once it appears.
     [[nodiscard]] std::filesystem::path recipe_place() const;
   };
+  using CardsAsked = std::tuple<std::uint32_t, std::uint32_t, double>;  ///< What of the recipe makes cards of strands.
   struct Imported {
     std::filesystem::path source;
     ImportSettings settings;
+    CardsAsked cards;
     SourceModel model;
     std::uint64_t hash = 0;
   };

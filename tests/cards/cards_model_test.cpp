@@ -1,0 +1,105 @@
+#include "cards/cards_model.h"
+
+#include "cards/card_atlas.h"
+#include "cards/made_up_groom.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace coif::cards_model_test {
+
+std::vector<CardSize> some_sizes(std::size_t count) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> unit(0.01f, 1);
+  std::vector<CardSize> sizes;
+  for (std::size_t i = 0; i < count; ++i) sizes.push_back({0.05f * unit(random), 0.4f * unit(random)});
+  return sizes;
+}
+
+TEST(CardAtlas, PlacesLieApartAndWithin) {
+  for (const std::size_t texels : {std::size_t{1} << 14, std::size_t{1} << 18, std::size_t{3} << 20}) {
+    const auto sizes = some_sizes(150);
+    const AtlasPlan plan = plan_atlas(sizes, texels);
+    ASSERT_EQ(plan.places.size(), sizes.size());
+    EXPECT_LE(std::size_t(plan.width) * plan.height, texels);
+    EXPECT_EQ(plan.width % 4 + plan.height % 4, 0u);
+    std::vector<int> taken(std::size_t(plan.width) * plan.height, -1);
+    for (std::size_t i = 0; i < plan.places.size(); ++i) {
+      const AtlasPlace& place = plan.places[i];
+      ASSERT_LE(place.x + place.width, plan.width);
+      ASSERT_LE(place.y + place.height, plan.height);
+      // With what has to stay free beside it.
+      for (std::uint32_t y = place.y; y < std::min(place.y + place.height + kAtlasGap, plan.height); ++y) {
+        for (std::uint32_t x = place.x; x < std::min(place.x + place.width + kAtlasGap, plan.width); ++x) {
+          ASSERT_EQ(taken[std::size_t(y) * plan.width + x], -1) << i;
+          taken[std::size_t(y) * plan.width + x] = int(i);
+        }
+      }
+    }
+  }
+}
+
+TEST(CardAtlas, UsesMostOfItsTexels) {
+  const auto sizes = some_sizes(400);
+  const AtlasPlan plan = plan_atlas(sizes, std::size_t{1} << 22);
+  double used = 0;
+  for (const AtlasPlace& place : plan.places) used += double(place.width) * place.height;
+  EXPECT_GT(used, 0.75 * double(std::size_t{1} << 22));
+  EXPECT_TRUE(plan_atlas(sizes, 1000).places.empty());
+  EXPECT_TRUE(plan_atlas({}, 1 << 20).places.empty());
+}
+
+TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(500));
+  for (const std::size_t triangles : {2u, 100u, 1500u}) {
+    const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 0}, 2);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(find_model_fault(*model), "");
+    ASSERT_EQ(model->meshes.size(), 1u);
+    EXPECT_LE(model->meshes[0].triangles.size() / 3, triangles);
+    EXPECT_GT(model->meshes[0].triangles.size() / 3, triangles / 2);
+    EXPECT_EQ(model->images.size(), 1u);
+  }
+}
+
+TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
+  const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 0}, 2);
+  ASSERT_TRUE(model) << model.error().message;
+  const SourceMesh& mesh = model->meshes[0];
+  std::size_t outwards = 0, count = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const Eigen::Vector3f& a = mesh.positions[mesh.triangles[i]];
+    const Eigen::Vector3f normal =
+        (mesh.positions[mesh.triangles[i + 1]] - a).cross(mesh.positions[mesh.triangles[i + 2]] - a);
+    if (!(normal.norm() > 1e-12f)) continue;
+    ++count;
+    outwards += normal.dot(mesh.normals[mesh.triangles[i]]) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(double(outwards), 0.98 * double(count));
+}
+
+TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(300));
+  const auto one = model_of_cards(groom, {400, std::size_t{1} << 17, 0}, 1),
+             three = model_of_cards(groom, {400, std::size_t{1} << 17, 0}, 3);
+  ASSERT_TRUE(one && three);
+  EXPECT_EQ(one->meshes[0].positions, three->meshes[0].positions);
+  EXPECT_EQ(one->meshes[0].triangles, three->meshes[0].triangles);
+  EXPECT_EQ(one->images[0].bytes, three->images[0].bytes);
+}
+
+TEST(CardsModel, SaysWhatIsTooLittle) {
+  Groom groom = test::groom_of(test::strands_of_a_head(300));
+  groom.path = "a.hair";
+  const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 0}, 1);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "a.hair: cards need 2 triangles and 4096 texels at least; allow them more");
+  const auto crowded = model_of_cards(groom, {3000, 4096, 0}, 1);
+  ASSERT_FALSE(crowded);
+  EXPECT_EQ(crowded.error().message,
+            "a.hair: 250 cards do not fit into 4096 texels; allow more texels, or fewer triangles");
+}
+
+}  // namespace coif::cards_model_test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "cards/wisps.h"
+#include "groom/groom.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+/// What lies on a card, texel by texel, rows from root to tip; columns as `across` points.
+struct CardTexture {
+  std::uint32_t width = 0, height = 0;  ///< Texels.
+  std::vector<float> opacity;           ///< Share of the texel that strands cover, 0..1.
+  std::vector<float>
+      depth;  ///< Of what is in front, metres towards the ribbon's normal (along x across); 0 where nothing is.
+  std::vector<Eigen::Vector2f>
+      along;  ///< Mean direction of strands on the card (across, along), not unit; zero where nothing is.
+  std::vector<float>
+      strand;  ///< A number of the strand in front, 0..1, the same wherever it is seen; 0 where nothing is.
+};
+
+/// The wisp's strands as they lie on its card when this is flat, each as wide as it is, by 4 x 8 samples of a texel. `width`: of strands
+/// whose groom says none.
+[[nodiscard]] CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp,
+                                       float width, std::uint32_t texels_across, std::uint32_t texels_along);
+
+}  // namespace coif

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "groom/groom.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coif {
+
+/// Strands as points at even shares of their length, root first, the same number of each: what shapes are compared by.
+struct EvenStrands {
+  static constexpr std::size_t kStations = 16;
+
+  std::vector<Eigen::Vector3f> points;  ///< kStations of each strand.
+  std::vector<float> lengths;           ///< Metres, > 0.
+  float width = 0;                      ///< Of a strand, metres: mean of all.
+
+  [[nodiscard]] std::size_t count() const { return lengths.size(); }
+  [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {
+    return std::span(points).subspan(i * kStations, kStations);
+  }
+};
+
+/// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
+[[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});
+
+/// Which strands begin with their tip, one for each. Nothing is asked of a format that begins with roots. Else: roots lie on a scalp,
+/// which is round, tips do not; where the file's own order does not tell them apart as a whole, each strand is judged by how far
+/// its ends lie from the sphere that most roots lie on.
+[[nodiscard]] std::vector<std::uint8_t> find_reversed_strands(const Groom& groom);
+
+}  // namespace coif

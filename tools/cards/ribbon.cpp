@@ -1,0 +1,121 @@
+#include "cards/ribbon.h"
+
+#include "base/geometry.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kStations = Ribbon::kStations;
+constexpr float kShortest = 1e-9f;  // metres
+
+Eigen::Vector3f any_right_angle(const Eigen::Vector3f& v) {
+  const Eigen::Vector3f axis = std::abs(v.x()) < 0.7f ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitY();
+  return v.cross(axis).normalized();
+}
+
+void set_middle(const EvenStrands& strands, std::span<const std::uint32_t> members, Ribbon& ribbon) {
+  for (std::size_t k = 0; k < kStations; ++k) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const std::uint32_t i : members) sum += strands.strand(i)[k];
+    ribbon.middle[k] = sum / float(members.size());
+  }
+  for (std::size_t k = 0; k < kStations; ++k) {
+    const Eigen::Vector3f way = ribbon.middle[std::min(k + 1, kStations - 1)] - ribbon.middle[k == 0 ? 0 : k - 1];
+    ribbon.along[k] = way.norm() > kShortest ? way.normalized()
+                      : k > 0                ? ribbon.along[k - 1]
+                                             : Eigen::Vector3f::UnitY().eval();
+  }
+}
+
+/// In a plane with the axes x and y, as an angle that counts the same in both senses: (cos 2a, sin 2a) times how much it is one.
+struct Spread {
+  float x = 0, y = 0;
+};
+
+/// Frames that do not twist along the middle line: across directions are angles in them.
+std::array<Eigen::Vector3f, kStations> untwisted(const Ribbon& ribbon) {
+  std::array<Eigen::Vector3f, kStations> side;
+  side[0] = any_right_angle(ribbon.along[0]);
+  for (std::size_t k = 1; k < kStations; ++k) {
+    const Eigen::Vector3f carried = turn_between(ribbon.along[k - 1], ribbon.along[k]) * side[k - 1];
+    side[k] = (carried - carried.dot(ribbon.along[k]) * ribbon.along[k]).normalized();
+  }
+  return side;
+}
+
+void set_across(const EvenStrands& strands, std::span<const std::uint32_t> members, Ribbon& ribbon) {
+  const auto side = untwisted(ribbon);
+  std::array<Spread, kStations> spread{};
+  for (std::size_t k = 0; k < kStations; ++k) {
+    const Eigen::Vector3f up = ribbon.along[k].cross(side[k]);
+    for (const std::uint32_t i : members) {
+      const Eigen::Vector3f off = strands.strand(i)[k] - ribbon.middle[k];
+      const float x = off.dot(side[k]), y = off.dot(up);
+      spread[k].x += x * x - y * y;
+      spread[k].y += 2 * x * y;
+    }
+  }
+  // A card turns slowly: each station has a share in its neighbours', which also stands in where strands run together.
+  for (int pass = 0; pass < 3; ++pass) {
+    const auto before = spread;
+    for (std::size_t k = 0; k < kStations; ++k) {
+      const Spread &a = before[k == 0 ? 0 : k - 1], &b = before[std::min(k + 1, kStations - 1)];
+      spread[k] = {0.5f * before[k].x + 0.25f * (a.x + b.x), 0.5f * before[k].y + 0.25f * (a.y + b.y)};
+    }
+  }
+  for (std::size_t k = 0; k < kStations; ++k) {
+    const float angle = 0.5f * std::atan2(spread[k].y, spread[k].x);
+    ribbon.across[k] = std::cos(angle) * side[k] + std::sin(angle) * ribbon.along[k].cross(side[k]);
+    if (k > 0 && ribbon.across[k].dot(turn_between(ribbon.along[k - 1], ribbon.along[k]) * ribbon.across[k - 1]) < 0) {
+      ribbon.across[k] = -ribbon.across[k];
+    }
+  }
+}
+
+/// The value that all but a share of them stay below.
+float bound_of(std::vector<float>& values, float stray) {
+  const auto at = std::size_t((1 - stray) * float(values.size() - 1) + 0.5f);
+  std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(at));
+  return values[at];
+}
+
+void set_widths(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray, Ribbon& ribbon) {
+  std::vector<float> beside(members.size()), before(members.size());
+  for (std::size_t k = 0; k < kStations; ++k) {
+    const Eigen::Vector3f normal = ribbon.along[k].cross(ribbon.across[k]);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const Eigen::Vector3f off = strands.strand(members[m])[k] - ribbon.middle[k];
+      beside[m] = std::abs(off.dot(ribbon.across[k]));
+      before[m] = std::abs(off.dot(normal));
+    }
+    ribbon.half_width[k] = bound_of(beside, stray) + 0.5f * strands.width;
+    ribbon.half_depth[k] = bound_of(before, stray);
+  }
+}
+
+}  // namespace
+
+Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray) {
+  Ribbon ribbon;
+  set_middle(strands, members, ribbon);
+  set_across(strands, members, ribbon);
+  set_widths(strands, members, stray, ribbon);
+  return ribbon;
+}
+
+float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float beside) {
+  float sum = 0;
+  for (std::size_t k = 0; k < kStations; ++k) {
+    const Eigen::Vector3f off = strand[k] - ribbon.middle[k];
+    const float sideways = off.dot(ribbon.across[k]);
+    sum += off.squaredNorm() - (1 - beside) * sideways * sideways;
+  }
+  return sum / float(kStations);
+}
+
+}  // namespace coif

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "cards/picture_frame.h"
+#include "groom/groom.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+/// What is seen of hair from one direction, pixel by pixel, rows top to bottom.
+struct HairPicture {
+  std::uint32_t size = 0;       ///< Pixels, both ways.
+  std::vector<float> coverage;  ///< Share of the pixel that hair covers, 0..1.
+  std::vector<float>
+      depth;  ///< Of that share, metres from the frame's middle, mean of what is nearest; 0 where nothing is.
+  std::vector<Eigen::Vector3f>
+      along;  ///< Mean direction of strands there, in the frame's axes, not unit; zero where nothing is.
+};
+
+/// Strands with round cross sections of `width` metres where the groom says none, each pixel by 64 samples, the nearest strand in
+/// each. Which sample a strand covers is exact, so that a strand thinner than a sample covers as many as its width is worth.
+[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads);
+
+}  // namespace coif

@@ -1,0 +1,133 @@
+#include "cards/wisps.h"
+
+#include "base/parallel_for.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace coif {
+namespace {
+
+constexpr std::size_t kSample = 16384;  // strands that find the cards
+constexpr int kRounds = 12;
+constexpr float kLeastGain = 0.002f;  // of the whole distance: further rounds change nothing that shows
+
+float squared_distance(std::span<const Eigen::Vector3f> a, std::span<const Eigen::Vector3f> b) {
+  float sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]).squaredNorm();
+  return sum / float(a.size());
+}
+
+/// Strands that lie far from each other, chosen by the squares of their distances from those chosen before.
+std::vector<std::uint32_t> first_middles(const EvenStrands& strands, std::span<const std::uint32_t> sample,
+                                         std::size_t count) {
+  std::mt19937_64 random(1);
+  std::vector<std::uint32_t> chosen{sample[sample.size() / 2]};
+  std::vector<float> nearest(sample.size(), std::numeric_limits<float>::max());
+  while (chosen.size() < count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+      nearest[i] = std::min(nearest[i], squared_distance(strands.strand(sample[i]), strands.strand(chosen.back())));
+      sum += double(nearest[i]);
+    }
+    if (!(sum > 0)) break;  // the rest are copies of these
+    double left = sum * (double(random() >> 11) * 0x1p-53);
+    std::size_t next = 0;
+    while (next + 1 < sample.size() && (left -= double(nearest[next])) >= 0) ++next;
+    chosen.push_back(sample[next]);
+  }
+  return chosen;
+}
+
+/// Which ribbon each strand of `which` is nearest to, and how far that is in all.
+struct Assignment {
+  std::vector<std::uint32_t> ribbon_of;
+  double distance = 0;
+};
+
+class Assigner {
+ public:
+  Assigner(const EvenStrands& strands, const std::vector<Ribbon>& ribbons) : strands_(strands), ribbons_(ribbons) {}
+
+  /// The nearest, and how far. A ribbon whose middle is too far for its own measure to beat what was found is not looked at.
+  [[nodiscard]] std::pair<std::uint32_t, float> nearest(std::uint32_t strand) const {
+    const auto points = strands_.strand(strand);
+    std::uint32_t best = 0;
+    float least = std::numeric_limits<float>::max();
+    for (std::uint32_t r = 0; r < ribbons_.size(); ++r) {
+      const float distance = distance_to(ribbons_[r], points);
+      if (distance < least) {
+        least = distance;
+        best = r;
+      }
+    }
+    return {best, least};
+  }
+
+ private:
+  const EvenStrands& strands_;
+  const std::vector<Ribbon>& ribbons_;
+};
+
+Assignment assign(const EvenStrands& strands, std::span<const std::uint32_t> which, const std::vector<Ribbon>& ribbons,
+                  unsigned threads) {
+  const Assigner assigner(strands, ribbons);
+  Assignment out;
+  out.ribbon_of.resize(which.size());
+  std::vector<float> distances(which.size());
+  parallel_for(which.size(), threads, [&](std::size_t i) {
+    const auto [ribbon, distance] = assigner.nearest(which[i]);
+    out.ribbon_of[i] = ribbon;
+    distances[i] = distance;
+  });
+  out.distance = std::accumulate(distances.begin(), distances.end(), 0.0);
+  return out;
+}
+
+std::vector<std::vector<std::uint32_t>> members_of(std::span<const std::uint32_t> which, const Assignment& assignment,
+                                                   std::size_t count) {
+  std::vector<std::vector<std::uint32_t>> members(count);
+  for (std::size_t i = 0; i < which.size(); ++i) members[assignment.ribbon_of[i]].push_back(which[i]);
+  std::erase_if(members, [](const auto& list) { return list.empty(); });
+  return members;
+}
+
+std::vector<Ribbon> ribbons_of(const EvenStrands& strands, const std::vector<std::vector<std::uint32_t>>& members,
+                               unsigned threads) {
+  std::vector<Ribbon> ribbons(members.size());
+  parallel_for(members.size(), threads, [&](std::size_t i) { ribbons[i] = ribbon_of(strands, members[i]); });
+  return ribbons;
+}
+
+}  // namespace
+
+std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, unsigned threads) {
+  if (strands.count() == 0 || count == 0) return {};
+  std::vector<std::uint32_t> all(strands.count());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<std::uint32_t> sample = all;
+  if (all.size() > kSample) {
+    for (std::size_t i = 0; i < kSample; ++i) sample[i] = std::uint32_t(i * all.size() / kSample);
+    sample.resize(kSample);
+  }
+  std::vector<Ribbon> ribbons;
+  for (const std::uint32_t i : first_middles(strands, sample, std::min(count, sample.size()))) {
+    ribbons.push_back(ribbon_of(strands, std::span(&i, 1)));
+  }
+  double before = std::numeric_limits<double>::max();
+  for (int round = 0; round < kRounds; ++round) {
+    const Assignment found = assign(strands, sample, ribbons, threads);
+    if (found.distance > (1 - double(kLeastGain)) * before) break;
+    before = found.distance;
+    ribbons = ribbons_of(strands, members_of(sample, found, ribbons.size()), threads);
+  }
+  const auto members = members_of(all, assign(strands, all, ribbons, threads), ribbons.size());
+  ribbons = ribbons_of(strands, members, threads);
+  std::vector<Wisp> wisps(members.size());
+  for (std::size_t i = 0; i < wisps.size(); ++i) wisps[i] = {members[i], ribbons[i]};
+  return wisps;
+}
+
+}  // namespace coif

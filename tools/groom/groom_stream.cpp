@@ -1,0 +1,33 @@
+#include "groom/groom_stream.h"
+
+#include "import/stream_parts.h"
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x31524847u;
+
+constexpr auto transfer_group = [](auto& archive, auto& group) {
+  return archive.sequence(group.name) && archive.plain(group.first_strand) && archive.plain(group.strand_count);
+};
+
+constexpr auto transfer_groom = [](auto& archive, auto& groom) {
+  constexpr std::size_t kCount = sizeof(std::uint64_t);
+  return archive.sequence(groom.path) && archive.sequence(groom.format) && archive.sequence(groom.points) &&
+         archive.sequence(groom.begin) && archive.sequence(groom.widths) && archive.sequence(groom.colors) &&
+         archive.sequence(groom.opacities) && archive.list(groom.groups, kCount + 8, transfer_group) &&
+         archive.plain(groom.follow_hairs) && transfer_flag(archive, groom.root_first) &&
+         transfer_space(archive, groom.space) && archive.list(groom.warnings, kCount, transfer_text);
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_groom(const GroomOutcome& outcome) {
+  return encode_framed(kMagic, outcome, transfer_groom);
+}
+
+bool decode_groom(std::span<const std::uint8_t> bytes, GroomOutcome& outcome) {
+  return decode_framed(kMagic, bytes, outcome, transfer_groom, find_groom_fault);
+}
+
+}  // namespace coif
