@@ -117,12 +117,7 @@ class CardBand {
 
 HairPicture draw_cards(std::span<const Wisp> wisps, std::span<const CardStrip> strips,
                        std::span<const CardTexture> textures, const PictureFrame& frame, unsigned threads) {
-  HairPicture picture;
-  picture.size = frame.size;
-  const std::size_t pixels = std::size_t(frame.size) * frame.size;
-  picture.coverage.assign(pixels, 0);
-  picture.depth.assign(pixels, 0);
-  picture.along.assign(pixels, Eigen::Vector3f::Zero());
+  HairPicture picture = blank_picture(frame.size);
   const auto triangles = triangles_of(wisps, strips, frame);
   parallel_for((frame.size + kCardBand - 1) / kCardBand, threads, [&](std::size_t b) {
     const auto first = std::uint32_t(b * kCardBand), rows = std::min(kCardBand, frame.size - first);

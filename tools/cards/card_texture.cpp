@@ -49,12 +49,6 @@ class FlatRibbon {
     return ribbon_.half_width[k] + share * (ribbon_.half_width[k + 1] - ribbon_.half_width[k]);
   }
 
-  [[nodiscard]] float length() const {
-    float sum = 0;
-    for (std::size_t k = 1; k < kOnCard; ++k) sum += (ribbon_.middle[k] - ribbon_.middle[k - 1]).norm();
-    return sum;
-  }
-
  private:
   static std::size_t segment(float at) { return std::size_t(std::clamp(at, 0.0f, float(kOnCard) - 1.001f)); }
 
@@ -154,7 +148,7 @@ CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_re
   texture.along.assign(texels, Eigen::Vector2f::Zero());
   texture.strand.assign(texels, 0);
   const FlatRibbon flat(wisp.ribbon);
-  const float length = flat.length();
+  const float length = length_of(wisp.ribbon);
   CardSamples samples(texels_across, texels_along);
   for (const std::uint32_t i : wisp.members) {
     const auto strand = groom.strand(i);

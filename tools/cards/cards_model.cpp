@@ -21,17 +21,15 @@ constexpr float kHairsOfHead = 100000;       // of people, each kHairWidth of a 
 constexpr float kHairWidth = 0.0008f;
 const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
 
-float length_of(const Ribbon& ribbon) {
-  float length = 0;
-  for (std::size_t k = 1; k < Ribbon::kStations; ++k) length += (ribbon.middle[k] - ribbon.middle[k - 1]).norm();
-  return length;
+Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands) {
+  Eigen::AlignedBox3f roots;
+  for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
+  return roots;
 }
 
 /// Fewer strands than a head has stand for as many: as wide as covers the same.
 float strand_width_of(const Groom& groom, const EvenStrands& strands) {
-  Eigen::AlignedBox3f roots;
-  for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
-  const float radius = 0.5f * roots.sizes().maxCoeff();
+  const float radius = 0.5f * box_of_roots(strands).sizes().maxCoeff();
   return kHairWidth * radius * std::sqrt(std::max(kHairsOfHead / float(groom.strand_count()), 1.0f));
 }
 
@@ -148,14 +146,13 @@ tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const Ca
 
   SourceModel model = empty_model(groom);
   AtlasPicture picture(plan);
-  Eigen::AlignedBox3f roots;
-  for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
+  const Eigen::Vector3f middle = box_of_roots(strands).center();
   SourceMesh mesh;
   mesh.name = "hair";
   mesh.material = 0;
   for (std::size_t i = 0; i < wisps.size(); ++i) {
     picture.paint(plan.places[i], textures[i], mean_color(groom, wisps[i]));
-    add_strip(wisps[i], strips[i], plan, plan.places[i], roots.center(), mesh);
+    add_strip(wisps[i], strips[i], plan, plan.places[i], middle, mesh);
   }
   model.meshes.push_back(std::move(mesh));
   model.images.push_back({"cards", picture.png()});

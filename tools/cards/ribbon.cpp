@@ -108,6 +108,12 @@ Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> memb
   return ribbon;
 }
 
+float length_of(const Ribbon& ribbon) {
+  float length = 0;
+  for (std::size_t k = 1; k < kStations; ++k) length += (ribbon.middle[k] - ribbon.middle[k - 1]).norm();
+  return length;
+}
+
 float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float beside) {
   float sum = 0;
   for (std::size_t k = 0; k < kStations; ++k) {

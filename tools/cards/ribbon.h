@@ -25,6 +25,9 @@ struct Ribbon {
 /// that allows from station to station; widths hold all but a share `stray` of them.
 [[nodiscard]] Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray = 0.04f);
 
+/// Of its middle line, metres.
+[[nodiscard]] float length_of(const Ribbon& ribbon);
+
 /// How far a strand lies off a ribbon, mean over the stations, metres squared: what lies beside the middle counts `beside` of what lies
 /// in front of it or behind, since a card is wide and has no depth.
 [[nodiscard]] float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float beside = 0.12f);

@@ -139,12 +139,7 @@ void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t f
 }  // namespace
 
 HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads) {
-  HairPicture picture;
-  picture.size = frame.size;
-  const std::size_t pixels = std::size_t(frame.size) * frame.size;
-  picture.coverage.assign(pixels, 0);
-  picture.depth.assign(pixels, 0);
-  picture.along.assign(pixels, Eigen::Vector3f::Zero());
+  HairPicture picture = blank_picture(frame.size);
   const std::vector<Piece> pieces = pieces_of(groom, frame, width);
   const std::size_t bands = (frame.size + kBand - 1) / kBand;
   const auto lists = by_band(pieces, bands);

@@ -18,6 +18,13 @@ struct HairPicture {
       along;  ///< Mean direction of strands there, in the frame's axes, not unit; zero where nothing is.
 };
 
+/// With nothing in it.
+[[nodiscard]] inline HairPicture blank_picture(std::uint32_t size) {
+  const std::size_t pixels = std::size_t(size) * size;
+  return {size, std::vector<float>(pixels), std::vector<float>(pixels),
+          std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero())};
+}
+
 /// Strands with round cross sections of `width` metres where the groom says none, each pixel by 64 samples, the nearest strand in
 /// each. Which sample a strand covers is exact, so that a strand thinner than a sample covers as many as its width is worth.
 [[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads);

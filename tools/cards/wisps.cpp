@@ -47,38 +47,24 @@ struct Assignment {
   double distance = 0;
 };
 
-class Assigner {
- public:
-  Assigner(const EvenStrands& strands, const std::vector<Ribbon>& ribbons) : strands_(strands), ribbons_(ribbons) {}
-
-  /// The nearest, and how far. A ribbon whose middle is too far for its own measure to beat what was found is not looked at.
-  [[nodiscard]] std::pair<std::uint32_t, float> nearest(std::uint32_t strand) const {
-    const auto points = strands_.strand(strand);
-    std::uint32_t best = 0;
-    float least = std::numeric_limits<float>::max();
-    for (std::uint32_t r = 0; r < ribbons_.size(); ++r) {
-      const float distance = distance_to(ribbons_[r], points);
-      if (distance < least) {
-        least = distance;
-        best = r;
-      }
-    }
-    return {best, least};
+/// The nearest ribbon, and how far.
+std::pair<std::uint32_t, float> nearest_ribbon(const std::vector<Ribbon>& ribbons,
+                                               std::span<const Eigen::Vector3f> strand) {
+  std::pair<std::uint32_t, float> best(0, std::numeric_limits<float>::max());
+  for (std::uint32_t r = 0; r < ribbons.size(); ++r) {
+    const float distance = distance_to(ribbons[r], strand);
+    if (distance < best.second) best = {r, distance};
   }
-
- private:
-  const EvenStrands& strands_;
-  const std::vector<Ribbon>& ribbons_;
-};
+  return best;
+}
 
 Assignment assign(const EvenStrands& strands, std::span<const std::uint32_t> which, const std::vector<Ribbon>& ribbons,
                   unsigned threads) {
-  const Assigner assigner(strands, ribbons);
   Assignment out;
   out.ribbon_of.resize(which.size());
   std::vector<float> distances(which.size());
   parallel_for(which.size(), threads, [&](std::size_t i) {
-    const auto [ribbon, distance] = assigner.nearest(which[i]);
+    const auto [ribbon, distance] = nearest_ribbon(ribbons, strands.strand(which[i]));
     out.ribbon_of[i] = ribbon;
     distances[i] = distance;
   });

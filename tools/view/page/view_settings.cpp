@@ -40,10 +40,7 @@ constexpr float kDegreesOfRadian = float(1 / kDegree);
 
 }  // namespace
 
-ViewSettings settings_of(const Asset& asset) {
-  ViewSettings s;
-  MaterialRecord material = own_material(asset);
-  fill_in_fiber(material);
+void set_look(const MaterialRecord& material, ViewSettings& s) {
   s.shading = float(material.shading);
   std::copy_n(material.ambient, 3, s.ambient);
   s.opaque_threshold = material.opaque_threshold;
@@ -54,6 +51,13 @@ ViewSettings settings_of(const Asset& asset) {
   std::copy_n(material.secondary_color, 3, s.secondary_color);
   s.secondary_exponent = material.secondary_exponent;
   s.secondary_shift = material.secondary_shift;
+}
+
+ViewSettings settings_of(const Asset& asset) {
+  ViewSettings s;
+  MaterialRecord material = own_material(asset);
+  fill_in_fiber(material);
+  set_look(material, s);
   s.tilt = material.tilt * kDegreesOfRadian;
   s.roughness = material.roughness * kDegreesOfRadian;
   s.scatter = material.scatter;

@@ -50,6 +50,9 @@ struct ViewSettings {
 };
 inline constexpr std::uint32_t kViewSettings = sizeof(ViewSettings) / sizeof(float);
 
+/// How this material looks, but for its tint, which is told against an asset's own, and for what only fibres have.
+void set_look(const MaterialRecord& material, ViewSettings& settings);
+
 /// What the asset itself says of how hair looks; of how it moves: with_motion().
 [[nodiscard]] ViewSettings settings_of(const Asset& asset);
 

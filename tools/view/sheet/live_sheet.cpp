@@ -31,19 +31,10 @@ float number_of_motion(std::string_view word) {
 
 void set_material(const Asset& asset, const MaterialRecord& material, ViewSettings& s) {
   const MaterialRecord own = material_of(asset, settings_of(asset));
-  s.shading = float(material.shading);
   for (int k = 0; k < 3; ++k) {
     s.base_color[k] = own.base_color[k] != 0 ? material.base_color[k] / own.base_color[k] : 1;
   }
-  std::copy_n(material.ambient, 3, s.ambient);
-  s.opaque_threshold = material.opaque_threshold;
-  s.discard_threshold = material.discard_threshold;
-  std::copy_n(material.primary_color, 3, s.primary_color);
-  s.primary_exponent = material.primary_exponent;
-  s.primary_shift = material.primary_shift;
-  std::copy_n(material.secondary_color, 3, s.secondary_color);
-  s.secondary_exponent = material.secondary_exponent;
-  s.secondary_shift = material.secondary_shift;
+  set_look(material, s);
 }
 
 /// The number whose meaning is `wanted`; 0 where no number has it.
