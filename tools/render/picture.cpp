@@ -78,7 +78,8 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     const char* const head_bone = asset.bone_name(0);
     const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
     for (const SourceMesh& mesh : settings.body->meshes) {
-      meshes.push_back(body_mesh(*settings.body, mesh, head_joint, body));
+      dress(*settings.body, mesh, settings.body_textures,
+            meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
     }
   }
   if (settings.colliders || (settings.body == nullptr && settings.mannequin)) {
@@ -99,16 +100,21 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   return meshes;
 }
 
+/// The driver's samples are of edges alone, ours of all: asked for together only where somebody does, or transparency is made
+/// of them.
+std::uint32_t samples_of_driver(const PictureSettings& settings) {
+  const bool is_made_of_them = settings.oversampling == 1 || covers_samples(*settings.transparency);
+  if (settings.edge_samples > 0 && !covers_samples(*settings.transparency)) return settings.edge_samples;
+  return is_made_of_them ? std::max(samples_for(*settings.transparency), settings.edge_samples) : 0;
+}
+
 tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const PictureScene& scene,
                                               const PictureSettings& settings) {
   const std::uint32_t finer = settings.oversampling;
-  // The driver's samples are of edges alone, ours of all; both would be paid for twice.
-  const bool needs_samples = finer == 1 || covers_samples(*settings.transparency);
   const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
-                                              needs_samples ? samples_for(*settings.transparency) : 0,
-                                              OffscreenTarget::Pixels::kRadiance);
+                                              samples_of_driver(settings), OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width, settings.height, {}, device.context.device(), 0};
+  Picture picture{settings.width, settings.height, {}, device.context.device(), 0, target->samples()};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
@@ -204,7 +210,7 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     if (!made) return tl::unexpected(made.error());
     shadow.emplace(std::move(*made));
   }
-  const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr);
+  const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
   if (!stage) return tl::unexpected(stage.error());
 
   const auto frame = frame_picture(asset, settings);
