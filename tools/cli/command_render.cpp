@@ -285,6 +285,7 @@ Command add_render(CLI::App& program) {
   const auto options = std::make_shared<RenderOptions>();
   options->picture.shadows = &kDeepShadow;
   options->picture.lights = LightRig::kStudio;
+  options->picture.bust = true;
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
   add_size(*app, options->size);

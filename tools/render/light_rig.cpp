@@ -12,8 +12,8 @@ namespace {
 using RigLights = std::array<StudioLight, 3>;
 
 // Hair wants its key from high, or the highlights' bands lie on the face's side of the crown; a face wants it from one side.
-constexpr RigLights kPortrait = {{{{-0.55f, 1.0f, 0.55f}, {1.42f, 1.34f, 1.22f}},
-                                  {{0.8f, 0.05f, 0.9f}, {0.20f, 0.24f, 0.31f}},
+constexpr RigLights kPortrait = {{{{-0.55f, 1.0f, 0.55f}, {1.36f, 1.29f, 1.19f}},
+                                  {{0.8f, 0.05f, 0.9f}, {0.22f, 0.23f, 0.26f}},
                                   {{0.75f, 0.55f, -0.9f}, {0.85f, 0.92f, 1.10f}}}};
 constexpr RigLights kSun = {{{{0.6f, 0.9f, 0.35f}, {2.05f, 1.86f, 1.55f}},
                              {{-0.5f, 0.6f, 0.7f}, {0.22f, 0.29f, 0.40f}},

@@ -5,6 +5,7 @@
 #include "render/camera.h"
 #include "render/egl_context.h"
 #include "render/gallery.h"
+#include "render/mannequin_bust.h"
 #include "render/motion_frame.h"
 #include "render/picture_scene.h"
 #include "render/sample_coverage.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace coif {
@@ -71,6 +73,10 @@ MaterialRecord like_glass(const Asset& asset) {
   return material;
 }
 
+bool shows_bust(const PictureSettings& settings) {
+  return settings.bust && settings.mannequin && settings.body == nullptr && !settings.colliders;
+}
+
 std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const HairPose& pose) {
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
@@ -82,7 +88,11 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
             meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
     }
   }
-  if (settings.colliders || (settings.body == nullptr && settings.mannequin)) {
+  const bool wants_head = settings.body == nullptr && settings.mannequin;
+  if (shows_bust(settings)) {
+    std::ranges::move(bust_meshes(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(meshes));
+  }
+  if (settings.colliders || (wants_head && meshes.empty())) {
     for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
       if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
       meshes.push_back(std::move(mesh));
@@ -100,12 +110,11 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   return meshes;
 }
 
-/// The driver's samples are of edges alone, ours of all: asked for together only where somebody does, or transparency is made
-/// of them.
+/// Samples are asked of the driver where somebody does, or transparency is made of them, or there are no others.
 std::uint32_t samples_of_driver(const PictureSettings& settings) {
-  const bool is_made_of_them = settings.oversampling == 1 || covers_samples(*settings.transparency);
-  if (settings.edge_samples > 0 && !covers_samples(*settings.transparency)) return settings.edge_samples;
-  return is_made_of_them ? std::max(samples_for(*settings.transparency), settings.edge_samples) : 0;
+  const bool needs_them = covers_samples(*settings.transparency) || (settings.edge_samples == 0 && settings.oversampling == 1);
+  const std::uint32_t samples = std::max(needs_them ? samples_for(*settings.transparency) : 0, settings.edge_samples);
+  return samples > 1 ? samples : 0;
 }
 
 tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const PictureScene& scene,
@@ -160,6 +169,9 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
   auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
   if (!points) return tl::unexpected(points.error());
+  if (shows_bust(settings)) {
+    std::ranges::move(bust_outline(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(*points));
+  }
   const CameraSettings camera{.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
                               .pitch_degrees = settings.pitch_degrees,
                               .aspect = double(settings.width) / settings.height,

@@ -74,6 +74,7 @@ struct PictureSettings {
   Backdrop backdrop;
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;         ///< Of the body's materials; empty: clay where there should be one.
+  bool bust = false;                  ///< ... or a head with a face in place of the largest of them.
   bool mannequin = true;              ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 

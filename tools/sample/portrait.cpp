@@ -34,25 +34,31 @@ SkinInfluences portrait_influences(const Vector3d& point) {
                               {kPortraitRoot, 0.0}}});
 }
 
-SurfaceMesh on_portrait_skeleton(SurfaceMesh mesh) {
-  for (const Vector3d& point : mesh.positions) mesh.skin.push_back(portrait_influences(point));
-  return mesh;
+constexpr double kNeckCut = 1.4480;  ///< Model Y where a neck without shoulders ends.
+
+double bare_portrait_distance(const Vector3d& point) {
+  return carve(portrait_distance(point), point.y() - kNeckCut, 0.020);
 }
 
 /// Closest where lids, nostrils and lips are.
-SurfaceMesh portrait_skin() {
-  const SamplingGrid grid{graded_axis(-0.216, 0.216, 0.0130, -0.050, 0.050, 0.00125),
-                          graded_axis(1.220, 1.735, 0.0110, 1.526, 1.616, 0.00130),
-                          graded_axis(-0.150, 0.120, 0.0110, 0.062, 0.104, 0.00150)};
-  SurfaceMesh mesh = extract_surface(grid, portrait_distance, portrait_normal);
+SurfaceMesh portrait_skin(const PortraitDetail& detail) {
+  const double f = detail.spacing;
+  const double lowest = detail.has_shoulders ? 1.220 : kNeckCut - 0.015, widest = detail.has_shoulders ? 0.216 : 0.110;
+  const SamplingGrid grid{graded_axis(-widest, widest, 0.0130 * f, -0.050, 0.050, 0.00125 * f),
+                          graded_axis(lowest, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
+                          graded_axis(-0.150, 0.120, 0.0110 * f, 0.062, 0.104, 0.00150 * f)};
+  const auto bare_normal = [](const Vector3d& point) { return unit_gradient(bare_portrait_distance, point, 1.5e-4); };
+  SurfaceMesh mesh = detail.has_shoulders ? extract_surface(grid, portrait_distance, portrait_normal)
+                                          : extract_surface(grid, bare_portrait_distance, bare_normal);
   for (const Vector3d& point : mesh.positions) mesh.uvs.push_back(skin_place(point));
   return mesh;
 }
 
-SurfaceMesh portrait_garment() {
-  const SamplingGrid grid{graded_axis(-0.226, 0.226, 0.0090, -0.11, 0.11, 0.0060),
-                          graded_axis(1.215, 1.500, 0.0090, 1.330, 1.440, 0.0050),
-                          graded_axis(-0.150, 0.130, 0.0090, -0.10, 0.100, 0.0060)};
+SurfaceMesh portrait_garment(const PortraitDetail& detail) {
+  const double f = detail.spacing;
+  const SamplingGrid grid{graded_axis(-0.226, 0.226, 0.0090 * f, -0.11, 0.11, 0.0060 * f),
+                          graded_axis(1.215, 1.500, 0.0090 * f, 1.330, 1.440, 0.0050 * f),
+                          graded_axis(-0.150, 0.130, 0.0090 * f, -0.10, 0.100, 0.0060 * f)};
   const auto normal = [](const Vector3d& point) { return unit_gradient(garment_distance, point, 2e-4); };
   return extract_surface(grid, garment_distance, normal);
 }
@@ -112,24 +118,26 @@ void append_lash(const Lash& lash, double side, SurfaceMesh& mesh) {
   }
 }
 
+/// The skin's foremost point there, a little above it.
+Vector3d in_front_of_skin(double x, double y) {
+  Vector3d point{x, y, 0.100};
+  for (int i = 0; i < 40; ++i) point.z() -= 0.9 * (portrait_distance(point) - 0.0001);
+  return point;
+}
+
 /// On the lid's edge, at `across` of its opening.
 Lash lash_at(double across, bool is_upper, SeededNoise& noise) {
-  constexpr double kOpeningMiddle = 0.0312, kOpeningHalf = 0.0156;
   const double x = kOpeningMiddle + kOpeningHalf * across;
   const LidEdges edges = lid_edges(x);
-  const double y = is_upper ? edges.upper + 0.0003 : edges.lower - 0.0002;
-  const Vector3d lid = kEyeRadii + Vector3d::Constant(0.0018);
-  const Vector3d scaled = (Vector3d(x, y, kEyeCenter.z()) - kEyeCenter).cwiseQuotient(lid);
-  const double depth = std::sqrt(std::max(1 - scaled.squaredNorm(), 0.02)) * lid.z();
   Lash lash;
-  lash.root = {x, y, kEyeCenter.z() + depth};
-  const double fan = 0.15 + 0.75 * across + noise.between(-0.10, 0.10);
-  lash.outwards = Vector3d(fan, is_upper ? 0.16 : -0.55, 1).normalized();
+  lash.root = in_front_of_skin(x, is_upper ? edges.upper + 0.0011 : edges.lower - 0.0010);
+  const double fan = 0.10 + 0.80 * across + noise.between(-0.10, 0.10);
+  lash.outwards = Vector3d(fan, is_upper ? 0.10 : -0.50, 1).normalized();
   lash.up = is_upper ? Vector3d::UnitY() : Vector3d(-Vector3d::UnitY());
-  const double full = is_upper ? 0.0074 + 0.0022 * across : 0.0034;
-  lash.length = full * (1 - 0.35 * across * across) * noise.between(0.85, 1.08);
-  lash.rise = lash.length * (is_upper ? 0.72 : 0.20) * noise.between(0.85, 1.15);
-  lash.width = is_upper ? 0.00048 : 0.00026;
+  const double full = is_upper ? 0.0086 + 0.0026 * across : 0.0036;
+  lash.length = full * (1 - 0.30 * across * across) * noise.between(0.85, 1.08);
+  lash.rise = lash.length * (is_upper ? 0.60 : 0.20) * noise.between(0.85, 1.15);
+  lash.width = is_upper ? 0.00055 : 0.00028;
   return lash;
 }
 
@@ -148,20 +156,28 @@ SurfaceMesh portrait_lashes() {
 
 }  // namespace
 
-std::vector<std::byte> make_portrait() {
-  GltfDocument document;
-  document.set_skeleton(portrait_skeleton());
-  const std::size_t skin = document.add_image("skin", skin_image());
-  const std::size_t eye = document.add_image("eye", eye_image());
-  document.add_mesh("skin", on_portrait_skeleton(portrait_skin()), {.name = "skin", .roughness = 0.56, .image = skin});
+std::vector<PortraitPart> make_portrait_parts(const PortraitDetail& detail) {
   SurfaceMesh eyes;
   append_eye(1, eyes);
   append_eye(-1, eyes);
-  document.add_mesh("eyes", on_portrait_skeleton(std::move(eyes)), {.name = "eyes", .roughness = 0.22, .image = eye});
-  document.add_mesh("lashes", on_portrait_skeleton(portrait_lashes()),
-                    {.name = "lashes", .red = 0.012, .green = 0.009, .blue = 0.008, .roughness = 0.7});
-  document.add_mesh("shirt", on_portrait_skeleton(portrait_garment()),
-                    {.name = "shirt", .red = 0.022, .green = 0.024, .blue = 0.030, .roughness = 0.85});
+  std::vector<PortraitPart> parts;
+  parts.push_back({"skin", portrait_skin(detail), {.name = "skin", .roughness = 0.56}, skin_image(detail.texels)});
+  parts.push_back({"eyes", std::move(eyes), {.name = "eyes", .roughness = 0.22}, eye_image()});
+  const GltfMaterial lashes{.name = "lashes", .red = 0.012, .green = 0.009, .blue = 0.008, .roughness = 0.7};
+  parts.push_back({"lashes", portrait_lashes(), lashes, {}});
+  const GltfMaterial shirt{.name = "shirt", .red = 0.022, .green = 0.024, .blue = 0.030, .roughness = 0.85};
+  if (detail.has_shoulders) parts.push_back({"shirt", portrait_garment(detail), shirt, {}});
+  return parts;
+}
+
+std::vector<std::byte> make_portrait() {
+  GltfDocument document;
+  document.set_skeleton(portrait_skeleton());
+  for (PortraitPart& part : make_portrait_parts()) {
+    if (part.image) part.material.image = document.add_image(part.name, *part.image);
+    for (const Vector3d& point : part.mesh.positions) part.mesh.skin.push_back(portrait_influences(point));
+    document.add_mesh(part.name, part.mesh, part.material);
+  }
   return document.to_glb();
 }
 

@@ -43,7 +43,7 @@ double portrait_brow_and_socket(double head, const Vector3d& p) {
 /// How far inside the opening between the lids the point is: negative there, about metres.
 double lid_opening(const Vector3d& p) {
   const LidEdges edges = lid_edges(p.x());
-  const double corner = (std::abs(edges.across) - 1.0) * 0.0156;
+  const double corner = (std::abs(edges.across) - 1.0) * kOpeningHalf;
   return std::max({p.y() - edges.upper, edges.lower - p.y(), corner});
 }
 
@@ -158,13 +158,12 @@ constexpr double kBustBase = 1.2300;  // cut flat there
 }  // namespace
 
 LidEdges lid_edges(double x) {
-  constexpr double kHalf = 0.0156;
   LidEdges edges;
-  edges.across = (x - 0.0312) / kHalf;
+  edges.across = (x - kOpeningMiddle) / kOpeningHalf;
   const double t = std::clamp(edges.across, -1.0, 1.0);
   const double corner = kEyeLine - 0.0006 + 0.0012 * t;  // the outer one is higher
   const double arch = 1.0 - t * t;
-  edges.upper = corner + (0.0076 + 0.0006 * t) * std::pow(arch, 0.70);
+  edges.upper = corner + (0.0070 + 0.0006 * t) * std::pow(arch, 0.70);
   edges.lower = corner - (0.0046 + 0.0008 * t) * std::pow(arch, 0.85);
   return edges;
 }

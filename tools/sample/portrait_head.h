@@ -21,6 +21,8 @@ inline constexpr double kMouthLine = 1.5372;
 inline const Eigen::Vector3d kEyeCenter{0.0314, kEyeLine, 0.0602};  ///< Of the left eyeball (+X).
 inline const Eigen::Vector3d kEyeRadii{0.0168, 0.0150, 0.0150};     ///< Broader than round: it fills the lids' corners.
 
+inline constexpr double kOpeningMiddle = 0.0312, kOpeningHalf = 0.0156;  ///< Of the left eye's lids, X.
+
 /// The opening between the lids of the left eye, in the plane of the face: Y of both edges at x, which meet in the corners.
 struct LidEdges {
   double upper, lower;

@@ -1,6 +1,7 @@
 #include "base/srgb.h"
 #include "sample/portrait_head.h"
 #include "sample/portrait_paint.h"
+#include "sample/strips.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::uint32_t kSkinWidth = 768, kSkinHeight = 1024;
 constexpr std::uint32_t kEyeSide = 256;
 
 /// Corners of a curve of straight pieces, ascending in the first number.
@@ -63,7 +63,9 @@ double openness_of_skin(const Vector3d& point) {
   for (const double reach : {0.003, 0.007, 0.013}) {
     hidden += std::max(reach - portrait_distance(point + reach * normal), 0.0) / reach / 3;
   }
-  return std::clamp(1 - 0.9 * hidden, 0.2, 1.0);
+  // Below the jaw what is painted is the shoulders', and the neck shows it too.
+  const double share = 0.9 * smooth_step(1.455, 1.480, point.y());
+  return std::clamp(1 - share * hidden, 0.2, 1.0);
 }
 
 struct SkinSample {
@@ -78,25 +80,25 @@ SkinSample between(const SkinSample& a, const SkinSample& b, double t) {
 /// Fewer than texels: finding the surface costs more than painting it.
 class SkinSamples {
  public:
-  SkinSamples() {
-    for (int y = 0; y <= kRows; ++y) {
-      for (int x = 0; x <= kColumns; ++x) {
-        const Vector3d point = skin_point({double(x) / kColumns, double(y) / kRows});
+  explicit SkinSamples(int columns) : columns_(columns), rows_(columns * 4 / 3) {
+    for (int y = 0; y <= rows_; ++y) {
+      for (int x = 0; x <= columns_; ++x) {
+        const Vector3d point = skin_point({double(x) / columns_, double(y) / rows_});
         samples_.push_back({point, openness_of_skin(point)});
       }
     }
   }
 
   [[nodiscard]] SkinSample at(const Vector2d& place) const {
-    const double x = place.x() * kColumns, y = place.y() * kRows;
-    const int column = std::min(int(x), kColumns - 1), row = std::min(int(y), kRows - 1);
-    const auto corner = [&](int dx, int dy) { return samples_[std::size_t((row + dy) * (kColumns + 1) + column + dx)]; };
+    const double x = place.x() * columns_, y = place.y() * rows_;
+    const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
+    const auto corner = [&](int dx, int dy) { return samples_[std::size_t((row + dy) * (columns_ + 1) + column + dx)]; };
     return between(between(corner(0, 0), corner(1, 0), x - column), between(corner(0, 1), corner(1, 1), x - column),
                    y - row);
   }
 
  private:
-  static constexpr int kColumns = 192, kRows = 256;
+  int columns_, rows_;
   std::vector<SkinSample> samples_;
 };
 
@@ -122,9 +124,9 @@ Vector2d skin_place(const Vector3d& point) {
   return {along_curve(kAround, angle), 1 - along_curve(kUp, point.y())};
 }
 
-PaintedImage skin_image() {
-  const SkinSamples samples;
-  return painted(kSkinWidth, kSkinHeight, [&](const Vector2d& place) {
+PaintedImage skin_image(std::uint32_t width) {
+  const SkinSamples samples(int(width / 4));
+  return painted(width, width * 4 / 3, [&](const Vector2d& place) {
     const auto [point, openness] = samples.at(place);
     // Light that skin scatters into a fold is red.
     const Vector3d fold(std::pow(openness, 0.6), std::pow(openness, 0.95), openness);

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Vector3d kSkin{0.610, 0.385, 0.290};
-const Vector3d kBlush{0.620, 0.275, 0.215};
+const Vector3d kSkin{0.545, 0.335, 0.245};
+const Vector3d kBlush{0.560, 0.235, 0.180};
 const Vector3d kLips{0.455, 0.165, 0.145};
 const Vector3d kBrow{0.090, 0.050, 0.031};
 const Vector3d kLashes{0.020, 0.012, 0.010};
@@ -97,8 +97,8 @@ Vector3d skin_color(const Vector3d& point) {
   color = blended(color, lip, 0.92 * lips.share * front);
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
-  const double width = 0.0009 + 0.0007 * smooth_step(-0.6, 1.0, lids.across);
-  const double above = smooth_step(1.8 * width, 0.5 * width, y - lids.upper) * smooth_step(-0.0030, -0.0018, y - lids.upper);
+  const double width = 0.0004 + 0.0013 * smooth_step(-1.0, 0.7, lids.across);
+  const double above = smooth_step(1.8 * width, 0.5 * width, y - lids.upper) * smooth_step(-0.0022, -0.0008, y - lids.upper);
   const double wing = smooth_step(1.10, 1.0, std::abs(lids.across));
   color = blended(color, kLashes, 0.95 * above * wing * near_eye * front);
   const double below = smooth_step(0.0011, 0.0002, lids.lower - y) * smooth_step(-0.0020, -0.0008, lids.lower - y);
@@ -108,7 +108,7 @@ Vector3d skin_color(const Vector3d& point) {
 Vector3d eye_color(double x, double y) {
   const double r = std::hypot(x, y), angle = std::atan2(y, x);
   constexpr double kIris = 0.445, kPupil = 0.175;
-  Vector3d white = Vector3d(0.700, 0.660, 0.630) * (1 - 0.35 * smooth_step(0.55, 1.0, r));
+  Vector3d white = Vector3d(0.700, 0.660, 0.630) * (1 - 0.22 * smooth_step(0.55, 1.05, r));
   const double fibre = value_noise(angle * 26, 3 * r) * 0.5 + value_noise(angle * 61, 5 * r) * 0.5;
   const double inside = std::clamp((r - kPupil) / (kIris - kPupil), 0.0, 1.0);
   Vector3d iris = blended({0.130, 0.210, 0.190}, {0.045, 0.115, 0.140}, inside) * (1.15 + 0.75 * fibre);
