@@ -33,11 +33,9 @@ double portrait_skull(const Vector3d& p) {
 
 double portrait_brow_and_socket(double head, const Vector3d& p) {
   const double brow = rod(p, {0.0150, 1.6240, 0.0735}, {0.0450, 1.6275, 0.0590}, 0.0058, 0.0056);
-  const double socket = ellipsoid(p, {0.0320, 1.6060, 0.0935}, {0.0205, 0.0125, 0.0140});
-  const double inner_corner = ellipsoid(p, {0.0145, 1.6050, 0.0885}, {0.0055, 0.0080, 0.0080});
+  const double socket = ellipsoid(p, {0.0330, 1.6060, 0.0945}, {0.0205, 0.0130, 0.0140});
   head = join(head, brow, 0.024);
-  head = carve(head, socket, 0.022);
-  return carve(head, inner_corner, 0.014);
+  return carve(head, socket, 0.022);
 }
 
 /// How far inside the opening between the lids the point is: negative there, about metres.
@@ -48,17 +46,17 @@ double lid_opening(const Vector3d& p) {
 }
 
 double portrait_lids(double head, const Vector3d& p) {
-  if ((p - kEyeCenter).squaredNorm() > 0.04 * 0.04) return head;
+  if ((p - kEyeCenter).squaredNorm() > 0.045 * 0.045) return head;
   // Thicker above: the upper lid is a fold that lies on the eye.
   const double lids = ellipsoid(p, kEyeCenter, kEyeRadii + Vector3d::Constant(0.0020));
-  const double fold = ellipsoid(p, kEyeCenter + Vector3d(0, 0.0028, 0.0008), {0.0190, 0.0158, 0.0164});
+  const double fold = ellipsoid(p, kEyeCenter + Vector3d(0, 0.0030, 0.0008), {0.0206, 0.0174, 0.0178});
   head = join(head, join(lids, fold, 0.004), 0.0085);
-  const double crease = rod(p, {0.0185, 1.6135, 0.0745}, {0.0330, 1.6180, 0.0762}, 0.0005, 0.0007);
-  const double outer_crease = rod(p, {0.0330, 1.6180, 0.0762}, {0.0485, 1.6120, 0.0645}, 0.0007, 0.0004);
+  const double crease = rod(p, {0.0185, 1.6148, 0.0745}, {0.0330, 1.6196, 0.0766}, 0.0005, 0.0007);
+  const double outer_crease = rod(p, {0.0330, 1.6196, 0.0766}, {0.0500, 1.6128, 0.0640}, 0.0007, 0.0004);
   head = carve(head, std::min(crease, outer_crease), 0.0042);
   const double hole = std::max(lid_opening(p) + 0.0003, kEyeCenter.z() - p.z());
   head = carve(head, hole, 0.0014);
-  const double tear_duct = ellipsoid(p, {0.0172, 1.6050, 0.0655}, {0.0032, 0.0030, 0.0045});
+  const double tear_duct = ellipsoid(p, {0.0158, 1.6050, 0.0660}, {0.0032, 0.0030, 0.0045});
   return join(head, tear_duct, 0.002);
 }
 
@@ -66,14 +64,14 @@ double portrait_nose(double head, const Vector3d& p) {
   if (p.z() < 0.04) return head;
   const double bridge = rod(p, {0, 1.6080, 0.0738}, {0, 1.5755, 0.0942}, 0.0054, 0.0050);
   const double side = rod(p, {0.0055, 1.6040, 0.0680}, {0.0076, 1.5710, 0.0845}, 0.0062, 0.0058);
-  const double tip = ellipsoid(p, {0, 1.5685, 0.0982}, {0.0070, 0.0064, 0.0074});
-  const double wing = ellipsoid(p, {0.0094, 1.5645, 0.0896}, {0.0048, 0.0050, 0.0074});
+  const double tip = ellipsoid(p, {0, 1.5688, 0.0984}, {0.0066, 0.0062, 0.0072});
+  const double wing = ellipsoid(p, {0.0098, 1.5642, 0.0892}, {0.0044, 0.0048, 0.0070});
   const double column = rod(p, {0, 1.5650, 0.0965}, {0, 1.5600, 0.0890}, 0.0034, 0.0040);
-  const double nostril = ellipsoid(p, {0.0056, 1.5594, 0.0940}, {0.0028, 0.0024, 0.0046});
+  const double nostril = ellipsoid(p, {0.0060, 1.5596, 0.0928}, {0.0030, 0.0022, 0.0046});
   head = join(head, side, 0.020);
   head = join(head, bridge, 0.016);
   head = join(head, tip, 0.011);
-  head = join(head, wing, 0.0065);
+  head = join(head, wing, 0.0050);
   head = join(head, column, 0.005);
   return carve(head, nostril, 0.003);
 }
@@ -86,15 +84,15 @@ double portrait_mouth(double head, const Vector3d& p) {
   head = carve(head, under_lip, 0.016);
   const double groove = rod(p, {0, 1.5580, 0.0935}, {0, 1.5480, 0.0965}, 0.0012, 0.0022);
   head = carve(head, groove, 0.007);
-  const double bow = rod(p, {0.0045, 1.5418, 0.0888}, {0.0225, 1.5384, 0.0772}, 0.0046, 0.0014);
-  const double middle = rod(p, {0, 1.5405, 0.0898}, {0.0045, 1.5411, 0.0891}, 0.0044, 0.0041);
-  const double full = rod(p, {0, 1.5316, 0.0868}, {0.0100, 1.5326, 0.0846}, 0.0058, 0.0051);
-  const double lower = rod(p, {0.0100, 1.5326, 0.0846}, {0.0220, 1.5374, 0.0768}, 0.0051, 0.0014);
+  const double bow = rod(p, {0.0042, 1.5418, 0.0890}, {0.0212, 1.5386, 0.0775}, 0.0045, 0.0008);
+  const double middle = rod(p, {0, 1.5405, 0.0899}, {0.0042, 1.5411, 0.0893}, 0.0044, 0.0040);
+  const double full = rod(p, {0, 1.5314, 0.0870}, {0.0090, 1.5324, 0.0852}, 0.0060, 0.0052);
+  const double lower = rod(p, {0.0090, 1.5324, 0.0852}, {0.0206, 1.5378, 0.0772}, 0.0052, 0.0008);
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
   head = join(head, upper_lip, 0.0050);
   head = join(head, lower_lip, 0.0060);
-  const double line = rod(p, {0, 1.5366, 0.0950}, {0.0120, 1.5369, 0.0910}, 0.0004, 0.0004);
-  const double line_end = rod(p, {0.0120, 1.5369, 0.0910}, {0.0242, 1.5388, 0.0786}, 0.0004, 0.0006);
+  const double line = rod(p, {0, 1.5366, 0.0950}, {0.0120, 1.5369, 0.0912}, 0.0004, 0.0004);
+  const double line_end = rod(p, {0.0120, 1.5369, 0.0912}, {0.0226, 1.5390, 0.0796}, 0.0004, 0.0005);
   return carve(head, std::min(line, line_end), 0.0036);
 }
 
@@ -163,8 +161,8 @@ LidEdges lid_edges(double x) {
   const double t = std::clamp(edges.across, -1.0, 1.0);
   const double corner = kEyeLine - 0.0006 + 0.0012 * t;  // the outer one is higher
   const double arch = 1.0 - t * t;
-  edges.upper = corner + (0.0070 + 0.0006 * t) * std::pow(arch, 0.70);
-  edges.lower = corner - (0.0046 + 0.0008 * t) * std::pow(arch, 0.85);
+  edges.upper = corner + (0.0080 + 0.0006 * t) * std::pow(arch, 0.70);
+  edges.lower = corner - (0.0051 + 0.0008 * t) * std::pow(arch, 0.85);
   return edges;
 }
 

@@ -14,14 +14,14 @@ namespace coif::sample {
 
 inline constexpr double kCrown = 1.720, kChin = 1.492;
 inline constexpr double kEyeLine = 1.6060;
-inline constexpr double kBrowLine = 1.6245;
+inline constexpr double kBrowLine = 1.6262;
 inline constexpr double kNoseBase = 1.5590;
 inline constexpr double kMouthLine = 1.5372;
 
-inline const Eigen::Vector3d kEyeCenter{0.0314, kEyeLine, 0.0602};  ///< Of the left eyeball (+X).
-inline const Eigen::Vector3d kEyeRadii{0.0168, 0.0150, 0.0150};     ///< Broader than round: it fills the lids' corners.
+inline const Eigen::Vector3d kEyeCenter{0.0320, kEyeLine, 0.0590};  ///< Of the left eyeball (+X).
+inline const Eigen::Vector3d kEyeRadii{0.0186, 0.0166, 0.0164};     ///< Broader than round: it fills the lids' corners.
 
-inline constexpr double kOpeningMiddle = 0.0312, kOpeningHalf = 0.0156;  ///< Of the left eye's lids, X.
+inline constexpr double kOpeningMiddle = 0.0318, kOpeningHalf = 0.0172;  ///< Of the left eye's lids, X.
 
 /// The opening between the lids of the left eye, in the plane of the face: Y of both edges at x, which meet in the corners.
 struct LidEdges {

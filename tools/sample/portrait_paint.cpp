@@ -65,7 +65,7 @@ struct LipCover {
 };
 
 LipCover lip_cover(double x, double y) {
-  constexpr double kCorner = 0.0245;
+  constexpr double kCorner = 0.0230;
   const double t = std::min(x / kCorner, 1.0);
   const double fall = std::sqrt(std::max(1 - t * t, 0.0));
   const double bow = 0.0085 - 0.0014 * bump(x, 0, 0, 0, 0.0032, 1);
