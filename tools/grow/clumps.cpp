@@ -42,11 +42,12 @@ class Middles {
   }
 
  private:
-  /// Of roots, and less of the places half way to the tips.
+  /// Of roots, and less of the places half way to the tips and there: hair that a shoulder parts is no clump.
   [[nodiscard]] float squared_distance(std::uint32_t a, std::uint32_t b) const {
     const auto first = paths_.strand(a), second = paths_.strand(b);
     const std::size_t half = paths_.stations / 2;
-    return (first[0] - second[0]).squaredNorm() + 0.2f * (first[half] - second[half]).squaredNorm();
+    return (first[0] - second[0]).squaredNorm() + 0.2f * (first[half] - second[half]).squaredNorm() +
+           0.06f * (first.back() - second.back()).squaredNorm();
   }
 
   [[nodiscard]] std::array<int, 3> place_of(std::uint32_t strand) const {

@@ -18,17 +18,16 @@ using Eigen::Vector3f;
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kOfParent = 0.36f;  // size of a clump within a clump
 
-/// Moves a strand towards its middle, by places at equal lengths; beyond the middle's tip by as much as there.
+/// Moves a strand towards its middle, by places at equal lengths; beyond its tip the middle goes straight on.
 void draw_together(std::span<Vector3f> strand, float length, std::span<const Vector3f> middle, float middle_length,
                    float strength, float shape) {
   const std::size_t last = strand.size() - 1;
   const Vector3f between_roots = strand[0] - middle[0];
   for (std::size_t k = 1; k <= last; ++k) {
     const float t = float(k) / float(last);
-    const float at = std::min(t * length / middle_length, 1.0f) * float(last);
+    const float at = t * length / middle_length * float(last);
     const auto m = std::min(std::size_t(at), last - 1);
-    const Vector3f place = middle[m] + (at - float(m)) * (middle[m + 1] - middle[m]);
-    const Vector3f apart = strand[std::min(k, std::size_t(middle_length / length * float(last)))] - place;
+    const Vector3f apart = strand[k] - (middle[m] + (at - float(m)) * (middle[m + 1] - middle[m]));
     const float weight = strength * ramp(0, shape, t);
     // A lock is never a thread: some of how roots lie beside each other is left.
     strand[k] -= weight * (apart - 0.08f * between_roots);
@@ -79,6 +78,7 @@ class Shaper {
     gather(children, float(style_.grow_clump_children), 0.7f);
     gather(clumps, float(style_.grow_clump), float(style_.grow_clump_shape));
     parallel_for(paths_.count(), threads_, [&](std::size_t i) {
+      wander(i, clumps[i], size);
       bend(i, clumps[i], children[i]);
       stray(i);
       keep_out(i);
@@ -102,6 +102,20 @@ class Shaper {
       draw_together(paths_.strand(i), lengths_[i], before.strand(middle), lengths_[middle],
                     strength * std::min(of_clump * of_strand * 1.1f, 1.0f), shape);
     });
+  }
+
+  /// Locks do not hang in line: each goes its own way a little, all of its strands alike.
+  void wander(std::size_t i, std::uint32_t clump, float size) {
+    constexpr float kPeriod = 0.11f, kShare = 0.4f;
+    if (flies_away(i)) return;
+    const Dice dice(style_.grow_seed, Purpose::kWander);
+    const auto strand = paths_.strand(i);
+    const float height = kShare * size * float(style_.grow_clump), period = scale_ * kPeriod;
+    const Vector3f begin = dice.smooth(clump, 0);
+    for (std::size_t k = 1; k < strand.size(); ++k) {
+      const float t = float(k) / float(strand.size() - 1), at = t * lengths_[i] / period;
+      strand[k] += height * ramp(0, 2, at) * (dice.smooth(clump, at) - begin);
+    }
   }
 
   /// Waves and curls about the strand as it lies.

@@ -84,7 +84,7 @@ float clearance(const Ground& ground, const Root& root, float lift, const Tip& t
   const float scale = ground.head.scale();
   const float below = (ground.head.center.y() - tip.place.y()) / ground.head.radii.y();
   const float on_head = 1 - 0.85f * ramp(0.7f, 1.7f, below);
-  const float risen = ramp(0, 0.03f * scale, tip.grown);
+  const float risen = ramp(0, 0.07f * scale, tip.grown);
   const float volume = float(style.grow_volume) + float(style.grow_layers) * root.height;
   return scale * (kLeastClearance + risen * on_head * lift * volume);
 }

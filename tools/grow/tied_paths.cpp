@@ -28,7 +28,7 @@ class Tail {
     Vector3f skin = ground.head.center + 1.6f * ray;
     for (int i = 0; i < 32; ++i) skin -= 0.9f * ground.body.distance(skin) * ray.normalized();
     out_ = ground.body.normal(skin);
-    tie_ = skin + scale_ * (float(style_.grow_tie_radius) + 0.006f) * out_;
+    tie_ = skin + scale_ * (0.6f * float(style_.grow_tie_radius) + 0.004f) * out_;
     fall(ground, length);
   }
 
@@ -104,7 +104,7 @@ std::vector<Vector3f> way_to_tie(const Ground& ground, const Root& root, const V
     const Vector3f to = slot - tip.place;
     if (to.norm() < 1.5f * step) break;
     const Vector3f out = ground.body.normal(tip.place);
-    const float near = 1 - ramp(0.02f * scale, 0.06f * scale, to.norm());
+    const float near = 1 - ramp(0.015f * scale, 0.05f * scale, to.norm());
     Vector3f way = to - (1 - near) * to.dot(out) * out;
     if (way.norm() < 1e-6f) way = to;
     const float wanted = (1 - near) * clearance(ground, root, 1 + 0.3f * dice.signed_unit(number), tip);

@@ -143,6 +143,8 @@ tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, c
   return parse_recipe(*text, path.string(), style);
 }
 
+bool is_recipe_file(const std::filesystem::path& path) { return path.filename().string().ends_with(".recipe.json"); }
+
 std::string print_recipe(const Recipe& recipe) { return commented(recipe, true); }
 
 std::string canonical_recipe(const Recipe& recipe) { return commented(recipe, false); }

@@ -173,6 +173,8 @@ struct CookSettings {
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
                                              const std::string& style = {});
 tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const std::string& style = {});
+/// Whether a path ends in ".recipe.json": as the source of a cook such a file says itself what hair grows.
+[[nodiscard]] bool is_recipe_file(const std::filesystem::path& path);
 /// The text of a recipe's file, not looked at yet. kFileAccess where it cannot be read or is too large for one.
 tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::path& path);
 
