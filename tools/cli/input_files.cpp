@@ -90,10 +90,6 @@ void remove_hair(const HairChoice& hair, SourceModel& model) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 bool leaves_something(const HairChoice& hair, const SourceModel& model) {
   for (std::size_t m = 0; m < model.meshes.size(); ++m) {
     for (std::size_t t = 0; t < model.meshes[m].triangles.size() / 3; ++t) {

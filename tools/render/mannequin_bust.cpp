@@ -56,7 +56,7 @@ class PortraitPlace {
     constexpr float kInside = 0.97f;
     const Eigen::Vector3f free = scale_ * direction(own - from_.center.cast<double>());
     const float reach = free.cwiseQuotient(to_.radii).norm();
-    const double high = sample::smooth_step(1.632, 1.662, own.y());
+    const double high = sample::smooth_step(1.626, 1.684, own.y());
     const double behind = sample::smooth_step(0.010, -0.040, own.z()) * sample::smooth_step(1.545, 1.585, own.y());
     const float excess = std::max(1 - kInside / std::max(reach, kInside), 0.0f) * float(std::max(high, behind));
     return to_.center + (1 - excess) * free;

@@ -169,7 +169,8 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
   auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
   if (!points) return tl::unexpected(points.error());
-  if (shows_bust(settings)) {
+  // A face may be longer than what its hair lies on; whose it is does not matter.
+  if (settings.bust && settings.mannequin && !settings.colliders) {
     std::ranges::move(bust_outline(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(*points));
   }
   const CameraSettings camera{.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),

@@ -34,22 +34,20 @@ SkinInfluences portrait_influences(const Vector3d& point) {
                               {kPortraitRoot, 0.0}}});
 }
 
-constexpr double kNeckCut = 1.4480;  ///< Model Y where a neck without shoulders ends.
-
-double bare_portrait_distance(const Vector3d& point) {
-  return carve(portrait_distance(point), point.y() - kNeckCut, 0.020);
-}
+constexpr double kNeckCut = 1.4480;   ///< Model Y where a neck without shoulders ends,
+constexpr double kShirtLine = 1.3200;  ///< and where the shirt covers all that there is of the skin.
 
 /// Closest where lids, nostrils and lips are.
 SurfaceMesh portrait_skin(const PortraitDetail& detail) {
   const double f = detail.spacing;
-  const double lowest = detail.has_shoulders ? 1.220 : kNeckCut - 0.015, widest = detail.has_shoulders ? 0.216 : 0.110;
+  const double cut = detail.has_shoulders ? kShirtLine : kNeckCut, widest = detail.has_shoulders ? 0.216 : 0.110;
   const SamplingGrid grid{graded_axis(-widest, widest, 0.0130 * f, -0.050, 0.050, 0.00125 * f),
-                          graded_axis(lowest, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
+                          graded_axis(cut - 0.015, 1.735, 0.0110 * f, 1.526, 1.616, 0.00130 * f),
                           graded_axis(-0.150, 0.120, 0.0110 * f, 0.062, 0.104, 0.00150 * f)};
-  const auto bare_normal = [](const Vector3d& point) { return unit_gradient(bare_portrait_distance, point, 1.5e-4); };
-  SurfaceMesh mesh = detail.has_shoulders ? extract_surface(grid, portrait_distance, portrait_normal)
-                                          : extract_surface(grid, bare_portrait_distance, bare_normal);
+  const double edge = detail.has_shoulders ? 0.004 : 0.020;
+  const auto distance = [&](const Vector3d& point) { return carve(portrait_distance(point), point.y() - cut, edge); };
+  const auto normal = [&](const Vector3d& point) { return unit_gradient(distance, point, 1.5e-4); };
+  SurfaceMesh mesh = extract_surface(grid, distance, normal);
   for (const Vector3d& point : mesh.positions) mesh.uvs.push_back(skin_place(point));
   return mesh;
 }
@@ -57,7 +55,7 @@ SurfaceMesh portrait_skin(const PortraitDetail& detail) {
 SurfaceMesh portrait_garment(const PortraitDetail& detail) {
   const double f = detail.spacing;
   const SamplingGrid grid{graded_axis(-0.226, 0.226, 0.0090 * f, -0.11, 0.11, 0.0060 * f),
-                          graded_axis(1.215, 1.500, 0.0090 * f, 1.330, 1.440, 0.0050 * f),
+                          graded_axis(1.035, 1.500, 0.0110 * f, 1.330, 1.440, 0.0050 * f),
                           graded_axis(-0.150, 0.130, 0.0090 * f, -0.10, 0.100, 0.0060 * f)};
   const auto normal = [](const Vector3d& point) { return unit_gradient(garment_distance, point, 2e-4); };
   return extract_surface(grid, garment_distance, normal);

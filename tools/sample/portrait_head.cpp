@@ -134,13 +134,15 @@ double portrait_body(const Vector3d& p) {
   neck = join(neck, sinew, 0.022);
   const double trapezius = rod(p, {0.0220, 1.4200, -0.0560}, {0.1400, 1.3600, -0.0420}, 0.0340, 0.0330);
   const double shoulder = ellipsoid(p, {0.1530, 1.3320, -0.0360}, {0.0470, 0.0640, 0.0480});
-  const double arm = rod(p, {0.1640, 1.3270, -0.0360}, {0.1800, 1.1600, -0.0360}, 0.0410, 0.0380);
+  const double arm = rod(p, {0.1640, 1.3270, -0.0360}, {0.1900, 1.0000, -0.0360}, 0.0410, 0.0350);
   const double chest = ellipsoid(p, {0, 1.2600, -0.0260}, {0.1650, 0.1420, 0.0900});
   const double breast = ellipsoid(p, {0.0720, 1.2300, 0.0420}, {0.0560, 0.0600, 0.0480});
   double body = join(trapezius, chest, 0.060);
   body = join(body, shoulder, 0.045);
   body = join(body, arm, 0.030);
   body = join(body, breast, 0.050);
+  const double waist = ellipsoid(p, {0, 1.0900, -0.0200}, {0.1180, 0.1700, 0.0840});
+  body = join(body, waist, 0.060);
   body = join(body, neck, 0.045);
   const double collar_bone = rod(p, {0.0150, 1.3850, 0.0220}, {0.0800, 1.3870, 0.0120}, 0.0060, 0.0065);
   const double collar_end = rod(p, {0.0800, 1.3870, 0.0120}, {0.1450, 1.3880, -0.0240}, 0.0065, 0.0070);
@@ -151,7 +153,7 @@ double portrait_body(const Vector3d& p) {
   return carve(body, hollow, 0.022);
 }
 
-constexpr double kBustBase = 1.2300;  // cut flat there
+constexpr double kBustBase = 1.0500;  // cut flat there
 
 }  // namespace
 

@@ -65,7 +65,11 @@ double openness_of_skin(const Vector3d& point) {
   }
   // Below the jaw what is painted is the shoulders', and the neck shows it too.
   const double share = 0.9 * smooth_step(1.455, 1.480, point.y());
-  return std::clamp(1 - share * hidden, 0.2, 1.0);
+  // Between the lids the eye's own paint has the shade.
+  const LidEdges lids = lid_edges(std::abs(point.x()));
+  const bool is_lid = point.z() > 0.05 && std::abs(lids.across) < 1.15 && point.y() < lids.upper + 0.001 &&
+                      point.y() > lids.lower - 0.001;
+  return std::clamp(1 - share * hidden, is_lid ? 0.85 : 0.2, 1.0);
 }
 
 struct SkinSample {

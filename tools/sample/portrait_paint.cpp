@@ -4,9 +4,11 @@
 #include "sample/strips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 namespace coif::sample {
 namespace {
@@ -17,6 +19,7 @@ const Vector3d kSkin{0.545, 0.335, 0.245};
 const Vector3d kBlush{0.560, 0.235, 0.180};
 const Vector3d kLips{0.455, 0.165, 0.145};
 const Vector3d kBrow{0.090, 0.050, 0.031};
+const Vector3d kRoots{0.050, 0.029, 0.020};
 const Vector3d kLashes{0.020, 0.012, 0.010};
 
 Vector3d blended(const Vector3d& a, const Vector3d& b, double share) { return a + std::clamp(share, 0.0, 1.0) * (b - a); }
@@ -60,6 +63,27 @@ double brow_cover(double x, double y) {
   return soft * hair * smooth_step(-0.06, 0.10, t) * smooth_step(1.04, 0.90, t);
 }
 
+/// How much of the scalp's skin the hairs' roots cover, along the hairline that hair grows from.
+double root_cover(const Vector3d& point) {
+  constexpr std::array<std::pair<double, double>, 7> kHairline{
+      {{0, 37}, {35, 35}, {58, 26}, {85, 7}, {100, -2}, {135, -24}, {180, -43}}};  // degrees around: degrees up
+  const Vector3d q = (point - Vector3d(0, 1.630, -0.012)).cwiseQuotient(Vector3d(0.0745, 0.090, 0.096));
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double up = std::asin(std::clamp(q.y() / std::max(q.norm(), 1e-6), -1.0, 1.0)) / kDegree;
+  const double around = std::atan2(std::abs(q.x()), q.z()) / kDegree;
+  double line = kHairline.back().second;
+  for (std::size_t i = 1; i < kHairline.size(); ++i) {
+    const auto& [from, low] = kHairline[i - 1];
+    const auto& [to, high] = kHairline[i];
+    if (around <= to) {
+      line = low + (high - low) * (around - from) / (to - from);
+      break;
+    }
+  }
+  const double ragged = 3 * value_noise(around * 0.9, 3) + 2 * value_noise(around * 2.3, 11);
+  return smooth_step(-4, 9, up - line + ragged);
+}
+
 struct LipCover {
   double share, depth;  ///< Of the skin; 1 at the mouth's line, 0 at the lips' borders.
 };
@@ -86,11 +110,13 @@ Vector3d skin_color(const Vector3d& point) {
   red *= front;
   red += 0.55 * smooth_step(0.070, 0.084, x) * smooth_step(1.50, 1.55, y);  // ears
   color = blended(color, kBlush, red);
+  if (std::abs(x) < 0.0790) color = blended(color, kRoots, 0.90 * root_cover(point));
   if (front <= 0) return color;
   const LidEdges lids = lid_edges(x);
   const double near_eye = smooth_step(1.25, 1.0, std::abs(lids.across));
   const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.30;
   color = blended(color, {0.300, 0.150, 0.110}, shade * front);
+  color = blended(color, {0.480, 0.200, 0.170}, 0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
   const Vector3d lip = kLips * (1.0 - 0.55 * smooth_step(0.80, 1.0, lips.depth)) *
                        (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
