@@ -132,15 +132,15 @@ Lash lash_at(double across, bool is_upper, SeededNoise& noise) {
   const double fan = 0.10 + 0.80 * across + noise.between(-0.10, 0.10);
   lash.outwards = Vector3d(fan, is_upper ? 0.10 : -0.50, 1).normalized();
   lash.up = is_upper ? Vector3d::UnitY() : Vector3d(-Vector3d::UnitY());
-  const double full = is_upper ? 0.0086 + 0.0026 * across : 0.0036;
+  const double full = is_upper ? 0.0076 + 0.0024 * across : 0.0022;
   lash.length = full * (1 - 0.30 * across * across) * noise.between(0.85, 1.08);
   lash.rise = lash.length * (is_upper ? 0.60 : 0.20) * noise.between(0.85, 1.15);
-  lash.width = is_upper ? 0.00055 : 0.00028;
+  lash.width = is_upper ? 0.00046 : 0.00022;
   return lash;
 }
 
 SurfaceMesh portrait_lashes() {
-  constexpr int kUpperLashes = 46, kLowerLashes = 24;
+  constexpr int kUpperLashes = 64, kLowerLashes = 16;
   SurfaceMesh mesh;
   SeededNoise noise(31);
   for (const double side : {1.0, -1.0}) {
@@ -171,7 +171,7 @@ std::vector<PortraitPart> make_portrait_parts(const PortraitDetail& detail) {
 std::vector<std::byte> make_portrait() {
   GltfDocument document;
   document.set_skeleton(portrait_skeleton());
-  for (PortraitPart& part : make_portrait_parts()) {
+  for (PortraitPart& part : make_portrait_parts({.spacing = 1.5})) {
     if (part.image) part.material.image = document.add_image(part.name, *part.image);
     for (const Vector3d& point : part.mesh.positions) part.mesh.skin.push_back(portrait_influences(point));
     document.add_mesh(part.name, part.mesh, part.material);

@@ -35,7 +35,8 @@ double portrait_brow_and_socket(double head, const Vector3d& p) {
   const double brow = rod(p, {0.0150, 1.6240, 0.0735}, {0.0450, 1.6275, 0.0590}, 0.0058, 0.0056);
   const double socket = ellipsoid(p, {0.0330, 1.6060, 0.0945}, {0.0205, 0.0130, 0.0140});
   head = join(head, brow, 0.024);
-  return carve(head, socket, 0.022);
+  const double inner_corner = ellipsoid(p, {0.0165, 1.6050, 0.0845}, {0.0055, 0.0060, 0.0095});
+  return carve(carve(head, socket, 0.022), inner_corner, 0.010);
 }
 
 /// How far inside the opening between the lids the point is: negative there, about metres.
@@ -56,7 +57,7 @@ double portrait_lids(double head, const Vector3d& p) {
   head = carve(head, std::min(crease, outer_crease), 0.0042);
   const double hole = std::max(lid_opening(p) + 0.0003, kEyeCenter.z() - p.z());
   head = carve(head, hole, 0.0014);
-  const double tear_duct = ellipsoid(p, {0.0158, 1.6050, 0.0660}, {0.0032, 0.0030, 0.0045});
+  const double tear_duct = ellipsoid(p, {0.0172, 1.6050, 0.0665}, {0.0050, 0.0040, 0.0045});
   return join(head, tear_duct, 0.002);
 }
 
@@ -91,9 +92,9 @@ double portrait_mouth(double head, const Vector3d& p) {
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
   head = join(head, upper_lip, 0.0050);
   head = join(head, lower_lip, 0.0060);
-  const double line = rod(p, {0, 1.5366, 0.0950}, {0.0120, 1.5369, 0.0912}, 0.0004, 0.0004);
-  const double line_end = rod(p, {0.0120, 1.5369, 0.0912}, {0.0226, 1.5390, 0.0796}, 0.0004, 0.0005);
-  return carve(head, std::min(line, line_end), 0.0036);
+  const double line = rod(p, {0, 1.5366, 0.0950}, {0.0120, 1.5369, 0.0912}, 0.0006, 0.0006);
+  const double line_end = rod(p, {0.0120, 1.5369, 0.0912}, {0.0216, 1.5388, 0.0802}, 0.0006, 0.0002);
+  return carve(head, join(line, line_end, 0.002), 0.0036);
 }
 
 double portrait_ear(double head, const Vector3d& p) {

@@ -18,7 +18,7 @@ inline constexpr double kBrowLine = 1.6262;
 inline constexpr double kNoseBase = 1.5590;
 inline constexpr double kMouthLine = 1.5372;
 
-inline const Eigen::Vector3d kEyeCenter{0.0320, kEyeLine, 0.0590};  ///< Of the left eyeball (+X).
+inline const Eigen::Vector3d kEyeCenter{0.0320, kEyeLine, 0.0602};  ///< Of the left eyeball (+X).
 inline const Eigen::Vector3d kEyeRadii{0.0186, 0.0166, 0.0164};     ///< Broader than round: it fills the lids' corners.
 
 inline constexpr double kOpeningMiddle = 0.0318, kOpeningHalf = 0.0172;  ///< Of the left eye's lids, X.

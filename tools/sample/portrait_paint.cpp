@@ -118,7 +118,7 @@ Vector3d skin_color(const Vector3d& point) {
   color = blended(color, {0.300, 0.150, 0.110}, shade * front);
   color = blended(color, {0.480, 0.200, 0.170}, 0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
-  const Vector3d lip = kLips * (1.0 - 0.55 * smooth_step(0.80, 1.0, lips.depth)) *
+  const Vector3d lip = kLips * (1.0 - 0.40 * smooth_step(0.82, 1.0, lips.depth)) *
                        (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
