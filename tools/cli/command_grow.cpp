@@ -13,17 +13,29 @@
 
 #include <chrono>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace coif {
 namespace {
 
 struct GrowOptions {
-  std::string output, recipe, style, body;
+  std::string output, recipe, body;
+  const char* style = "";
   std::optional<std::uint32_t> strands, seed;
   unsigned threads = all_threads();
   OutputFormat format = OutputFormat::kText;
   bool print_recipe = false;
 };
+
+std::span<const Choice<const char*>> style_choices() {
+  static const std::vector<Choice<const char*>> choices = [] {
+    std::vector<Choice<const char*>> all;
+    for (const BuiltInStyle& style : built_in_styles()) all.push_back({style.name, style.name});
+    return all;
+  }();
+  return choices;
+}
 
 tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
   RecipeChoice choice{default_recipe(), {}, options.recipe};
@@ -88,8 +100,7 @@ Command add_grow(CLI::App& program) {
   app->add_option("-o,--output", options->output, "The strands to write; an OBJ has no place for their widths and colours")
       ->type_name("OUT.obj|OUT.hair");
   app->add_option("--recipe", options->recipe, "What hair it is")->type_name("R.json");
-  app->add_option("--style", options->style, fmt::format("Which style it begins from, before what the recipe names: {}", kStyleWords))
-      ->type_name("NAME");
+  add_choice<const char*>(*app, "--style", options->style, style_choices(), "Which style it begins from, before what the recipe names");
   app->add_option("--body", options->body, "Model with the head that it grows on, before what the recipe names (default: the sample's bust)")
       ->type_name("MODEL");
   app->add_option("--strands", options->strands, "How many, before what the recipe says")->check(CLI::Range(1u, 1000000u))->type_name("N");

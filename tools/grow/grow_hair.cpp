@@ -22,7 +22,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kFieldSpacing = 0.0055f;  // metres on a head of usual size
+constexpr float kFieldSpacing = 0.007f;  // metres on a head of usual size
 constexpr float kPointSpacing = 0.008f;
 constexpr float kPointsOfTurn = 9;
 constexpr std::size_t kFewestPoints = 12, kMostPoints = 160;
@@ -54,17 +54,19 @@ std::optional<grow::HeadFrame> head_of(const GrowGround& ground, const grow::Bod
                          Vector3f(float(r[0]), float(r[1]), float(r[2]))};
 }
 
-float longest_of(std::span<const grow::Root> roots) {
-  float longest = 0;
-  for (const grow::Root& root : roots) longest = std::max(longest, root.length);
-  return longest;
+/// On a head of usual size.
+float longest_of(const HairStyle& style) {
+  const double fringe = style.grow_fringe_width > 0 ? style.grow_fringe_length : 0;
+  return float(std::max({style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
 }
 
-std::size_t stations_for(const HairStyle& style, float longest, float scale) {
-  float spacing = std::min(kPointSpacing, longest / scale / float(kFewestPoints - 1));
+/// Points of each strand.
+std::size_t stations_for(const HairStyle& style) {
+  const float longest = longest_of(style);
+  float spacing = std::min(kPointSpacing, longest / float(kFewestPoints - 1));
   if (style.grow_curl_radius > 0) spacing = std::min(spacing, float(style.grow_curl_pitch) / kPointsOfTurn);
   if (style.grow_wave_height > 0) spacing = std::min(spacing, float(style.grow_wave_length) / kPointsOfTurn);
-  return std::clamp(std::size_t(longest / scale / spacing) + 1, kFewestPoints, kMostPoints);
+  return std::clamp(std::size_t(longest / spacing) + 1, kFewestPoints, kMostPoints);
 }
 
 /// What strands are beside their places.
@@ -135,10 +137,15 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
                         ground.body.path);
   }
   const float scale = head->scale();
-  const double reach = std::max({style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back});
+  const std::size_t stations = stations_for(style);
+  if (style.grow_strands * stations > kMostStrandPoints) {
+    return file_failure(Kind::kOverBudget, name, "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
+                        style.grow_strands, stations, kMostStrandPoints);
+  }
+  const float reach = longest_of(style);
   Eigen::AlignedBox3f room(head->center - 1.8f * head->radii, head->center + 1.8f * head->radii);
-  room.min().array() -= scale * float(reach);
-  room.max().array() += scale * float(reach);
+  room.min().array() -= scale * reach;
+  room.max().array() += scale * reach;
   room = room.intersection(Eigen::AlignedBox3f(surface.box().min().array() - 0.3f * head->mean_radius(),
                                                surface.box().max().array() + 0.3f * head->mean_radius()));
   const grow::BodyField body(surface, room, scale * kFieldSpacing, threads);
@@ -146,11 +153,6 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   const std::vector<grow::Root> roots = grow::spread_roots(style, *head, body, threads);
   if (roots.empty()) {
     return file_failure(Kind::kBadInput, name, "the hairline leaves no room for hair; lower \"grow.hairline_front\" and the others");
-  }
-  const std::size_t stations = stations_for(style, longest_of(roots), scale);
-  if (roots.size() * stations > kMostStrandPoints) {
-    return file_failure(Kind::kOverBudget, name, "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
-                        roots.size(), stations, kMostStrandPoints);
   }
   const grow::Ground place{style, *head, body};
   grow::StrandPaths paths = style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);

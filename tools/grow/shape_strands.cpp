@@ -160,12 +160,26 @@ class Shaper {
     }
   }
 
+  /// Points, and what lies half way between two of them.
   void keep_out(std::size_t i) {
+    constexpr int kRounds = 6;
     const auto strand = paths_.strand(i);
-    float grown = 0;
-    for (std::size_t k = 1; k < strand.size(); ++k) {
-      grown += (strand[k] - strand[k - 1]).norm();
-      strand[k] = ground_.body.kept_off(strand[k], std::min(scale_ * kLeastClearance, 0.5f * grown));
+    const float least = scale_ * kLeastClearance;
+    for (int round = 0; round < kRounds; ++round) {
+      bool is_out = true;
+      float grown = 0;
+      for (std::size_t k = 1; k < strand.size(); ++k) {
+        grown += (strand[k] - strand[k - 1]).norm();
+        strand[k] = ground_.body.kept_off(strand[k], std::min(least, 0.5f * grown));
+        const Vector3f middle = 0.5f * (strand[k - 1] + strand[k]);
+        const float away = ground_.body.distance(middle);
+        if (k == 1 || away >= 0.5f * least) continue;
+        const Vector3f out = (least - away) * ground_.body.normal(middle);
+        if (k > 2) strand[k - 1] += out;
+        strand[k] += out;
+        is_out = false;
+      }
+      if (is_out) break;
     }
   }
 
