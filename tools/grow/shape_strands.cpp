@@ -173,7 +173,7 @@ class Shaper {
         strand[k] = ground_.body.kept_off(strand[k], std::min(least, 0.5f * grown));
         const Vector3f middle = 0.5f * (strand[k - 1] + strand[k]);
         const float away = ground_.body.distance(middle);
-        if (k == 1 || away >= 0.5f * least) continue;
+        if (k == 1 || away >= 0.8f * least) continue;
         const Vector3f out = (least - away) * ground_.body.normal(middle);
         if (k > 2) strand[k - 1] += out;
         strand[k] += out;

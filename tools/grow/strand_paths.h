@@ -32,7 +32,7 @@ struct Ground {
   const BodyField& body;
 };
 
-inline constexpr float kLeastClearance = 0.0015f;  ///< Metres from the skin on a head of usual size, but for roots.
+inline constexpr float kLeastClearance = 0.002f;  ///< Metres from the skin on a head of usual size, but for roots.
 
 /// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin, downwards by its
 /// weight, kept off the skin and above the hair below it.
