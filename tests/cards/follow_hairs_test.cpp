@@ -47,7 +47,8 @@ TEST(FollowHairs, NoneLeaveStrandsAsTheyAreAndTooManyAreRefused) {
   const auto refused = with_follow_hairs(groom_of(many), 16, 0.1f);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ToolError::Kind::kOverBudget);
-  EXPECT_NE(refused.error().message.find("70000 strands with 16 follow hairs each are more than 1048576 strands"), std::string::npos)
+  EXPECT_NE(refused.error().message.find("70000 strands with 16 follow hairs each are more than 1048576 strands"),
+            std::string::npos)
       << refused.error().message;
 }
 

@@ -40,7 +40,8 @@ Groom groom_in(float scale, bool z_up) {
 
 float farthest_root(const Groom& groom) {
   float farthest = 0;
-  for (std::size_t i = 0; i < groom.strand_count(); ++i) farthest = std::max(farthest, std::abs((groom.strand(i)[0] - kHead).norm() - 0.1f));
+  for (std::size_t i = 0; i < groom.strand_count(); ++i)
+    farthest = std::max(farthest, std::abs((groom.strand(i)[0] - kHead).norm() - 0.1f));
   return farthest;
 }
 
@@ -60,7 +61,9 @@ TEST(StrandBody, FindsUnitAndAxisByTheRootsAndSaysSo) {
       place_on_body(body_with_head(), groom);
       EXPECT_LT(farthest_root(groom), 0.002f) << scale << z_up;
       ASSERT_EQ(groom.warnings.size(), 1u);
-      EXPECT_NE(groom.warnings[0].find(fmt::format("taken as of {:.4g} m per unit with {} up", 1 / scale, z_up ? 'Z' : 'Y')), std::string::npos)
+      EXPECT_NE(
+          groom.warnings[0].find(fmt::format("taken as of {:.4g} m per unit with {} up", 1 / scale, z_up ? 'Z' : 'Y')),
+          std::string::npos)
           << groom.warnings[0];
       EXPECT_EQ(find_groom_fault(groom), "");
     }

@@ -32,7 +32,8 @@ TEST(WriteGroom, HairComesBackWithAllThatItHas) {
 }
 
 TEST(WriteGroom, LinesComeBackGroupByGroup) {
-  const Groom before = *read_obj_lines("v 0 0 0\nv 0 1 0\nv 0 2.5 0\nv 1 0 0\nv 1 1 0.25\no left\nl 1 2 3\no right\nl 4 5\n");
+  const Groom before =
+      *read_obj_lines("v 0 0 0\nv 0 1 0\nv 0 2.5 0\nv 1 0 0\nv 1 1 0.25\no left\nl 1 2 3\no right\nl 4 5\n");
   const auto after = read_obj_lines(obj_lines_of(before));
   ASSERT_TRUE(after) << after.error();
   EXPECT_EQ(after->points, before.points);

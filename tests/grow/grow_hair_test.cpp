@@ -72,7 +72,9 @@ TEST_P(EveryStyle, BeginsOnTheSkinAndNeverPassesThroughIt) {
   EXPECT_GT(deepest, -0.0003f) << "metres";
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle, testing::Values("none", "bob", "fringe_bob", "long", "wavy", "curly", "afro", "short", "spiky", "slick", "ponytail"),
+INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle,
+                         testing::Values("none", "bob", "fringe_bob", "long", "wavy", "curly", "afro", "short", "spiky",
+                                         "slick", "ponytail"),
                          [](const auto& style) { return std::string(style.param); });
 
 TEST(GrowHair, EveryStyleIsNamed) {
@@ -98,7 +100,8 @@ TEST(GrowHair, KeysGoBeforeTheStylesOwn) {
 }
 
 TEST(GrowHair, RepeatsOnAnyNumberOfThreadsAndDiffersBySeed) {
-  const Groom one = grown(R"({"style": "wavy", "strands": 200})", 1), three = grown(R"({"style": "wavy", "strands": 200})", 3);
+  const Groom one = grown(R"({"style": "wavy", "strands": 200})", 1),
+              three = grown(R"({"style": "wavy", "strands": 200})", 3);
   EXPECT_EQ(one.points, three.points);
   EXPECT_EQ(one.widths, three.widths);
   EXPECT_EQ(one.colors, three.colors);
@@ -121,7 +124,8 @@ TEST(GrowHair, RootsKeepToTheHairline) {
 }
 
 TEST(GrowHair, IsAsLongAsAskedAndCutLevel) {
-  const Groom plain = grown(R"({"strands": 300, "length_top": 0.2, "length_front": 0.2, "length_sides": 0.2, "length_back": 0.2,
+  const Groom plain =
+      grown(R"({"strands": 300, "length_top": 0.2, "length_front": 0.2, "length_sides": 0.2, "length_back": 0.2,
     "length_random": 0, "clump": 0, "clump_children": 0, "frizz": 0, "flyaways": 0})");
   for (std::size_t i = 0; i < plain.strand_count(); ++i) EXPECT_NEAR(length_of(plain.strand(i)), 0.2f, 0.025f);
   const Groom cut = grown(R"({"strands": 300, "cut": -1, "length_random": 0})");
@@ -182,9 +186,12 @@ TEST(GrowHair, SaysWhyNothingGrows) {
   const auto headless = grow_from(default_recipe(), plank, "a.recipe.json", 1);
   ASSERT_FALSE(headless);
   EXPECT_EQ(headless.error().kind, ToolError::Kind::kBadInput);
-  EXPECT_TRUE(headless.error().message.starts_with("a.recipe.json: no head at the top of body.glb; say where")) << headless.error().message;
-  const auto bald = grow_from(recipe_of(R"({"hairline_front": 90, "hairline_temples": 90, "hairline_sides": 90, "hairline_nape": 90, "hairline_fade": 0})"),
-                              sample_body(), "a.recipe.json", 1);
+  EXPECT_TRUE(headless.error().message.starts_with("a.recipe.json: no head at the top of body.glb; say where"))
+      << headless.error().message;
+  const auto bald = grow_from(
+      recipe_of(
+          R"({"hairline_front": 90, "hairline_temples": 90, "hairline_sides": 90, "hairline_nape": 90, "hairline_fade": 0})"),
+      sample_body(), "a.recipe.json", 1);
   ASSERT_FALSE(bald);
   EXPECT_NE(bald.error().message.find("leaves no room for hair"), std::string::npos) << bald.error().message;
 }

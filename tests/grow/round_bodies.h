@@ -28,13 +28,15 @@ inline MadeUpMesh ellipsoid(const Eigen::Vector3f& center, const Eigen::Vector3f
     const float polar = std::numbers::pi_v<float> * (from + (to - from) * float(ring) / kRings);
     for (std::uint32_t k = 0; k < kAround; ++k) {
       const float around = 2 * std::numbers::pi_v<float> * float(k) / kAround;
-      const Eigen::Vector3f unit(std::sin(polar) * std::sin(around), std::cos(polar), std::sin(polar) * std::cos(around));
+      const Eigen::Vector3f unit(std::sin(polar) * std::sin(around), std::cos(polar),
+                                 std::sin(polar) * std::cos(around));
       mesh.positions.emplace_back(center + radii.cwiseProduct(unit));
     }
   }
   for (std::uint32_t ring = 0; ring < kRings; ++ring) {
     for (std::uint32_t k = 0; k < kAround; ++k) {
-      const std::uint32_t a = ring * kAround + k, b = ring * kAround + (k + 1) % kAround, c = a + kAround, d = b + kAround;
+      const std::uint32_t a = ring * kAround + k, b = ring * kAround + (k + 1) % kAround, c = a + kAround,
+                          d = b + kAround;
       mesh.triangles.insert(mesh.triangles.end(), {a, c, b, b, c, d});
     }
   }

@@ -58,7 +58,9 @@ void BodySurface::build(std::uint32_t node) {
   for (std::size_t i = 0; i < n.count; ++i) {
     for (std::size_t k = 0; k < 3; ++k) sorted[i][k] = triangles_[3 * (n.first + i) + k];
   }
-  const auto place = [&](const auto& t) { return positions_[t[0]][axis] + positions_[t[1]][axis] + positions_[t[2]][axis]; };
+  const auto place = [&](const auto& t) {
+    return positions_[t[0]][axis] + positions_[t[1]][axis] + positions_[t[2]][axis];
+  };
   const std::uint32_t half = n.count / 2;
   std::ranges::nth_element(sorted, sorted.begin() + half, {}, place);
   for (std::size_t i = 0; i < n.count; ++i) {

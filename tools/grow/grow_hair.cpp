@@ -26,8 +26,6 @@ constexpr float kFieldSpacing = 0.007f;  // metres on a head of usual size
 constexpr float kPointSpacing = 0.008f;
 constexpr float kPointsOfTurn = 9;
 constexpr std::size_t kFewestPoints = 12, kMostPoints = 160;
-constexpr float kUsualHairs = 100000;   // of people, each kHairWidth wide
-constexpr float kHairWidth = 0.00008f;  // metres
 
 /// All of the body that is not hair, turned so that it looks along +Z.
 grow::BodySurface surface_of(const SourceModel& body, float turn) {
@@ -57,7 +55,8 @@ std::optional<grow::HeadFrame> head_of(const GrowGround& ground, const grow::Bod
 /// On a head of usual size.
 float longest_of(const HairStyle& style) {
   const double fringe = style.grow_fringe_width > 0 ? style.grow_fringe_length : 0;
-  return float(std::max({style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
+  return float(std::max(
+      {style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
 }
 
 /// Points of each strand.
@@ -72,9 +71,9 @@ std::size_t stations_for(const HairStyle& style) {
 /// What strands are beside their places.
 class Looks {
  public:
-  Looks(const HairStyle& style, float scale, std::size_t strands)
-      : style_(style), dice_(style.grow_seed, grow::Purpose::kColor), width_(scale * float(style.grow_width)) {
-    if (width_ == 0) width_ = scale * kHairWidth * std::sqrt(std::max(kUsualHairs / float(strands), 1.0f));
+  Looks(const HairStyle& style, const grow::HeadFrame& head, std::size_t strands)
+      : style_(style), dice_(style.grow_seed, grow::Purpose::kColor), width_(head.scale() * float(style.grow_width)) {
+    if (width_ == 0) width_ = usual_strand_width(head.mean_radius(), strands);
   }
 
   [[nodiscard]] float width(float t) const { return width_ * (1 - t * t * (1 - float(style_.grow_taper))); }
@@ -91,9 +90,9 @@ class Looks {
   float width_;
 };
 
-void add_strands(const HairStyle& style, float scale, float turn, const grow::StrandPaths& paths,
+void add_strands(const HairStyle& style, const grow::HeadFrame& head, float turn, const grow::StrandPaths& paths,
                  std::span<const std::uint32_t> sizes, GroomBuilder& builder) {
-  const Looks looks(style, scale, paths.count());
+  const Looks looks(style, head, paths.count());
   std::vector<Vector3f> points, colors;
   std::vector<float> widths;
   for (std::size_t i = 0; i < paths.count(); ++i) {
@@ -133,14 +132,17 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   const grow::BodySurface surface = surface_of(ground.body, turn);
   const auto head = head_of(ground, surface, turn);
   if (!head) {
-    return file_failure(Kind::kBadInput, name, "no head at the top of {}; say where it is by the recipe's \"head.center\" and \"head.radii\"",
+    return file_failure(Kind::kBadInput, name,
+                        "no head at the top of {}; say where it is by the recipe's \"head.center\" and \"head.radii\"",
                         ground.body.path);
   }
   const float scale = head->scale();
   const std::size_t stations = stations_for(style);
   if (style.grow_strands * stations > kMostStrandPoints) {
-    return file_failure(Kind::kOverBudget, name, "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
-                        style.grow_strands, stations, kMostStrandPoints);
+    return file_failure(
+        Kind::kOverBudget, name,
+        "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
+        style.grow_strands, stations, kMostStrandPoints);
   }
   const float reach = longest_of(style);
   Eigen::AlignedBox3f room(head->center - 1.8f * head->radii, head->center + 1.8f * head->radii);
@@ -152,10 +154,12 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
 
   const std::vector<grow::Root> roots = grow::spread_roots(style, *head, body, threads);
   if (roots.empty()) {
-    return file_failure(Kind::kBadInput, name, "the hairline leaves no room for hair; lower \"grow.hairline_front\" and the others");
+    return file_failure(Kind::kBadInput, name,
+                        "the hairline leaves no room for hair; lower \"grow.hairline_front\" and the others");
   }
   const grow::Ground place{style, *head, body};
-  grow::StrandPaths paths = style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
+  grow::StrandPaths paths =
+      style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
   shape_strands(place, roots, paths, threads);
   const std::vector<std::uint32_t> sizes = cut_level(place, paths);
 
@@ -164,7 +168,7 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   groom.format = "grown";
   groom.root_first = true;
   GroomBuilder builder(groom);
-  add_strands(style, scale, turn, paths, sizes, builder);
+  add_strands(style, *head, turn, paths, sizes, builder);
   if (std::string fault = builder.finish(); !fault.empty()) return file_failure(Kind::kBadInput, name, "{}", fault);
   return groom;
 }
@@ -173,7 +177,8 @@ tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path
   return path.empty() ? tl::expected<SourceModel, ToolError>(sample_body()) : import_model(path, settings);
 }
 
-tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name, unsigned threads) {
+tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name,
+                                         unsigned threads) {
   return grow_hair(recipe, {body, recipe.head_center, recipe.head_radii}, name, threads);
 }
 

@@ -16,8 +16,8 @@ constexpr float kMiddle = 0.53f;
 constexpr float kFaceBegins = 0.62f;
 
 /// Boxes of what a body's surface has at heights, one below the other.
-std::vector<Eigen::AlignedBox2f> sections_of(std::span<const Vector3f> positions, std::span<const std::uint32_t> triangles,
-                                             float top, float step) {
+std::vector<Eigen::AlignedBox2f> sections_of(std::span<const Vector3f> positions,
+                                             std::span<const std::uint32_t> triangles, float top, float step) {
   std::vector<Eigen::AlignedBox2f> sections(kSections);
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k) {

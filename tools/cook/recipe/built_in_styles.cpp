@@ -35,7 +35,8 @@ constexpr BuiltInStyle kStyles[] = {
     {"slick", R"({"length_top": 0.15, "length_front": 0.16, "length_sides": 0.1, "length_back": 0.06, "comb": "back",
       "comb_strength": 1, "lift": 12, "volume": 0.005, "layers": 0.006, "stiffness": 0.3, "clump": 0.6, "clump_size": 0.014,
       "length_random": 0.08, "frizz": 0.0006, "flyaways": 0.005, "root_color": [0.06, 0.05, 0.045], "tip_color": [0.13, 0.1, 0.09]})"},
-    {"ponytail", R"({"length_top": 0.52, "length_front": 0.56, "length_sides": 0.5, "length_back": 0.44, "gather": [180, 22],
+    {"ponytail",
+     R"({"length_top": 0.52, "length_front": 0.56, "length_sides": 0.5, "length_back": 0.44, "gather": [180, 22],
       "lift": 8, "volume": 0.003, "layers": 0.004, "clump": 0.55, "clump_size": 0.014, "length_random": 0.14, "frizz": 0.0012,
       "flyaways": 0.015})"},
 };
