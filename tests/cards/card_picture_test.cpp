@@ -1,38 +1,33 @@
 #include "cards/card_picture.h"
 
+#include "cards/compare_hair.h"
 #include "cards/made_up_groom.h"
+#include "cards/make_cards.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 namespace coif::card_picture_test {
 
 constexpr float kWidth = 0.002f;
 
 struct MadeCards {
-  explicit MadeCards(const Groom& groom, std::size_t count, std::size_t triangles)
-      : strands(even_strands(groom, kWidth)),
-        wisps(find_wisps(strands, count, 2)),
-        strips(make_strips(wisps, triangles)) {
-    for (const Wisp& wisp : wisps) textures.push_back(draw_on_card(groom, {}, wisp, kWidth, 48, 192));
+  explicit MadeCards(const Groom& groom, std::size_t count, std::size_t triangles) {
+    const GroomShape shape = shape_of(groom, kWidth);
+    auto wisps = find_wisps(shape.strands, count, 2);
+    auto strips = make_strips(wisps, triangles);
+    auto made = texture_cards(groom, shape, std::move(wisps), std::move(strips), std::size_t{1} << 19, 2);
+    if (!made) throw std::runtime_error(made.error().message);
+    cards = std::move(*made);
+    surface = surface_of(cards);
   }
-  EvenStrands strands;
-  std::vector<Wisp> wisps;
-  std::vector<CardStrip> strips;
-  std::vector<CardTexture> textures;
+  Cards cards;
+  CardSurface surface;
 };
-
-/// Share of what both cover of what either does.
-double overlap(const HairPicture& a, const HairPicture& b) {
-  double both = 0, either = 0;
-  for (std::size_t i = 0; i < a.coverage.size(); ++i) {
-    both += double(std::min(a.coverage[i], b.coverage[i]));
-    either += double(std::max(a.coverage[i], b.coverage[i]));
-  }
-  return both / either;
-}
 
 TEST(CardStrips, TakeTheTrianglesThereAreWhereStripsBend) {
   auto strands = test::strands_of_a_head(300);
@@ -61,15 +56,15 @@ TEST(CardStrips, TakeTheTrianglesThereAreWhereStripsBend) {
 TEST(CardTexture, CoversWhatStrandsCoverOfTheFlatCard) {
   const Groom groom = test::hanging_wisps(1, 12);
   const MadeCards cards(groom, 1, 2);
-  ASSERT_EQ(cards.wisps.size(), 1u);
+  ASSERT_EQ(cards.cards.wisps.size(), 1u);
   const PictureFrame frame = frame_along({0, 0, -1}, ball_around(groom.points), 256);
   const HairPicture flat = draw_strands(groom, frame, kWidth, 2);
   const double pixels = std::accumulate(flat.coverage.begin(), flat.coverage.end(), 0.0) /
                         double(frame.pixels_of_metre * frame.pixels_of_metre);
-  const CardTexture& texture = cards.textures[0];
+  const CardTexture& texture = cards.cards.textures[0];
   const double share =
       std::accumulate(texture.opacity.begin(), texture.opacity.end(), 0.0) / double(texture.opacity.size());
-  const double card = 2 * double(cards.wisps[0].ribbon.half_width[5]) * 0.3;
+  const double card = 2 * double(cards.cards.wisps[0].ribbon.half_width[5]) * 0.3;
   EXPECT_NEAR(share * card / pixels, 1, 0.08);
   for (std::size_t i = 0; i < texture.opacity.size(); ++i) {
     ASSERT_GE(texture.opacity[i], 0);
@@ -87,8 +82,8 @@ TEST(CardPicture, CardsOfFlatWispsLookLikeTheirStrands) {
        {Eigen::Vector3f(0, 0, -1), Eigen::Vector3f(0.3f, 0.2f, -1), Eigen::Vector3f(0, 0, 1)}) {
     const PictureFrame frame = frame_along(direction, ball_around(groom.points), 192);
     const HairPicture wanted = draw_strands(groom, frame, kWidth, 2);
-    const HairPicture seen = draw_cards(cards.wisps, cards.strips, cards.textures, frame, 2);
-    EXPECT_GT(overlap(wanted, seen), 0.88) << direction.transpose();
+    const HairPicture seen = draw_cards(cards.surface, frame, 2);
+    EXPECT_GT(compare_hair(wanted, seen).coverage_iou, 0.88) << direction.transpose();
   }
 }
 
@@ -100,9 +95,7 @@ TEST(CardPicture, MoreCardsAreNearerToTheStrands) {
     double sum = 0;
     for (const Eigen::Vector3f& direction : spread_directions(6)) {
       const PictureFrame frame = frame_along(direction, ball_around(groom.points), 128);
-      sum += overlap(draw_strands(groom, frame, kWidth, 2),
-                     draw_cards(cards.wisps, cards.strips, cards.textures, frame, 2)) /
-             6;
+      sum += compare_hair(draw_strands(groom, frame, kWidth, 2), draw_cards(cards.surface, frame, 2)).coverage_iou / 6;
     }
     EXPECT_GT(sum, before + 0.03) << count;
     before = sum;

@@ -40,7 +40,7 @@ TEST(StrandPicture, ShowsWhatIsNearest) {
   const std::size_t middle = 32 * 64 + 32;
   EXPECT_EQ(picture.coverage[middle], 1);
   EXPECT_NEAR(picture.depth[middle], -0.5f, 1e-5f);
-  EXPECT_NEAR(std::abs(picture.along[middle].y()), 1, 1e-5f);
+  EXPECT_NEAR(picture.shade[middle], 1, 1e-5f) << "at right angles to the line of sight";
   EXPECT_NEAR(picture.depth[32 * 64 + 10], 0.5f, 1e-5f);
   EXPECT_EQ(picture.coverage[0], 0);
 }

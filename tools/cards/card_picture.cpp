@@ -1,6 +1,7 @@
 #include "cards/card_picture.h"
 
 #include "base/parallel_for.h"
+#include "cards/surface_raster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,120 +11,102 @@ namespace coif {
 namespace {
 
 constexpr int kCardSide = 4;  // samples of a pixel, each way
-constexpr std::uint32_t kCardBand = 16;
+constexpr std::uint32_t kCardBand = 8;
+constexpr int kSamplesOfPixel = kCardSide * kCardSide;
 
-/// A corner in samples, its depth, and its place in the texture, 0..1 both.
-struct Corner {
-  float x, y, depth, u, v;
-};
-struct CardTriangle {
-  Corner corner[3];
-  std::uint32_t texture;
-};
+/// What a card has at a sample.
+struct Fragment {
+  std::uint32_t sample = 0;
+  float depth = 0, opacity = 0, shade = 0;
 
-std::vector<CardTriangle> triangles_of(std::span<const Wisp> wisps, std::span<const CardStrip> strips,
-                                       const PictureFrame& frame) {
-  std::vector<CardTriangle> triangles;
-  for (std::uint32_t s = 0; s < strips.size(); ++s) {
-    const Ribbon& ribbon = wisps[strips[s].wisp].ribbon;
-    std::vector<std::array<Corner, 2>> edges;
-    for (const std::uint8_t station : strips[s].stations) {
-      std::array<Corner, 2> corners{};
-      const auto ends = edge_at(ribbon, station);
-      for (std::size_t side = 0; side < 2; ++side) {
-        const Eigen::Vector3f place = frame.place(ends[side]);
-        corners[side] = {kCardSide * place.x(), kCardSide * place.y(), place.z(), float(side),
-                         float(station) / float(Ribbon::kStations - 1)};
-      }
-      edges.push_back(corners);
-    }
-    for (std::size_t k = 1; k < edges.size(); ++k) {
-      triangles.push_back({{edges[k - 1][0], edges[k - 1][1], edges[k][0]}, s});
-      triangles.push_back({{edges[k - 1][1], edges[k][1], edges[k][0]}, s});
-    }
+  bool operator<(const Fragment& other) const {
+    return sample != other.sample ? sample < other.sample : depth < other.depth;
   }
-  return triangles;
+};
+
+/// The sine of the angle between the strand of a texel and the line of sight.
+float shade_at(const CardSurface& surface, const PictureFrame& frame, const SurfacePoint& point) {
+  const Eigen::Vector2f on_card =
+      surface.direction.empty() ? Eigen::Vector2f(0, 1) : bilinear(surface, surface.direction, point.uv);
+  const Eigen::Vector3f along = frame.axes * (on_card.x() * point.across + on_card.y() * point.along);
+  return along.squaredNorm() > 0 ? shade_of(along.normalized()) : 1.0f;
 }
 
-class CardBand {
- public:
-  CardBand(std::uint32_t width, std::uint32_t first_row, std::uint32_t rows)
-      : width_(int(width)),
-        first_(int(first_row)),
-        rows_(int(rows)),
-        clear_(std::size_t(width) * rows, 1.0f),
-        depth_(clear_.size(), std::numeric_limits<float>::infinity()) {}
-
-  void draw(const CardTriangle& triangle, const CardTexture& texture) {
-    const auto& [a, b, c] = triangle.corner;
-    const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    if (std::abs(area) < 1e-12f) return;
-    const int top = std::max(int(std::ceil(std::min({a.y, b.y, c.y}) - 0.5f)), first_);
-    const int bottom = std::min(int(std::floor(std::max({a.y, b.y, c.y}) - 0.5f)), first_ + rows_ - 1);
-    const int left = std::max(int(std::ceil(std::min({a.x, b.x, c.x}) - 0.5f)), 0);
-    const int right = std::min(int(std::floor(std::max({a.x, b.x, c.x}) - 0.5f)), width_ - 1);
-    for (int y = top; y <= bottom; ++y) {
-      for (int x = left; x <= right; ++x) {
-        const float px = float(x) + 0.5f, py = float(y) + 0.5f;
-        const float wb = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
-        const float wc = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
-        if (wb < 0 || wc < 0 || wb + wc > 1) continue;
-        const float wa = 1 - wb - wc;
-        const float alpha = opacity(texture, wa * a.u + wb * b.u + wc * c.u, wa * a.v + wb * b.v + wc * c.v);
-        const std::size_t at = std::size_t(y - first_) * std::size_t(width_) + std::size_t(x);
-        clear_[at] *= 1 - alpha;
-        if (alpha >= 0.5f) depth_[at] = std::min(depth_[at], wa * a.depth + wb * b.depth + wc * c.depth);
-      }
-    }
+/// Of one band's samples, front to back.
+std::vector<Fragment> fragments_of(const CardSurface& surface, const PictureFrame& frame, const SampleRows& rows,
+                                   std::span<const std::uint32_t> triangles) {
+  std::vector<Fragment> fragments;
+  for (const std::uint32_t triangle : triangles) {
+    for_each_sample(surface, frame, rows, triangle, [&](std::uint32_t x, std::uint32_t y, const SurfacePoint& point) {
+      const float opacity = bilinear(surface, surface.opacity, point.uv);
+      if (!(opacity > 0)) return;
+      fragments.push_back({(y - rows.first) * rows.width + x, point.depth, opacity, shade_at(surface, frame, point)});
+    });
   }
+  std::stable_sort(fragments.begin(), fragments.end());
+  return fragments;
+}
 
-  void develop(std::uint32_t first_row, std::uint32_t rows, HairPicture& picture) const {
-    for (std::uint32_t y = 0; y < rows; ++y) {
-      for (std::uint32_t x = 0; x < picture.size; ++x) {
-        float covered = 0, depth = 0;
-        int deep = 0;
-        for (int s = 0; s < kCardSide * kCardSide; ++s) {
-          const std::size_t at = (std::size_t(y) * kCardSide + std::size_t(s / kCardSide)) * std::size_t(width_) +
-                                 std::size_t(x) * kCardSide + std::size_t(s % kCardSide);
-          covered += 1 - clear_[at];
-          if (!std::isfinite(depth_[at])) continue;
-          depth += depth_[at];
-          ++deep;
-        }
-        const std::size_t at = std::size_t(first_row + y) * picture.size + x;
-        picture.coverage[at] = covered / float(kCardSide * kCardSide);
-        if (deep > 0) picture.depth[at] = depth / float(deep);
-      }
-    }
-  }
-
- private:
-  static float opacity(const CardTexture& texture, float u, float v) {
-    const float x = std::clamp(u * float(texture.width) - 0.5f, 0.0f, float(texture.width - 1));
-    const float y = std::clamp(v * float(texture.height) - 0.5f, 0.0f, float(texture.height - 1));
-    const auto x0 = std::size_t(x), y0 = std::size_t(y);
-    const std::size_t x1 = std::min<std::size_t>(x0 + 1, texture.width - 1),
-                      y1 = std::min<std::size_t>(y0 + 1, texture.height - 1);
-    const float fx = x - float(x0), fy = y - float(y0);
-    const auto at = [&](std::size_t column, std::size_t row) { return texture.opacity[row * texture.width + column]; };
-    return (1 - fy) * ((1 - fx) * at(x0, y0) + fx * at(x1, y0)) + fy * ((1 - fx) * at(x0, y1) + fx * at(x1, y1));
-  }
-
-  int width_, first_, rows_;
-  std::vector<float> clear_, depth_;
+/// What all fragments of one sample come to.
+struct SampleSum {
+  float coverage = 0, shade = 0;
+  float depth = std::numeric_limits<float>::infinity();
 };
+
+SampleSum sum_of(std::span<const Fragment> fragments) {
+  SampleSum sum;
+  float clear = 1;
+  for (const Fragment& fragment : fragments) {
+    sum.shade += clear * fragment.opacity * fragment.shade;
+    clear *= 1 - fragment.opacity;
+    if (clear <= 0.5f) sum.depth = std::min(sum.depth, fragment.depth);
+  }
+  sum.coverage = 1 - clear;
+  return sum;
+}
+
+void develop_pixel(std::span<const SampleSum> sums, std::size_t at, HairPicture& picture) {
+  float coverage = 0, shade = 0, depth = 0;
+  int deep = 0;
+  for (const SampleSum& sum : sums) {
+    coverage += sum.coverage;
+    shade += sum.shade;
+    if (!std::isfinite(sum.depth)) continue;
+    depth += sum.depth;
+    ++deep;
+  }
+  picture.coverage[at] = coverage / float(kSamplesOfPixel);
+  picture.shade[at] = shade / float(kSamplesOfPixel);
+  if (deep > 0) picture.depth[at] = depth / float(deep);
+}
+
+void develop_band(std::span<const Fragment> fragments, const SampleRows& rows, HairPicture& picture) {
+  const std::uint32_t pixel_rows = rows.count / kCardSide, first = rows.first / kCardSide;
+  std::vector<SampleSum> sums(std::size_t(rows.width) * rows.count);
+  for (std::size_t begin = 0, end = 0; begin < fragments.size(); begin = end) {
+    while (end < fragments.size() && fragments[end].sample == fragments[begin].sample) ++end;
+    const std::uint32_t sample = fragments[begin].sample, x = sample % rows.width, y = sample / rows.width;
+    // Those of a pixel together.
+    const std::size_t pixel = std::size_t(y / kCardSide) * picture.size + x / kCardSide;
+    sums[pixel * kSamplesOfPixel + (y % kCardSide) * kCardSide + x % kCardSide] =
+        sum_of(fragments.subspan(begin, end - begin));
+  }
+  for (std::size_t pixel = 0; pixel < std::size_t(pixel_rows) * picture.size; ++pixel) {
+    develop_pixel(std::span(sums).subspan(pixel * kSamplesOfPixel, kSamplesOfPixel),
+                  std::size_t(first) * picture.size + pixel, picture);
+  }
+}
 
 }  // namespace
 
-HairPicture draw_cards(std::span<const Wisp> wisps, std::span<const CardStrip> strips,
-                       std::span<const CardTexture> textures, const PictureFrame& frame, unsigned threads) {
+HairPicture draw_cards(const CardSurface& surface, const PictureFrame& frame, unsigned threads) {
   HairPicture picture = blank_picture(frame.size);
-  const auto triangles = triangles_of(wisps, strips, frame);
-  parallel_for((frame.size + kCardBand - 1) / kCardBand, threads, [&](std::size_t b) {
-    const auto first = std::uint32_t(b * kCardBand), rows = std::min(kCardBand, frame.size - first);
-    CardBand band(frame.size * kCardSide, first * kCardSide, rows * kCardSide);
-    for (const CardTriangle& triangle : triangles) band.draw(triangle, textures[triangle.texture]);
-    band.develop(first, rows, picture);
+  const PictureFrame fine = finer(frame, kCardSide);
+  const auto bands = triangles_by_band(surface, fine, kCardBand * kCardSide);
+  parallel_for(bands.size(), threads, [&](std::size_t b) {
+    const auto first = std::uint32_t(b * kCardBand), count = std::min(kCardBand, frame.size - first);
+    const SampleRows rows{fine.size, first * kCardSide, count * kCardSide};
+    develop_band(fragments_of(surface, fine, rows, bands[b]), rows, picture);
   });
   return picture;
 }

@@ -1,44 +1,14 @@
 #include "cards/cards_model.h"
 
 #include "base/encodings.h"
-#include "base/parallel_for.h"
-#include "cards/card_atlas.h"
-#include "cards/card_strip.h"
-#include "cards/card_texture.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace coif {
 namespace {
 
-constexpr std::size_t kQuadsOfCard = 6;      // on the average: fewer bend no lock, more leave too few cards
-constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-constexpr float kHairsOfHead = 100000;       // of people, each kHairWidth of a head's radius wide
-constexpr float kHairWidth = 0.0008f;
 const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
-
-Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands) {
-  Eigen::AlignedBox3f roots;
-  for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
-  return roots;
-}
-
-/// Fewer strands than a head has stand for as many: as wide as covers the same.
-float strand_width_of(const Groom& groom, const EvenStrands& strands) {
-  const float radius = 0.5f * box_of_roots(strands).sizes().maxCoeff();
-  return kHairWidth * radius * std::sqrt(std::max(kHairsOfHead / float(groom.strand_count()), 1.0f));
-}
-
-std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
-  std::vector<CardSize> sizes;
-  for (const Wisp& wisp : wisps)
-    sizes.push_back({2 * std::ranges::max(wisp.ribbon.half_width), length_of(wisp.ribbon)});
-  return sizes;
-}
 
 Eigen::Vector3f mean_color(const Groom& groom, const Wisp& wisp) {
   if (groom.colors.empty()) return kBrown;
@@ -82,26 +52,27 @@ bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
   return outwards < 0;
 }
 
-void add_strip(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& plan, const AtlasPlace& place,
-               const Eigen::Vector3f& middle, SourceMesh& mesh) {
-  const float side = faces_inwards(wisp.ribbon, middle) ? -1.0f : 1.0f;
-  const auto first = std::uint32_t(mesh.positions.size());
-  for (const std::uint8_t station : strip.stations) {
-    const auto edge = edge_at(wisp.ribbon, station);
-    const float v = float(place.y) + float(place.height) * float(station) / float(Ribbon::kStations - 1);
-    for (int end = 0; end < 2; ++end) {
-      mesh.positions.push_back(edge[std::size_t(end)]);
-      mesh.normals.push_back(side * wisp.ribbon.along[station].cross(wisp.ribbon.across[station]).normalized());
-      const float u = float(place.x) + float(place.width) * float(end);
-      mesh.uvs.emplace_back(u / float(plan.width), v / float(plan.height));
+/// Triangles of strips whose front is the other side are turned round.
+SourceMesh mesh_of(const Cards& cards, const Eigen::Vector3f& middle) {
+  CardSurface surface = surface_of(cards);
+  SourceMesh mesh;
+  mesh.name = "hair";
+  mesh.material = 0;
+  mesh.triangles = std::move(surface.triangles);
+  std::size_t vertex = 0, index = 0;
+  for (std::size_t i = 0; i < cards.strips.size(); ++i) {
+    const bool is_turned = faces_inwards(cards.wisps[i].ribbon, middle);
+    for (const std::size_t end = vertex + 2 * cards.strips[i].stations.size(); vertex < end; ++vertex) {
+      const Eigen::Vector3f normal = surface.along[vertex].cross(surface.across[vertex]).normalized();
+      mesh.normals.push_back(is_turned ? -normal : normal);
+    }
+    for (const std::size_t end = index + 3 * cards.strips[i].triangles(); index < end; index += 3) {
+      if (is_turned) std::swap(mesh.triangles[index + 1], mesh.triangles[index + 2]);
     }
   }
-  for (std::uint32_t k = 0; k + 1 < strip.stations.size(); ++k) {
-    const std::uint32_t a = first + 2 * k, b = a + 1, c = a + 2, d = a + 3;
-    const std::uint32_t out[6] = {a, c, b, b, c, d}, in[6] = {a, b, c, b, d, c};
-    mesh.triangles.insert(mesh.triangles.end(), side > 0 ? std::begin(out) : std::begin(in),
-                          side > 0 ? std::end(out) : std::end(in));
-  }
+  mesh.positions = std::move(surface.positions);
+  mesh.uvs = std::move(surface.uvs);
+  return mesh;
 }
 
 SourceModel empty_model(const Groom& groom) {
@@ -123,38 +94,15 @@ SourceModel empty_model(const Groom& groom) {
 }  // namespace
 
 tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget, unsigned threads) {
-  if (budget.triangles < 2 || budget.texels < kFewestTexels) {
-    return file_failure(ToolError::Kind::kOverBudget, groom.path,
-                        "cards need 2 triangles and {} texels at least; allow them more", kFewestTexels);
-  }
-  const auto reversed = find_reversed_strands(groom);
-  EvenStrands strands = even_strands(groom, budget.strand_width, reversed);
-  if (!(strands.width > 0)) strands.width = strand_width_of(groom, strands);
-  const std::size_t cards = std::max<std::size_t>(budget.triangles / (2 * kQuadsOfCard), 1);
-  const std::vector<Wisp> wisps = find_wisps(strands, cards, threads);
-  const std::vector<CardStrip> strips = make_strips(wisps, budget.triangles);
-  const AtlasPlan plan = plan_atlas(sizes_of(wisps), budget.texels);
-  if (plan.places.empty()) {
-    return file_failure(ToolError::Kind::kOverBudget, groom.path,
-                        "{} cards do not fit into {} texels; allow more texels, or fewer triangles", wisps.size(),
-                        budget.texels);
-  }
-  std::vector<CardTexture> textures(wisps.size());
-  parallel_for(wisps.size(), threads, [&](std::size_t i) {
-    textures[i] = draw_on_card(groom, reversed, wisps[i], strands.width, plan.places[i].width, plan.places[i].height);
-  });
-
+  const GroomShape shape = shape_of(groom, budget.strand_width);
+  const auto cards = make_cards(groom, shape, budget, threads);
+  if (!cards) return tl::unexpected(cards.error());
   SourceModel model = empty_model(groom);
-  AtlasPicture picture(plan);
-  const Eigen::Vector3f middle = box_of_roots(strands).center();
-  SourceMesh mesh;
-  mesh.name = "hair";
-  mesh.material = 0;
-  for (std::size_t i = 0; i < wisps.size(); ++i) {
-    picture.paint(plan.places[i], textures[i], mean_color(groom, wisps[i]));
-    add_strip(wisps[i], strips[i], plan, plan.places[i], middle, mesh);
+  model.meshes.push_back(mesh_of(*cards, box_of_roots(shape.strands).center()));
+  AtlasPicture picture(cards->plan);
+  for (std::size_t i = 0; i < cards->wisps.size(); ++i) {
+    picture.paint(cards->plan.places[i], cards->textures[i], mean_color(groom, cards->wisps[i]));
   }
-  model.meshes.push_back(std::move(mesh));
   model.images.push_back({"cards", picture.png()});
   return model;
 }

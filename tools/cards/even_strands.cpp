@@ -124,6 +124,12 @@ class StrandEnds {
 
 }  // namespace
 
+Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands) {
+  Eigen::AlignedBox3f roots;
+  for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
+  return roots;
+}
+
 EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed) {
   EvenStrands even;
   even.width = width;

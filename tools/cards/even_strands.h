@@ -3,6 +3,7 @@
 #include "groom/groom.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,9 @@ struct EvenStrands {
     return std::span(points).subspan(i * kStations, kStations);
   }
 };
+
+/// Around all roots.
+[[nodiscard]] Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands);
 
 /// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
 [[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});

@@ -23,7 +23,9 @@ class GuideRoots {
   explicit GuideRoots(const Groom& guides) : guides_(guides), reversed_(find_reversed_strands(guides)) {}
 
   [[nodiscard]] bool is_reversed(std::size_t i) const { return reversed_[i] != 0; }
-  [[nodiscard]] const Vector3f& root(std::size_t i) const { return is_reversed(i) ? guides_.strand(i).back() : guides_.strand(i).front(); }
+  [[nodiscard]] const Vector3f& root(std::size_t i) const {
+    return is_reversed(i) ? guides_.strand(i).back() : guides_.strand(i).front();
+  }
   [[nodiscard]] Vector3f way(std::size_t i) const {
     const auto strand = guides_.strand(i);
     const Vector3f segment = is_reversed(i) ? strand[strand.size() - 2] - strand.back() : strand[1] - strand[0];
@@ -73,7 +75,8 @@ tl::expected<Groom, ToolError> with_follow_hairs(Groom guides, std::uint32_t cou
   const std::uint64_t each = std::uint64_t{count} + 1;
   if (each * guides.strand_count() > kMostStrands || each * guides.points.size() > kMostStrandPoints) {
     return file_failure(ToolError::Kind::kOverBudget, guides.path,
-                        "{} strands with {} follow hairs each are more than {} strands or {} points; ask for fewer by the recipe's \"cards.follow_hairs\"",
+                        "{} strands with {} follow hairs each are more than {} strands or {} points; ask for fewer by "
+                        "the recipe's \"cards.follow_hairs\"",
                         guides.strand_count(), count, kMostStrands, kMostStrandPoints);
   }
   const GuideRoots roots(guides);
@@ -92,7 +95,8 @@ tl::expected<Groom, ToolError> with_follow_hairs(Groom guides, std::uint32_t cou
     for (std::size_t i = group.first_strand; i < group.first_strand + std::size_t{group.strand_count}; ++i) {
       const auto guide = guides.strand(i);
       const std::size_t begin = guides.begin[i];
-      const GroomBuilder::Attributes looks{part_of(guides.widths, begin, guide.size()), part_of(guides.colors, begin, guide.size()),
+      const GroomBuilder::Attributes looks{part_of(guides.widths, begin, guide.size()),
+                                           part_of(guides.colors, begin, guide.size()),
                                            part_of(guides.opacities, begin, guide.size())};
       builder.add(guide, looks);
       const Vector3f across = roots.way(i).unitOrthogonal(), aside = roots.way(i).cross(across);
@@ -108,7 +112,8 @@ tl::expected<Groom, ToolError> with_follow_hairs(Groom guides, std::uint32_t cou
       }
     }
   }
-  if (std::string fault = builder.finish(); !fault.empty()) return file_failure(ToolError::Kind::kBadInput, guides.path, "{}", fault);
+  if (std::string fault = builder.finish(); !fault.empty())
+    return file_failure(ToolError::Kind::kBadInput, guides.path, "{}", fault);
   return all;
 }
 

@@ -83,12 +83,14 @@ Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSet
   if (!has_strand_suffix(path)) return model;
   // Lines without triangles are no model, but may be hair.
   if (!model && model.error().kind != ToolError::Kind::kBadInput) return model;
-  const bool says_what_is_hair = !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
+  const bool says_what_is_hair =
+      !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
   const bool is_strips = model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path));
   tl::expected<Groom, ToolError> groom = failure(ToolError::Kind::kBadInput, "");
   if (!is_strips) groom = read_groom(path, settings.import);
   if (!groom) {
-    if (model && !recipe.cards_body.empty()) model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
+    if (model && !recipe.cards_body.empty())
+      model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
     return model;
   }
   std::optional<SourceModel> body;
@@ -112,7 +114,8 @@ std::string source_values(const Recipe& recipe) {
   std::string text;
   for (const RecipeKey& key : recipe_keys()) {
     const std::string_view section = key.section;
-    if (section == "cards" || section == "grow" || section == "hair" || section == "head") text += write_value(key, recipe).dump() + "\n";
+    if (section == "cards" || section == "grow" || section == "hair" || section == "head")
+      text += write_value(key, recipe).dump() + "\n";
   }
   return text;
 }

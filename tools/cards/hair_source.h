@@ -24,7 +24,8 @@ struct HairSourceSettings {
 /// says, where the source is a recipe itself (is_recipe_file()). Where there are strands, a body that the recipe names comes with
 /// them. Errors: those of import_model(), read_groom(), grow_from() and model_of_cards(). Blocks; costs a fork or two, so call it before
 /// starting threads where you can.
-[[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path, const Recipe& recipe,
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path,
+                                                                    const Recipe& recipe,
                                                                     const HairSourceSettings& settings);
 
 /// The recipe's values that read_hair_source() asks for: with others it gives another model.

@@ -43,7 +43,8 @@ Skin skin_of(const SourceModel& body) {
 /// Another unit and up axis that the strands' file may have.
 struct OtherSpace {
   float scale = 1;
-  char up = 'y';  ///< Of what became Y: 'y' as it is, 'z' where Z was up after all, 'x' where Y was and Z was taken for it.
+  char up =
+      'y';  ///< Of what became Y: 'y' as it is, 'z' where Z was up after all, 'x' where Y was and Z was taken for it.
 
   [[nodiscard]] Vector3f of(const Vector3f& p) const {
     if (up == 'z') return scale * Vector3f(p.x(), p.z(), -p.y());
@@ -134,7 +135,8 @@ std::uint32_t find_head_node(SourceModel& body, std::vector<std::string>& warnin
   if (const std::uint32_t named = head_node_of(body); named != kNoIndex) return named;
   const Skin skin = skin_of(body);
   if (const auto head = grow::find_head(skin.positions, skin.triangles)) return make_head_node(*head, body);
-  warnings.push_back(fmt::format("{}: nothing is called head, and no skull is found at its top; name a node head", body.path));
+  warnings.push_back(
+      fmt::format("{}: nothing is called head, and no skull is found at its top; name a node head", body.path));
   return kNoIndex;
 }
 
@@ -152,14 +154,16 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   const grow::BodySurface surface(std::move(skin.positions), std::move(skin.triangles));
   const std::vector<OtherSpace> spaces = spaces_for(groom.space);
   std::vector<float> off;  // shares of the roots' own extent, so that what is scaled down does not fit for being small
-  for (const OtherSpace& space : spaces) off.push_back(typical_distance(surface, roots, space) / (space.scale * extent));
+  for (const OtherSpace& space : spaces)
+    off.push_back(typical_distance(surface, roots, space) / (space.scale * extent));
   if (off.front() < kOnSkin) return;
   const std::size_t best = std::size_t(std::ranges::min_element(off) - off.begin());
   const float far = off.front() * extent;
   if (off[best] >= kOnSkin || off[best] > kBetter * off.front()) {
-    groom.warnings.push_back(fmt::format("roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
-                                         "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
-                                         far, body.path));
+    groom.warnings.push_back(
+        fmt::format("roots lie {:.3g} m from {}; give both files one unit, one up axis and one place, or say the "
+                    "strands' own by the recipe's \"source.metres_per_unit\" and \"source.up_axis\"",
+                    far, body.path));
     return;
   }
   const OtherSpace& space = spaces[best];
@@ -167,21 +171,26 @@ void place_on_body(const SourceModel& body, Groom& groom) {
   for (float& width : groom.widths) width *= space.scale;
   groom.space.metres_per_unit *= double(space.scale);
   groom.space.up_axis = axis_after(groom.space.up_axis, space.up);
-  groom.warnings.push_back(fmt::format("roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
-                                       "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
-                                       far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A')));
+  groom.warnings.push_back(
+      fmt::format("roots would lie {:.3g} m from {}; the strands are taken as of {:.4g} m per unit with {} up: set "
+                  "\"source.metres_per_unit\" and \"source.up_axis\" in the recipe if that is wrong",
+                  far, body.path, groom.space.metres_per_unit, char(groom.space.up_axis - 'a' + 'A')));
 }
 
 void add_body(SourceModel body, SourceModel& cards) {
   std::size_t dropped = 0;
   for (const SourceMesh& mesh : body.meshes) dropped += is_hair(body, mesh) ? 1 : 0;
-  if (dropped > 0) cards.warnings.push_back(fmt::format("{}: {} of its meshes are called hair and left out; strands are the hair", body.path, dropped));
+  if (dropped > 0)
+    cards.warnings.push_back(
+        fmt::format("{}: {} of its meshes are called hair and left out; strands are the hair", body.path, dropped));
   std::erase_if(body.meshes, [&](const SourceMesh& mesh) { return is_hair(body, mesh); });
   const std::uint32_t head = find_head_node(body, cards.warnings);
   const auto nodes = std::uint32_t(body.nodes.size());
   for (SourceNode& node : cards.nodes) {
-    if (node.parent != kNoIndex) node.parent += nodes;
-    else node.parent = head;
+    if (node.parent != kNoIndex)
+      node.parent += nodes;
+    else
+      node.parent = head;
   }
   for (SourceMesh& mesh : cards.meshes) mesh.node += nodes;
   body.nodes.insert(body.nodes.end(), cards.nodes.begin(), cards.nodes.end());

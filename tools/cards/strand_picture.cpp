@@ -18,7 +18,7 @@ constexpr float kNothing = std::numeric_limits<float>::infinity();
 struct Piece {
   Eigen::Vector3f a, b;
   float half_width;  ///< Samples.
-  Eigen::Vector3f along;
+  float shade;       ///< shade_of() it.
 };
 
 /// The samples of some rows.
@@ -92,7 +92,7 @@ std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, floa
       const float wide = groom.widths.empty() ? width : 0.5f * (groom.widths[p] + groom.widths[p + 1]);
       const Eigen::Vector3f way = frame.axes * (groom.points[p + 1] - groom.points[p]);
       pieces.push_back({in_samples(groom.points[p]), in_samples(groom.points[p + 1]), 0.5f * wide * samples_of_metre,
-                        way.normalized()});
+                        shade_of(way.normalized())});
     }
   }
   return pieces;
@@ -117,21 +117,20 @@ void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t f
   for (std::uint32_t y = 0; y < rows; ++y) {
     for (std::uint32_t x = 0; x < picture.size; ++x) {
       int covered = 0;
-      float depth = 0;
-      Eigen::Vector3f along = Eigen::Vector3f::Zero();
+      float depth = 0, shade = 0;
       for (int s = 0; s < kSide * kSide; ++s) {
         const std::size_t sx = std::size_t(x) * kSide + std::size_t(s % kSide),
                           sy = std::size_t(y) * kSide + std::size_t(s / kSide);
         if (band.depth(sx, sy) == kNothing) continue;
         ++covered;
         depth += band.depth(sx, sy);
-        along += pieces[band.piece(sx, sy)].along;
+        shade += pieces[band.piece(sx, sy)].shade;
       }
       const std::size_t at = std::size_t(first_row + y) * picture.size + x;
       picture.coverage[at] = float(covered) / float(kSide * kSide);
       if (covered == 0) continue;
       picture.depth[at] = depth / float(covered);
-      picture.along[at] = along / float(covered);
+      picture.shade[at] = shade / float(kSide * kSide);
     }
   }
 }

@@ -3,6 +3,8 @@
 #include "cards/picture_frame.h"
 #include "groom/groom.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,15 +16,20 @@ struct HairPicture {
   std::vector<float> coverage;  ///< Share of the pixel that hair covers, 0..1.
   std::vector<float>
       depth;  ///< Of that share, metres from the frame's middle, mean of what is nearest; 0 where nothing is.
-  std::vector<Eigen::Vector3f>
-      along;  ///< Mean direction of strands there, in the frame's axes, not unit; zero where nothing is.
+  /// What the pixel sends to an eye that holds the light: of what is covered the sine of the angle between the nearest strand and
+  /// the line of sight, 0..coverage (Kajiya and Kay 1989, the diffuse term).
+  std::vector<float> shade;
 };
 
 /// With nothing in it.
 [[nodiscard]] inline HairPicture blank_picture(std::uint32_t size) {
   const std::size_t pixels = std::size_t(size) * size;
-  return {size, std::vector<float>(pixels), std::vector<float>(pixels),
-          std::vector<Eigen::Vector3f>(pixels, Eigen::Vector3f::Zero())};
+  return {size, std::vector<float>(pixels), std::vector<float>(pixels), std::vector<float>(pixels)};
+}
+
+/// Of a strand, in the frame's axes, unit.
+[[nodiscard]] inline float shade_of(const Eigen::Vector3f& along) {
+  return std::sqrt(std::max(1 - along.z() * along.z(), 0.0f));
 }
 
 /// Strands with round cross sections of `width` metres where the groom says none, each pixel by 64 samples, the nearest strand in

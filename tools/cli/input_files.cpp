@@ -64,7 +64,10 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
 
 void choose_body(const fs::path& body, RecipeChoice& choice) {
   if (body.empty()) return;
-  choice.recipe.cards_body = fs::absolute(body).lexically_normal().lexically_proximate(fs::absolute(choice.directory).lexically_normal()).string();
+  choice.recipe.cards_body = fs::absolute(body)
+                                 .lexically_normal()
+                                 .lexically_proximate(fs::absolute(choice.directory).lexically_normal())
+                                 .string();
 }
 
 ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots) {

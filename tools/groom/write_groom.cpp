@@ -45,14 +45,15 @@ tl::expected<std::vector<std::byte>, std::string> hair_file_of(const Groom& groo
       return tl::unexpected(fmt::format("strand {} has more than {} segments", i, kMostSegments));
   }
   const std::uint32_t arrays = kSegmentsBit | kPointsBit | (groom.widths.empty() ? 0 : kThicknessBit) |
-                               (groom.opacities.empty() ? 0 : kTransparencyBit) | (groom.colors.empty() ? 0 : kColorsBit);
+                               (groom.opacities.empty() ? 0 : kTransparencyBit) |
+                               (groom.colors.empty() ? 0 : kColorsBit);
   HairBytesWriter out;
   out.reserve(kHeaderBytes + 2 * groom.strand_count() + 32 * groom.points.size());
   for (const char letter : {'H', 'A', 'I', 'R'}) out.add(letter);
   out.add(std::uint32_t(groom.strand_count()));
   out.add(std::uint32_t(groom.points.size()));
   out.add(arrays);
-  out.add(std::uint32_t{0});                             // segments, thickness, transparency and colour of strands without
+  out.add(std::uint32_t{0});  // segments, thickness, transparency and colour of strands without
   for (int i = 0; i < 5; ++i) out.add(0.0f);
   out.fill_to(kHeaderBytes);
   for (std::size_t i = 0; i < groom.strand_count(); ++i) out.add(std::uint16_t(groom.strand(i).size() - 1));
@@ -72,7 +73,8 @@ std::string obj_lines_of(const Groom& groom) {
   for (const StrandGroup& group : groom.groups) {
     fmt::format_to(end, "o {}\n", group.name.empty() ? "hair" : printable_text(group.name));
     for (std::size_t i = group.first_strand; i < group.first_strand + std::size_t{group.strand_count}; ++i) {
-      for (const Eigen::Vector3f& p : groom.strand(i)) fmt::format_to(end, "v {:.6f} {:.6f} {:.6f}\n", p.x(), p.y(), p.z());
+      for (const Eigen::Vector3f& p : groom.strand(i))
+        fmt::format_to(end, "v {:.6f} {:.6f} {:.6f}\n", p.x(), p.y(), p.z());
       text += 'l';
       for (std::size_t k = 0; k < groom.strand(i).size(); ++k) fmt::format_to(end, " {}", ++point);
       text += '\n';

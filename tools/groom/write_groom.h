@@ -20,6 +20,7 @@ namespace coif {
 [[nodiscard]] std::string obj_lines_of(const Groom& groom);
 
 /// Either, by the suffix of `path`, as the bytes of a file. Errors: kUsage for another suffix, kBadInput as above.
-[[nodiscard]] tl::expected<std::vector<std::byte>, ToolError> encode_strands(const Groom& groom, const std::filesystem::path& path);
+[[nodiscard]] tl::expected<std::vector<std::byte>, ToolError> encode_strands(const Groom& groom,
+                                                                             const std::filesystem::path& path);
 
 }  // namespace coif

@@ -19,17 +19,16 @@ BodyField::BodyField(const BodySurface& surface, const Eigen::AlignedBox3f& box,
   for (std::size_t k = 0; k < 3; ++k) size_[k] = int(std::ceil(box.sizes()[int(k)] / spacing_)) + 2;
   samples_.resize(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]));
   const auto rows = std::size_t(size_[1]) * std::size_t(size_[2]);
-  const float beyond = 2 * spacing_;
   parallel_for(rows, threads, [&](std::size_t row) {
     Vector3f at = low_ + spacing_ * Vector3f(0, float(row % std::size_t(size_[1])), float(row / std::size_t(size_[1])));
-    float before = 1e30f;
+    BodySurface::Nearest before;
     bool inside = false;
     for (std::size_t x = 0; x < std::size_t(size_[0]); ++x, at.x() += spacing_) {
-      const float away = surface.distance(at, std::min(before + 1.001f * spacing_, 1e15f));
-      // From one sample to the next the side changes near the surface alone.
-      if (x == 0 || std::min(away, before) < beyond) inside = surface.is_inside(at);
-      samples_[row * std::size_t(size_[0]) + x] = inside ? -away : away;
-      before = away;
+      const BodySurface::Nearest here = surface.nearest(at, before.triangle);
+      // Where the surface runs between two samples, both together are no farther from it than from each other.
+      if (x == 0 || here.distance + before.distance <= 1.01f * spacing_) inside = surface.is_inside(at);
+      samples_[row * std::size_t(size_[0]) + x] = inside ? -here.distance : here.distance;
+      before = here;
     }
   });
 }
@@ -67,7 +66,7 @@ Vector3f BodyField::normal(const Vector3f& point) const {
 }
 
 Vector3f BodyField::kept_off(const Vector3f& point, float clearance) const {
-  constexpr int kTries = 4;
+  constexpr int kTries = 8;
   Vector3f kept = point;
   for (int i = 0; i < kTries; ++i) {
     const float short_of = clearance - distance(kept);

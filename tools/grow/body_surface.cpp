@@ -58,7 +58,9 @@ void BodySurface::build(std::uint32_t node) {
   for (std::size_t i = 0; i < n.count; ++i) {
     for (std::size_t k = 0; k < 3; ++k) sorted[i][k] = triangles_[3 * (n.first + i) + k];
   }
-  const auto place = [&](const auto& t) { return positions_[t[0]][axis] + positions_[t[1]][axis] + positions_[t[2]][axis]; };
+  const auto place = [&](const auto& t) {
+    return positions_[t[0]][axis] + positions_[t[1]][axis] + positions_[t[2]][axis];
+  };
   const std::uint32_t half = n.count / 2;
   std::ranges::nth_element(sorted, sorted.begin() + half, {}, place);
   for (std::size_t i = 0; i < n.count; ++i) {
@@ -73,26 +75,45 @@ void BodySurface::build(std::uint32_t node) {
   nodes_.back().count = count - half;
 }
 
-float BodySurface::distance(const Vector3f& point, float most) const {
-  float nearest = most * most;
-  std::array<std::uint32_t, kDeepest> open{};
+float BodySurface::squared_distance_to(const Vector3f& point, std::size_t triangle) const {
+  const auto at = [&](std::size_t k) -> Eigen::Vector3d { return corner(triangle, k).cast<double>(); };
+  return float(squared_distance(point.cast<double>(), at(0), at(1), at(2)));
+}
+
+std::uint32_t BodySurface::search(const Vector3f& point, float& least) const {
+  std::uint32_t found = kNone;
+  std::array<std::pair<std::uint32_t, float>, kDeepest> open{};  // nodes, and the squared distances of their boxes
   std::size_t count = 1;
   while (count > 0) {
-    const Node& node = nodes_[open[--count]];
-    if (node.box.squaredExteriorDistance(point) >= nearest) continue;
+    const auto [next, away] = open[--count];
+    if (away >= least) continue;
+    const Node& node = nodes_[next];
     if (node.children != 0) {
       const float first = nodes_[node.children].box.squaredExteriorDistance(point);
       const float second = nodes_[node.children + 1].box.squaredExteriorDistance(point);
-      open[count++] = node.children + (first <= second ? 1 : 0);  // the nearer one is looked at first
-      open[count++] = node.children + (first <= second ? 0 : 1);
+      open[count++] = {node.children + (first <= second ? 1 : 0), std::max(first, second)};
+      open[count++] = {node.children + (first <= second ? 0 : 1), std::min(first, second)};  // looked at first
       continue;
     }
-    for (std::size_t t = node.first; t < node.first + node.count; ++t) {
-      const auto at = [&](std::size_t k) -> Eigen::Vector3d { return corner(t, k).cast<double>(); };
-      nearest = std::min(nearest, float(squared_distance(point.cast<double>(), at(0), at(1), at(2))));
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+      const float distance = squared_distance_to(point, t);
+      if (distance >= least) continue;
+      least = distance;
+      found = t;
     }
   }
-  return std::sqrt(nearest);
+  return found;
+}
+
+float BodySurface::distance(const Vector3f& point, float most) const {
+  float least = most * most;
+  return search(point, least) == kNone ? most : std::sqrt(least);
+}
+
+BodySurface::Nearest BodySurface::nearest(const Vector3f& point, std::uint32_t guess) const {
+  float least = squared_distance_to(point, guess);
+  const std::uint32_t found = search(point, least);
+  return {found == kNone ? guess : found, std::sqrt(least)};
 }
 
 bool BodySurface::is_inside(const Vector3f& point) const {

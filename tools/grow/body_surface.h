@@ -18,6 +18,13 @@ class BodySurface {
   /// Metres to the nearest triangle; `most` where none is nearer.
   [[nodiscard]] float distance(const Eigen::Vector3f& point, float most) const;
 
+  /// The nearest triangle and how far it is, sooner found where `guess` is one near it.
+  struct Nearest {
+    std::uint32_t triangle = 0;
+    float distance = 0;
+  };
+  [[nodiscard]] Nearest nearest(const Eigen::Vector3f& point, std::uint32_t guess) const;
+
   /// By the generalized winding number (Jacobson, Kavan and Sorkine-Hornung 2013), of far triangles by their dipole (Barill et al. 2018).
   [[nodiscard]] bool is_inside(const Eigen::Vector3f& point) const;
 
@@ -37,6 +44,10 @@ class BodySurface {
   };
 
   void build(std::uint32_t node);
+  [[nodiscard]] float squared_distance_to(const Eigen::Vector3f& point, std::size_t triangle) const;
+  /// Of those nearer than the square root of `least`, which becomes that triangle's; kNone where there is none.
+  std::uint32_t search(const Eigen::Vector3f& point, float& least) const;
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   [[nodiscard]] const Eigen::Vector3f& corner(std::size_t triangle, std::size_t k) const {
     return positions_[triangles_[3 * triangle + k]];
   }

@@ -17,7 +17,8 @@ using Eigen::Vector3f;
 /// The middles so far, by cubes of their roots.
 class Middles {
  public:
-  Middles(const StrandPaths& paths, float size, const ClumpMiddles& within) : paths_(paths), size_(size), within_(within) {}
+  Middles(const StrandPaths& paths, float size, const ClumpMiddles& within)
+      : paths_(paths), size_(size), within_(within) {}
 
   void add(std::uint32_t strand) { cubes_[cube_of(strand)].push_back(strand); }
 

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3f;
 
 Vector3f comb_direction(const std::string& word, const Vector3f& out) {
-  if (word == "back") return -Vector3f::UnitZ();
+  if (word == "back") return Vector3f(0, -1.6f * ramp(0.1f, 0.9f, -out.z()), -1);  // over the top, and down behind it
   if (word == "forward") return Vector3f::UnitZ();
   if (word == "up") return Vector3f::UnitY();
   if (word == "out") return out;
@@ -69,7 +69,7 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   const float azimuth = azimuth_of(direction), below = float(style_.grow_hairline_front) - elevation_of(direction);
   const float face = (1 - ramp(45, 75, std::abs(azimuth))) * ramp(-12, 12, below);
   const float aside = side != 0 && std::abs(azimuth) < 12 ? side : (direction.x() >= 0 ? 1.0f : -1.0f);
-  way += face * along(Vector3f(1.6f * aside, 0, -0.6f), normal);
+  way += face * along(Vector3f(1.6f * aside, 0, -0.2f), normal);
   const float length = way.norm();
   return length > 1e-4f ? Vector3f(way / std::max(length, 0.3f)) : Vector3f::Zero();
 }

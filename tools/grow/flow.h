@@ -26,7 +26,8 @@ class Flow {
 
   const HairStyle& style_;
   const HeadFrame& head_;
-  Eigen::Vector3f crown_, parting_;  ///< Unit; the parting's plane goes through the middle, at right angles to `parting_`.
+  Eigen::Vector3f crown_,
+      parting_;  ///< Unit; the parting's plane goes through the middle, at right angles to `parting_`.
   Eigen::Vector3f comb_ = Eigen::Vector3f::Zero();
 };
 

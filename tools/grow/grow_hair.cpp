@@ -22,12 +22,10 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kFieldSpacing = 0.0055f;  // metres on a head of usual size
+constexpr float kFieldSpacing = 0.007f;  // metres on a head of usual size
 constexpr float kPointSpacing = 0.008f;
 constexpr float kPointsOfTurn = 9;
 constexpr std::size_t kFewestPoints = 12, kMostPoints = 160;
-constexpr float kUsualHairs = 100000;   // of people, each kHairWidth wide
-constexpr float kHairWidth = 0.00008f;  // metres
 
 /// All of the body that is not hair, turned so that it looks along +Z.
 grow::BodySurface surface_of(const SourceModel& body, float turn) {
@@ -54,25 +52,28 @@ std::optional<grow::HeadFrame> head_of(const GrowGround& ground, const grow::Bod
                          Vector3f(float(r[0]), float(r[1]), float(r[2]))};
 }
 
-float longest_of(std::span<const grow::Root> roots) {
-  float longest = 0;
-  for (const grow::Root& root : roots) longest = std::max(longest, root.length);
-  return longest;
+/// On a head of usual size.
+float longest_of(const HairStyle& style) {
+  const double fringe = style.grow_fringe_width > 0 ? style.grow_fringe_length : 0;
+  return float(std::max(
+      {style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back, fringe}));
 }
 
-std::size_t stations_for(const HairStyle& style, float longest, float scale) {
-  float spacing = std::min(kPointSpacing, longest / scale / float(kFewestPoints - 1));
+/// Points of each strand.
+std::size_t stations_for(const HairStyle& style) {
+  const float longest = longest_of(style);
+  float spacing = std::min(kPointSpacing, longest / float(kFewestPoints - 1));
   if (style.grow_curl_radius > 0) spacing = std::min(spacing, float(style.grow_curl_pitch) / kPointsOfTurn);
   if (style.grow_wave_height > 0) spacing = std::min(spacing, float(style.grow_wave_length) / kPointsOfTurn);
-  return std::clamp(std::size_t(longest / scale / spacing) + 1, kFewestPoints, kMostPoints);
+  return std::clamp(std::size_t(longest / spacing) + 1, kFewestPoints, kMostPoints);
 }
 
 /// What strands are beside their places.
 class Looks {
  public:
-  Looks(const HairStyle& style, float scale, std::size_t strands)
-      : style_(style), dice_(style.grow_seed, grow::Purpose::kColor), width_(scale * float(style.grow_width)) {
-    if (width_ == 0) width_ = scale * kHairWidth * std::sqrt(std::max(kUsualHairs / float(strands), 1.0f));
+  Looks(const HairStyle& style, const grow::HeadFrame& head, std::size_t strands)
+      : style_(style), dice_(style.grow_seed, grow::Purpose::kColor), width_(head.scale() * float(style.grow_width)) {
+    if (width_ == 0) width_ = usual_strand_width(head.mean_radius(), strands);
   }
 
   [[nodiscard]] float width(float t) const { return width_ * (1 - t * t * (1 - float(style_.grow_taper))); }
@@ -89,9 +90,9 @@ class Looks {
   float width_;
 };
 
-void add_strands(const HairStyle& style, float scale, float turn, const grow::StrandPaths& paths,
+void add_strands(const HairStyle& style, const grow::HeadFrame& head, float turn, const grow::StrandPaths& paths,
                  std::span<const std::uint32_t> sizes, GroomBuilder& builder) {
-  const Looks looks(style, scale, paths.count());
+  const Looks looks(style, head, paths.count());
   std::vector<Vector3f> points, colors;
   std::vector<float> widths;
   for (std::size_t i = 0; i < paths.count(); ++i) {
@@ -131,29 +132,34 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   const grow::BodySurface surface = surface_of(ground.body, turn);
   const auto head = head_of(ground, surface, turn);
   if (!head) {
-    return file_failure(Kind::kBadInput, name, "no head at the top of {}; say where it is by the recipe's \"head.center\" and \"head.radii\"",
+    return file_failure(Kind::kBadInput, name,
+                        "no head at the top of {}; say where it is by the recipe's \"head.center\" and \"head.radii\"",
                         ground.body.path);
   }
   const float scale = head->scale();
-  const double reach = std::max({style.grow_length_top, style.grow_length_front, style.grow_length_sides, style.grow_length_back});
+  const std::size_t stations = stations_for(style);
+  if (style.grow_strands * stations > kMostStrandPoints) {
+    return file_failure(
+        Kind::kOverBudget, name,
+        "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
+        style.grow_strands, stations, kMostStrandPoints);
+  }
+  const float reach = longest_of(style);
   Eigen::AlignedBox3f room(head->center - 1.8f * head->radii, head->center + 1.8f * head->radii);
-  room.min().array() -= scale * float(reach);
-  room.max().array() += scale * float(reach);
+  room.min().array() -= scale * reach;
+  room.max().array() += scale * reach;
   room = room.intersection(Eigen::AlignedBox3f(surface.box().min().array() - 0.3f * head->mean_radius(),
                                                surface.box().max().array() + 0.3f * head->mean_radius()));
   const grow::BodyField body(surface, room, scale * kFieldSpacing, threads);
 
   const std::vector<grow::Root> roots = grow::spread_roots(style, *head, body, threads);
   if (roots.empty()) {
-    return file_failure(Kind::kBadInput, name, "the hairline leaves no room for hair; lower \"grow.hairline_front\" and the others");
-  }
-  const std::size_t stations = stations_for(style, longest_of(roots), scale);
-  if (roots.size() * stations > kMostStrandPoints) {
-    return file_failure(Kind::kOverBudget, name, "{} strands of {} points are more than the {} that hair may have; grow fewer strands, or larger curls",
-                        roots.size(), stations, kMostStrandPoints);
+    return file_failure(Kind::kBadInput, name,
+                        "the hairline leaves no room for hair; lower \"grow.hairline_front\" and the others");
   }
   const grow::Ground place{style, *head, body};
-  grow::StrandPaths paths = style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
+  grow::StrandPaths paths =
+      style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
   shape_strands(place, roots, paths, threads);
   const std::vector<std::uint32_t> sizes = cut_level(place, paths);
 
@@ -162,7 +168,7 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   groom.format = "grown";
   groom.root_first = true;
   GroomBuilder builder(groom);
-  add_strands(style, scale, turn, paths, sizes, builder);
+  add_strands(style, *head, turn, paths, sizes, builder);
   if (std::string fault = builder.finish(); !fault.empty()) return file_failure(Kind::kBadInput, name, "{}", fault);
   return groom;
 }
@@ -171,7 +177,8 @@ tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path
   return path.empty() ? tl::expected<SourceModel, ToolError>(sample_body()) : import_model(path, settings);
 }
 
-tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name, unsigned threads) {
+tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name,
+                                         unsigned threads) {
   return grow_hair(recipe, {body, recipe.head_center, recipe.head_radii}, name, threads);
 }
 

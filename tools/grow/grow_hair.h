@@ -18,7 +18,8 @@ namespace coif {
 
 /// What hair grows on.
 struct GrowGround {
-  const SourceModel& body;  ///< Any triangles in metres, Y up, with the head on top; what is called hair does not count.
+  const SourceModel&
+      body;  ///< Any triangles in metres, Y up, with the head on top; what is called hair does not count.
   std::optional<std::array<double, 3>> head_center, head_radii;  ///< Of the skull; none: found at the body's top.
 };
 
@@ -32,10 +33,11 @@ struct GrowGround {
                                                        const std::string& name, unsigned threads);
 
 /// A model with the head and body that hair belongs to; the sample's bust where `path` is empty. Errors: those of import_model().
-[[nodiscard]] tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path, const ImportSettings& settings);
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path,
+                                                             const ImportSettings& settings);
 
 /// The hair of a recipe on a body, with the head where the recipe says. Errors: those of grow_hair().
-[[nodiscard]] tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body, const std::string& name,
-                                                       unsigned threads);
+[[nodiscard]] tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body,
+                                                       const std::string& name, unsigned threads);
 
 }  // namespace coif

@@ -16,8 +16,8 @@ constexpr float kMiddle = 0.53f;
 constexpr float kFaceBegins = 0.62f;
 
 /// Boxes of what a body's surface has at heights, one below the other.
-std::vector<Eigen::AlignedBox2f> sections_of(std::span<const Vector3f> positions, std::span<const std::uint32_t> triangles,
-                                             float top, float step) {
+std::vector<Eigen::AlignedBox2f> sections_of(std::span<const Vector3f> positions,
+                                             std::span<const std::uint32_t> triangles, float top, float step) {
   std::vector<Eigen::AlignedBox2f> sections(kSections);
   for (std::size_t i = 0; i < triangles.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -44,9 +44,9 @@ std::optional<HeadFrame> find_head(std::span<const Vector3f> positions, std::spa
   const auto sections = sections_of(positions, triangles, top, step);
   Eigen::AlignedBox2f widest;
   for (int s = 0; s < kSections; ++s) {
+    if (!sections[std::size_t(s)].isEmpty()) widest.extend(sections[std::size_t(s)]);
     const float mean = widest.isEmpty() ? 0 : widest.sizes().mean();
-    const float below = step * float(s);
-    if (mean > 0 && below > kFaceBegins * mean) {
+    if (mean > 0 && step * float(s) > kFaceBegins * mean) {
       const float proportion = widest.sizes().x() / widest.sizes().y();
       if (!(proportion > 0.4f && proportion < 2.5f)) return std::nullopt;
       const Eigen::Vector2f middle = widest.center();
@@ -55,7 +55,6 @@ std::optional<HeadFrame> find_head(std::span<const Vector3f> positions, std::spa
       head.radii = Vector3f(0.5f * widest.sizes().x(), kMiddle * mean, 0.5f * widest.sizes().y());
       return head;
     }
-    if (!sections[std::size_t(s)].isEmpty()) widest.extend(sections[std::size_t(s)]);
   }
   return std::nullopt;
 }

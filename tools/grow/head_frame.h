@@ -14,6 +14,7 @@
 namespace coif::grow {
 
 inline constexpr float kRadians = std::numbers::pi_v<float> / 180;
+inline constexpr float kUsualRadius = 0.0885f;  ///< Metres, of a head.
 
 /// The skull as an ellipsoid, face towards +Z: what places on any head are named by.
 struct HeadFrame {
@@ -26,10 +27,7 @@ struct HeadFrame {
   }
   [[nodiscard]] float mean_radius() const { return radii.mean(); }
   /// What lengths of a style, which are those on a head of usual size, are multiplied with.
-  [[nodiscard]] float scale() const {
-    constexpr float kUsualRadius = 0.0885f;
-    return mean_radius() / kUsualRadius;
-  }
+  [[nodiscard]] float scale() const { return mean_radius() / kUsualRadius; }
 };
 
 /// Unit; degrees as in HairStyle.

@@ -10,7 +10,20 @@
 namespace coif::grow {
 
 /// What a number is for: two purposes of one strand have nothing to do with each other.
-enum class Purpose : std::uint64_t { kRoot, kFade, kLength, kLift, kClump, kCurl, kWave, kFrizz, kFlyaway, kTail, kWander, kColor };
+enum class Purpose : std::uint64_t {
+  kRoot,
+  kFade,
+  kLength,
+  kLift,
+  kClump,
+  kCurl,
+  kWave,
+  kFrizz,
+  kFlyaway,
+  kTail,
+  kWander,
+  kColor
+};
 
 /// SplitMix64's finisher (Steele, Lea and Flood 2014).
 [[nodiscard]] inline std::uint64_t mixed(std::uint64_t bits) {

@@ -82,8 +82,10 @@ void settle(const HairStyle& style, const HeadFrame& head, std::size_t i, Root& 
   const float low = between(around, std::abs(azimuth));
   root.length = low + ramp(35, 65, elevation) * (float(style.grow_length_top) - low);
   const float ragged = float(style.grow_fringe_depth) * (1 + 0.15f * dice.signed_unit(i, 1));
-  root.is_fringe = std::abs(azimuth) < float(style.grow_fringe_width) * (1 + 0.06f * dice.signed_unit(i, 2)) && above < ragged;
-  if (root.is_fringe) root.length = float(style.grow_fringe_length) * (1 + 0.9f * kRadians * std::max(above, 0.0f));
+  root.is_fringe =
+      std::abs(azimuth) < float(style.grow_fringe_width) * (1 + 0.06f * dice.signed_unit(i, 2)) && above < ragged;
+  // As long below the hairline, wherever it begins.
+  if (root.is_fringe) root.length = float(style.grow_fringe_length) + kUsualRadius * kRadians * std::max(above, 0.0f);
   root.length *= head.scale() * (1 - float(style.grow_length_random) * dice.unit(i));
 }
 

@@ -62,7 +62,12 @@ class UntwistedFrames {
 class Shaper {
  public:
   Shaper(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, unsigned threads)
-      : ground_(ground), style_(ground.style), roots_(roots), paths_(paths), threads_(threads), scale_(ground.head.scale()) {
+      : ground_(ground),
+        style_(ground.style),
+        roots_(roots),
+        paths_(paths),
+        threads_(threads),
+        scale_(ground.head.scale()) {
     for (std::size_t i = 0; i < paths.count(); ++i) {
       float length = 0;
       const auto strand = paths.strand(i);
@@ -128,7 +133,8 @@ class Shaper {
       return dice.unit(clump, k) + 0.5f * random * dice.signed_unit(child, k) + 0.5f * random * dice.signed_unit(i, k);
     };
     const float phase = kTurn * mixed(curls, 0), turns = curls.unit(clump, 1) < 0.5f ? -1.0f : 1.0f;
-    const float pitch = scale_ * float(style_.grow_curl_pitch) * (1 + 0.25f * curls.signed_unit(clump, 2) + 0.2f * random * curls.signed_unit(i, 2));
+    const float pitch = scale_ * float(style_.grow_curl_pitch) *
+                        (1 + 0.25f * curls.signed_unit(clump, 2) + 0.2f * random * curls.signed_unit(i, 2));
     const float radius = curl * (1 + 0.2f * curls.signed_unit(clump, 3) + 0.5f * random * curls.signed_unit(i, 3));
     const float wave_phase = kTurn * 0.6f * mixed(waves, 0);
     const float wave_length = scale_ * float(style_.grow_wave_length) * (1 + 0.15f * waves.signed_unit(clump, 2));
@@ -140,7 +146,8 @@ class Shaper {
       const float t = float(k) / float(last), at = t * lengths_[i];
       const float curled = ramp(0, std::max(start, 0.02f), t) * radius, angle = phase + turns * kTurn * at / pitch;
       const float waved = ramp(0, 0.35f, t) * wave * std::sin(wave_phase + kTurn * at / wave_length);
-      strand[k] += curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k)) + waved * frames.second(k);
+      strand[k] +=
+          curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k)) + waved * frames.second(k);
     }
   }
 
@@ -160,12 +167,26 @@ class Shaper {
     }
   }
 
+  /// Points, and what lies half way between two of them.
   void keep_out(std::size_t i) {
+    constexpr int kRounds = 6;
     const auto strand = paths_.strand(i);
-    float grown = 0;
-    for (std::size_t k = 1; k < strand.size(); ++k) {
-      grown += (strand[k] - strand[k - 1]).norm();
-      strand[k] = ground_.body.kept_off(strand[k], std::min(scale_ * kLeastClearance, 0.5f * grown));
+    const float least = scale_ * kLeastClearance;
+    for (int round = 0; round < kRounds; ++round) {
+      bool is_out = true;
+      float grown = 0;
+      for (std::size_t k = 1; k < strand.size(); ++k) {
+        grown += (strand[k] - strand[k - 1]).norm();
+        strand[k] = ground_.body.kept_off(strand[k], std::min(least, 0.5f * grown));
+        const Vector3f middle = 0.5f * (strand[k - 1] + strand[k]);
+        const float away = ground_.body.distance(middle);
+        if (k == 1 || away >= 0.8f * least) continue;
+        const Vector3f out = (least - away) * ground_.body.normal(middle);
+        if (k > 2) strand[k - 1] += out;
+        strand[k] += out;
+        is_out = false;
+      }
+      if (is_out) break;
     }
   }
 
@@ -191,7 +212,8 @@ std::vector<std::uint32_t> cut_level(const Ground& ground, StrandPaths& paths) {
   const float level = ground.head.center.y() + float(*ground.style.grow_cut) * ground.head.radii.y();
   for (std::size_t i = 0; i < paths.count(); ++i) {
     const auto strand = paths.strand(i);
-    const float height = level + 0.25f * float(ground.style.grow_length_random) * ground.head.radii.y() * dice.signed_unit(i, 3);
+    const float height =
+        level + 0.25f * float(ground.style.grow_length_random) * ground.head.radii.y() * dice.signed_unit(i, 3);
     for (std::size_t k = 1; k < strand.size(); ++k) {
       if (strand[k].y() >= height || strand[k - 1].y() < height) continue;
       const float share = (strand[k - 1].y() - height) / (strand[k - 1].y() - strand[k].y());

@@ -19,7 +19,9 @@ struct StrandPaths {
   std::vector<Eigen::Vector3f> points;
 
   [[nodiscard]] std::size_t count() const { return points.size() / stations; }
-  [[nodiscard]] std::span<Eigen::Vector3f> strand(std::size_t i) { return std::span(points).subspan(i * stations, stations); }
+  [[nodiscard]] std::span<Eigen::Vector3f> strand(std::size_t i) {
+    return std::span(points).subspan(i * stations, stations);
+  }
   [[nodiscard]] std::span<const Eigen::Vector3f> strand(std::size_t i) const {
     return std::span(points).subspan(i * stations, stations);
   }
@@ -32,14 +34,16 @@ struct Ground {
   const BodyField& body;
 };
 
-inline constexpr float kLeastClearance = 0.0015f;  ///< Metres from the skin on a head of usual size, but for roots.
+inline constexpr float kLeastClearance = 0.002f;  ///< Metres from the skin on a head of usual size, but for roots.
 
 /// How hair falls that nothing shapes but comb and weight: step by step, turned towards the comb's way near the skin, downwards by its
 /// weight, kept off the skin and above the hair below it.
-[[nodiscard]] StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations, unsigned threads);
+[[nodiscard]] StrandPaths grow_open(const Ground& ground, std::span<const Root> roots, std::size_t stations,
+                                    unsigned threads);
 
 /// The same drawn to a tie along the skin, from where it falls as one tail.
-[[nodiscard]] StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations, unsigned threads);
+[[nodiscard]] StrandPaths grow_tied(const Ground& ground, std::span<const Root> roots, std::size_t stations,
+                                    unsigned threads);
 
 // What both have in common.
 

@@ -69,7 +69,7 @@ class Tail {
     Matrix3f frame;
     frame.col(2) = tip.way;
     frame.col(0) = Vector3f::UnitY().cross(tip.way).norm() > 0.1f ? Vector3f::UnitY().cross(tip.way).normalized()
-                                                                     : tip.way.unitOrthogonal();
+                                                                  : tip.way.unitOrthogonal();
     frame.col(1) = tip.way.cross(frame.col(0));
     for (int i = 0; i <= steps; ++i) {
       middle_.push_back(tip.place);

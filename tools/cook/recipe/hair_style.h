@@ -26,26 +26,26 @@ struct HairStyle {
   double grow_length_front = 0;
   double grow_length_sides = 0;
   double grow_length_back = 0;
-  double grow_length_random = 0;    ///< Share.
-  std::optional<double> grow_cut;   ///< Head radii above its middle, where tips are cut level.
+  double grow_length_random = 0;   ///< Share.
+  std::optional<double> grow_cut;  ///< Head radii above its middle, where tips are cut level.
   // fringe
-  double grow_fringe_width = 0;     ///< Degrees to each side; 0: no fringe.
-  double grow_fringe_depth = 0;     ///< Degrees from the hairline up.
+  double grow_fringe_width = 0;  ///< Degrees to each side; 0: no fringe.
+  double grow_fringe_depth = 0;  ///< Degrees from the hairline up.
   double grow_fringe_length = 0;
   // which way it is combed
   std::optional<double> grow_parting;  ///< Degrees to the model's left; none: no parting.
   double grow_parting_strength = 0;
-  double grow_crown = 0;            ///< Degrees behind the top.
-  double grow_whorl = 0;            ///< Degrees that hair turns about the crown.
-  std::string grow_comb;            ///< "down", "back", "forward", "up" or "out".
+  double grow_crown = 0;  ///< Degrees behind the top.
+  double grow_whorl = 0;  ///< Degrees that hair turns about the crown.
+  std::string grow_comb;  ///< "down", "back", "forward", "up" or "out".
   double grow_comb_strength = 0;
   // how it lies and falls
-  double grow_lift = 0;             ///< Degrees off the scalp at the root.
-  double grow_volume = 0;           ///< Metres off the scalp.
-  double grow_layers = 0;           ///< Metres that hair from above lies over hair from below.
-  double grow_stiffness = 0;        ///< 0..1
+  double grow_lift = 0;       ///< Degrees off the scalp at the root.
+  double grow_volume = 0;     ///< Metres off the scalp.
+  double grow_layers = 0;     ///< Metres that hair from above lies over hair from below.
+  double grow_stiffness = 0;  ///< 0..1
   double grow_gravity = 0;
-  double grow_swing = 0;            ///< Share; how far tips turn out.
+  double grow_swing = 0;  ///< Share; how far tips turn out.
   // tail
   std::optional<std::array<double, 2>> grow_gather;  ///< Azimuth and elevation of the tie; none: hair hangs open.
   double grow_tie_radius = 0;

@@ -104,7 +104,8 @@ Recipe draft_of(Recipe recipe) {
   return recipe;
 }
 
-tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name, const std::string& style) {
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
+                                             const std::string& style) {
   Recipe recipe = default_recipe();
   const auto document = parse_shallow_json(text);
   if (!document) return bad_recipe(name, document.error());

@@ -79,7 +79,8 @@ bool LiveCook::files_changed() {
   const std::lock_guard guard(lock_);
   const std::vector<fs::path> changed = watch_.changed();
   const fs::path recipe = order_.recipe_place();
-  if (std::ranges::any_of(changed, [&](const fs::path& file) { return file != recipe || file == order_.source; })) is_stale_ = true;
+  if (std::ranges::any_of(changed, [&](const fs::path& file) { return file != recipe || file == order_.source; }))
+    is_stale_ = true;
   return !changed.empty();
 }
 
