@@ -1,8 +1,8 @@
 // The portrait: a face whose parts are where they should be, and a file that any tool reads.
 
+#include "sample/portrait.h"
 #include "import/import.h"
 #include "models/small_asset.h"
-#include "sample/portrait.h"
 #include "sample/portrait_head.h"
 #include "sample/portrait_paint.h"
 
@@ -90,7 +90,8 @@ TEST(Portrait, IsReadAsABodyWithItsTexturesAndItsHead) {
   const std::vector<std::byte> bytes = make_portrait();
   EXPECT_LT(bytes.size(), 4500000u);
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "coif_portrait.glb";
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   const auto model = import_model(path);
   std::filesystem::remove(path);
   ASSERT_TRUE(model) << model.error().message;

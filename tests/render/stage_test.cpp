@@ -25,7 +25,8 @@ TEST(Backdrop, HasNamesAndColours) {
   EXPECT_NEAR(white->top[0], 1, 1e-6f);
   EXPECT_NEAR(white->top[1], 0.2159f, 1e-3f) << "sRGB to linear";
   EXPECT_EQ(white->bottom, white->top);
-  for (const char* const bad : {"", "grey", "#12345", "#1234567", "#12345g", "ff8000"}) EXPECT_FALSE(find_backdrop(bad)) << bad;
+  for (const char* const bad : {"", "grey", "#12345", "#1234567", "#12345g", "ff8000"})
+    EXPECT_FALSE(find_backdrop(bad)) << bad;
 }
 
 TEST(Lights, ComeFromWhereTheyAreCalledAfter) {
@@ -109,7 +110,8 @@ TEST_F(StageTest, BodiesShowTheirTexturesAndTheHolesInThem) {
   settings_.body = &body;
   const auto clay = pixel(take(), 10, 36);
   EXPECT_LT(std::abs(clay[0] - clay[2]), 60) << "nobody has the texture: clay";
-  settings_.body_textures = {std::make_shared<SolidTexture>(2, 1, std::vector<std::uint8_t>{255, 0, 0, 255, 0, 0, 255, 0})};
+  settings_.body_textures = {
+      std::make_shared<SolidTexture>(2, 1, std::vector<std::uint8_t>{255, 0, 0, 255, 0, 0, 255, 0})};
   const Picture painted = take();
   EXPECT_GT(pixel(painted, 10, 36)[0], 2 * pixel(painted, 10, 36)[2] + 40);
   EXPECT_GT(pixel(painted, 85, 36)[2], 2 * pixel(painted, 85, 36)[0] + 40) << "opaque: alpha does not matter";

@@ -6,6 +6,7 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/picture_options.h"
 #include "cook/size/settle_size.h"
 #include "render/body_textures.h"
 #include "render/picture.h"
@@ -35,9 +36,6 @@ constexpr Choice<Shown> kShown[] = {{"all", {Component::kAll, false}},
                                     {"colliders", {Component::kAll, false, true}}};
 
 using DebugPart = bool DebugView::*;
-
-constexpr Choice<LightRig> kLights[] = {
-    {"studio", LightRig::kStudio}, {"sun", LightRig::kSun}, {"rim", LightRig::kRim}, {"plain", LightRig::kMeasured}};
 
 constexpr Choice<DebugPart> kDebugParts[] = {{"bones", &DebugView::bones},
                                              {"colliders", &DebugView::colliders},
@@ -163,8 +161,8 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
     return tl::unexpected(ToolError{picture.error().kind, options.file + ": " + picture.error().message});
   }
   if (picture->edge_samples < settings.edge_samples) {
-    messages.warning(fmt::format("--samples {}: the device has at most {} of edges; drawn with {} in each pixel", options.samples,
-                                 picture->edge_samples,
+    messages.warning(fmt::format("--samples {}: the device has at most {} of edges; drawn with {} in each pixel",
+                                 options.samples, picture->edge_samples,
                                  settings.oversampling * settings.oversampling * picture->edge_samples));
   }
   if (auto written = write_png(options.output, *picture); !written) return tl::unexpected(written.error());
@@ -214,31 +212,6 @@ void add_debug(CLI::App& app, DebugView& debug) {
       ->type_name("NAME,...");
 }
 
-void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
-  static const auto choices = [] {
-    std::vector<Choice<const ShadowTechnique*>> all{{"none", nullptr}};
-    for (const ShadowTechnique* technique : shadow_techniques()) all.push_back({name_of(*technique), technique});
-    return all;
-  }();
-  add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices,
-                                     "How the key light's shadows are drawn (default: deep-shadow)");
-}
-
-void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
-  static const auto choices = [] {
-    std::vector<Choice<const TransparencyMode*>> all;
-    for (const TransparencyMode* mode : transparency_modes()) all.push_back({name_of(*mode), mode});
-    return all;
-  }();
-  add_choice<const TransparencyMode*>(app, "--transparency", choice, choices, "How soft edges are drawn");
-}
-
-void add_order(CLI::App& app, OrderChoice& choice) {
-  static constexpr Choice<OrderChoice> kChoices[] = {{"cooked", OrderChoice::kCooked}, {"bones", OrderChoice::kBones}};
-  add_choice<OrderChoice>(app, "--order", choice, kChoices,
-                          "In which order triangles are blended, as cooked or with the bones sorted in each frame");
-}
-
 void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
   static const auto choices = [] {
     std::vector<Choice<std::optional<ShadingModel>>> all;
@@ -249,30 +222,14 @@ void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
                                           "How strands reflect light (default: as cooked)");
 }
 
-void add_stage(CLI::App& app, RenderOptions& options) {
-  add_choice<LightRig>(app, "--lights", options.picture.lights, kLights, "From where light comes (default: studio)");
-  options.picture.backdrop = find_backdrop("dark").value();
-  const auto parse = [&options](const std::string& word) {
-    const auto backdrop = find_backdrop(word);
-    if (!backdrop) {
-      throw CLI::ValidationError("--backdrop", fmt::format("'{}' is not dark, light, clear or a colour as #rrggbb", word));
-    }
-    options.picture.backdrop = *backdrop;
-  };
-  app.add_option_function<std::string>("--backdrop", parse,
-                                       "What is behind: dark (default), light, clear (transparent), or a colour #rrggbb")
-      ->type_name("NAME|COLOUR");
-  add_number(app, "--margin", options.picture.margin, 1.0, 10.0,
-             "How far away the camera is, of the distance from which hair and head fill the picture");
-}
-
 void add_samples(CLI::App& app, std::uint32_t& samples) {
   const auto is_power_of_two = [](const std::string& word) {
     const auto number = parse_number<std::uint32_t>(word);
     const bool fits = number && *number >= 1 && *number <= 64 && (*number & (*number - 1)) == 0;
     return fits ? std::string() : fmt::format("'{}' is not 1, 2, 4, 8, 16, 32 or 64", word);
   };
-  app.add_option("--samples", samples, "Samples of each pixel: as many as fit are shaded, the others are of edges alone")
+  app.add_option("--samples", samples,
+                 "Samples of each pixel: as many as fit are shaded, the others are of edges alone")
       ->check(is_power_of_two)
       ->capture_default_str()
       ->type_name("N");
@@ -283,9 +240,6 @@ void add_samples(CLI::App& app, std::uint32_t& samples) {
 Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
   const auto options = std::make_shared<RenderOptions>();
-  options->picture.shadows = &kDeepShadow;
-  options->picture.lights = LightRig::kStudio;
-  options->picture.bust = true;
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
   add_size(*app, options->size);
@@ -296,12 +250,9 @@ Command add_render(CLI::App& program) {
       "Which part of the shading; or, to check the cook, the strands' direction, the patches, or the colliders");
   add_debug(*app, options->picture.debug);
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
-  add_transparency(*app, options->picture.transparency);
-  add_order(*app, options->picture.order);
-  add_shadows(*app, options->picture.shadows);
+  add_picture_options(*app, options->picture);
   add_shading(*app, options->shading);
   add_samples(*app, options->samples);
-  add_stage(*app, *options);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }

@@ -49,7 +49,9 @@ class PortraitPlace {
     scale_ = head.radii.cwiseQuotient(from_.radii).mean();
   }
 
-  [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector3d& own) const { return turn_.cwiseProduct(own.cast<float>()); }
+  [[nodiscard]] Eigen::Vector3f direction(const Eigen::Vector3d& own) const {
+    return turn_.cwiseProduct(own.cast<float>());
+  }
 
   /// The skull is kept inside the collider, which hair lies on, whatever a skull of that size would be.
   [[nodiscard]] Eigen::Vector3f point(const Eigen::Vector3d& own) const {
@@ -79,7 +81,8 @@ SolidMesh solid_part(const sample::PortraitPart& part, const PortraitPlace& plac
   mesh.triangles = part.mesh.triangles;
   mesh.color = Eigen::Vector3d(part.material.red, part.material.green, part.material.blue).cast<float>();
   mesh.roughness = float(part.material.roughness);
-  if (part.image) mesh.texture = std::make_shared<SolidTexture>(part.image->width, part.image->height, part.image->rgba);
+  if (part.image)
+    mesh.texture = std::make_shared<SolidTexture>(part.image->width, part.image->height, part.image->rgba);
   return mesh;
 }
 
@@ -98,9 +101,9 @@ std::vector<SolidMesh> bust_meshes(std::span<const ColliderRecord> colliders, bo
 
 std::vector<Eigen::Vector3d> bust_outline(std::span<const ColliderRecord> colliders, bool faces_backwards) {
   // Crown, ears, nape, nose, chin, and the neck's end all around.
-  constexpr double kOutline[][3] = {{0, 1.720, -0.012}, {0.082, 1.600, -0.01}, {-0.082, 1.600, -0.01}, {0, 1.630, -0.108},
-                                    {0, 1.568, 0.106},  {0, 1.492, 0.075},     {0.055, 1.450, -0.03},  {-0.055, 1.450, -0.03},
-                                    {0, 1.450, 0.025},  {0, 1.450, -0.095}};
+  constexpr double kOutline[][3] = {
+      {0, 1.720, -0.012}, {0.082, 1.600, -0.01}, {-0.082, 1.600, -0.01}, {0, 1.630, -0.108}, {0, 1.568, 0.106},
+      {0, 1.492, 0.075},  {0.055, 1.450, -0.03}, {-0.055, 1.450, -0.03}, {0, 1.450, 0.025},  {0, 1.450, -0.095}};
   const auto head = head_among(colliders);
   std::vector<Eigen::Vector3d> points;
   if (!head) return points;

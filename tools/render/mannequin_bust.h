@@ -12,6 +12,7 @@ namespace coif {
 [[nodiscard]] std::vector<SolidMesh> bust_meshes(std::span<const ColliderRecord> colliders, bool faces_backwards);
 
 /// Points that outline it, for framing: head space, metres.
-[[nodiscard]] std::vector<Eigen::Vector3d> bust_outline(std::span<const ColliderRecord> colliders, bool faces_backwards);
+[[nodiscard]] std::vector<Eigen::Vector3d> bust_outline(std::span<const ColliderRecord> colliders,
+                                                        bool faces_backwards);
 
 }  // namespace coif

@@ -112,7 +112,8 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
 
 /// Samples are asked of the driver where somebody does, or transparency is made of them, or there are no others.
 std::uint32_t samples_of_driver(const PictureSettings& settings) {
-  const bool needs_them = covers_samples(*settings.transparency) || (settings.edge_samples == 0 && settings.oversampling == 1);
+  const bool needs_them =
+      covers_samples(*settings.transparency) || (settings.edge_samples == 0 && settings.oversampling == 1);
   const std::uint32_t samples = std::max(needs_them ? samples_for(*settings.transparency) : 0, settings.edge_samples);
   return samples > 1 ? samples : 0;
 }
@@ -223,7 +224,8 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     if (!made) return tl::unexpected(made.error());
     shadow.emplace(std::move(*made));
   }
-  const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
+  const auto stage =
+      StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
   if (!stage) return tl::unexpected(stage.error());
 
   const auto frame = frame_picture(asset, settings);
@@ -237,15 +239,15 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     order = std::move(*kept);
   }
   const PictureScene scene{loaded_->model,
-                    *stage,
-                    pose,
-                    frame->view,
-                    ball,
-                    glass,
-                    shadow ? &*shadow : nullptr,
-                    order ? &order->order() : nullptr,
-                    asset,
-                    before};
+                           *stage,
+                           pose,
+                           frame->view,
+                           ball,
+                           glass,
+                           shadow ? &*shadow : nullptr,
+                           order ? &order->order() : nullptr,
+                           asset,
+                           before};
   return take_picture(*loaded_->device, scene, settings);
 }
 
@@ -265,7 +267,7 @@ tl::expected<void, ToolError> write_png(const std::string& path, const Picture& 
 }
 
 MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
-  MaterialRecord material = asset.material() != nullptr ? *asset.material() : thesis_material(asset);
+  MaterialRecord material = own_material(asset);
   if (material.shading != model) material.light_cut = 0;
   material.shading = model;
   if (material.roughness < kLeastRoughness) {  // never cooked with a recipe

@@ -65,10 +65,10 @@ struct PictureSettings {
   OrderChoice order = OrderChoice::kCooked;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;                   ///< Drawn in a grid.
-  std::uint32_t oversampling = 1;  ///< Shaded samples of each pixel, each way, 1..4.
+  std::uint32_t oversampling = 1;            ///< Shaded samples of each pixel, each way, 1..4.
   /// Of edges in each of those, by the driver, which may have fewer; 0: the driver's with `oversampling` 1, else one.
   std::uint32_t edge_samples = 0;
-  DebugView debug;                           ///< Over the hair.
+  DebugView debug;      ///< Over the hair.
   bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
   LightRig lights = LightRig::kMeasured;
   Backdrop backdrop;

@@ -29,8 +29,8 @@ struct SourceModel;
 
 struct SolidVertex {
   Eigen::Vector3f position;
-  Eigen::Vector3f normal;                           ///< Unit.
-  Eigen::Vector2f uv = Eigen::Vector2f::Zero();     ///< V grows downwards in the texture.
+  Eigen::Vector3f normal;                        ///< Unit.
+  Eigen::Vector2f uv = Eigen::Vector2f::Zero();  ///< V grows downwards in the texture.
 };
 
 /// RGBA, colour sRGB-encoded, alpha not premultiplied, rows top to bottom; it repeats.

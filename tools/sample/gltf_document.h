@@ -16,7 +16,7 @@ struct GltfMaterial {
   std::string name;
   double red = 1, green = 1, blue = 1;  ///< Linear base colour.
   double roughness = 0.6;
-  bool is_hair = false;  ///< Textured with the document's first image, blended, two-sided.
+  bool is_hair = false;                ///< Textured with the document's first image, blended, two-sided.
   std::optional<std::size_t> image{};  ///< Of add_image(), times the colour.
 };
 

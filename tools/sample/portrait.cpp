@@ -21,7 +21,9 @@ using Eigen::Vector3d;
 constexpr int kPortraitRoot = 0, kPortraitNeck = 1, kPortraitHead = 2;
 
 std::vector<Joint> portrait_skeleton() {
-  return {{"root", -1, {0, 0, 0}}, {"neck", kPortraitRoot, {0, 1.450, -0.034}}, {"Head", kPortraitNeck, {0, 1.565, -0.012}}};
+  return {{"root", -1, {0, 0, 0}},
+          {"neck", kPortraitRoot, {0, 1.450, -0.034}},
+          {"Head", kPortraitNeck, {0, 1.565, -0.012}}};
 }
 
 /// The head turns above the jaw's edge, the neck follows, the shoulders stay.
@@ -34,7 +36,7 @@ SkinInfluences portrait_influences(const Vector3d& point) {
                               {kPortraitRoot, 0.0}}});
 }
 
-constexpr double kNeckCut = 1.4480;   ///< Model Y where a neck without shoulders ends,
+constexpr double kNeckCut = 1.4480;    ///< Model Y where a neck without shoulders ends,
 constexpr double kShirtLine = 1.3200;  ///< and where the shirt covers all that there is of the skin.
 
 /// Closest where lids, nostrils and lips are.

@@ -13,9 +13,9 @@ namespace coif::sample {
 
 /// How finely the portrait is made.
 struct PortraitDetail {
-  double spacing = 1;           ///< Of vertices, in the sample's.
-  std::uint32_t texels = 768;   ///< Of the skin's image, across.
-  bool has_shoulders = true;    ///< Without them head and neck alone, for hair that would hang into them.
+  double spacing = 1;          ///< Of vertices, in the sample's.
+  std::uint32_t texels = 768;  ///< Of the skin's image, across.
+  bool has_shoulders = true;   ///< Without them head and neck alone, for hair that would hang into them.
 };
 
 /// What has one material.

@@ -101,7 +101,8 @@ double portrait_ear(double head, const Vector3d& p) {
   const Vector3d center{0.0745, 1.5900, -0.0080};
   if ((p - center).squaredNorm() > 0.06 * 0.06) return head;
   // In the ear's own axes: X out of its plate, Y up along it, Z to the face.
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(-0.42, Vector3d::UnitY()) * Eigen::AngleAxisd(-0.20, Vector3d::UnitX())).toRotationMatrix();
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(-0.42, Vector3d::UnitY()) * Eigen::AngleAxisd(-0.20, Vector3d::UnitX())).toRotationMatrix();
   const Vector3d q = turn.transpose() * (p - center);
   double plate = ellipsoid(q, {0.0010, 0.0030, -0.0040}, {0.0055, 0.0270, 0.0165});
   const double lobe = ellipsoid(q, {0.0005, -0.0240, 0.0010}, {0.0042, 0.0085, 0.0075});

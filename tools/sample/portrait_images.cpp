@@ -96,7 +96,9 @@ class SkinSamples {
   [[nodiscard]] SkinSample at(const Vector2d& place) const {
     const double x = place.x() * columns_, y = place.y() * rows_;
     const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
-    const auto corner = [&](int dx, int dy) { return samples_[std::size_t((row + dy) * (columns_ + 1) + column + dx)]; };
+    const auto corner = [&](int dx, int dy) {
+      return samples_[std::size_t((row + dy) * (columns_ + 1) + column + dx)];
+    };
     return between(between(corner(0, 0), corner(1, 0), x - column), between(corner(0, 1), corner(1, 1), x - column),
                    y - row);
   }

@@ -22,7 +22,9 @@ const Vector3d kBrow{0.090, 0.050, 0.031};
 const Vector3d kRoots{0.050, 0.029, 0.020};
 const Vector3d kLashes{0.020, 0.012, 0.010};
 
-Vector3d blended(const Vector3d& a, const Vector3d& b, double share) { return a + std::clamp(share, 0.0, 1.0) * (b - a); }
+Vector3d blended(const Vector3d& a, const Vector3d& b, double share) {
+  return a + std::clamp(share, 0.0, 1.0) * (b - a);
+}
 
 /// Same for all platforms: -1..1 at whole numbers.
 double lattice_noise(std::int64_t x, std::int64_t y) {
@@ -116,15 +118,17 @@ Vector3d skin_color(const Vector3d& point) {
   const double near_eye = smooth_step(1.25, 1.0, std::abs(lids.across));
   const double shade = bump(x, y, 0.0320, lids.upper + 0.0030, 0.0170, 0.0034) * 0.30;
   color = blended(color, {0.300, 0.150, 0.110}, shade * front);
-  color = blended(color, {0.480, 0.200, 0.170}, 0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
+  color = blended(color, {0.480, 0.200, 0.170},
+                  0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
-  const Vector3d lip = kLips * (1.0 - 0.40 * smooth_step(0.82, 1.0, lips.depth)) *
-                       (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
+  const Vector3d lip =
+      kLips * (1.0 - 0.40 * smooth_step(0.82, 1.0, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
   const double width = 0.0004 + 0.0013 * smooth_step(-1.0, 0.7, lids.across);
-  const double above = smooth_step(1.8 * width, 0.5 * width, y - lids.upper) * smooth_step(-0.0022, -0.0008, y - lids.upper);
+  const double above =
+      smooth_step(1.8 * width, 0.5 * width, y - lids.upper) * smooth_step(-0.0022, -0.0008, y - lids.upper);
   const double wing = smooth_step(1.10, 1.0, std::abs(lids.across));
   color = blended(color, kLashes, 0.95 * above * wing * near_eye * front);
   const double below = smooth_step(0.0011, 0.0002, lids.lower - y) * smooth_step(-0.0020, -0.0008, lids.lower - y);

@@ -83,7 +83,7 @@ double marschner_bound(const MaterialRecord&, int) { return 1; }
 
 /// What lights add in one channel, in the order of ShadingModel.
 constexpr double (*kBounds[])(const MaterialRecord& material, int channel) = {thesis_bound, kajiya_kay_bound,
-                                                                             marschner_bound};
+                                                                              marschner_bound};
 static_assert(std::size(kBounds) == kShadingModelCount);
 
 }  // namespace
