@@ -60,7 +60,8 @@ TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
     ASSERT_EQ(model->meshes.size(), 1u);
     EXPECT_LE(model->meshes[0].triangles.size() / 3, triangles);
     EXPECT_GT(model->meshes[0].triangles.size() / 3, triangles / 2);
-    EXPECT_EQ(model->images.size(), 1u);
+    EXPECT_EQ(model->images.size(), 2u);
+    EXPECT_TRUE(model->roots_at_low_v);
   }
 }
 
