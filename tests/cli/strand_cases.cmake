@@ -5,3 +5,11 @@ foreach(case every_format_gives_the_same_hair the_budget_is_kept_and_cooks_repea
             ${CMAKE_CURRENT_BINARY_DIR}/cook_strands_${case})
   set_tests_properties(cli.cook_strands.${case} PROPERTIES TIMEOUT 180)
 endforeach()
+
+# Strands that a recipe grows.
+foreach(case strands_are_written_and_cooked a_recipe_is_a_source_and_names_its_body what_cannot_grow_is_refused)
+  add_test(NAME cli.grow_hair.${case}
+    COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/grow_hair.py ${case} $<TARGET_FILE:coif_cli>
+            ${CMAKE_CURRENT_BINARY_DIR}/grow_hair_${case})
+  set_tests_properties(cli.grow_hair.${case} PROPERTIES TIMEOUT 180)
+endforeach()

@@ -6,10 +6,14 @@ set -u
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 jobs=${2:-1}
-[ $# -gt 2 ] && shift 2 && targets=$* || targets='asset cache_entry clip manifest model_stream recipe vrm'
+[ $# -gt 2 ] && shift 2 && targets=$* || targets='asset cache_entry clip gltf_lines groom_stream hair_file manifest model_stream obj_lines recipe tressfx vrm'
 build=build/fuzz
 work=${COIF_FUZZ_WORK:-$PWD/$build/tests/fuzz/work}
 
-cmake --preset fuzz >/dev/null && cmake --build --preset fuzz --parallel "$(nproc)" --target fuzz_readers || exit 1
+program=fuzz_strands
+for target in $targets; do
+  case $target in gltf_lines | groom_stream | hair_file | obj_lines | tressfx) ;; *) program=fuzz_readers ;; esac
+done
+cmake --preset fuzz >/dev/null && cmake --build --preset fuzz --parallel "$(nproc)" --target "$program" || exit 1
 echo $targets | tr ' ' '\n' |
-  xargs -P "$jobs" -I '{}' sh tests/fuzz/fuzz_one.sh "$PWD/$build/tests/fuzz/fuzz_readers" '{}' "$seconds" "$work" || exit 1
+  xargs -P "$jobs" -I '{}' sh tests/fuzz/fuzz_one.sh "$PWD/$build/tests/fuzz/$program" '{}' "$seconds" "$work" || exit 1

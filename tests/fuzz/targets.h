@@ -32,19 +32,8 @@ bool try_recipe(Input input);        ///< A recipe's text, and printing it.
 bool try_tressfx(Input input);       ///< A .tfx.
 bool try_vrm(Input input);           ///< The extensions of a .gltf, .glb or .vrm. False where it has no spring.
 
-inline constexpr Target kTargets[] = {{"asset", try_asset},
-                                      {"cache_entry", try_cache_entry},
-                                      {"can_fail", try_can_fail},
-                                      {"clip", try_clip},
-                                      {"gltf_lines", try_gltf_lines},
-                                      {"groom_stream", try_groom_stream},
-                                      {"hair_file", try_hair_file},
-                                      {"manifest", try_manifest},
-                                      {"model_stream", try_model_stream},
-                                      {"obj_lines", try_obj_lines},
-                                      {"recipe", try_recipe},
-                                      {"tressfx", try_tressfx},
-                                      {"vrm", try_vrm}};
+/// Those of the program: target_table.cpp has all, strand_table.cpp those that need no more than the readers of strands.
+std::span<const Target> all_targets();
 
 /// Null where there is no target of that name; `usage` is then printed to the standard error output, with the names.
 const Target* find_target(std::string_view name, const char* usage);

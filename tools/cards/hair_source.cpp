@@ -1,37 +1,123 @@
 #include "cards/hair_source.h"
 
+#include "base/files.h"
 #include "cards/cards_model.h"
+#include "cards/follow_hairs.h"
+#include "cards/strand_body.h"
+#include "cook/recipe/recipe_keys.h"
+#include "cook/select/hair_evidence.h"
 #include "groom/read_groom.h"
+#include "grow/grow_hair.h"
 
+#include <algorithm>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace coif {
 namespace {
 
-tl::expected<SourceModel, ToolError> cards_of(const Groom& groom, const Recipe& recipe, const ImportSettings& settings,
-                                              unsigned threads) {
+namespace fs = std::filesystem;
+using Model = tl::expected<SourceModel, ToolError>;
+
+Model cards_of(const Groom& groom, const Recipe& recipe, const HairSourceSettings& settings) {
   const CardsBudget budget{recipe.cards_triangles, recipe.cards_texels, float(recipe.cards_strand_width)};
-  auto model = model_of_cards(groom, budget, threads);
-  if (model) model->roots = settings.roots;
+  auto model = model_of_cards(groom, budget, settings.threads);
+  if (model) model->roots = settings.import.roots;
   return model;
+}
+
+/// The file that the recipe names; its own says what unit it is in.
+Model named_body(const Recipe& recipe, const HairSourceSettings& settings) {
+  ImportSettings import = settings.import;
+  import.metres_per_unit.reset();
+  import.up_axis.reset();
+  return import_model(settings.recipe_directory / recipe.cards_body, import);
+}
+
+/// Cards of a file's strands on a body, where there is one.
+Model cards_on(Groom groom, std::optional<SourceModel> body, const Recipe& recipe, const HairSourceSettings& settings) {
+  if (!recipe.cards_body.empty()) {
+    auto named = named_body(recipe, settings);
+    if (!named) return named;
+    place_on_body(*named, groom);
+    body = std::move(*named);
+  }
+  const std::uint32_t followers = recipe.cards_follow_hairs.value_or(groom.follow_hairs);
+  const auto all = with_follow_hairs(std::move(groom), followers, float(recipe.cards_follow_radius));
+  if (!all) return tl::unexpected(all.error());
+  auto model = cards_of(*all, recipe, settings);
+  if (model && body) add_body(std::move(*body), *model);
+  return model;
+}
+
+Model grown_hair(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
+  auto body = recipe.cards_body.empty() ? Model(sample_body()) : named_body(recipe, settings);
+  if (!body) return body;
+  const auto groom = grow_from(recipe, *body, path.string(), settings.threads);
+  if (!groom) return tl::unexpected(groom.error());
+  auto model = cards_of(*groom, recipe, settings);
+  if (model) add_body(std::move(*body), *model);
+  return model;
+}
+
+/// Whether the file may hold lines, which costs less to ask than to read them.
+bool mentions_lines(const fs::path& path) {
+  const auto bytes = FileBytes::read(path);
+  if (!bytes) return false;
+  const std::string_view text(reinterpret_cast<const char*>(bytes->span().data()), bytes->span().size());
+  const auto suffix = find_suffix(path);
+  if (suffix && suffix->format == SourceFormat::kObj) return text.starts_with("l ") || text.find("\nl ") != text.npos;
+  return text.find("\"mode\"") != text.npos;
+}
+
+bool has_mesh_called_hair(const SourceModel& model) {
+  return std::ranges::any_of(model.meshes, [&](const SourceMesh& mesh) {
+    return is_called_hair(mesh.name) || is_called_hair(material_name(model, mesh));
+  });
+}
+
+/// A file that may hold triangles, lines, or both.
+Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
+  auto model = import_model(path, settings.import);
+  if (!has_strand_suffix(path)) return model;
+  // Lines without triangles are no model, but may be hair.
+  if (!model && model.error().kind != ToolError::Kind::kBadInput) return model;
+  const bool says_what_is_hair =
+      !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
+  const bool is_strips = model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path));
+  tl::expected<Groom, ToolError> groom = failure(ToolError::Kind::kBadInput, "");
+  if (!is_strips) groom = read_groom(path, settings.import);
+  if (!groom) {
+    if (model && !recipe.cards_body.empty())
+      model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
+    return model;
+  }
+  std::optional<SourceModel> body;
+  if (model) body = std::move(*model);
+  return cards_on(std::move(*groom), std::move(body), recipe, settings);
 }
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path, const Recipe& recipe,
-                                                      const ImportSettings& settings, unsigned threads) {
+Model read_hair_source(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
+  if (is_recipe_file(path)) return grown_hair(path, recipe, settings);
   const auto suffix = find_suffix(path);
   const bool has_strands_alone = suffix && suffix->assimp_suffix == nullptr;
-  if (!has_strands_alone) {
-    auto model = import_model(path, settings);
-    // Lines without triangles are no model, but may be hair.
-    if (model || model.error().kind != ToolError::Kind::kBadInput || !has_strand_suffix(path)) return model;
-    const auto groom = read_groom(path, settings);
-    return groom ? cards_of(*groom, recipe, settings, threads) : std::move(model);
-  }
-  const auto groom = read_groom(path, settings);
+  if (!has_strands_alone) return read_model(path, recipe, settings);
+  auto groom = read_groom(path, settings.import);
   if (!groom) return tl::unexpected(groom.error());
-  return cards_of(*groom, recipe, settings, threads);
+  return cards_on(std::move(*groom), std::nullopt, recipe, settings);
+}
+
+std::string source_values(const Recipe& recipe) {
+  std::string text;
+  for (const RecipeKey& key : recipe_keys()) {
+    const std::string_view section = key.section;
+    if (section == "cards" || section == "grow" || section == "hair" || section == "head")
+      text += write_value(key, recipe).dump() + "\n";
+  }
+  return text;
 }
 
 }  // namespace coif

@@ -8,13 +8,27 @@
 #include <tl/expected.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace coif {
 
-/// The model that a cook begins with: an artist's strips as import_model() has them, and cards in place of strands, of a .hair or .tfx
-/// and of an .obj or glTF that has lines and no triangle. Errors: those of import_model(), read_groom() and model_of_cards(). Blocks;
-/// costs a fork, so call it before starting threads where you can.
-[[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path, const Recipe& recipe,
-                                                                    const ImportSettings& settings, unsigned threads);
+/// What beside the source's own bytes decides which model a cook begins with.
+struct HairSourceSettings {
+  ImportSettings import;                   ///< Its unit and axis are those of the source.
+  std::filesystem::path recipe_directory;  ///< CookSettings::recipe_directory.
+  unsigned threads = 1;                    ///< The model does not depend on it.
+};
+
+/// The model that a cook begins with: an artist's strips as import_model() has them; cards in place of strands, of a .hair or .tfx and of
+/// an .obj or glTF that has lines and no mesh called hair, whose meshes then are the body; cards of hair that is grown as a recipe
+/// says, where the source is a recipe itself (is_recipe_file()). Where there are strands, a body that the recipe names comes with
+/// them. Errors: those of import_model(), read_groom(), grow_from() and model_of_cards(). Blocks; costs a fork or two, so call it before
+/// starting threads where you can.
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_hair_source(const std::filesystem::path& path,
+                                                                    const Recipe& recipe,
+                                                                    const HairSourceSettings& settings);
+
+/// The recipe's values that read_hair_source() asks for: with others it gives another model.
+[[nodiscard]] std::string source_values(const Recipe& recipe);
 
 }  // namespace coif

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -15,16 +14,6 @@ namespace {
 
 constexpr std::size_t kQuadsOfCard = 4;      // on the average: fewer bend no lock, more leave too few cards
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-constexpr float kHairsOfHead = 100000;       // of people, each kHairWidth of a head's radius wide
-constexpr float kHairWidth = 0.0008f;
-
-/// Fewer strands than a head has stand for as many. As wide as their number is less they would hide as much and be ropes, as wide as
-/// its root they would be as heavy and show the skin: half way.
-float strand_width_of(const EvenStrands& strands) {
-  const float radius = 0.5f * box_of_roots(strands).sizes().maxCoeff();
-  return kHairWidth * radius * std::pow(std::max(kHairsOfHead / float(strands.count()), 1.0f), 0.75f);
-}
-
 std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
   std::vector<CardSize> sizes;
   for (const Wisp& wisp : wisps)
@@ -72,7 +61,10 @@ GroomShape shape_of(const Groom& groom, float strand_width) {
   GroomShape shape;
   shape.is_reversed = find_reversed_strands(groom);
   shape.strands = even_strands(groom, strand_width, shape.is_reversed);
-  if (!(shape.strands.width > 0)) shape.strands.width = strand_width_of(shape.strands);
+  if (!(shape.strands.width > 0)) {
+    const float radius = 0.5f * box_of_roots(shape.strands).sizes().maxCoeff();
+    shape.strands.width = usual_strand_width(radius, shape.strands.count());
+  }
   return shape;
 }
 

@@ -56,7 +56,9 @@ tl::expected<Requests, ToolError> named_requests(const CookOptions& options) {
   Requests requests;
   std::map<std::string, std::string> owners;
   for (const std::string& source : options.sources) {
-    const std::string output = (fs::path(options.output) / fs::path(source).stem()).string() + ".coif";
+    fs::path stem = fs::path(source).stem();
+    if (is_recipe_file(source)) stem = stem.stem();
+    const std::string output = (fs::path(options.output) / stem).string() + ".coif";
     const auto [owner, is_new] = owners.emplace(output, source);
     if (!is_new) return usage(fmt::format("{} and {} would both become {}", owner->second, source, output));
     requests.push_back({source, options.recipe, output});
@@ -111,8 +113,9 @@ std::string batch_text(const Outcomes& outcomes) {
 
 tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                               const Messages& messages) {
-  const auto choice = choose_recipe(request.source, request.recipe, messages);
+  auto choice = choose_recipe(request.source, request.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
+  choose_body(options.body, *choice);
   std::error_code told_by_the_cook;
   fs::create_directories(fs::path(request.output).parent_path(), told_by_the_cook);
   CookOptions alone = options;

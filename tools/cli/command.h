@@ -50,6 +50,7 @@ struct Command {
 };
 
 Command add_cook(CLI::App& program);
+Command add_grow(CLI::App& program);
 Command add_validate(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_simulate(CLI::App& program);

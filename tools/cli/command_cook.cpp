@@ -15,8 +15,9 @@ namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = read_hair_source(options.source(), choice.recipe, options.import_limits(import_settings(choice.recipe, options.roots)),
-                                      options.threads.value_or(all_threads()));
+  const auto model = read_hair_source(options.source(), choice.recipe,
+                                      {options.import_limits(import_settings(choice.recipe, options.roots)),
+                                       choice.directory, options.threads.value_or(all_threads())});
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
@@ -36,8 +37,9 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages&
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  const auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages);
+  auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
+  choose_body(options.body, *choice);
   if (options.print_recipe) {
     print_result(print_recipe(choice->recipe));
     return Exit::kOk;
@@ -88,11 +90,16 @@ void add_limits(CLI::App& app, CookOptions& options) {
 Command add_cook(CLI::App& program) {
   CLI::App* app = program.add_subcommand("cook", "Turn models into hair assets");
   const auto options = std::make_shared<CookOptions>();
-  app->add_option("SOURCE", options->sources, "FBX, glTF, GLB, VRM, OBJ or DAE with strips of hair; or strands, which become cards: HAIR, TFX, OBJ or glTF with lines. Several are cooked at once");
+  app->add_option("SOURCE", options->sources,
+                  "FBX, glTF, GLB, VRM, OBJ or DAE with strips of hair; or strands, which become cards: HAIR, TFX, OBJ "
+                  "or glTF with lines; or a .recipe.json, by which hair grows. Several are cooked at once");
   app->add_option("-o,--output", options->output, "The asset to write; for several sources a folder")
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
       ->type_name("R.json");
+  app->add_option("--body", options->body,
+                  "Model with the head that strands belong to, before the recipe's \"cards.body\"")
+      ->type_name("MODEL");
   app->add_option("--report", options->report, "Also write the JSON result to this file; of many sources OUT.html, too")
       ->type_name("REPORT.json");
   app->add_option("--depfile", options->depfile, "Also write what was read, for Make and Ninja")->type_name("D");

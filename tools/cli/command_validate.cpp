@@ -67,7 +67,9 @@ Found compare_with_origin(const Asset& asset, const OriginOptions& options, cons
   if (!bytes) return tl::unexpected(bytes.error());
   const auto choice = choose_recipe(options.source, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
-  const auto model = read_hair_source(options.source, choice->recipe, import_settings(choice->recipe, options.roots), all_threads());
+  const auto model =
+      read_hair_source(options.source, choice->recipe,
+                       {import_settings(choice->recipe, options.roots), choice->directory, all_threads()});
   if (!model) return tl::unexpected(model.error());
   const ProvenanceRecord now = make_provenance(*model, choice->recipe, xxh64(bytes->span()));
   std::vector<Issue> issues = find_origin_issues(asset, now);
@@ -95,7 +97,8 @@ std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& op
   const Recipe used = choice ? choice->recipe : default_recipe();
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
-  const auto model = read_hair_source(path, used, import_settings(used, options.roots), all_threads());
+  const auto model = read_hair_source(
+      path, used, {import_settings(used, options.roots), choice ? choice->directory : fs::path(), all_threads()});
   const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;

@@ -25,11 +25,12 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::expected<void, ToolError> check_outputs(const CookOptions& options, const RecipeChoice& choice) {
-  if (auto asset = check_output(options.output, {options.source(), choice.file}); !asset) return asset;
+  const fs::path body = choice.recipe.cards_body.empty() ? fs::path() : choice.directory / choice.recipe.cards_body;
+  if (auto asset = check_output(options.output, {options.source(), choice.file, body}); !asset) return asset;
   for (const auto& [name, file] : {std::pair{"--report", &options.report}, std::pair{"--depfile", &options.depfile}}) {
     if (file->empty()) continue;
     if (*file == options.output) return usage(fmt::format("{} and --output name the same file", name));
-    if (auto checked = check_output(*file, {options.source(), choice.file}); !checked) return checked;
+    if (auto checked = check_output(*file, {options.source(), choice.file, body}); !checked) return checked;
   }
   const bool same = !options.report.empty() && options.report == options.depfile;
   return same ? usage("--report and --depfile name the same file") : tl::expected<void, ToolError>{};
@@ -88,8 +89,9 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   show("import");
   const auto begin = std::chrono::steady_clock::now();
   const unsigned threads = options.threads.value_or(all_threads());
-  const auto model =
-      read_hair_source(options.source(), choice.recipe, options.import_limits(import_settings(choice.recipe, options.roots)), threads);
+  const auto model = read_hair_source(
+      options.source(), choice.recipe,
+      {options.import_limits(import_settings(choice.recipe, options.roots)), choice.directory, threads});
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;
   CookSettings settings;

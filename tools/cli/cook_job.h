@@ -39,6 +39,7 @@ struct CookOptions {
   std::vector<std::string> sources;
   std::string output;  ///< A file for one source, a folder for several.
   std::optional<std::string> recipe;
+  std::string body;           ///< Before the recipe's "cards.body".
   std::string manifest;       ///< Instead of sources.
   std::string share = "1/1";  ///< The batch of the manifest that is cooked here, as K/N.
   std::string report;

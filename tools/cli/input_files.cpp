@@ -16,7 +16,7 @@ namespace coif {
 
 bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   const bool is_asset = bytes.size() >= sizeof kAssetMagic && std::memcmp(bytes.data(), kAssetMagic, sizeof kAssetMagic) == 0;
-  return !is_asset && find_suffix(path).has_value();
+  return !is_asset && (find_suffix(path).has_value() || is_recipe_file(path));
 }
 
 tl::expected<AssetFile, ToolError> AssetFile::open(const std::filesystem::path& path) {
@@ -49,6 +49,10 @@ tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file) {
 
 tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, const std::optional<std::string>& named,
                                                     const Messages& messages) {
+  if (is_recipe_file(source)) {
+    if (named) return usage(fmt::format("{}: is a recipe itself; leave --recipe out", source.string()));
+    return read_choice(source);
+  }
   if (named) return read_choice(*named);
   fs::path beside = source;
   beside.replace_extension(".recipe.json");
@@ -56,6 +60,14 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
   if (source.empty() || !fs::exists(beside, ignored)) return RecipeChoice{default_recipe(), source.parent_path(), {}};
   messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
   return read_choice(beside);
+}
+
+void choose_body(const fs::path& body, RecipeChoice& choice) {
+  if (body.empty()) return;
+  choice.recipe.cards_body = fs::absolute(body)
+                                 .lexically_normal()
+                                 .lexically_proximate(fs::absolute(choice.directory).lexically_normal())
+                                 .string();
 }
 
 ImportSettings import_settings(const Recipe& recipe, std::vector<fs::path> roots) {

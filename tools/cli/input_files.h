@@ -40,7 +40,7 @@ class AssetFile {
   Asset asset_;
 };
 
-/// A file is taken for a source only by a suffix that the importer knows; everything else should be an asset.
+/// A file is taken for a source only by a suffix that the importer knows, or as a recipe by which hair grows; everything else should be an asset.
 [[nodiscard]] bool is_source(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 struct RecipeChoice {
@@ -49,10 +49,13 @@ struct RecipeChoice {
   std::filesystem::path file;       ///< Empty: the defaults, no file.
 };
 
-/// The recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
+/// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
 /// `source` has nothing beside it.
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
                                                     const std::optional<std::string>& named, const Messages& messages);
+
+/// Puts a body named on the command line in place of the recipe's; nothing where `body` is empty.
+void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 
 /// What a recipe says about reading the source, and ImportSettings::roots.
 [[nodiscard]] ImportSettings import_settings(const Recipe& recipe, std::vector<std::filesystem::path> roots);

@@ -62,9 +62,8 @@ Exit run_program(int argc, char** argv) {
   bool wants_manual = false;
   program.add_flag("--man", wants_manual, "Print the manual page: coif --man | man -l -");
   std::vector<Command> commands;
-  for (const auto add :
-       {add_cook, add_look, add_validate, add_info, add_simulate, add_render, add_gallery, add_view_page, add_compare, add_report, add_strip,
-        add_cache}) {
+  for (const auto add : {add_cook, add_grow, add_look, add_validate, add_info, add_simulate, add_render, add_gallery,
+                         add_view_page, add_compare, add_report, add_strip, add_cache}) {
     commands.push_back(add(program));
     CLI::App& app = *commands.back().app;
     app.footer(app.get_footer().empty() ? exit_code_help() : app.get_footer() + "\n" + exit_code_help());

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace coif {
@@ -66,6 +67,12 @@ void warn(std::size_t count, const char* what, std::vector<std::string>& warning
 }
 
 }  // namespace
+
+float usual_strand_width(float head_radius, std::size_t strands) {
+  constexpr float kHairsOfHead = 100000;  // of people, each kHairWidth of the head's radius wide
+  constexpr float kHairWidth = 0.0008f;
+  return kHairWidth * head_radius * std::pow(std::max(kHairsOfHead / float(strands), 1.0f), 0.75f);
+}
 
 std::string find_groom_fault(const Groom& groom) {
   if (std::string fault = strands_fault(groom); !fault.empty()) return fault;

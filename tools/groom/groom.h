@@ -47,6 +47,10 @@ struct Groom {
   }
 };
 
+/// Metres, of strands on a head of that radius of which nothing else is known. Fewer than a head has stand for as many: as wide as their
+/// number is less they would hide as much and be ropes, as wide as its root they would be as heavy and show the skin; half way.
+[[nodiscard]] float usual_strand_width(float head_radius, std::size_t strands);
+
 /// Every promise above. Empty when they hold, else the first that does not.
 [[nodiscard]] std::string find_groom_fault(const Groom& groom);
 

@@ -41,6 +41,8 @@ tl::expected<TfxHeader, std::string> tfx_header(TfxBytes bytes) {
     }
     header.follow_hairs = word(3);
     header.positions = word(36);
+    header.thickness = word(37);
+    header.colors = word(39);
   } else {
     return tl::unexpected(fmt::format("is of version {:g}; 3 and 4 can be read", header.version));
   }

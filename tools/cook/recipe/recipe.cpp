@@ -53,6 +53,18 @@ tl::expected<void, std::string> read_section(const std::string& section, const j
   return {};
 }
 
+/// The keys of the built-in style that a document names, or of `style` where it is not empty.
+tl::expected<void, std::string> begin_from_style(const json& document, const std::string& style, Recipe& recipe) {
+  const json& named = member(member(document, "grow"), "style");
+  const json chosen = style.empty() ? named : json(style);
+  if (chosen.is_null()) return {};
+  if (auto outcome = read_section("grow", {{"style", chosen}}, recipe); !outcome) return outcome;
+  for (const BuiltInStyle& built_in : built_in_styles()) {
+    if (recipe.grow_style == built_in.name) return read_section("grow", json::parse(built_in.keys), recipe);
+  }
+  return {};
+}
+
 /// `says_all`: with RecipeKey::also.
 std::string commented(const Recipe& recipe, bool says_all) {
   std::string text = "{";
@@ -92,16 +104,19 @@ Recipe draft_of(Recipe recipe) {
   return recipe;
 }
 
-tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name) {
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
+                                             const std::string& style) {
   Recipe recipe = default_recipe();
   const auto document = parse_shallow_json(text);
   if (!document) return bad_recipe(name, document.error());
   if (!document->is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
+  if (auto outcome = begin_from_style(*document, style, recipe); !outcome) return bad_recipe(name, outcome.error());
   for (const auto& [section, values] : document->items()) {
     const bool is_list = section == "patches" && values.is_array();  // short for its "overrides"
     if (!values.is_object() && !is_list) return bad_recipe(name, unknown_key(section));
     if (auto outcome = read_section(section, is_list ? json{{"overrides", values}} : values, recipe); !outcome) return bad_recipe(name, outcome.error());
   }
+  if (!style.empty()) recipe.grow_style = style;
   if (recipe.head_center.has_value() != recipe.head_radii.has_value()) {
     return bad_recipe(name, "\"head.center\" and \"head.radii\" come together; give both or neither");
   }
@@ -123,11 +138,13 @@ tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::pat
   return text.str();
 }
 
-tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path) {
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const std::string& style) {
   const auto text = read_recipe_text(path);
   if (!text) return tl::unexpected(text.error());
-  return parse_recipe(*text, path.string());
+  return parse_recipe(*text, path.string(), style);
 }
+
+bool is_recipe_file(const std::filesystem::path& path) { return path.filename().string().ends_with(".recipe.json"); }
 
 std::string print_recipe(const Recipe& recipe) { return commented(recipe, true); }
 

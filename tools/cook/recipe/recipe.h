@@ -6,6 +6,7 @@
 #include "cook/recipe/body_collider.h"
 #include "cook/recipe/bone_limit.h"
 #include "cook/recipe/chain_links.h"
+#include "cook/recipe/hair_style.h"
 #include "cook/recipe/patch_override.h"
 
 #include <tl/expected.hpp>
@@ -22,7 +23,7 @@ namespace coif {
 
 /// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
 /// default_recipe().
-struct Recipe {
+struct Recipe : HairStyle {
   // scene: what it needs
   bool scene_draw = false;
   bool scene_simulate = false;
@@ -50,6 +51,9 @@ struct Recipe {
   std::uint32_t cards_triangles = 0;
   std::uint32_t cards_texels = 0;
   double cards_strand_width = 0;  ///< Metres; 0: from how many strands there are.
+  std::string cards_body;         ///< Path beside the recipe; "": none.
+  std::optional<std::uint32_t> cards_follow_hairs;  ///< None: as the file says.
+  double cards_follow_radius = 0;                   ///< Metres; 0: from how far apart the strands are.
   // chains, where the file has no bones
   std::string chain_source;  ///< "auto", "file", "fit" or "none".
   std::uint32_t chain_max_count = 0;
@@ -162,8 +166,12 @@ struct CookSettings {
 
 /// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
 /// the range and, for a misspelt key, the nearest one.
-tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name);
-tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path);
+/// A built-in style that "grow.style" names holds where no other key of "grow" does; `style`, where it is not empty, goes before that.
+tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
+                                             const std::string& style = {});
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const std::string& style = {});
+/// Whether a path ends in ".recipe.json": as the source of a cook such a file says itself what hair grows.
+[[nodiscard]] bool is_recipe_file(const std::filesystem::path& path);
 /// The text of a recipe's file, not looked at yet. kFileAccess where it cannot be read or is too large for one.
 tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::path& path);
 

@@ -8,7 +8,7 @@ namespace {
 using R = Recipe;
 
 // clang-format off
-const RecipeKey kKeys[] = {
+const RecipeKey kCookKeys[] = {
   {"scene", "draw", &R::scene_draw, "true", 0, 0, nullptr, "",
    "false: the hair is simulated but never drawn from this asset; leaves mesh, material and textures out"},
   {"scene", "simulate", &R::scene_simulate, "true", 0, 0, nullptr, "",
@@ -57,6 +57,12 @@ const RecipeKey kKeys[] = {
    "what their texture may have, all cards together"},
   {"cards", "strand_width", &R::cards_strand_width, "0", 0, 0.1, nullptr, "m",
    "how wide a strand is where the file does not say; 0: so wide that the strands cover what all hair of a head does"},
+  {"cards", "body", &R::cards_body, "\"\"", 0, 0, nullptr, "",
+   "model of the head and body that strands belong to, which come without, and that hair grows on; path from the recipe"},
+  {"cards", "follow_hairs", &R::cards_follow_hairs, "null", 0, 64, nullptr, "strands",
+   "made up around each strand of the file, where these are guides; null: as many as the file asks for (TressFX)"},
+  {"cards", "follow_radius", &R::cards_follow_radius, "0", 0, 0.1, nullptr, "m",
+   "how far from it; 0: as far as they need to cover the scalp between the file's strands"},
 
   {"chains", "source", &R::chain_source, "\"auto\"", 0, 0, "auto|file|fit|none", "",
    "where moving bones come from: the file, fitted to the hair, or neither; auto: fitted where the file has none"},
@@ -246,6 +252,13 @@ const RecipeKey kKeys[] = {
 
 }  // namespace
 
-std::span<const RecipeKey> recipe_keys() { return kKeys; }
+std::span<const RecipeKey> recipe_keys() {
+  static const std::vector<RecipeKey> keys = [] {
+    std::vector<RecipeKey> all(std::begin(kCookKeys), std::end(kCookKeys));
+    all.insert(all.end(), grow_keys().begin(), grow_keys().end());
+    return all;
+  }();
+  return keys;
+}
 
 }  // namespace coif

@@ -18,6 +18,7 @@ using RecipeField =
                  std::vector<std::string> Recipe::*, std::vector<CurvePoint> Recipe::*, std::array<double, 3> Recipe::*,
                  std::array<double, 4> Recipe::*, std::optional<double> Recipe::*,
                  std::optional<NumberOrCurve> Recipe::*, std::optional<std::array<double, 3>> Recipe::*,
+                 std::optional<std::array<double, 2>> Recipe::*, std::optional<std::uint32_t> Recipe::*,
                  std::vector<PatchOverride> Recipe::*, std::vector<RecipeBodyCollider> Recipe::*,
                  std::vector<RecipeBoneLimit> Recipe::*, RecipeLinks Recipe::*>;
 
@@ -37,7 +38,10 @@ struct RecipeKey {
   [[nodiscard]] std::string path() const { return std::string(section) + "." + name; }
 };
 
+/// All of them, each section in one piece.
 [[nodiscard]] std::span<const RecipeKey> recipe_keys();
+/// Those of "grow" alone.
+[[nodiscard]] std::span<const RecipeKey> grow_keys();
 
 // JSON <-> one value of a recipe. The only place that knows how each type of value is written.
 

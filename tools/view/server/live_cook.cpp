@@ -29,6 +29,7 @@ std::string with_name(std::string message, const fs::path& source, const std::st
 }  // namespace
 
 fs::path LiveCook::Order::recipe_place() const {
+  if (is_recipe_file(source)) return source;
   if (recipe) return *recipe;
   fs::path beside = source;
   return is_taken ? fs::path() : beside.replace_extension(".recipe.json");
@@ -38,6 +39,11 @@ fs::path LiveCook::Order::recipe_file() const {
   std::error_code ignored;
   fs::path place = recipe_place();
   return recipe || fs::exists(place, ignored) ? place : fs::path();
+}
+
+fs::path LiveCook::Order::recipe_directory() const {
+  const fs::path file = recipe_file();
+  return (file.empty() ? source : file).parent_path();
 }
 
 LiveCook::LiveCook(LiveCooking cooking, fs::path source, std::optional<fs::path> recipe, LiveState& state)
@@ -73,7 +79,8 @@ bool LiveCook::files_changed() {
   const std::lock_guard guard(lock_);
   const std::vector<fs::path> changed = watch_.changed();
   const fs::path recipe = order_.recipe_place();
-  if (std::ranges::any_of(changed, [&](const fs::path& file) { return file != recipe; })) is_stale_ = true;
+  if (std::ranges::any_of(changed, [&](const fs::path& file) { return file != recipe || file == order_.source; }))
+    is_stale_ = true;
   return !changed.empty();
 }
 
@@ -115,7 +122,7 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
   if (!imported) return tl::unexpected(imported.error());
   CookSettings settings;
   settings.threads = cooking_.threads;
-  settings.recipe_directory = (recipe_file.empty() ? order.source : recipe_file).parent_path();
+  settings.recipe_directory = order.recipe_directory();
   settings.source_hash = (*imported)->hash;
   settings.draft = cooking_.draft;
   settings.progress = [&obsolete](const char*) {
@@ -136,16 +143,16 @@ tl::expected<LiveResult, ToolError> LiveCook::cook(const Order& order, const std
 tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order& order, const Recipe& recipe) {
   ImportSettings settings = cooking_.import_settings(recipe, cooking_.roots);
   const bool is_stale = is_stale_.exchange(false);
-  const CardsAsked cards{recipe.cards_triangles, recipe.cards_texels, recipe.cards_strand_width};
+  std::string values = source_values(recipe);
   if (!is_stale && imported_ && imported_->source == order.source && is_same(imported_->settings, settings) &&
-      imported_->cards == cards)
+      imported_->values == values)
     return &*imported_;
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto model = read_hair_source(order.source, recipe, settings, all_threads());
+  auto model = read_hair_source(order.source, recipe, {settings, order.recipe_directory(), all_threads()});
   if (!model) return tl::unexpected(model.error());
-  imported_ = Imported{order.source, std::move(settings), cards, std::move(*model), xxh64(bytes->span())};
+  imported_ = Imported{order.source, std::move(settings), std::move(values), std::move(*model), xxh64(bytes->span())};
   return &*imported_;
 }
 

@@ -16,7 +16,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <string_view>
 #include <vector>
 
@@ -70,14 +69,15 @@ class LiveCook {
 
     /// Empty: none.
     [[nodiscard]] std::filesystem::path recipe_file() const;
+    /// Where its paths start.
+    [[nodiscard]] std::filesystem::path recipe_directory() const;
     /// Which is read once it appears.
     [[nodiscard]] std::filesystem::path recipe_place() const;
   };
-  using CardsAsked = std::tuple<std::uint32_t, std::uint32_t, double>;  ///< What of the recipe makes cards of strands.
   struct Imported {
     std::filesystem::path source;
     ImportSettings settings;
-    CardsAsked cards;
+    std::string values;  ///< source_values()
     SourceModel model;
     std::uint64_t hash = 0;
   };

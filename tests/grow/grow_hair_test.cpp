@@ -1,0 +1,199 @@
+#include "grow/grow_hair.h"
+
+#include "cook/recipe/recipe.h"
+#include "grow/body_surface.h"
+#include "grow/head_frame.h"
+#include "grow/round_bodies.h"
+#include "grow/scalp.h"
+#include "sample/head_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif::grow_hair_test {
+
+using Eigen::Vector3f;
+
+Recipe recipe_of(const std::string& keys) {
+  const auto recipe = parse_recipe("{\"grow\": " + keys + "}", "test");
+  EXPECT_TRUE(recipe) << (recipe ? "" : recipe.error().message);
+  return recipe.value_or(default_recipe());
+}
+
+Groom grown(const std::string& keys, unsigned threads = 2) {
+  static const SourceModel body = sample_body();
+  const auto groom = grow_from(recipe_of(keys), body, "test", threads);
+  EXPECT_TRUE(groom) << (groom ? "" : groom.error().message);
+  return groom ? *groom : Groom{};
+}
+
+float length_of(std::span<const Vector3f> strand) {
+  float length = 0;
+  for (std::size_t k = 1; k < strand.size(); ++k) length += (strand[k] - strand[k - 1]).norm();
+  return length;
+}
+
+/// The sample's skull, face towards +Z.
+Vector3f direction_of(const Vector3f& point) {
+  return (point - sample::kCraniumCenter.cast<float>()).cwiseQuotient(sample::kCraniumRadii.cast<float>()).normalized();
+}
+
+/// Metres from the bust's triangles, negative inside.
+float away_from_skin(const Vector3f& point) {
+  static const grow::BodySurface skin = [] {
+    SourceMesh mesh = sample_body().meshes[0];
+    return grow::BodySurface(std::move(mesh.positions), std::move(mesh.triangles));
+  }();
+  const float away = skin.distance(point, 10);
+  return skin.is_inside(point) ? -away : away;
+}
+
+class EveryStyle : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryStyle, BeginsOnTheSkinAndNeverPassesThroughIt) {
+  const Groom groom = grown(std::string("{\"strands\": 400, \"style\": \"") + GetParam() + "\"}");
+  EXPECT_EQ(find_groom_fault(groom), "");
+  EXPECT_EQ(groom.strand_count(), 400u);
+  EXPECT_TRUE(groom.root_first);
+  EXPECT_EQ(groom.widths.size(), groom.points.size());
+  EXPECT_EQ(groom.colors.size(), groom.points.size());
+  float deepest = 1;
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    const auto strand = groom.strand(i);
+    EXPECT_NEAR(away_from_skin(strand[0]), 0, 0.0015);
+    for (std::size_t k = 1; k < strand.size(); ++k) {
+      // Between points, too.
+      if (k > 1) deepest = std::min(deepest, away_from_skin(0.5f * (strand[k] + strand[k - 1])));
+      deepest = std::min(deepest, away_from_skin(strand[k]));
+    }
+  }
+  EXPECT_GT(deepest, -0.0003f) << "metres";
+}
+
+INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle,
+                         testing::Values("none", "bob", "fringe_bob", "long", "wavy", "curly", "afro", "short", "spiky",
+                                         "slick", "ponytail"),
+                         [](const auto& style) { return std::string(style.param); });
+
+TEST(GrowHair, EveryStyleIsNamed) {
+  std::string words = "none";
+  for (const BuiltInStyle& style : built_in_styles()) {
+    words += std::string("|") + style.name;
+    EXPECT_EQ(recipe_of(std::string("{\"style\": \"") + style.name + "\"}").grow_style, style.name);
+  }
+  EXPECT_EQ(words, kStyleWords);
+}
+
+TEST(GrowHair, KeysGoBeforeTheStylesOwn) {
+  EXPECT_TRUE(recipe_of(R"({"style": "bob"})").grow_parting.has_value());
+  EXPECT_FALSE(recipe_of(R"({"parting": null, "style": "bob"})").grow_parting.has_value());
+  const auto chosen = parse_recipe(R"({"grow": {"style": "bob", "curl_radius": 0.5e-2}})", "test", "ponytail");
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(chosen->grow_style, "ponytail");
+  EXPECT_TRUE(chosen->grow_gather.has_value());
+  EXPECT_EQ(chosen->grow_curl_radius, 0.005);
+  const auto again = parse_recipe(print_recipe(*chosen), "printed");
+  ASSERT_TRUE(again);
+  EXPECT_EQ(print_recipe(*again), print_recipe(*chosen));
+}
+
+TEST(GrowHair, RepeatsOnAnyNumberOfThreadsAndDiffersBySeed) {
+  const Groom one = grown(R"({"style": "wavy", "strands": 200})", 1),
+              three = grown(R"({"style": "wavy", "strands": 200})", 3);
+  EXPECT_EQ(one.points, three.points);
+  EXPECT_EQ(one.widths, three.widths);
+  EXPECT_EQ(one.colors, three.colors);
+  EXPECT_NE(one.points, grown(R"({"style": "wavy", "strands": 200, "seed": 2})").points);
+}
+
+TEST(GrowHair, RootsKeepToTheHairline) {
+  const Recipe recipe = recipe_of(R"({"strands": 3000})");
+  const Groom groom = grown(R"({"strands": 3000})");
+  std::size_t on_face = 0, at_back = 0;
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    const Vector3f root = direction_of(groom.strand(i)[0]);
+    const float azimuth = grow::azimuth_of(root), elevation = grow::elevation_of(root);
+    EXPECT_GT(elevation, grow::hairline(recipe, azimuth) - 6);
+    on_face += std::abs(azimuth) < 40 && elevation < 25 ? 1 : 0;
+    at_back += std::abs(azimuth) > 140 && elevation < 0 ? 1 : 0;
+  }
+  EXPECT_EQ(on_face, 0u);
+  EXPECT_GT(at_back, 150u);
+}
+
+TEST(GrowHair, IsAsLongAsAskedAndCutLevel) {
+  const Groom plain =
+      grown(R"({"strands": 300, "length_top": 0.2, "length_front": 0.2, "length_sides": 0.2, "length_back": 0.2,
+    "length_random": 0, "clump": 0, "clump_children": 0, "frizz": 0, "flyaways": 0})");
+  for (std::size_t i = 0; i < plain.strand_count(); ++i) EXPECT_NEAR(length_of(plain.strand(i)), 0.2f, 0.025f);
+  const Groom cut = grown(R"({"strands": 300, "cut": -1, "length_random": 0})");
+  const double level = sample::kCraniumCenter.y() - sample::kCraniumRadii.y();
+  for (std::size_t i = 0; i < cut.strand_count(); ++i) EXPECT_GT(cut.strand(i).back().y(), level - 0.01);
+}
+
+TEST(GrowHair, APartingSendsHairToItsSides) {
+  const Groom groom = grown(R"({"strands": 1500, "parting": 0, "flyaways": 0})");
+  std::size_t on_top = 0, crossed = 0;
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    const Vector3f root = direction_of(groom.strand(i)[0]);
+    if (!(root.z() > 0.1f && std::abs(root.x()) > 0.06f)) continue;
+    ++on_top;
+    crossed += root.x() * groom.strand(i).back().x() < 0 ? 1 : 0;
+  }
+  EXPECT_GT(on_top, 100u);
+  EXPECT_LT(crossed, on_top / 50);
+}
+
+TEST(GrowHair, ATieHoldsEveryStrand) {
+  const Groom groom = grown(R"({"style": "ponytail", "strands": 300, "flyaways": 0})");
+  // Behind the tie all hair is in one tail: no strand's tip is before the middle of the head.
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    EXPECT_LT(groom.strand(i).back().z(), sample::kCraniumCenter.z());
+    EXPECT_LT(std::abs(groom.strand(i).back().x()), 0.06f);
+  }
+}
+
+TEST(GrowHair, GrowsWithTheHeadWhereverThatIs) {
+  SourceModel large = sample_body();
+  for (Vector3f& p : large.meshes[0].positions) p = 2 * p + Vector3f(1, -3, 0.5f);
+  const auto groom = grow_from(recipe_of(R"({"style": "bob", "strands": 100})"), large, "test", 2);
+  ASSERT_TRUE(groom);
+  const Groom usual = grown(R"({"style": "bob", "strands": 100})");
+  double apart = 0;
+  for (std::size_t i = 0; i < 100; ++i)
+    apart += double((groom->strand(i)[0] - (2 * usual.strand(i)[0] + Vector3f(1, -3, 0.5f))).norm()) / 100;
+  EXPECT_LT(apart, 0.003);
+  EXPECT_NEAR(length_of(groom->strand(7)), 2 * length_of(usual.strand(7)), 0.05f);
+}
+
+TEST(GrowHair, TurnsWithABodyThatLooksBackwards) {
+  SourceModel turned = sample_body();
+  for (Vector3f& p : turned.meshes[0].positions) p = Vector3f(-p.x(), p.y(), -p.z());
+  turned.facing = Facing::kBackwards;
+  const auto groom = grow_from(recipe_of(R"({"style": "short", "strands": 50})"), turned, "test", 1);
+  ASSERT_TRUE(groom);
+  const Groom usual = grown(R"({"style": "short", "strands": 50})");
+  for (std::size_t i = 0; i < 50; ++i) {
+    const Vector3f p = usual.strand(i)[0];
+    EXPECT_LT((groom->strand(i)[0] - Vector3f(-p.x(), p.y(), -p.z())).norm(), 1e-3f);
+  }
+}
+
+TEST(GrowHair, SaysWhyNothingGrows) {
+  const SourceModel plank = test::model_of(test::ellipsoid(Vector3f::Zero(), {1, 0.05f, 0.01f}));
+  const auto headless = grow_from(default_recipe(), plank, "a.recipe.json", 1);
+  ASSERT_FALSE(headless);
+  EXPECT_EQ(headless.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_TRUE(headless.error().message.starts_with("a.recipe.json: no head at the top of body.glb; say where"))
+      << headless.error().message;
+  const auto bald = grow_from(
+      recipe_of(
+          R"({"hairline_front": 90, "hairline_temples": 90, "hairline_sides": 90, "hairline_nape": 90, "hairline_fade": 0})"),
+      sample_body(), "a.recipe.json", 1);
+  ASSERT_FALSE(bald);
+  EXPECT_NE(bald.error().message.find("leaves no room for hair"), std::string::npos) << bald.error().message;
+}
+
+}  // namespace coif::grow_hair_test

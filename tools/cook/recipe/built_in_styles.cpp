@@ -1,0 +1,48 @@
+#include "cook/recipe/hair_style.h"
+
+namespace coif {
+namespace {
+
+constexpr BuiltInStyle kStyles[] = {
+    {"bob", R"({"length_top": 0.34, "length_front": 0.34, "length_sides": 0.3, "length_back": 0.3, "cut": -1.35,
+      "parting": 32, "comb_strength": 0.35, "volume": 0.009, "swing": -0.45, "clump": 0.5, "clump_size": 0.02,
+      "length_random": 0.04, "frizz": 0.0012})"},
+    {"fringe_bob", R"({"length_top": 0.34, "length_front": 0.3, "length_sides": 0.28, "length_back": 0.28, "cut": -1.05,
+      "fringe_width": 54, "fringe_depth": 36, "fringe_length": 0.078, "whorl": 20, "volume": 0.009, "swing": -0.4,
+      "clump": 0.45, "length_random": 0.05, "frizz": 0.001, "root_color": [0.07, 0.06, 0.06], "tip_color": [0.16, 0.13, 0.12]})"},
+    {"long", R"({"length_top": 0.5, "length_front": 0.47, "length_sides": 0.4, "length_back": 0.36, "parting": 0,
+      "volume": 0.008, "clump": 0.7, "clump_size": 0.022, "length_random": 0.14, "frizz": 0.0025})"},
+    {"wavy", R"({"length_top": 0.52, "length_front": 0.46, "length_sides": 0.42, "length_back": 0.42, "parting": 22,
+      "volume": 0.012, "layers": 0.018, "clump": 0.8, "clump_size": 0.024, "clump_shape": 0.35, "wave_height": 0.009, "wave_length": 0.085,
+      "curl_radius": 0.005, "curl_pitch": 0.09, "curl_start": 0.35, "length_random": 0.16, "frizz": 0.004,
+      "root_color": [0.3, 0.19, 0.1], "tip_color": [0.66, 0.47, 0.28]})"},
+    {"curly", R"({"length_top": 0.3, "length_front": 0.26, "length_sides": 0.25, "length_back": 0.28, "whorl": 15,
+      "lift": 50, "volume": 0.02, "layers": 0.03, "stiffness": 0.3, "clump": 0.9, "clump_size": 0.016, "clump_shape": 0.2,
+      "clump_children": 0.4, "curl_radius": 0.0095, "curl_pitch": 0.032, "curl_start": 0.15, "curl_random": 0.12,
+      "length_random": 0.22, "frizz": 0.004, "flyaways": 0.04})"},
+    {"afro", R"({"length_top": 0.09, "length_front": 0.075, "length_sides": 0.08, "length_back": 0.085, "comb": "out",
+      "comb_strength": 1, "lift": 85, "volume": 0.02, "layers": 0.02, "stiffness": 0.8, "gravity": 0.3, "whorl": 0, "clump": 0.8,
+      "clump_size": 0.009, "clump_shape": 0.25, "curl_radius": 0.0045, "curl_pitch": 0.011, "curl_start": 0.1, "curl_random": 0.25,
+      "length_random": 0.2, "frizz": 0.004, "root_color": [0.05, 0.04, 0.035], "tip_color": [0.14, 0.1, 0.08]})"},
+    {"short", R"({"length_top": 0.075, "length_front": 0.07, "length_sides": 0.022, "length_back": 0.028, "parting": 38,
+      "parting_strength": 0.6, "comb": "back", "comb_strength": 0.25, "lift": 28, "volume": 0.006, "layers": 0.006,
+      "stiffness": 0.45, "clump": 0.55, "clump_size": 0.012, "length_random": 0.12, "frizz": 0.0012,
+      "flyaway_reach": 0.004})"},
+    {"spiky", R"({"length_top": 0.09, "length_front": 0.085, "length_sides": 0.05, "length_back": 0.06, "comb": "up",
+      "comb_strength": 0.5, "lift": 58, "volume": 0.004, "layers": 0.004, "stiffness": 0.88, "gravity": 0.3, "clump": 1,
+      "clump_size": 0.03, "clump_shape": 0.95, "clump_children": 0.3, "length_random": 0.25, "frizz": 0.0008, "flyaways": 0.006,
+      "root_color": [0.35, 0.22, 0.1], "tip_color": [0.85, 0.68, 0.38]})"},
+    {"slick", R"({"length_top": 0.15, "length_front": 0.16, "length_sides": 0.1, "length_back": 0.06, "comb": "back",
+      "comb_strength": 1, "lift": 12, "volume": 0.005, "layers": 0.006, "stiffness": 0.3, "clump": 0.6, "clump_size": 0.014,
+      "length_random": 0.08, "frizz": 0.0006, "flyaways": 0.005, "root_color": [0.06, 0.05, 0.045], "tip_color": [0.13, 0.1, 0.09]})"},
+    {"ponytail",
+     R"({"length_top": 0.52, "length_front": 0.56, "length_sides": 0.5, "length_back": 0.44, "gather": [180, 22],
+      "lift": 8, "volume": 0.003, "layers": 0.004, "clump": 0.55, "clump_size": 0.014, "length_random": 0.14, "frizz": 0.0012,
+      "flyaways": 0.015})"},
+};
+
+}  // namespace
+
+std::span<const BuiltInStyle> built_in_styles() { return kStyles; }
+
+}  // namespace coif

@@ -1,0 +1,90 @@
+#include "grow/clumps.h"
+
+#include "grow/random.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace coif::grow {
+namespace {
+
+using Eigen::Vector3f;
+
+/// The middles so far, by cubes of their roots.
+class Middles {
+ public:
+  Middles(const StrandPaths& paths, float size, const ClumpMiddles& within)
+      : paths_(paths), size_(size), within_(within) {}
+
+  void add(std::uint32_t strand) { cubes_[cube_of(strand)].push_back(strand); }
+
+  /// The nearest one of the strand's clump; the strand itself where none is within the size.
+  [[nodiscard]] std::uint32_t nearest(std::uint32_t strand) const {
+    const std::array<int, 3> home = place_of(strand);
+    float least = size_ * size_;
+    std::uint32_t best = strand;
+    for (int n = 0; n < 27; ++n) {
+      const auto cube = cubes_.find(key({home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1}));
+      if (cube == cubes_.end()) continue;
+      for (const std::uint32_t middle : cube->second) {
+        if (!within_.empty() && within_[middle] != within_[strand]) continue;
+        const float apart = squared_distance(strand, middle);
+        if (apart < least) {
+          least = apart;
+          best = middle;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// Of roots, and less of the places half way to the tips and there: hair that a shoulder parts is no clump.
+  [[nodiscard]] float squared_distance(std::uint32_t a, std::uint32_t b) const {
+    const auto first = paths_.strand(a), second = paths_.strand(b);
+    const std::size_t half = paths_.stations / 2;
+    return (first[0] - second[0]).squaredNorm() + 0.2f * (first[half] - second[half]).squaredNorm() +
+           0.06f * (first.back() - second.back()).squaredNorm();
+  }
+
+  [[nodiscard]] std::array<int, 3> place_of(std::uint32_t strand) const {
+    const Vector3f place = paths_.strand(strand)[0] / size_;
+    return {int(std::floor(place.x())), int(std::floor(place.y())), int(std::floor(place.z()))};
+  }
+  [[nodiscard]] static std::uint64_t key(const std::array<int, 3>& place) {
+    const auto bits = [](int v) { return std::uint64_t(std::uint32_t(v)) & 0x1FFFFF; };
+    return bits(place[0]) | bits(place[1]) << 21 | bits(place[2]) << 42;
+  }
+  [[nodiscard]] std::uint64_t cube_of(std::uint32_t strand) const { return key(place_of(strand)); }
+
+  const StrandPaths& paths_;
+  float size_;
+  const ClumpMiddles& within_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
+};
+
+}  // namespace
+
+ClumpMiddles find_clumps(const StrandPaths& paths, float size, std::uint32_t seed, const ClumpMiddles& within) {
+  const Dice dice(seed, Purpose::kClump);
+  std::vector<std::uint32_t> order(paths.count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(dice.unit(i), i); });
+  Middles middles(paths, size, within);
+  // The middles of larger clumps are middles of smaller ones, too, so that these keep to them.
+  for (std::uint32_t i = 0; i < within.size(); ++i) {
+    if (within[i] == i) middles.add(i);
+  }
+  ClumpMiddles found(paths.count());
+  for (const std::uint32_t i : order) {
+    if (middles.nearest(i) == i && (within.empty() || within[i] != i)) middles.add(i);
+  }
+  for (const std::uint32_t i : order) found[i] = middles.nearest(i);
+  return found;
+}
+
+}  // namespace coif::grow

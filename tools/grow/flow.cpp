@@ -1,0 +1,77 @@
+#include "grow/flow.h"
+
+#include "grow/random.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace coif::grow {
+namespace {
+
+using Eigen::Vector3f;
+
+Vector3f comb_direction(const std::string& word, const Vector3f& out) {
+  if (word == "back") return Vector3f(0, -1.6f * ramp(0.1f, 0.9f, -out.z()), -1);  // over the top, and down behind it
+  if (word == "forward") return Vector3f::UnitZ();
+  if (word == "up") return Vector3f::UnitY();
+  if (word == "out") return out;
+  return -Vector3f::UnitY();
+}
+
+Vector3f along(const Vector3f& way, const Vector3f& normal) { return way - way.dot(normal) * normal; }
+
+}  // namespace
+
+Flow::Flow(const HairStyle& style, const HeadFrame& head)
+    : style_(style), head_(head), crown_(direction_at(180, 90 - float(style.grow_crown))) {
+  const auto azimuth = float(style.grow_parting.value_or(0));
+  const Vector3f front = direction_at(azimuth, float(style.grow_hairline_front));
+  const Vector3f across = crown_.cross(front);
+  parting_ = across.norm() > 1e-3f ? across.normalized() : Vector3f::UnitX();
+  if (parting_.x() < 0) parting_ = -parting_;
+}
+
+float Flow::side_of(const Vector3f& root_direction) const {
+  if (!style_.grow_parting) return 0;
+  return root_direction.dot(parting_) >= 0 ? 1.0f : -1.0f;
+}
+
+/// Away from the crown, in a spiral that opens.
+Vector3f Flow::from_crown(const Vector3f& direction) const {
+  const Vector3f away = along(-crown_, direction);
+  if (away.norm() < 1e-4f) return Vector3f::Zero();
+  const float angle = std::acos(std::clamp(direction.dot(crown_), -1.0f, 1.0f)) / kRadians;
+  const float turned = -float(style_.grow_whorl) * kRadians * (1 - ramp(10, 80, angle));
+  return Eigen::AngleAxisf(turned, direction) * away.normalized();
+}
+
+/// How far the parting has a say: before the crown.
+float Flow::parted(const Vector3f& direction) const {
+  const Vector3f before = along(Vector3f::UnitZ(), crown_).normalized();
+  const Vector3f in_plane = along(direction, parting_);
+  const float angle = std::atan2(in_plane.dot(before), in_plane.dot(crown_)) / kRadians;
+  return float(style_.grow_parting_strength) * ramp(-12, 22, angle);
+}
+
+Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, bool is_fringe) const {
+  const Vector3f direction = head_.direction(place);
+  const Vector3f down = along(-Vector3f::UnitY(), normal);
+  if (is_fringe) return along(Vector3f(0.35f * direction.x(), -0.8f, 1), normal).normalized();
+  Vector3f way = along(from_crown(direction), normal);
+  if (side != 0) {
+    const float share = parted(direction);
+    way = (1 - share) * way + share * (along(side * parting_, normal) + 0.55f * down);
+  }
+  const auto strength = float(style_.grow_comb_strength);
+  way = (1 - strength) * way + strength * along(comb_direction(style_.grow_comb, direction), normal);
+  // Hair without a fringe is kept out of the face.
+  const float azimuth = azimuth_of(direction), below = float(style_.grow_hairline_front) - elevation_of(direction);
+  const float face = (1 - ramp(45, 75, std::abs(azimuth))) * ramp(-12, 12, below);
+  const float aside = side != 0 && std::abs(azimuth) < 12 ? side : (direction.x() >= 0 ? 1.0f : -1.0f);
+  way += face * along(Vector3f(1.6f * aside, 0, -0.2f), normal);
+  const float length = way.norm();
+  return length > 1e-4f ? Vector3f(way / std::max(length, 0.3f)) : Vector3f::Zero();
+}
+
+}  // namespace coif::grow

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "cook/recipe/hair_style.h"
+#include "grow/head_frame.h"
+
+#include <Eigen/Core>
+
+namespace coif::grow {
+
+/// Which way hair is combed where it lies on the head.
+class Flow {
+ public:
+  Flow(const HairStyle& style, const HeadFrame& head);
+
+  /// Which side of the parting a root is on, 1 at the model's left, -1 at its right, 0 without a parting. It never changes along a
+  /// strand: hair that crosses the parting lies over it and does not turn back.
+  [[nodiscard]] float side_of(const Eigen::Vector3f& root_direction) const;
+
+  /// At a place, along the skin of which `normal` is given; unit, or nearly zero where hair goes any way. `side`: as side_of() has it.
+  [[nodiscard]] Eigen::Vector3f at(const Eigen::Vector3f& place, const Eigen::Vector3f& normal, float side,
+                                   bool is_fringe) const;
+
+ private:
+  [[nodiscard]] Eigen::Vector3f from_crown(const Eigen::Vector3f& direction) const;
+  [[nodiscard]] float parted(const Eigen::Vector3f& direction) const;
+
+  const HairStyle& style_;
+  const HeadFrame& head_;
+  Eigen::Vector3f crown_,
+      parting_;  ///< Unit; the parting's plane goes through the middle, at right angles to `parting_`.
+  Eigen::Vector3f comb_ = Eigen::Vector3f::Zero();
+};
+
+}  // namespace coif::grow

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "cook/recipe/hair_style.h"
+#include "cook/recipe/recipe.h"
+#include "groom/groom.h"
+#include "import/import.h"
+#include "import/source_model.h"
+
+#include <tl/expected.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace coif {
+
+/// What hair grows on.
+struct GrowGround {
+  const SourceModel&
+      body;  ///< Any triangles in metres, Y up, with the head on top; what is called hair does not count.
+  std::optional<std::array<double, 3>> head_center, head_radii;  ///< Of the skull; none: found at the body's top.
+};
+
+/// The sample's bust, looking along +Z.
+[[nodiscard]] SourceModel sample_body();
+
+/// Strands, root first, with widths and colours, on the head and clear of the skin. `name` stands for the file in messages. Repeats for
+/// equal input, whatever `threads` is. Errors (kBadInput): no head is found, or the hairline leaves no room for a strand; kOverBudget:
+/// more points than a groom may have.
+[[nodiscard]] tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGround& ground,
+                                                       const std::string& name, unsigned threads);
+
+/// A model with the head and body that hair belongs to; the sample's bust where `path` is empty. Errors: those of import_model().
+[[nodiscard]] tl::expected<SourceModel, ToolError> read_body(const std::filesystem::path& path,
+                                                             const ImportSettings& settings);
+
+/// The hair of a recipe on a body, with the head where the recipe says. Errors: those of grow_hair().
+[[nodiscard]] tl::expected<Groom, ToolError> grow_from(const Recipe& recipe, const SourceModel& body,
+                                                       const std::string& name, unsigned threads);
+
+}  // namespace coif

@@ -1,0 +1,125 @@
+#include "grow/scalp.h"
+
+#include "base/parallel_for.h"
+#include "grow/random.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace coif::grow {
+namespace {
+
+using Eigen::Vector3f;
+
+struct Knot {
+  float azimuth, value;
+};
+
+/// Smooth through the knots, flat at each.
+float between(const std::array<Knot, 4>& knots, float azimuth) {
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    if (azimuth > knots[i].azimuth) continue;
+    const float share = ramp(knots[i - 1].azimuth, knots[i].azimuth, azimuth);
+    return knots[i - 1].value + share * (knots[i].value - knots[i - 1].value);
+  }
+  return knots.back().value;
+}
+
+/// Direction `i` of `count` that lie evenly over the sphere, shaken a little: a lattice shows as rows of roots. Source: Swinbank and
+/// Purser 2006, "Fibonacci grids".
+Vector3f spread_on_sphere(std::size_t i, std::size_t count, const Dice& dice) {
+  constexpr double kGoldenAngle = 2.399963229728653;
+  const double y = 1 - (2 * double(i) + 1) / double(count), around = kGoldenAngle * double(i);
+  const double side = std::sqrt(std::max(1 - y * y, 0.0));
+  const float spacing = std::sqrt(4 * std::numbers::pi_v<float> / float(count));
+  const Vector3f even(float(side * std::cos(around)), float(y), float(side * std::sin(around)));
+  return (even + 0.45f * spacing * dice.in_cube(i)).normalized();
+}
+
+/// The outermost skin in a direction; the ray from the head's middle meets it from outside.
+Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyField& body) {
+  constexpr int kSteps = 48;
+  constexpr float kBeginning = 1.7f;  // head radii
+  const Vector3f ray = head.radii.cwiseProduct(direction);
+  const float length = ray.norm();
+  float at = kBeginning;
+  for (int i = 0; i < kSteps && at > 0.2f; ++i) {
+    const float away = body.distance(head.center + at * ray);
+    if (std::abs(away) < 1e-3f * length) break;
+    at -= 0.9f * away / length;
+  }
+  return head.center + at * ray;
+}
+
+bool grows_at(const Vector3f& direction, std::size_t i, const HairStyle& style, const Dice& dice) {
+  const float above = elevation_of(direction) - hairline(style, azimuth_of(direction));
+  const auto fade = float(style.grow_hairline_fade);
+  if (above < -0.3f * fade) return false;
+  return dice.unit(i) <= 0.12f + 0.88f * ramp(-0.3f * fade, fade, above);
+}
+
+/// Of `count` directions all around those in which hair grows.
+std::vector<std::uint32_t> hairy(std::size_t count, const HairStyle& style) {
+  const Dice roots(style.grow_seed, Purpose::kRoot), fade(style.grow_seed, Purpose::kFade);
+  std::vector<std::uint32_t> found;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (grows_at(spread_on_sphere(i, count, roots), i, style, fade)) found.push_back(std::uint32_t(i));
+  }
+  return found;
+}
+
+void settle(const HairStyle& style, const HeadFrame& head, std::size_t i, Root& root) {
+  const float azimuth = azimuth_of(root.direction), elevation = elevation_of(root.direction);
+  const float above = elevation - hairline(style, azimuth), room = 90 - hairline(style, azimuth);
+  root.height = std::clamp(above / std::max(room, 1.0f), 0.0f, 1.0f);
+  const Dice dice(style.grow_seed, Purpose::kLength);
+  const std::array<Knot, 4> around{{{0, float(style.grow_length_front)},
+                                    {50, float(style.grow_length_front)},
+                                    {95, float(style.grow_length_sides)},
+                                    {165, float(style.grow_length_back)}}};
+  const float low = between(around, std::abs(azimuth));
+  root.length = low + ramp(35, 65, elevation) * (float(style.grow_length_top) - low);
+  const float ragged = float(style.grow_fringe_depth) * (1 + 0.15f * dice.signed_unit(i, 1));
+  root.is_fringe =
+      std::abs(azimuth) < float(style.grow_fringe_width) * (1 + 0.06f * dice.signed_unit(i, 2)) && above < ragged;
+  // As long below the hairline, wherever it begins.
+  if (root.is_fringe) root.length = float(style.grow_fringe_length) + kUsualRadius * kRadians * std::max(above, 0.0f);
+  root.length *= head.scale() * (1 - float(style.grow_length_random) * dice.unit(i));
+}
+
+}  // namespace
+
+float hairline(const HairStyle& style, float azimuth) {
+  return between({{{0, float(style.grow_hairline_front)},
+                   {55, float(style.grow_hairline_temples)},
+                   {95, float(style.grow_hairline_sides)},
+                   {165, float(style.grow_hairline_nape)}}},
+                 std::abs(azimuth));
+}
+
+std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body, unsigned threads) {
+  constexpr std::size_t kTrial = 4096;
+  const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style).size();
+  if (sample == 0) return {};
+  // A few more than are wanted, of which the last ones of a random order are left out.
+  std::size_t all = kTrial * wanted / sample + kTrial / 8;
+  std::vector<std::uint32_t> found = hairy(all, style);
+  while (found.size() < wanted) found = hairy(all += all / 8, style);
+  const Dice dice(style.grow_seed, Purpose::kRoot);
+  std::ranges::nth_element(found, found.begin() + std::ptrdiff_t(wanted) - 1, {},
+                           [&](std::uint32_t i) { return std::pair(dice.unit(i, 99), i); });
+  found.resize(wanted);
+  std::ranges::sort(found);
+  std::vector<Root> roots(found.size());
+  parallel_for(found.size(), threads, [&](std::size_t k) {
+    const Vector3f ray = spread_on_sphere(found[k], all, dice);
+    roots[k].place = skin_in(ray, head, body);
+    roots[k].direction = head.direction(roots[k].place);
+    settle(style, head, k, roots[k]);
+  });
+  return roots;
+}
+
+}  // namespace coif::grow
