@@ -107,7 +107,7 @@ SourceModel empty_model(const Groom& groom) {
   model.path = groom.path;
   model.importer = groom.format;
   model.space = groom.space;
-  model.roots_at_low_v = true;
+  model.made_from_strands = true;
   model.warnings = groom.warnings;
   model.nodes.push_back({"hair", kNoIndex, Eigen::Affine3d::Identity()});
   SourceMaterial material;

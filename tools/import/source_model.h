@@ -148,7 +148,8 @@ struct SourceModel {
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
   Facing facing = Facing::kUnknown;
-  bool roots_at_low_v = false;  ///< Known, not guessed: each strip's strands grow along V of its texture.
+  /// Cards that stand for strands: these grow along V of the texture, which is as large as it should be.
+  bool made_from_strands = false;
   SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not

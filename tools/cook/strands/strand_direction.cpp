@@ -215,7 +215,7 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
 }
 
 std::vector<std::string> declared_roots(const Recipe& recipe, const SourceModel& source, const HairStrips& hair) {
-  const bool is_known = recipe.strand_root == "auto" && source.roots_at_low_v;
+  const bool is_known = recipe.strand_root == "auto" && source.made_from_strands;
   std::vector<std::string> roots(hair.patches.count, is_known ? "low_v" : recipe.strand_root);
   for (std::uint32_t p = 0; p < roots.size(); ++p) {
     if (const std::string* said = hair.said_of(recipe, p, &PatchOverride::root)) roots[p] = *said;
