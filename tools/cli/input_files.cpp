@@ -97,6 +97,15 @@ void remove_hair(const HairChoice& hair, SourceModel& model) {
   }
 }
 
+bool leaves_something(const HairChoice& hair, const SourceModel& model) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    for (std::size_t t = 0; t < model.meshes[m].triangles.size() / 3; ++t) {
+      if (!hair.takes(m, t)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe) {
@@ -106,7 +115,8 @@ tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::str
     Findings unsaid;
     const auto hair = choose_hair(model, recipe, unsaid);
     if (!hair) return tl::unexpected(hair.error());
-    remove_hair(*hair, model);
+    // A model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
+    if (leaves_something(*hair, model)) remove_hair(*hair, model);
   }
   std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
     return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));

@@ -78,6 +78,7 @@ std::string material_fault(const SourceModel& model, const SourceMaterial& mater
   }
   if (!material.base_color.allFinite()) return "colour not finite";
   if (!(material.alpha_cutoff >= 0 && material.alpha_cutoff <= 1)) return "alpha cutoff outside 0..1";
+  if (!(material.roughness >= 0 && material.roughness <= 1)) return "roughness outside 0..1";
   if (!(material.normal_strength >= 0 && material.normal_strength <= kMostNormalStrength))
     return "normal strength outside 0..16";
   return {};

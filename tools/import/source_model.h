@@ -65,6 +65,7 @@ struct SourceMaterial {
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.
+  float roughness = 0.8f;     ///< 0 a mirror .. 1 matte, as glTF has it; else a guess.
   bool double_sided = false;
 };
 

@@ -146,6 +146,9 @@ struct Recipe : HairStyle {
   double tilt = 0;       ///< Degrees.
   double roughness = 0;  ///< Degrees.
   double scatter = 0;
+  double glow = 0;
+  double root_shade = 0;
+  double variation = 0;
   std::string energy;  ///< "published" or "bounded".
 };
 

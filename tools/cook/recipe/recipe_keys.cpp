@@ -251,6 +251,12 @@ const RecipeKey kCookKeys[] = {
    "marschner: width of the first highlight along the strand; the second is twice as wide"},
   {"material", "scatter", &R::scatter, "0.8", 0, 1, nullptr, "",
    "marschner: share of the light through strands that others scatter before it is seen; more for light or thick hair"},
+  {"material", "glow", &R::glow, "0", 0, 8, nullptr, "",
+   "light that comes through hair from behind; more for light or thin hair, 0 costs nothing"},
+  {"material", "root_shade", &R::root_shade, "0", 0, 1, nullptr, "",
+   "share of their colour that strands lack at the root, as hair does that has grown since it was dyed or lies deep"},
+  {"material", "variation", &R::variation, "0", 0, 1, nullptr, "",
+   "share by which strands are lighter and darker than each other, where a texture tells them apart"},
   {"material", "energy", &R::energy, "\"published\"", 0, 0, "published|bounded", "",
    "bounded: lights add less, so that hair never reflects more light than it gets however many there are; published: as"
    " the model's authors have it"},
