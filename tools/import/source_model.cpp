@@ -73,7 +73,7 @@ bool is_unit(const Eigen::Vector3d& direction) {
 bool is_length(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string material_fault(const SourceModel& model, const SourceMaterial& material) {
-  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image}) {
+  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image, material.strand_texture.image}) {
     if (image != kNoIndex && image >= model.images.size()) return "absent image";
   }
   if (!material.base_color.allFinite()) return "colour not finite";

@@ -1,5 +1,7 @@
 #include "cook/recipe/recipe_keys.h"
 
+#include "cook/recipe/recipe_preset.h"
+
 #include "base/hair_runtime.h"
 
 namespace coif {
@@ -28,6 +30,9 @@ const RecipeKey kCookKeys[] = {
   {"scene", "smallest_size", &R::scene_smallest_size, "0", 0, 100, nullptr, "screens",
    "least of the screen's height that the head ever covers; leaves coarser levels of detail out"},
 
+  {"look", "preset", &R::look_preset, "\"none\"", 0, 0, kPresetWords, "",
+   "which preset all other keys begin from, those that are given here go before it; 'coif cook --list-presets' says what they are for"},
+
   {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
    "size of the file's unit; 0 takes the file's own, unless the model's size speaks clearly for another; OBJ has none"},
   {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
@@ -55,6 +60,8 @@ const RecipeKey kCookKeys[] = {
    "where the file has strands instead of strips: what the cards that are made of them may have"},
   {"cards", "texels", &R::cards_texels, "4194304", 4096, 67108864, nullptr, "texels",
    "what their texture may have, all cards together"},
+  {"cards", "rounds", &R::cards_rounds, "6", 0, 100, nullptr, "rounds",
+   "how often cards are compared with the strands from 32 directions and made more like them, at most: it ends where that gains little"},
   {"cards", "strand_width", &R::cards_strand_width, "0", 0, 0.1, nullptr, "m",
    "how wide a strand is where the file does not say; 0: so wide that the strands cover what all hair of a head does"},
   {"cards", "body", &R::cards_body, "\"\"", 0, 0, nullptr, "",
