@@ -1,6 +1,7 @@
 // The portrait: a face whose parts are where they should be, and a file that any tool reads.
 
 #include "sample/portrait.h"
+#include "cook/sample_meshes.h"
 #include "import/import.h"
 #include "models/small_asset.h"
 #include "sample/portrait_head.h"
