@@ -92,7 +92,19 @@ TEST_F(StageTest, AColouredBackdropIsThatColour) {
   EXPECT_NEAR(corner[2], 0x90, 1);
 }
 
-/// A wall before everything, left half of its texture red and right half blue with alpha 0.
+/// Left half red, right half blue with alpha 0.
+std::shared_ptr<const SolidTexture> two_halves() {
+  SolidTexture texture{64, 1, {}};
+  for (std::uint32_t x = 0; x < texture.width; ++x) {
+    const bool is_left = x < texture.width / 2;
+    for (const int channel : {is_left ? 255 : 0, 0, is_left ? 0 : 255, is_left ? 255 : 0}) {
+      texture.rgba.push_back(std::uint8_t(channel));
+    }
+  }
+  return std::make_shared<SolidTexture>(std::move(texture));
+}
+
+/// A wall before everything.
 SourceModel wall(AlphaUse use) {
   SourceModel body;
   SourceMesh& mesh = body.meshes.emplace_back();
@@ -110,8 +122,7 @@ TEST_F(StageTest, BodiesShowTheirTexturesAndTheHolesInThem) {
   settings_.body = &body;
   const auto clay = pixel(take(), 10, 36);
   EXPECT_LT(std::abs(clay[0] - clay[2]), 60) << "nobody has the texture: clay";
-  settings_.body_textures = {
-      std::make_shared<SolidTexture>(2, 1, std::vector<std::uint8_t>{255, 0, 0, 255, 0, 0, 255, 0})};
+  settings_.body_textures = {two_halves()};
   const Picture painted = take();
   EXPECT_GT(pixel(painted, 10, 36)[0], 2 * pixel(painted, 10, 36)[2] + 40);
   EXPECT_GT(pixel(painted, 85, 36)[2], 2 * pixel(painted, 85, 36)[0] + 40) << "opaque: alpha does not matter";

@@ -326,8 +326,8 @@ TEST(DrawingSummary, SaysWhatTransparencyAndSimulationCost) {
 TEST(DrawingText, HasALineForEveryRow) {
   const std::string text = cost_text(made_up_heading(), report_with_thesis_table());
   for (const char* line :
-       {"\n  blend +1 +4 +1 +no +100 +0.250 +2.00 % +0.125\n",
-        "\n  blend +10 +1 +0 +yes +3000 +5.00 +40.0 % +not measured\n",
+       {"\n  blend +1 +4 +1 +no +no +100 +0.250 +2.00 % +0.125\n",
+        "\n  blend +10 +1 +0 +yes +no +3000 +5.00 +40.0 % +not measured\n",
         "\n  20.0 % +10 +40.0 +1 +100 +1.00 +4.00 +75 %\n", "\n +20 +yes +yes +90.0 +2.00 % +30.0 +not measured +11.1 +53\n",
         "\n +7 +no +no +14.0 +2.00 % +0 +not measured +71.4 +-\n",
         "\n +20 heads: with transparency 1.50 times as long \\(thesis 1.09\\), with simulation 1.500 "

@@ -68,7 +68,7 @@ double brow_cover(double x, double y) {
 /// How much of the scalp's skin the hairs' roots cover, along the hairline that hair grows from.
 double root_cover(const Vector3d& point) {
   constexpr std::array<std::pair<double, double>, 7> kHairline{
-      {{0, 37}, {35, 35}, {58, 26}, {85, 7}, {100, -2}, {135, -24}, {180, -43}}};  // degrees around: degrees up
+      {{0, 31}, {35, 29}, {58, 21}, {85, 5}, {100, -2}, {135, -24}, {180, -43}}};  // degrees around: degrees up
   const Vector3d q = (point - Vector3d(0, 1.630, -0.012)).cwiseQuotient(Vector3d(0.0745, 0.090, 0.096));
   constexpr double kDegree = std::numbers::pi / 180;
   const double up = std::asin(std::clamp(q.y() / std::max(q.norm(), 1e-6), -1.0, 1.0)) / kDegree;
