@@ -23,7 +23,7 @@ picture() { # STYLE, then what else is asked of `coif render`
   "$coif" render "$work/$style.coif" --body "$here/portrait.glb" "$@"
 }
 picture bob --size 720x800 --view 28,4 -o "$out/bob.png"
-picture wavy --size 720x800 --view 24,4 -o "$out/wavy.png"
+picture wavy --size 720x800 --view -26,2 -o "$out/wavy.png"
 
 # The motion repeats at 1.54 Hz, and after two rounds so does the hair.
 frames=20
