@@ -151,8 +151,8 @@ std::string obj_text(bool with_mesh, const char* mesh_name) {
 
 Recipe small_cards() {
   Recipe recipe = default_recipe();
-  recipe.cards_triangles = 300;
-  recipe.cards_texels = 65536;
+  recipe.cards_triangles = 60;
+  recipe.cards_texels = 8192;
   return recipe;
 }
 
