@@ -37,8 +37,7 @@ std::uint64_t all_mip_bytes(const TextureRecord& t) {
 LoadStatus check_material(const Asset& asset) {
   const MaterialRecord* m = asset.material();
   if (m == nullptr) return {};
-  const std::uint32_t reserved = m->reserved[0] | m->reserved[1] | m->reserved[2];
-  if ((m->flags & ~kMaterialFlags) != 0 || reserved != 0) return {LoadCode::kReserved, chunk::kMaterial};
+  if ((m->flags & ~kMaterialFlags) != 0) return {LoadCode::kReserved, chunk::kMaterial};
   if (static_cast<std::uint32_t>(m->shading) >= kShadingModelCount) return {LoadCode::kEnumerator, chunk::kMaterial};
   const bool good =
       all_in_range(m->base_color, 0.0f, kMaxColor) && all_in_range(m->ambient, 0.0f, kMaxColor) &&

@@ -20,6 +20,25 @@ float light_reaching(int i) {
 }
 #endif
 
+#ifdef COIF_STRAND_TERMS
+const float kDarkRoot = 0.4;  // how far from the root a strand gets its whole colour, of its length
+
+// What a strand's colour is here: darker at the root, and with a lightness of its own, which the texture's shift tells it from
+// its neighbours by.
+vec3 own_color(vec3 color, float shift) {
+  float root = 1.0 - strands.y * (1.0 - smoothstep(0.0, kDarkRoot, place));
+  return color * root * (1.0 + 2.0 * strands.z * shift);
+}
+
+// Light that many strands pass on from behind them towards the eye: around the cone that the papers call TT, wide, since each of
+// them turns it a little, and from where the surface is seen from its edge, or a light would shine through the head.
+float through_hair(Strand strand, vec3 towards) {
+  float behind = max(-dot(strand.view, towards), 0.0);
+  float off_cone = dot(strand.tangent, towards) + dot(strand.tangent, strand.view);
+  return behind * pow2(behind) * exp(-4.0 * pow2(off_cone)) * clamp(1.0 + 2.0 * dot(strand.normal, towards), 0.0, 1.0);
+}
+#endif
+
 Strand strand_of(vec3 color, vec2 shift_mask) {
   vec3 t = normalize(tangent), n = seen_normal();
 #if defined(COIF_NORMAL_MAP) || defined(COIF_STRAND_MAP)
@@ -28,8 +47,9 @@ Strand strand_of(vec3 color, vec2 shift_mask) {
   return Strand(t, n, normalize(-position), color, shift_mask.x - 0.5, shift_mask.y);
 }
 
-Reflected sum_lights(Strand strand) {
+Reflected sum_lights(Strand strand, out vec3 glow) {
   Reflected sum = Reflected(vec3(0.0), vec3(0.0), vec3(0.0));
+  glow = vec3(0.0);
   int count = int(shift.w);
   for (int i = 0; i < count; ++i) {
     vec3 towards = light_position[i].xyz;
@@ -46,6 +66,9 @@ Reflected sum_lights(Strand strand) {
     color *= light_reaching(i);
 #endif
     add_light(sum, strand, towards, color);
+#ifdef COIF_STRAND_TERMS
+    glow += strands.x * through_hair(strand, towards) * color;
+#endif
   }
   return sum;
 }
@@ -53,13 +76,19 @@ Reflected sum_lights(Strand strand) {
 void main() {
   // Before any discard: choosing mips, the slope and the relief's axes need the neighbours' coordinates.
   vec4 base = base_at(uv);
-  Strand strand = strand_of(base.rgb, shift_mask_at(uv));
+  vec2 shift_mask = shift_mask_at(uv);
+#ifdef COIF_STRAND_TERMS
+  base.rgb = own_color(base.rgb, shift_mask.x - 0.5);
+#endif
+  Strand strand = strand_of(base.rgb, shift_mask);
 #ifdef COIF_SHADOW
   shadow_place = shadow_from_view * vec4(position, 1.0);
   shadow_slope = hair_slope(shadow_place);
 #endif
   float coverage = keep(base.a);
-  Reflected sum = sum_lights(strand);
+  vec3 glow;
+  Reflected sum = sum_lights(strand, glow);
   vec3 light = component.y * sum.diffuse + component.z * sum.primary + component.w * sum.secondary;
-  write_fragment(component.x * openness * ambient.rgb * base.rgb + light * tint(strand), coverage);
+  light = light * tint(strand) + component.y * glow * base.rgb;
+  write_fragment(component.x * openness * ambient.rgb * base.rgb + light, coverage);
 }

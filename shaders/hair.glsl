@@ -13,6 +13,7 @@ layout(std140) uniform DrawBlock {
   vec4 shift;              // x: primary, y: secondary, z: 1 to encode sRGB here, w: number of lights
   vec4 component;          // share of ambient, diffuse, primary, secondary; 0: not shown
   vec4 fiber;              // x: tilt, y: roughness, radians, z: scatter
+  vec4 strands;            // x: glow, y: root shade, z: variation
   vec4 light_position[8];  // w 0: unit vector towards the light; w 1: position, metres
   vec4 light_color[8];     // rgb, linear; w: 1 / (inner - outer cosine) of its cone
   vec4 light_spot[8];      // xyz: unit vector along the cone; w: outer cosine, -2 where there is no cone

@@ -31,12 +31,16 @@ COIF_SAME(coif_material, tilt, coif::MaterialRecord, tilt);
 COIF_SAME(coif_material, roughness, coif::MaterialRecord, roughness);
 COIF_SAME(coif_material, scatter, coif::MaterialRecord, scatter);
 COIF_SAME(coif_material, light_cut, coif::MaterialRecord, light_cut);
+COIF_SAME(coif_material, glow, coif::MaterialRecord, glow);
+COIF_SAME(coif_material, root_shade, coif::MaterialRecord, root_shade);
+COIF_SAME(coif_material, variation, coif::MaterialRecord, variation);
 static_assert(sizeof(coif_material) == sizeof(coif::MaterialRecord));
 static_assert(COIF_DOUBLE_SIDED == coif::kMaterialDoubleSided && COIF_FACES_TOGETHER == coif::kMaterialFacesTogether);
 
 COIF_SAME(coif_draw_block, clip_from_view, coif::DrawBlock, clip_from_view);
 COIF_SAME(coif_draw_block, base_color, coif::DrawBlock, base_color);
 COIF_SAME(coif_draw_block, fiber, coif::DrawBlock, fiber);
+COIF_SAME(coif_draw_block, strands, coif::DrawBlock, strands);
 COIF_SAME(coif_draw_block, light_position, coif::DrawBlock, light_position);
 COIF_SAME(coif_draw_block, light_color, coif::DrawBlock, light_color);
 COIF_SAME(coif_draw_block, light_spot, coif::DrawBlock, light_spot);

@@ -111,6 +111,9 @@ Status fill_draw_block(const DrawView& view, const MaterialRecord& material, std
   block.fiber[0] = material.tilt;
   block.fiber[1] = material.roughness;
   block.fiber[2] = material.scatter;
+  block.strands[0] = material.glow;
+  block.strands[1] = material.root_shade;
+  block.strands[2] = material.variation;
   for (std::size_t i = 0; i < view.lights.size(); ++i) {
     if (!fill_light(view.lights[i], view.eye, i, block)) return Status::kBadArgument;
   }

@@ -24,7 +24,9 @@ constexpr MaterialRecord kGalleryMaterial = {
     .roughness = 0.14f,
     .scatter = 0.8f,
     .light_cut = 0.0f,
-    .reserved = {},
+    .glow = 0.0f,
+    .root_shade = 0.0f,
+    .variation = 0.0f,
 };
 
 struct ByteRange {

@@ -66,6 +66,7 @@ constexpr Define kDefines[] = {
     {variant::kAlphaTest, "#define COIF_ALPHA_TEST\n"},
     {variant::kShadow, "#define COIF_SHADOW\n"},
     {variant::kMotion, "#define COIF_MOTION\n"},
+    {variant::kStrandTerms, "#define COIF_STRAND_TERMS\n"},
 };
 
 /// One shader's source: the lines of its bits, then files of shaders/.
@@ -154,8 +155,8 @@ bool is_black(const float (&color)[3]) { return color[0] == 0.0f && color[1] == 
 std::uint32_t canonical(std::uint32_t bits, bool writes_other) {
   using namespace variant;
   if ((bits & (kFourBones | kOneBone)) == 0) bits &= ~kBonesInTexture;
-  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kModel | kNormalMap | kStrandMap);
-  if ((bits & (kPrimary | kSecondary)) == 0) bits &= ~kShiftMask;
+  if ((bits & kShaded) == 0) bits &= ~(kPrimary | kSecondary | kModel | kNormalMap | kStrandMap | kStrandTerms);
+  if ((bits & (kPrimary | kSecondary | kStrandTerms)) == 0) bits &= ~kShiftMask;
   if ((bits & kShaded) == 0 && !writes_other) bits &= ~kShadow;
   if ((bits & (kShaded | kDirection | kAlphaTest)) == 0 && !writes_other)
     bits &= ~kBaseTexture;  // depth of whole triangles
@@ -191,6 +192,7 @@ std::uint32_t variant_of(const Pass& pass, std::uint32_t needs, const MaterialRe
   if (pass.tests_alpha) bits |= variant::kAlphaTest;
   if (pass.shaded) bits |= component == Component::kDirection ? variant::kDirection : variant::kShaded;
   bits |= shading_bits(material);
+  if (has_strand_terms(material)) bits |= variant::kStrandTerms;
   if (pass.shadow != nullptr) bits |= pass.shadow->id << variant::kShadowShift;
   return canonical(bits, pass.code->other != nullptr) | pass.code->id << variant::kCodeShift;
 }

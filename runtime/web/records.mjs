@@ -56,7 +56,7 @@ record('Patch', 'u32 firstIndex, u32 indexCount, f32 headDistance, u32 bone, u32
 record('Lod', 'u32 firstPatch, u32 patchCount, f32 screenSize, f32 error');
 record('Material', 'f32 baseColor[4], f32 ambient[3], f32 opaqueThreshold, f32 primaryColor[3], f32 primaryExponent, ' +
   'f32 secondaryColor[3], f32 secondaryExponent, f32 primaryShift, f32 secondaryShift, f32 discardThreshold, u32 flags, u32 shading, ' +
-  'f32 tilt, f32 roughness, f32 scatter, f32 lightCut, u32 reserved[3]');
+  'f32 tilt, f32 roughness, f32 scatter, f32 lightCut, f32 glow, f32 rootShade, f32 variation');
 record('Texture', 'u32 role, u32 format, u32 width, u32 height, u32 mipCount, u32 reserved, u64 offset, u64 bytes');
 
 record('IndexRange', 'u32 first, u32 count');

@@ -54,18 +54,19 @@ TEST(CardAtlas, UsesMostOfItsTexels) {
 TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
   const Groom groom = test::groom_of(test::strands_of_a_head(500));
   for (const std::size_t triangles : {2u, 1500u}) {
-    const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 0}, 2);
+    const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 1, 0}, 2);
     ASSERT_TRUE(model) << model.error().message;
     EXPECT_EQ(find_model_fault(*model), "");
     ASSERT_EQ(model->meshes.size(), 1u);
     EXPECT_LE(model->meshes[0].triangles.size() / 3, triangles);
     EXPECT_GT(model->meshes[0].triangles.size() / 3, triangles / 2);
-    EXPECT_EQ(model->images.size(), 1u);
+    EXPECT_EQ(model->images.size(), 2u);
+    EXPECT_TRUE(model->made_from_strands);
   }
 }
 
 TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
-  const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 0}, 2);
+  const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 1, 0}, 2);
   ASSERT_TRUE(model) << model.error().message;
   const SourceMesh& mesh = model->meshes[0];
   std::size_t outwards = 0, count = 0;
@@ -82,8 +83,8 @@ TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
 
 TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
   const Groom groom = test::groom_of(test::strands_of_a_head(300));
-  const auto one = model_of_cards(groom, {400, std::size_t{1} << 17, 0}, 1),
-             three = model_of_cards(groom, {400, std::size_t{1} << 17, 0}, 3);
+  const auto one = model_of_cards(groom, {400, std::size_t{1} << 17, 1, 0}, 1),
+             three = model_of_cards(groom, {400, std::size_t{1} << 17, 1, 0}, 3);
   ASSERT_TRUE(one && three);
   EXPECT_EQ(one->meshes[0].positions, three->meshes[0].positions);
   EXPECT_EQ(one->meshes[0].triangles, three->meshes[0].triangles);
@@ -93,10 +94,10 @@ TEST(CardsModel, RepeatsWithAnyNumberOfThreads) {
 TEST(CardsModel, SaysWhatIsTooLittle) {
   Groom groom = test::groom_of(test::strands_of_a_head(300));
   groom.path = "a.hair";
-  const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 0}, 1);
+  const auto none = model_of_cards(groom, {1, std::size_t{1} << 18, 1, 0}, 1);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().message, "a.hair: cards need 2 triangles and 4096 texels at least; allow them more");
-  const auto crowded = model_of_cards(groom, {2400, 4096, 0}, 1);
+  const auto crowded = model_of_cards(groom, {2400, 4096, 1, 0}, 1);
   ASSERT_FALSE(crowded);
   EXPECT_EQ(crowded.error().message,
             "a.hair: 300 cards do not fit into 4096 texels; allow more texels, or fewer triangles");

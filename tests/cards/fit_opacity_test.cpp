@@ -37,7 +37,7 @@ TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
   const Groom groom = test::groom_of(test::strands_of_a_head(400));
   Cards cards = unfitted_cards(groom, 60, 480);
   const double before = mean_overlap(groom, cards);
-  const OpacityFit fit = fit_opacity(groom, kWidth, cards, 2);
+  const OpacityFit fit = fit_opacity(groom, kWidth, 4, cards, 2);
   ASSERT_GE(fit.errors.size(), 2u);
   EXPECT_LT(fit.errors.back(), 0.9 * fit.errors.front());
   EXPECT_GT(mean_overlap(groom, cards), before + 0.07);
@@ -51,7 +51,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
   const Groom groom = test::groom_of(test::strands_of_a_head(200));
   Cards cards = unfitted_cards(groom, 20, 100);
   const std::vector<CardTexture> before = cards.textures;
-  fit_opacity(groom, kWidth, cards, 2);
+  fit_opacity(groom, kWidth, 4, cards, 2);
   bool is_changed = false;
   for (std::size_t i = 0; i < cards.textures.size(); ++i) {
     const CardTexture& texture = cards.textures[i];
@@ -68,7 +68,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
 TEST(FitOpacity, RepeatsWithAnyNumberOfThreads) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   Cards one = unfitted_cards(groom, 20, 100), three = one;
-  const OpacityFit first = fit_opacity(groom, kWidth, one, 1), second = fit_opacity(groom, kWidth, three, 3);
+  const OpacityFit first = fit_opacity(groom, kWidth, 4, one, 1), second = fit_opacity(groom, kWidth, 4, three, 3);
   EXPECT_EQ(first.errors, second.errors);
   for (std::size_t i = 0; i < one.textures.size(); ++i) EXPECT_EQ(one.textures[i].opacity, three.textures[i].opacity);
 }

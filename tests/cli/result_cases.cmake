@@ -85,5 +85,11 @@ coif_cli_case(render_no_such_lod EXIT 1 SAMPLE STDERR "bob.coif: there is no lev
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --lod 9 -o bob.png)
 coif_cli_case(render_body EXIT 0 SAMPLE WRITES bob.png
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} -o bob.png)
+foreach(lights studio sun rim plain)
+  coif_cli_case(render_lights_${lights} EXIT 0 SAMPLE WRITES bob.png
+    ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 1 --lights ${lights} --backdrop clear -o bob.png)
+endforeach()
+coif_cli_case(render_more_samples_than_there_are EXIT 0 SAMPLE WRITES bob.png
+  ARGS render ${COIF_COOKED_SAMPLE} --size 64x48 --samples 64 -o bob.png)
 coif_cli_case(render_no_such_body_mesh EXIT 3 SAMPLE STDERR "no mesh is left for the body; give --body-mesh one of '"
   ARGS render ${COIF_COOKED_SAMPLE} --size 320x240 --body ${sample} --body-mesh nothing -o bob.png)

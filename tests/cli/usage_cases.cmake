@@ -47,6 +47,12 @@ coif_cli_case(render_gusts_of_four_numbers EXIT 1 STDERR "--gusts: '3,1,2,4' is 
   ARGS render a.coif --gusts 3,1,2,4 -o out.png)
 coif_cli_case(render_gusts_with_another_solver EXIT 1 STDERR "coif render: error: --gusts: hair feels gusts with --solver coif alone"
   ARGS render a.coif --gusts 3 --solver thesis -o out.png)
+coif_cli_case(render_bad_lights EXIT 1 STDERR "--lights: 'disco' is not one of studio, sun, rim, plain"
+  ARGS render a.coif --lights disco -o out.png)
+coif_cli_case(render_bad_backdrop EXIT 1 STDERR "'grey' is not dark, light, clear or a colour as #rrggbb"
+  ARGS render a.coif --backdrop grey -o out.png)
+coif_cli_case(render_bad_samples EXIT 1 STDERR "--samples: '3' is not 1, 2, 4, 8, 16, 32 or 64"
+  ARGS render a.coif --samples 3 -o out.png)
 coif_cli_case(render_bad_shading EXIT 1 STDERR "--shading: 'phong' is not one of thesis, kajiya-kay, marschner"
   ARGS render a.coif --shading phong -o out.png)
 coif_cli_case(render_bad_order EXIT 1 STDERR "--order: 'depth' is not one of cooked, bones"

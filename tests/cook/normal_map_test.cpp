@@ -180,7 +180,7 @@ TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
   for (const char* format : {"eac", "rg8"}) {
     Recipe recipe = default_recipe();
     recipe.shift_mask_format = format;
-    const StoredTextures stored = bake_relief(normals, whole_image(), recipe, 2, findings);
+    const StoredTextures stored = bake_relief(&normals, nullptr, whole_image(), recipe, 2, findings);
     ASSERT_EQ(stored.records.size(), 2u);
     EXPECT_EQ(stored.records[0].role, TextureRole::kNormal);
     EXPECT_EQ(stored.records[0].width, kSide);
@@ -192,14 +192,14 @@ TEST(BakeRelief, StoresBothMapsWithMipsAndNothingThatSaysNothing) {
   }
   EXPECT_TRUE(findings.left_out.empty());
   const Image flat{kSide, kSide, 2, std::vector<std::uint8_t>(2 * kSide * kSide, two_sided_byte(0))};
-  EXPECT_TRUE(bake_relief(flat, whole_image(), default_recipe(), 1, findings).records.empty());
+  EXPECT_TRUE(bake_relief(&flat, nullptr, whole_image(), default_recipe(), 1, findings).records.empty());
   EXPECT_EQ(findings.left_out.size(), 2u);
 }
 
 TEST(BakeRelief, KeepsOnlyTheResolutionThatSaysSomething) {
   Findings findings;
   const Image wide = read(map_of([](double x, double) { return 2 * std::sin(2 * kPi * x / kSide); }, GreenAxis::kUp));
-  const StoredTextures stored = bake_relief(wide, whole_image(), default_recipe(), 1, findings);
+  const StoredTextures stored = bake_relief(&wide, nullptr, whole_image(), default_recipe(), 1, findings);
   ASSERT_FALSE(stored.records.empty());
   EXPECT_EQ(stored.records[0].height, 1u) << "nothing changes along V";
   EXPECT_LT(stored.records[0].width, kSide);

@@ -107,7 +107,10 @@ TEST(OpenMaterial, KeepsEveryNumberInItsRange) {
                              {&MaterialRecord::opaque_threshold, 0, 1},
                              {&MaterialRecord::discard_threshold, 0, 1},
                              {&MaterialRecord::scatter, 0, 1},
-                             {&MaterialRecord::light_cut, 0, 1}}) {
+                             {&MaterialRecord::light_cut, 0, 1},
+                             {&MaterialRecord::glow, 0, kMostGlow},
+                             {&MaterialRecord::root_shade, 0, 1},
+                             {&MaterialRecord::variation, 0, 1}}) {
     const auto with = [&](float value) { return material_refusal([&](auto& m) { m.*range.field = value; }); };
     for (const float good : {range.low, range.high}) EXPECT_EQ(with(good), LoadCode::kOk);
     for (const float bad : {std::nextafter(range.low, -2e5f), std::nextafter(range.high, 2e5f), kNan}) EXPECT_EQ(with(bad), LoadCode::kNotFinite) << bad;
@@ -124,12 +127,6 @@ TEST(OpenMaterial, AsksForAWidthOnlyWhereTheModelHasOne) {
   EXPECT_EQ(with(ShadingModel::kKajiyaKay, 0), LoadCode::kOk);
   EXPECT_EQ(with(ShadingModel::kMarschner, 0), LoadCode::kNotFinite);
   EXPECT_EQ(with(ShadingModel::kMarschner, kLeastRoughness), LoadCode::kOk);
-}
-
-TEST(OpenMaterial, RefusesReservedWordsThatAreNotZero) {
-  for (const int word : {0, 1, 2}) {
-    EXPECT_EQ(material_refusal([&](auto& m) { m.reserved[word] = 1; }), LoadCode::kReserved);
-  }
 }
 
 // What open() demands of levels of detail. small_asset() has two: level 0 draws patches 0 and 1 and simulates bones 2, 3

@@ -218,6 +218,18 @@ TEST_F(Conventions, MaterialsCarryColourTextureAndSides) {
   EXPECT_TRUE(material.base_color.isApprox(Eigen::Vector4f(0.5f, 0.25f, 0.125f, 0.75f)));
   EXPECT_EQ(material.base_texture.path, "bob.png");
   EXPECT_EQ(material.base_texture.image, kNoIndex);
+  EXPECT_FLOAT_EQ(material.roughness, 1) << "glTF's default";
+}
+
+TEST_F(Conventions, RoughnessComesFromGltfWithinItsRange) {
+  const auto roughness_of = [&](const std::string& factor) {
+    SmallGltf file;
+    file.material = R"({"name": "skin", "pbrMetallicRoughness": {"roughnessFactor": )" + factor + "}}";
+    return import_or_fail(file.write(folder_, "m.gltf")).materials.at(0).roughness;
+  };
+  EXPECT_FLOAT_EQ(roughness_of("0.25"), 0.25f);
+  EXPECT_FLOAT_EQ(roughness_of("-3"), 0);
+  EXPECT_FLOAT_EQ(roughness_of("7"), 1);
 }
 
 TEST_F(Conventions, AlphaModeAndCutoffComeFromTheFile) {

@@ -46,12 +46,13 @@ TEST_F(DrawCostTest, DrawsEveryCrowdInEveryWay) {
       for (const bool simulation : {true, false}) {
         const auto is_this = [&](const DrawCostRow& row) {
           return row.heads == heads && row.lod == 0 && row.samples == 1 && row.transparency == transparency &&
-                 row.simulation == simulation;
+                 row.simulation == simulation && !row.strand_terms;
         };
         EXPECT_EQ(std::ranges::count_if(cost->rows, is_this), 1);
       }
     }
   }
+  EXPECT_EQ(std::ranges::count(cost->rows, true, &DrawCostRow::strand_terms), 1);
   for (const DrawCostRow& row : cost->rows) {
     EXPECT_GT(row.time.seconds, 0);
     EXPECT_GE(row.time.spread_pct, 0);

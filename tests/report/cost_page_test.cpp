@@ -164,7 +164,7 @@ bool has_column(const Table& table, const std::string& title) {
 
 TEST(DrawingJson, HasTheDocumentedKeysAndTypes) {
   const ordered_json json = cost_json(made_up_heading(), report_with_thesis_table());
-  EXPECT_EQ(keys_of(json["rendering"][0]), (Keys{"heads", "transparency", "samples", "lod", "simulation", "triangles",
+  EXPECT_EQ(keys_of(json["rendering"][0]), (Keys{"heads", "transparency", "samples", "lod", "simulation", "strand_terms", "triangles",
                                                  "ms_per_frame", "spread_pct", "gpu_ms_per_frame", "device"}));
   EXPECT_TRUE(json["rendering"][0]["simulation"].is_boolean());
   EXPECT_TRUE(json["rendering"][0]["transparency"].is_string());

@@ -55,31 +55,48 @@ class FlatRibbon {
   const Ribbon& ribbon_;
 };
 
+/// A piece of a strand, flattened: what is the same all over it, and colours at its ends.
+struct FlatPiece {
+  OnCard a, b;
+  float half_a = 0, half_b = 0;  ///< Half its width, in samples across.
+  Eigen::Vector2f along = Eigen::Vector2f::Zero();
+  float strand = 0;
+  Eigen::Vector3f color_a = Eigen::Vector3f::Zero(), color_b = Eigen::Vector3f::Zero();
+};
+
+/// What a sample sees in front.
+struct CardSample {
+  float front = -std::numeric_limits<float>::infinity();
+  std::uint32_t piece = 0;
+  float share = 0;  ///< Between the piece's ends.
+};
+
 /// Samples of a card.
 class CardSamples {
  public:
   CardSamples(std::uint32_t across, std::uint32_t along)
       : width_(int(across) * kAcross),
         height_(int(along) * kAlong),
-        front_(std::size_t(width_) * std::size_t(height_), -std::numeric_limits<float>::infinity()),
-        along_(front_.size(), Eigen::Vector2f::Zero()),
-        strand_(front_.size(), 0) {}
+        samples_(std::size_t(width_) * std::size_t(height_)) {}
 
-  /// A piece of a strand, which is `half` wide to either side, in samples across, at its ends.
-  void draw(const OnCard& a, const OnCard& b, float half_a, float half_b, const Eigen::Vector2f& along, float strand) {
+  void draw(const FlatPiece& piece) {
+    const OnCard &a = piece.a, &b = piece.b;
     const float ya = a.v * float(height_), yb = b.v * float(height_), xa = column(a.u), xb = column(b.u);
     const float rise = yb - ya;
     const int top = std::max(int(std::ceil(std::min(ya, yb) - 0.5f)), 0),
               bottom = std::min(int(std::ceil(std::max(ya, yb) - 0.5f)) - 1, height_ - 1);
     for (int y = top; y <= bottom; ++y) {
       const float t = (float(y) + 0.5f - ya) / rise;
-      const float x = xa + t * (xb - xa), half = half_a + t * (half_b - half_a),
+      const float x = xa + t * (xb - xa), half = piece.half_a + t * (piece.half_b - piece.half_a),
                   front = a.front + t * (b.front - a.front);
       const int left = std::max(int(std::ceil(x - half - 0.5f)), 0),
                 right = std::min(int(std::floor(x + half - 0.5f)), width_ - 1);
-      for (int c = left; c <= right; ++c)
-        set(std::size_t(y) * std::size_t(width_) + std::size_t(c), front, along, strand);
+      for (int c = left; c <= right; ++c) {
+        CardSample& sample = samples_[std::size_t(y) * std::size_t(width_) + std::size_t(c)];
+        if (front > sample.front) sample = {front, std::uint32_t(pieces_.size()), t};
+      }
     }
+    pieces_.push_back(piece);
   }
 
   [[nodiscard]] float column(float u) const { return 0.5f * (u + 1) * float(width_); }
@@ -92,25 +109,21 @@ class CardSamples {
   }
 
  private:
-  void set(std::size_t at, float front, const Eigen::Vector2f& along, float strand) {
-    if (!(front > front_[at])) return;
-    front_[at] = front;
-    along_[at] = along;
-    strand_[at] = strand;
-  }
-
   void develop_texel(std::uint32_t x, std::uint32_t y, CardTexture& texture) const {
     int covered = 0;
     float front = 0, strand = 0;
     Eigen::Vector2f along = Eigen::Vector2f::Zero();
+    Eigen::Vector3f color = Eigen::Vector3f::Zero();
     for (int s = 0; s < kAcross * kAlong; ++s) {
-      const std::size_t at = (std::size_t(y) * kAlong + std::size_t(s / kAcross)) * std::size_t(width_) +
-                             std::size_t(x) * kAcross + std::size_t(s % kAcross);
-      if (!std::isfinite(front_[at])) continue;
+      const CardSample& sample = samples_[(std::size_t(y) * kAlong + std::size_t(s / kAcross)) * std::size_t(width_) +
+                                          std::size_t(x) * kAcross + std::size_t(s % kAcross)];
+      if (!std::isfinite(sample.front)) continue;
+      const FlatPiece& piece = pieces_[sample.piece];
       ++covered;
-      front += front_[at];
-      along += along_[at];
-      strand += strand_[at];
+      front += sample.front;
+      along += piece.along;
+      strand += piece.strand;
+      color += piece.color_a + sample.share * (piece.color_b - piece.color_a);
     }
     const std::size_t at = std::size_t(y) * texture.width + x;
     texture.opacity[at] = float(covered) / float(kAcross * kAlong);
@@ -118,28 +131,47 @@ class CardSamples {
     texture.depth[at] = front / float(covered);
     texture.along[at] = along / float(covered);
     texture.strand[at] = strand / float(covered);
+    if (!texture.color.empty()) texture.color[at] = color / float(covered);
   }
 
   int width_, height_;
-  std::vector<float> front_;
-  std::vector<Eigen::Vector2f> along_;
-  std::vector<float> strand_;
+  std::vector<CardSample> samples_;
+  std::vector<FlatPiece> pieces_;
 };
 
-/// Where no strand is, directions are as beside: what covers there later, covers as its neighbours do.
-void fill_directions(CardTexture& texture) {
-  const auto reach = std::size_t(std::max(texture.width / 3, 4u));
-  std::vector<Eigen::Vector2f> sums(texture.width + 1);
+/// Gives texels without strands the mean of those that have one beside them, in their row: what is made to cover there later is like
+/// its neighbours. Where there is none, `otherwise`.
+template <typename Texel>
+void fill_from_beside(const CardTexture& texture, const Texel& otherwise, std::vector<Texel>& texels) {
+  const std::size_t reach = std::max(texture.width / 3, 4u);
+  std::vector<Texel> sums(texture.width + 1);
+  std::vector<int> counts(texture.width + 1, 0);
+  sums[0] = Texel::Zero();
   for (std::uint32_t y = 0; y < texture.height; ++y) {
-    Eigen::Vector2f* const row = &texture.along[std::size_t(y) * texture.width];
-    sums[0].setZero();
-    for (std::uint32_t x = 0; x < texture.width; ++x) sums[x + 1] = sums[x] + row[x];
+    const std::size_t row = std::size_t(y) * texture.width;
     for (std::size_t x = 0; x < texture.width; ++x) {
-      if (!row[x].isZero()) continue;
-      const Eigen::Vector2f sum = sums[std::min<std::size_t>(x + reach, texture.width)] - sums[x - std::min(x, reach)];
-      row[x] = sum.norm() > 1e-3f ? sum.normalized() : Eigen::Vector2f::UnitY().eval();
+      const bool is_covered = texture.opacity[row + x] > 0;
+      counts[x + 1] = counts[x] + (is_covered ? 1 : 0);
+      sums[x + 1] = is_covered ? (sums[x] + texels[row + x]).eval() : sums[x];
+    }
+    for (std::size_t x = 0; x < texture.width; ++x) {
+      if (texture.opacity[row + x] > 0) continue;
+      const std::size_t first = x - std::min(x, reach), last = std::min<std::size_t>(x + reach, texture.width);
+      const int count = counts[last] - counts[first];
+      texels[row + x] = count > 0 ? ((sums[last] - sums[first]) / float(count)).eval() : otherwise;
     }
   }
+}
+
+/// Mean colour of all that covers.
+Eigen::Vector3f mean_color_of(const CardTexture& texture) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float weight = 0;
+  for (std::size_t i = 0; i < texture.color.size(); ++i) {
+    sum += texture.opacity[i] * texture.color[i];
+    weight += texture.opacity[i];
+  }
+  return weight > 0 ? (sum / weight).eval() : sum;
 }
 
 /// A number of 0..1 that is another for each strand and the same in each run.
@@ -151,10 +183,7 @@ float number_of(std::uint32_t strand) {
   return float(h >> 8) * 0x1p-24f;
 }
 
-}  // namespace
-
-CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp, float width,
-                         std::uint32_t texels_across, std::uint32_t texels_along) {
+CardTexture empty_texture(std::uint32_t texels_across, std::uint32_t texels_along, bool has_color) {
   CardTexture texture;
   texture.width = texels_across;
   texture.height = texels_along;
@@ -162,29 +191,49 @@ CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_re
   texture.opacity.assign(texels, 0);
   texture.depth.assign(texels, 0);
   texture.along.assign(texels, Eigen::Vector2f::Zero());
-  texture.strand.assign(texels, 0);
+  texture.strand.assign(texels, 0.5f);
+  if (has_color) texture.color.assign(texels, Eigen::Vector3f::Zero());
+  return texture;
+}
+
+/// One end of a piece.
+struct StrandPoint {
+  OnCard place;
+  float half = 0;  ///< Samples across.
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();
+};
+
+}  // namespace
+
+CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_reversed, const Wisp& wisp, float width,
+                         std::uint32_t texels_across, std::uint32_t texels_along) {
+  CardTexture texture = empty_texture(texels_across, texels_along, !groom.colors.empty());
   const FlatRibbon flat(wisp.ribbon);
   const float length = length_of(wisp.ribbon);
   CardSamples samples(texels_across, texels_along);
   for (const std::uint32_t i : wisp.members) {
-    const auto strand = groom.strand(i);
+    const std::size_t count = groom.strand(i).size();
     const bool from_end = !is_reversed.empty() && is_reversed[i] != 0;
-    const auto at = [&](std::size_t p) { return from_end ? strand.size() - 1 - p : p; };
-    OnCard before = flat.place(strand[at(0)], 0);
-    for (std::size_t p = 1; p < strand.size(); ++p) {
-      const OnCard now = flat.place(strand[at(p)], std::min(before.v + 0.02f, 1.0f));
-      const auto half = [&](const OnCard& place, std::size_t point) {
-        const float wide = groom.widths.empty() ? width : groom.widths[groom.begin[i] + at(point)];
-        return 0.25f * wide / flat.half_width(place.v) * float(samples.width());
-      };
-      const Eigen::Vector2f way((now.u - before.u) * flat.half_width(now.v), (now.v - before.v) * length);
-      samples.draw(before, now, half(before, p - 1), half(now, p), way.norm() > 0 ? way.normalized() : way,
-                   number_of(i));
+    StrandPoint before;
+    for (std::size_t p = 0; p < count; ++p) {
+      const std::size_t point = groom.begin[i] + (from_end ? count - 1 - p : p);
+      StrandPoint now;
+      now.place = flat.place(groom.points[point], p == 0 ? 0 : std::min(before.place.v + 0.02f, 1.0f));
+      const float wide = groom.widths.empty() ? width : groom.widths[point];
+      now.half = 0.25f * wide / flat.half_width(now.place.v) * float(samples.width());
+      if (!groom.colors.empty()) now.color = groom.colors[point];
+      if (p > 0) {
+        const Eigen::Vector2f way((now.place.u - before.place.u) * flat.half_width(now.place.v),
+                                  (now.place.v - before.place.v) * length);
+        samples.draw({before.place, now.place, before.half, now.half, way.norm() > 0 ? way.normalized() : way,
+                      number_of(i), before.color, now.color});
+      }
       before = now;
     }
   }
   samples.develop(texture);
-  fill_directions(texture);
+  fill_from_beside(texture, Eigen::Vector2f::UnitY().eval(), texture.along);
+  if (!texture.color.empty()) fill_from_beside(texture, mean_color_of(texture), texture.color);
   return texture;
 }
 

@@ -19,7 +19,9 @@ struct CardTexture {
   std::vector<Eigen::Vector2f>
       along;  ///< Mean direction of strands on the card (across, along), not unit; where nothing is, of those beside.
   std::vector<float>
-      strand;  ///< A number of the strand in front, 0..1, the same wherever it is seen; 0 where nothing is.
+      strand;  ///< A number of the strand in front, 0..1, the same wherever it is seen; 0.5 where nothing is.
+  std::vector<Eigen::Vector3f>
+      color;  ///< Of strands, sRGB; where nothing is, of those beside. Empty where the groom has none.
 };
 
 /// The wisp's strands as they lie on its card when this is flat, each as wide as it is, by 4 x 8 samples of a texel. `width`: of strands

@@ -3,6 +3,8 @@
 #include "base/encodings.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace coif {
@@ -10,28 +12,22 @@ namespace {
 
 const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
 
-Eigen::Vector3f mean_color(const Groom& groom, const Wisp& wisp) {
-  if (groom.colors.empty()) return kBrown;
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  for (const std::uint32_t i : wisp.members) sum += groom.colors[groom.begin[i]];
-  return sum / float(wisp.members.size());
-}
-
 std::uint8_t byte_of(float value) { return std::uint8_t(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// The atlas's picture: colour wherever a card is, so that nothing else is mixed in at edges, and how much strands cover.
+/// -1..1 as a byte of which 128 stands for 0, as in TextureRole::kStrandAxis.
+std::uint8_t two_sided_byte_of(float value) { return std::uint8_t(128 + std::clamp(value, -1.0f, 1.0f) * 127 + 0.5f); }
+
+/// An image of all cards, RGBA, texel by texel from their textures.
 class AtlasPicture {
  public:
   explicit AtlasPicture(const AtlasPlan& plan) : plan_(plan), rgba_(std::size_t(plan.width) * plan.height * 4, 0) {}
 
-  void paint(const AtlasPlace& place, const CardTexture& texture, const Eigen::Vector3f& color) {
+  /// `texel_of(i)`: the four bytes of texel i of the card's texture.
+  void paint(const AtlasPlace& place, const auto& texel_of) {
     for (std::uint32_t y = 0; y < place.height; ++y) {
       for (std::uint32_t x = 0; x < place.width; ++x) {
-        const std::size_t from = std::size_t(y) * texture.width + x;
-        const float shade = texture.opacity[from] > 0 ? 0.85f + 0.3f * texture.strand[from] : 1.0f;
-        std::uint8_t* const to = &rgba_[4 * (std::size_t(place.y + y) * plan_.width + place.x + x)];
-        for (int k = 0; k < 3; ++k) to[k] = byte_of(color[k] * shade);
-        to[3] = byte_of(texture.opacity[from]);
+        const std::array<std::uint8_t, 4> texel = texel_of(std::size_t(y) * place.width + x);
+        std::ranges::copy(texel, &rgba_[4 * (std::size_t(place.y + y) * plan_.width + place.x + x)]);
       }
     }
   }
@@ -42,6 +38,37 @@ class AtlasPicture {
   const AtlasPlan& plan_;
   std::vector<std::uint8_t> rgba_;
 };
+
+/// Colour wherever a card is, so that nothing else is mixed in at edges, and how much strands cover. Strands whose groom has no
+/// colours differ a little, so that they can be told apart.
+std::array<std::uint8_t, 4> color_texel(const CardTexture& texture, std::size_t i) {
+  const Eigen::Vector3f color =
+      texture.color.empty() ? ((0.85f + 0.3f * texture.strand[i]) * kBrown).eval() : texture.color[i];
+  return {byte_of(color.x()), byte_of(color.y()), byte_of(color.z()), byte_of(texture.opacity[i])};
+}
+
+/// SourceMaterial::strand_texture. `deepest`: metres before and behind the card that are told apart.
+std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepest, std::size_t i) {
+  const Eigen::Vector2f& along = texture.along[i];
+  // The double angle's cosine and sine, times how much strands of this texel run one way.
+  const float length = std::max(along.norm(), 1e-6f);
+  return {byte_of(texture.strand[i]), byte_of(0.5f + 0.5f * texture.depth[i] / deepest),
+          two_sided_byte_of((along.x() * along.x() - along.y() * along.y()) / length),
+          two_sided_byte_of(2 * along.x() * along.y() / length)};
+}
+
+void add_images(const Cards& cards, SourceModel& model) {
+  AtlasPicture colors(cards.plan), strands(cards.plan);
+  for (std::size_t i = 0; i < cards.wisps.size(); ++i) {
+    const AtlasPlace& place = cards.plan.places[i];
+    const CardTexture& texture = cards.textures[i];
+    const float deepest = std::max(std::ranges::max(cards.wisps[i].ribbon.half_depth), 1e-9f);
+    colors.paint(place, [&](std::size_t k) { return color_texel(texture, k); });
+    strands.paint(place, [&](std::size_t k) { return strand_texel(texture, deepest, k); });
+  }
+  model.images.push_back({"cards", colors.png()});
+  model.images.push_back({"strands", strands.png()});
+}
 
 /// The side of a card that looks away from the middle of the hair is its front.
 bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
@@ -80,11 +107,13 @@ SourceModel empty_model(const Groom& groom) {
   model.path = groom.path;
   model.importer = groom.format;
   model.space = groom.space;
+  model.made_from_strands = true;
   model.warnings = groom.warnings;
   model.nodes.push_back({"hair", kNoIndex, Eigen::Affine3d::Identity()});
   SourceMaterial material;
   material.name = "cards";
   material.base_texture.image = 0;
+  material.strand_texture.image = 1;
   material.alpha_use = AlphaUse::kBlend;
   material.double_sided = true;
   model.materials.push_back(std::move(material));
@@ -99,11 +128,7 @@ tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const Ca
   if (!cards) return tl::unexpected(cards.error());
   SourceModel model = empty_model(groom);
   model.meshes.push_back(mesh_of(*cards, box_of_roots(shape.strands).center()));
-  AtlasPicture picture(cards->plan);
-  for (std::size_t i = 0; i < cards->wisps.size(); ++i) {
-    picture.paint(cards->plan.places[i], cards->textures[i], mean_color(groom, cards->wisps[i]));
-  }
-  model.images.push_back({"cards", picture.png()});
+  add_images(*cards, model);
   return model;
 }
 

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kViews = 32;
 constexpr std::uint32_t kPicture = 256;  // pixels of hair, both ways
 constexpr std::uint32_t kFitSide = 2;    // samples of a pixel, both ways
-constexpr int kMostRounds = 6;
 constexpr double kLeastFall = 0.02;                  // of the error, for another round
 constexpr float kClearest = 1e-4f;                   // so that a texel behind an opaque one still has some say
 constexpr float kLittleSeen = 0.3f;                  // samples: texels that are seen less than this change less
@@ -201,11 +200,12 @@ void change_textures(const CardSurface& surface, std::span<const View> views, Ca
 
 }  // namespace
 
-OpacityFit fit_opacity(const Groom& groom, float strand_width, Cards& cards, unsigned threads) {
-  const ShownBall ball = ball_around(groom.points);
+OpacityFit fit_opacity(const Groom& groom, float strand_width, int rounds, Cards& cards, unsigned threads) {
   OpacityFit fit;
+  if (rounds <= 0) return fit;
+  const ShownBall ball = ball_around(groom.points);
   std::vector<CardTexture> best = cards.textures;
-  for (int round = 0; round <= kMostRounds; ++round) {
+  for (int round = 0; round <= rounds; ++round) {
     const CardSurface surface = surface_of(cards);
     const std::vector<View> views = look(groom, strand_width, surface, ball, round, threads);
     const double error = error_of(views), before = fit.errors.empty() ? error : fit.errors.back();
@@ -214,7 +214,7 @@ OpacityFit fit_opacity(const Groom& groom, float strand_width, Cards& cards, uns
       cards.textures = best;
       break;
     }
-    if (round == kMostRounds || (round > 0 && error > (1 - kLeastFall) * before)) break;
+    if (round == rounds || (round > 0 && error > (1 - kLeastFall) * before)) break;
     best = cards.textures;
     change_textures(surface, views, cards, threads);
   }

@@ -18,7 +18,7 @@ struct OpacityFit {
 /// eye in front of its card; from elsewhere cards are narrower than wisps, and hide each other otherwise than strands do. Each round draws
 /// strands and cards from 32 directions, other ones every time, and hands each pixel's difference back to the texels that it sees, by
 /// how much they change it (simultaneous algebraic reconstruction: Andersen and Kak 1984), spread along the card, where strands lie.
-/// Ends when a round gains too little. `strand_width` is of strands whose groom says none. Repeats for equal input, whatever `threads` is.
-OpacityFit fit_opacity(const Groom& groom, float strand_width, Cards& cards, unsigned threads);
+/// Ends when a round gains too little, or after so many. `strand_width` is of strands whose groom says none. Repeats for equal input, whatever `threads` is.
+OpacityFit fit_opacity(const Groom& groom, float strand_width, int rounds, Cards& cards, unsigned threads);
 
 }  // namespace coif

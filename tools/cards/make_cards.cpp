@@ -96,7 +96,7 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
   std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
   std::vector<CardStrip> strips = make_strips(wisps, budget.triangles);
   auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
-  if (cards) fit_opacity(groom, shape.strands.width, *cards, threads);
+  if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
   return cards;
 }
 

@@ -21,6 +21,7 @@ namespace coif {
 struct CardsBudget {
   std::size_t triangles = 8000;
   std::size_t texels = std::size_t{1} << 22;
+  int rounds = 6;  ///< Of fit_opacity(), at most.
   float strand_width =
       0;  ///< Metres, of strands whose groom says none; 0: so wide that they cover a head of their size as hair does.
 };

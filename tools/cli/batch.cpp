@@ -113,7 +113,7 @@ std::string batch_text(const Outcomes& outcomes) {
 
 tl::expected<CookSummary, ToolError> cook_one(const CookOptions& options, const CookRequest& request, unsigned threads,
                                               const Messages& messages) {
-  auto choice = choose_recipe(request.source, request.recipe, messages);
+  auto choice = choose_recipe(request.source, request.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(choice.error());
   choose_body(options.body, *choice);
   std::error_code told_by_the_cook;

@@ -8,19 +8,40 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/patch_listing.h"
+#include "cook/recipe/recipe_preset.h"
+
+#include <fmt/format.h>
 
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace coif {
 namespace {
 
 tl::expected<Exit, ToolError> list_source(const CookOptions& options, const RecipeChoice& choice) {
-  const auto model = read_hair_source(options.source(), choice.recipe,
+  const auto model = read_hair_source(options.source(), draft_of(choice.recipe),
                                       {options.import_limits(import_settings(choice.recipe, options.roots)),
                                        choice.directory, options.threads.value_or(all_threads())});
   if (!model) return tl::unexpected(model.error());
   print_result(options.format == OutputFormat::kJson ? list_json(*model) : list_text(*model));
   return Exit::kOk;
+}
+
+std::span<const Choice<const char*>> preset_choices() {
+  static const std::vector<Choice<const char*>> choices = [] {
+    std::vector<Choice<const char*>> all;
+    for (const RecipePreset& preset : recipe_presets()) all.push_back({preset.name, preset.name});
+    return all;
+  }();
+  return choices;
+}
+
+std::string preset_text() {
+  std::string text;
+  for (const RecipePreset& preset : recipe_presets()) text += fmt::format("{:10}  {}\n", preset.name, preset.meaning);
+  return text + "'coif cook --preset NAME --print-recipe' prints all that one sets\n";
 }
 
 /// A word behind --list that is none of its own is the source.
@@ -35,9 +56,13 @@ tl::expected<Exit, ToolError> run_cook(const CookOptions& given, const Messages&
   const CookOptions options = with_list_read(given);
   const Messages messages = options.quiet ? all_messages.without_notes() : all_messages;
   const bool is_batch = options.sources.size() > 1 || !options.manifest.empty();
+  if (options.list_presets) {
+    print_result(preset_text());
+    return Exit::kOk;
+  }
   if (is_batch && !options.print_recipe) return run_cook_batch(options, messages);
   if (options.sources.empty() && !options.print_recipe) return usage("needs a SOURCE; see 'coif cook --help'");
-  auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages);
+  auto choice = choose_recipe(options.sources.empty() ? "" : options.source(), options.recipe, messages, {options.preset, ""});
   if (!choice) return tl::unexpected(choice.error());
   choose_body(options.body, *choice);
   if (options.print_recipe) {
@@ -97,6 +122,9 @@ Command add_cook(CLI::App& program) {
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
       ->type_name("R.json");
+  add_choice<const char*>(*app, "--preset", options->preset, preset_choices(),
+                          "What kind of hair it is: the recipe begins from that preset, before its \"look.preset\"");
+  app->add_flag("--list-presets", options->list_presets, "Print what the presets are for, cook nothing");
   app->add_option("--body", options->body,
                   "Model with the head that strands belong to, before the recipe's \"cards.body\"")
       ->type_name("MODEL");

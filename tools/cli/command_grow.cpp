@@ -39,8 +39,8 @@ std::span<const Choice<const char*>> style_choices() {
 
 tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
   RecipeChoice choice{default_recipe(), {}, options.recipe};
-  auto recipe = options.recipe.empty() ? parse_recipe("{}", "--style", options.style)
-                                       : read_recipe(options.recipe, options.style);
+  auto recipe = options.recipe.empty() ? parse_recipe("{}", "--style", {"", options.style})
+                                       : read_recipe(options.recipe, {"", options.style});
   if (!recipe) return tl::unexpected(recipe.error());
   choice.recipe = std::move(*recipe);
   choice.directory = choice.file.parent_path();

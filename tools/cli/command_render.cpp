@@ -6,7 +6,9 @@
 #include "cli/input_files.h"
 #include "cli/messages.h"
 #include "cli/options.h"
+#include "cli/picture_options.h"
 #include "cook/size/settle_size.h"
+#include "render/body_textures.h"
 #include "render/picture.h"
 
 #include <algorithm>
@@ -55,28 +57,46 @@ struct RenderOptions {
   std::vector<std::filesystem::path> roots;
   std::optional<std::string> recipe;
   std::optional<ShadingModel> shading;
-  std::optional<std::uint32_t> samples;
+  std::uint32_t samples = 8;
   PictureSettings picture;
   OutputFormat format = OutputFormat::kText;
 };
 
-tl::expected<SourceModel, ToolError> read_body(const RenderOptions& options, const Messages& messages) {
+struct Body {
+  SourceModel model;
+  BodyTextures textures;
+};
+
+tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   auto model = import_model(options.body, import_settings(choice->recipe, options.roots));
-  if (!model) return model;
+  if (!model) return tl::unexpected(model.error());
   Findings findings;
   if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
+  model = keep_body(std::move(*model), options.body_mesh, choice->recipe);
+  if (!model) return tl::unexpected(model.error());
+  BodyTextures textures = read_body_textures(*model, findings);
   for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
-  return keep_body(std::move(*model), options.body_mesh, choice->recipe);
+  return Body{std::move(*model), std::move(textures)};
+}
+
+/// As many shaded samples as there may be, the rest of the driver's.
+void share_samples(const RenderOptions& options, PictureSettings& settings) {
+  constexpr std::uint32_t kMostSamplesAcross = 8192;
+  settings.oversampling = 1;
+  for (const std::uint32_t finer : {2u, 4u}) {
+    const bool fits = std::max(settings.width, settings.height) * finer <= kMostSamplesAcross;
+    if (fits && finer * finer <= options.samples) settings.oversampling = finer;
+  }
+  settings.edge_samples = options.samples / (settings.oversampling * settings.oversampling);
 }
 
 PictureSettings picture_settings(const RenderOptions& options) {
   PictureSettings settings = options.picture;
-  const bool is_large = std::max(options.size.width, options.size.height) > 4096;
-  settings.oversampling = options.samples.value_or(is_large ? 1 : 2);
   settings.width = options.size.width;
   settings.height = options.size.height;
+  share_samples(options, settings);
   settings.yaw_degrees = options.view.yaw_degrees;
   settings.pitch_degrees = options.view.pitch_degrees;
   settings.component = options.shown.component;
@@ -99,17 +119,18 @@ std::string result_text(const RenderOptions& options, const PictureSettings& set
     return json_text({{"output", options.output},
                       {"width", picture.width},
                       {"height", picture.height},
-                      {"samples", settings.oversampling},
+                      {"samples", settings.oversampling * settings.oversampling * picture.edge_samples},
                       {"heads", heads},
                       {"triangles", triangles * heads},
                       {"draw_ms", picture.draw_ms},
                       {"device", picture.device}});
   }
   const std::uint32_t finer = settings.oversampling;
-  return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms as {}x{}\n  device: {}\n", options.output,
-                     picture.width, picture.height, counted(heads, "head", "heads"),
+  return fmt::format("{}: {}x{}, {} with {} of hair each, drawn in {:.1f} ms as {}x{} with {}\n  device: {}\n",
+                     options.output, picture.width, picture.height, counted(heads, "head", "heads"),
                      counted(triangles, "triangle", "triangles"), picture.draw_ms, finer * picture.width,
-                     finer * picture.height, picture.device);
+                     finer * picture.height, counted(picture.edge_samples, "sample of edges", "samples of edges"),
+                     picture.device);
 }
 
 tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Messages& messages) {
@@ -128,15 +149,21 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
     if (!clip) return tl::unexpected(clip.error());
     settings.clip = std::move(clip->path);
   }
-  tl::expected<SourceModel, ToolError> body;
+  tl::expected<Body, ToolError> body;
   if (!options.body.empty()) {
     body = read_body(options, messages);
     if (!body) return tl::unexpected(body.error());
-    settings.body = &*body;
+    settings.body = &body->model;
+    settings.body_textures = body->textures;
   }
   const auto picture = render_picture(file->asset(), settings);
   if (!picture) {
     return tl::unexpected(ToolError{picture.error().kind, options.file + ": " + picture.error().message});
+  }
+  if (picture->edge_samples < settings.edge_samples) {
+    messages.warning(fmt::format("--samples {}: the device has at most {} of edges; drawn with {} in each pixel",
+                                 options.samples, picture->edge_samples,
+                                 settings.oversampling * settings.oversampling * picture->edge_samples));
   }
   if (auto written = write_png(options.output, *picture); !written) return tl::unexpected(written.error());
   print_result(result_text(options, settings, file->asset(), *picture));
@@ -185,31 +212,6 @@ void add_debug(CLI::App& app, DebugView& debug) {
       ->type_name("NAME,...");
 }
 
-void add_shadows(CLI::App& app, const ShadowTechnique*& choice) {
-  static const auto choices = [] {
-    std::vector<Choice<const ShadowTechnique*>> all{{"none", nullptr}};
-    for (const ShadowTechnique* technique : shadow_techniques()) all.push_back({name_of(*technique), technique});
-    return all;
-  }();
-  add_choice<const ShadowTechnique*>(app, "--shadows", choice, choices,
-                                     "How the key light's shadows are drawn (default: deep-shadow)");
-}
-
-void add_transparency(CLI::App& app, const TransparencyMode*& choice) {
-  static const auto choices = [] {
-    std::vector<Choice<const TransparencyMode*>> all;
-    for (const TransparencyMode* mode : transparency_modes()) all.push_back({name_of(*mode), mode});
-    return all;
-  }();
-  add_choice<const TransparencyMode*>(app, "--transparency", choice, choices, "How soft edges are drawn");
-}
-
-void add_order(CLI::App& app, OrderChoice& choice) {
-  static constexpr Choice<OrderChoice> kChoices[] = {{"cooked", OrderChoice::kCooked}, {"bones", OrderChoice::kBones}};
-  add_choice<OrderChoice>(app, "--order", choice, kChoices,
-                          "In which order triangles are blended, as cooked or with the bones sorted in each frame");
-}
-
 void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
   static const auto choices = [] {
     std::vector<Choice<std::optional<ShadingModel>>> all;
@@ -220,12 +222,24 @@ void add_shading(CLI::App& app, std::optional<ShadingModel>& choice) {
                                           "How strands reflect light (default: as cooked)");
 }
 
+void add_samples(CLI::App& app, std::uint32_t& samples) {
+  const auto is_power_of_two = [](const std::string& word) {
+    const auto number = parse_number<std::uint32_t>(word);
+    const bool fits = number && *number >= 1 && *number <= 64 && (*number & (*number - 1)) == 0;
+    return fits ? std::string() : fmt::format("'{}' is not 1, 2, 4, 8, 16, 32 or 64", word);
+  };
+  app.add_option("--samples", samples,
+                 "Samples of each pixel: as many as fit are shaded, the others are of edges alone")
+      ->check(is_power_of_two)
+      ->capture_default_str()
+      ->type_name("N");
+}
+
 }  // namespace
 
 Command add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draw a picture of an asset, without a window");
   const auto options = std::make_shared<RenderOptions>();
-  options->picture.shadows = &kDeepShadow;
   app->add_option("FILE", options->file, "A cooked asset")->required();
   app->add_option("-o,--output", options->output, "The picture to write")->required()->type_name("OUT.png");
   add_size(*app, options->size);
@@ -236,15 +250,9 @@ Command add_render(CLI::App& program) {
       "Which part of the shading; or, to check the cook, the strands' direction, the patches, or the colliders");
   add_debug(*app, options->picture.debug);
   app->add_option("--lod", options->picture.lod, "Level of detail, 0 is the finest")->capture_default_str();
-  add_transparency(*app, options->picture.transparency);
-  add_order(*app, options->picture.order);
-  add_shadows(*app, options->picture.shadows);
+  add_picture_options(*app, options->picture);
   add_shading(*app, options->shading);
-  app->add_option(
-         "--samples", options->samples,
-         "Samples of each pixel, each way; 1: the driver's, of edges alone (default: 2, of pictures above 4096 1)")
-      ->check(CLI::Range(1u, 4u))
-      ->type_name("N");
+  add_samples(*app, options->samples);
   add_format(*app, options->format);
   return {app, [options](const Messages& messages) { return run_render(*options, messages); }};
 }

@@ -98,7 +98,7 @@ std::vector<Issue> validate_source(const fs::path& path, const OriginOptions& op
   std::vector<Issue> issues;
   if (!choice) issues.push_back(make_issue("S103", choice.error().message, "recipe"));
   const auto model = read_hair_source(
-      path, used, {import_settings(used, options.roots), choice ? choice->directory : fs::path(), all_threads()});
+      path, draft_of(used), {import_settings(used, options.roots), choice ? choice->directory : fs::path(), all_threads()});
   const std::vector<Issue> found = model ? find_source_issues(*model, used) : std::vector{import_issue(model.error())};
   issues.insert(issues.end(), found.begin(), found.end());
   return issues;

@@ -90,7 +90,7 @@ tl::expected<CookResult, ToolError> cook_source(const CookOptions& options, cons
   const auto begin = std::chrono::steady_clock::now();
   const unsigned threads = options.threads.value_or(all_threads());
   const auto model = read_hair_source(
-      options.source(), choice.recipe,
+      options.source(), options.draft ? draft_of(choice.recipe) : choice.recipe,
       {options.import_limits(import_settings(choice.recipe, options.roots)), choice.directory, threads});
   if (!model) return tl::unexpected(model.error());
   const std::chrono::duration<double, std::milli> import_ms = std::chrono::steady_clock::now() - begin;

@@ -39,6 +39,7 @@ struct CookOptions {
   std::vector<std::string> sources;
   std::string output;  ///< A file for one source, a folder for several.
   std::optional<std::string> recipe;
+  const char* preset = "";    ///< Before the recipe's "look.preset".
   std::string body;           ///< Before the recipe's "cards.body".
   std::string manifest;       ///< Instead of sources.
   std::string share = "1/1";  ///< The batch of the manifest that is cooked here, as K/N.
@@ -47,6 +48,7 @@ struct CookOptions {
   std::string cache;  ///< A folder; empty: none.
   std::vector<std::filesystem::path> roots;
   bool print_recipe = false;
+  bool list_presets = false;
   std::optional<std::string> list;  ///< "source" or "patches": print it, and cook nothing.
   unsigned jobs = all_threads();
   std::optional<unsigned> threads;  ///< Of each cook.

@@ -55,6 +55,7 @@ RenderingCostRow to_row(const Asset& asset, const DrawCostRow& row) {
           .samples = row.samples,
           .lod = row.lod,
           .simulation = row.simulation,
+          .strand_terms = row.strand_terms,
           .triangles = asset.lod_indices(row.lod).size() / 3 * row.heads,
           .ms_per_frame = 1e3 * row.time.seconds,
           .spread_pct = row.time.spread_pct,

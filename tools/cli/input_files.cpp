@@ -39,8 +39,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file) {
-  auto recipe = read_recipe(file);
+tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file, const RecipeBeginning& beginning) {
+  auto recipe = read_recipe(file, beginning);
   if (!recipe) return tl::unexpected(recipe.error());
   return RecipeChoice{std::move(*recipe), file.parent_path(), file};
 }
@@ -48,18 +48,22 @@ tl::expected<RecipeChoice, ToolError> read_choice(const fs::path& file) {
 }  // namespace
 
 tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, const std::optional<std::string>& named,
-                                                    const Messages& messages) {
+                                                    const Messages& messages, const RecipeBeginning& beginning) {
   if (is_recipe_file(source)) {
     if (named) return usage(fmt::format("{}: is a recipe itself; leave --recipe out", source.string()));
-    return read_choice(source);
+    return read_choice(source, beginning);
   }
-  if (named) return read_choice(*named);
+  if (named) return read_choice(*named, beginning);
   fs::path beside = source;
   beside.replace_extension(".recipe.json");
   std::error_code ignored;
-  if (source.empty() || !fs::exists(beside, ignored)) return RecipeChoice{default_recipe(), source.parent_path(), {}};
+  if (source.empty() || !fs::exists(beside, ignored)) {
+    auto recipe = parse_recipe("{}", "--preset", beginning);
+    if (!recipe) return tl::unexpected(recipe.error());
+    return RecipeChoice{std::move(*recipe), source.parent_path(), {}};
+  }
   messages.note(fmt::format("{}: used, as it lies beside the source; --recipe names another", beside.string()));
-  return read_choice(beside);
+  return read_choice(beside, beginning);
 }
 
 void choose_body(const fs::path& body, RecipeChoice& choice) {
@@ -94,6 +98,15 @@ void remove_hair(const HairChoice& hair, SourceModel& model) {
   }
 }
 
+bool leaves_something(const HairChoice& hair, const SourceModel& model) {
+  for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+    for (std::size_t t = 0; t < model.meshes[m].triangles.size() / 3; ++t) {
+      if (!hair.takes(m, t)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe) {
@@ -103,7 +116,8 @@ tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::str
     Findings unsaid;
     const auto hair = choose_hair(model, recipe, unsaid);
     if (!hair) return tl::unexpected(hair.error());
-    remove_hair(*hair, model);
+    // A model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
+    if (leaves_something(*hair, model)) remove_hair(*hair, model);
   }
   std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
     return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));

@@ -50,9 +50,10 @@ struct RecipeChoice {
 };
 
 /// The source itself where it is a recipe; the recipe named on the command line; else SOURCE-stem.recipe.json beside the source, with a note; else defaults. An empty
-/// `source` has nothing beside it.
+/// `source` has nothing beside it. Each begins from `beginning`.
 tl::expected<RecipeChoice, ToolError> choose_recipe(const std::filesystem::path& source,
-                                                    const std::optional<std::string>& named, const Messages& messages);
+                                                    const std::optional<std::string>& named, const Messages& messages,
+                                                    const RecipeBeginning& beginning = {});
 
 /// Puts a body named on the command line in place of the recipe's; nothing where `body` is empty.
 void choose_body(const std::filesystem::path& body, RecipeChoice& choice);

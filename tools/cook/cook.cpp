@@ -42,7 +42,7 @@ Done keep(tl::expected<Part, ToolError> made, Part& part) {
 }
 
 StrandField find_strands(const Cooking& c, Findings& findings) {
-  const StrandSettings settings{declared_roots(c.recipe, c.hair), c.extracted.chosen != "position",
+  const StrandSettings settings{declared_roots(c.recipe, c.source, c.hair), c.extracted.chosen != "position",
                                 depths_below(c.source, c.head_bone.node),
                                 find_strand_lines(c.hair, c.color, c.settings.threads), c.settings.threads};
   return find_strand_direction(c.hair, c.head, settings, findings);
@@ -104,7 +104,7 @@ const Pass kPasses[] = {
      [](Cooking& c) -> Done {
        Findings of_whole;
        c.hair.strands = find_strands(c, of_whole);
-       if (split_partings(c.hair, c.head, declared_roots(c.recipe, c.hair), c.report) > 0) {
+       if (split_partings(c.hair, c.head, declared_roots(c.recipe, c.source, c.hair), c.report) > 0) {
          c.hair.strands = find_strands(c, c.report);
        } else {
          c.report.append(of_whole);

@@ -30,7 +30,7 @@ constexpr auto transfer_material = [](auto& archive, auto& material) {
          archive.plain(material.normal_strength) && archive.sequence(material.opacity_texture) &&
          archive.list(material.other_textures, sizeof(std::uint64_t), transfer_text) &&
          transfer_choice(archive, material.alpha_use, AlphaUse::kBlend) && archive.plain(material.alpha_cutoff) &&
-         transfer_flag(archive, material.double_sided);
+         archive.plain(material.roughness) && transfer_flag(archive, material.double_sided);
 };
 
 constexpr auto transfer_collider = [](auto& archive, auto& collider) {

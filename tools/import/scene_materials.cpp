@@ -100,6 +100,13 @@ void convert_alpha(const aiMaterial& material, SourceFormat format, SourceMateri
   out.alpha_cutoff = std::clamp(cutoff, 0.0f, 1.0f);
 }
 
+// Other formats say it in numbers of their own, or not at all.
+void convert_roughness(const aiMaterial& material, SourceFormat format, SourceMaterial& out) {
+  float roughness = 0;
+  if (format != SourceFormat::kGltf || material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != AI_SUCCESS) return;
+  if (std::isfinite(roughness)) out.roughness = std::clamp(roughness, 0.0f, 1.0f);
+}
+
 class TextureTable {
  public:
   TextureTable(const aiScene& scene, SourceModel& model) : scene_(scene), model_(model) {}
@@ -172,6 +179,7 @@ void convert_materials(const aiScene& scene, SourceFormat format, SourceModel& m
     add_other_maps(material, path, textures, out);
     out.base_color = base_color(material, format, path.length != 0);
     convert_alpha(material, format, out);
+    convert_roughness(material, format, out);
     int two_sided = 0;
     out.double_sided = material.Get(AI_MATKEY_TWOSIDED, two_sided) == AI_SUCCESS && two_sided != 0;
     model.materials.push_back(std::move(out));

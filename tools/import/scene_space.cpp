@@ -117,6 +117,9 @@ void read_format(const aiScene& scene, SourceFormat format, SourceSpace& space) 
       space.unit_words = "OBJ has no unit";
       space.up_words = "OBJ has no up axis";
       break;
+    case SourceFormat::kHair:
+    case SourceFormat::kTressFx:
+      break;  // strands, of which no scene is made
   }
 }
 

@@ -73,11 +73,12 @@ bool is_unit(const Eigen::Vector3d& direction) {
 bool is_length(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string material_fault(const SourceModel& model, const SourceMaterial& material) {
-  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image}) {
+  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image, material.strand_texture.image}) {
     if (image != kNoIndex && image >= model.images.size()) return "absent image";
   }
   if (!material.base_color.allFinite()) return "colour not finite";
   if (!(material.alpha_cutoff >= 0 && material.alpha_cutoff <= 1)) return "alpha cutoff outside 0..1";
+  if (!(material.roughness >= 0 && material.roughness <= 1)) return "roughness outside 0..1";
   if (!(material.normal_strength >= 0 && material.normal_strength <= kMostNormalStrength))
     return "normal strength outside 0..16";
   return {};

@@ -57,11 +57,15 @@ struct SourceMaterial {
   Eigen::Vector4f base_color{1, 1, 1, 1};  ///< Linear, alpha in w.
   SourceTexture base_texture;              ///< Empty path and kNoIndex: none.
   SourceTexture normal_texture;            ///< A normal or bump map; the same.
+  /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how far in front of
+  /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
+  SourceTexture strand_texture;
   float normal_strength = 1;               ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
   std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;  ///< For kMask.
+  float roughness = 0.8f;     ///< 0 a mirror .. 1 matte, as glTF has it; else a guess.
   bool double_sided = false;
 };
 
@@ -145,6 +149,8 @@ struct SourceModel {
   std::vector<SourceCollider> colliders;  ///< At most kMaxSourceColliders.
   std::uint32_t head_node = kNoIndex;     ///< The head of a VRM's humanoid; kNoIndex where the file does not say.
   Facing facing = Facing::kUnknown;
+  /// Cards that stand for strands: these grow along V of the texture, which is as large as it should be.
+  bool made_from_strands = false;
   SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not

@@ -117,15 +117,17 @@ tl::expected<void, ToolError> check_drawable(const Asset& asset) {
                  "the asset has no mesh to draw; cook it again without leaving the mesh out");
 }
 
-std::array<Light, 3> studio_lights(const Camera& camera) {
+std::array<Light, 3> camera_lights(std::span<const StudioLight, 3> own, const Camera& camera) {
   std::array<Light, 3> lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const auto& [right, up, back] = kStudioLights[i].towards;
-    const auto& [red, green, blue] = kStudioLights[i].color;
+    const auto& [right, up, back] = own[i].towards;
+    const auto& [red, green, blue] = own[i].color;
     const Eigen::Vector3d towards = camera.right * double(right) + camera.up * double(up) + camera.back * double(back);
     lights[i] = {Light::Kind::kDirectional, to_vec3(towards), {red, green, blue}};
   }
   return lights;
 }
+
+std::array<Light, 3> studio_lights(const Camera& camera) { return camera_lights(kStudioLights, camera); }
 
 }  // namespace coif

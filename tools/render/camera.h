@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/studio.h"
 #include "base/tool_error.h"
 
 #include <coif/asset.h>
@@ -46,6 +47,9 @@ struct CrowdView {
 
 /// What the picture is about: the hair and the head's colliders. A body may be a whole person; the frame cuts it off.
 [[nodiscard]] std::vector<Eigen::Vector3d> framed_points(const Asset& asset);
+
+/// Lights that move with the camera.
+[[nodiscard]] std::array<Light, 3> camera_lights(std::span<const StudioLight, 3> own, const Camera& camera);
 
 /// A key light from the top, fill and rim, which move with the camera.
 [[nodiscard]] std::array<Light, 3> studio_lights(const Camera& camera);

@@ -2,6 +2,7 @@
 
 #include "base/timing.h"
 #include "render/camera.h"
+#include "render/gallery.h"
 
 #include <GLES3/gl3.h>
 
@@ -26,7 +27,13 @@ void clear(float shade, float alpha) {
 }  // namespace
 
 CrowdStage::CrowdStage(const Asset& asset, double aspect, std::unique_ptr<DrawingDevice> device)
-    : aspect_(aspect), device_(std::move(device)), timer_(device_->context.loader()), points_(framed_points(asset)) {}
+    : aspect_(aspect),
+      device_(std::move(device)),
+      with_terms_(own_material(asset)),
+      timer_(device_->context.loader()),
+      points_(framed_points(asset)) {
+  with_terms_.glow = with_terms_.root_shade = with_terms_.variation = 0.5f;
+}
 
 tl::expected<std::unique_ptr<CrowdStage>, ToolError> CrowdStage::create(const Asset& asset, std::uint32_t width,
                                                                         std::uint32_t height, const GlLoader* through) {
@@ -77,6 +84,7 @@ Status CrowdStage::draw_heads(const DrawnFrame& frame) {
   }
   DrawDesc desc = studio_desc(scene.camera, scene.lights);
   desc.transparency = frame.transparency;
+  if (frame.strand_terms) desc.material = &with_terms_;
   timer_.begin();
   const Status status = device_->renderer.draw(model_, scene.heads, desc);
   timer_.end();

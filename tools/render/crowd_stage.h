@@ -34,6 +34,8 @@ struct DrawnFrame {
   std::uint32_t samples = 1;  ///< Of a pixel, 1 or 4.
   std::uint32_t lod = 0;      ///< Of all heads.
   bool simulation = false;    ///< The crowd is stepped first.
+  bool strand_terms =
+      false;  ///< With all terms that a shading model may have besides, whatever the asset's material has.
 };
 
 /// Crowds of one asset's hair and a framebuffer without a window to draw them to. One at a time, and its thread's
@@ -86,6 +88,7 @@ class CrowdStage {
   double aspect_;
   std::unique_ptr<DrawingDevice> device_;  ///< Before what is made in it.
   HairModel model_;
+  MaterialRecord with_terms_;
   GpuTimer timer_;
   std::optional<OffscreenTarget> one_, many_;  ///< Samples a pixel.
   std::vector<Eigen::Vector3d> points_;

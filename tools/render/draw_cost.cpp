@@ -43,6 +43,7 @@ struct FramesOfRows {
                     .samples = frame.samples,
                     .lod = frame.lod,
                     .simulation = frame.simulation,
+                    .strand_terms = frame.strand_terms,
                     .time = {}});
   }
 };
@@ -57,6 +58,7 @@ void add_crowd(std::uint32_t heads, std::uint32_t crowd, FramesOfRows& found) {
 
 void add_levels_and_modes(std::uint32_t heads, std::uint32_t crowd, std::uint32_t lod_count, FramesOfRows& found) {
   for (std::uint32_t lod = 1; lod < lod_count; ++lod) found.add(heads, {.crowd = crowd, .lod = lod});
+  found.add(heads, {.crowd = crowd, .strand_terms = true});
   for (const TransparencyMode* mode : transparency_modes()) {
     const bool is_there = mode == &kBlendMode || mode == &kOpaqueMode;
     const bool is_for_one = !covers_samples(*mode);

@@ -65,14 +65,15 @@ struct DrawCostRow {
   std::string transparency;   ///< name_of() the mode.
   std::uint32_t samples = 1;  ///< Of a pixel.
   std::uint32_t lod = 0;
-  bool simulation = false;  ///< The crowd is stepped before it is drawn.
+  bool simulation = false;    ///< The crowd is stepped before it is drawn.
+  bool strand_terms = false;  ///< As DrawnFrame has it.
   FrameTime time;
 };
 
 struct DrawCost {
   std::string device;  ///< GL_RENDERER.
   /// By heads; every crowd with blend and opaque, simulated and not. The smallest crowd also with every level of detail
-  /// and in every mode, with one sample a pixel and with four where the mode is for them.
+  /// and with all strand terms, and in every mode, with one sample a pixel and with four where the mode is for them.
   std::vector<DrawCostRow> rows;
   DrawDistances distances;
   std::vector<DrawCostLeftOut> left_out;  ///< Of `rows`; ascending; all crowds from some size on.

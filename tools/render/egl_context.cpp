@@ -102,13 +102,17 @@ tl::expected<std::unique_ptr<DrawingDevice>, ToolError> DrawingDevice::create(co
 
 namespace {
 
-void attach(GLenum attachment, GLenum format, std::uint32_t width, std::uint32_t height, GLsizei samples) {
+/// Returns how many samples the driver gives it, which may be more than asked for.
+GLint attach(GLenum attachment, GLenum format, std::uint32_t width, std::uint32_t height, GLsizei samples) {
+  GLint given = 0;
   GLuint buffer = 0;
   glGenRenderbuffers(1, &buffer);
   glBindRenderbuffer(GL_RENDERBUFFER, buffer);
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, static_cast<GLsizei>(width),
                                    static_cast<GLsizei>(height));
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &given);
+  return given;
 }
 
 /// OpenGL's first row is the lowest, a picture's the highest.
@@ -142,7 +146,7 @@ tl::expected<OffscreenTarget, ToolError> OffscreenTarget::create(std::uint32_t w
   const bool readable = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   glGenFramebuffers(1, &target.drawn_);
   glBindFramebuffer(GL_FRAMEBUFFER, target.drawn_);
-  attach(GL_COLOR_ATTACHMENT0, format, width, height, used_samples);
+  target.samples_ = std::uint32_t(std::max(attach(GL_COLOR_ATTACHMENT0, format, width, height, used_samples), 1));
   attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width, height, used_samples);
   if (readable && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return target;
   if (target.pixels_ == Pixels::kRadiance) return create(width, height, samples);

@@ -71,6 +71,9 @@ class OffscreenTarget {
   /// Makes it the framebuffer that is drawn to, with its whole area as viewport.
   void bind() const;
 
+  /// Of each pixel, as the driver gives them; 1 without multisampling.
+  [[nodiscard]] std::uint32_t samples() const { return samples_; }
+
   /// Resolved pixels, RGBA, sRGB-encoded, rows top to bottom.
   [[nodiscard]] std::vector<std::uint8_t> read() const;
 
@@ -83,6 +86,7 @@ class OffscreenTarget {
 
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
+  std::uint32_t samples_ = 1;
   Pixels pixels_ = Pixels::kSrgb;
   std::uint32_t drawn_ = 0;     ///< Framebuffer object with samples and depth.
   std::uint32_t resolved_ = 0;  ///< Framebuffer object to read from.

@@ -19,6 +19,11 @@ namespace coif {
 /// The asset's own, or where it has none that of the thesis's first gallery; shaded by the thesis's model, whatever its own is.
 [[nodiscard]] MaterialRecord thesis_material(const Asset& asset);
 
+/// The asset's, or thesis_material() where it has none.
+[[nodiscard]] inline MaterialRecord own_material(const Asset& asset) {
+  return asset.material() != nullptr ? *asset.material() : thesis_material(asset);
+}
+
 /// Mean of the base texture, linear, each texel counted by its alpha; white without a texture.
 [[nodiscard]] Eigen::Vector3d mean_base_color(const Asset& asset);
 
@@ -49,8 +54,8 @@ inline constexpr std::uint32_t kGalleryColumns = 6;
 struct GallerySettings {
   std::uint32_t width = 320;  ///< Of one picture, pixels, 64..1024.
   std::uint32_t height = 320;
-  std::uint32_t only = 0;                ///< One gallery, 1..kGalleries; 0: all.
-  const Solver* solver = &kCoifSolver;   ///< Of the first five; the sixth compares two, and the last has its own.
+  std::uint32_t only = 0;               ///< One gallery, 1..kGalleries; 0: all.
+  const Solver* solver = &kCoifSolver;  ///< Of the first five; the sixth compares two, and the last has its own.
 };
 
 struct GalleryPicture {
@@ -79,8 +84,8 @@ struct GallerySheet {
 
 /// Takes the pictures of `galleries` (not empty) in one OpenGL context and puts them on a sheet, `last` below them. `progress`
 /// hears of each one's caption before. Errors: those of PictureMaker.
-tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries, std::uint32_t columns,
-                                                 std::vector<SheetSection> last,
+tl::expected<GallerySheet, ToolError> draw_sheet(const Asset& asset, std::span<const Gallery> galleries,
+                                                 std::uint32_t columns, std::vector<SheetSection> last,
                                                  const std::function<void(const std::string&)>& progress);
 
 /// kUsage where a picture of a sheet is not to be so large or so small.

@@ -5,6 +5,7 @@
 #include "render/camera.h"
 #include "render/egl_context.h"
 #include "render/gallery.h"
+#include "render/mannequin_bust.h"
 #include "render/motion_frame.h"
 #include "render/picture_scene.h"
 #include "render/sample_coverage.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace coif {
@@ -71,6 +73,10 @@ MaterialRecord like_glass(const Asset& asset) {
   return material;
 }
 
+bool shows_bust(const PictureSettings& settings) {
+  return settings.bust && settings.mannequin && settings.body == nullptr && !settings.colliders;
+}
+
 std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& settings, const HairPose& pose) {
   std::vector<SolidMesh> meshes;
   if (settings.body != nullptr) {
@@ -78,10 +84,15 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     const char* const head_bone = asset.bone_name(0);
     const BodyTurn body{head_bone != nullptr ? head_bone : "", pose.head.rotation};
     for (const SourceMesh& mesh : settings.body->meshes) {
-      meshes.push_back(body_mesh(*settings.body, mesh, head_joint, body));
+      dress(*settings.body, mesh, settings.body_textures,
+            meshes.emplace_back(body_mesh(*settings.body, mesh, head_joint, body)));
     }
   }
-  if (settings.colliders || (settings.body == nullptr && settings.mannequin)) {
+  const bool wants_head = settings.body == nullptr && settings.mannequin;
+  if (shows_bust(settings)) {
+    std::ranges::move(bust_meshes(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(meshes));
+  }
+  if (settings.colliders || (wants_head && meshes.empty())) {
     for (SolidMesh& mesh : mannequin_meshes(asset.colliders())) {
       if (settings.colliders) mesh.color = Eigen::Vector3f(kColliderColor);
       meshes.push_back(std::move(mesh));
@@ -99,16 +110,21 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
   return meshes;
 }
 
+/// Samples are asked of the driver where somebody does, or transparency is made of them, or there are no others.
+std::uint32_t samples_of_driver(const PictureSettings& settings) {
+  const bool needs_them =
+      covers_samples(*settings.transparency) || (settings.edge_samples == 0 && settings.oversampling == 1);
+  const std::uint32_t samples = std::max(needs_them ? samples_for(*settings.transparency) : 0, settings.edge_samples);
+  return samples > 1 ? samples : 0;
+}
+
 tl::expected<Picture, ToolError> take_picture(DrawingDevice& device, const PictureScene& scene,
                                               const PictureSettings& settings) {
   const std::uint32_t finer = settings.oversampling;
-  // The driver's samples are of edges alone, ours of all; both would be paid for twice.
-  const bool needs_samples = finer == 1 || covers_samples(*settings.transparency);
   const auto target = OffscreenTarget::create(settings.width * finer, settings.height * finer,
-                                              needs_samples ? samples_for(*settings.transparency) : 0,
-                                              OffscreenTarget::Pixels::kRadiance);
+                                              samples_of_driver(settings), OffscreenTarget::Pixels::kRadiance);
   if (!target) return tl::unexpected(target.error());
-  Picture picture{settings.width, settings.height, {}, device.context.device(), 0};
+  Picture picture{settings.width, settings.height, {}, device.context.device(), 0, target->samples()};
   for (int frame = settings.warm_up ? 0 : 1; frame < 2; ++frame) {
     glFinish();
     const auto start = std::chrono::steady_clock::now();
@@ -154,6 +170,10 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
   auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
   if (!points) return tl::unexpected(points.error());
+  // A face may be longer than what its hair lies on; whose it is does not matter.
+  if (settings.bust && settings.mannequin && !settings.colliders) {
+    std::ranges::move(bust_outline(asset.colliders(), yaw_of_face(asset) != 0), std::back_inserter(*points));
+  }
   const CameraSettings camera{.yaw_degrees = settings.yaw_degrees + yaw_of_face(asset),
                               .pitch_degrees = settings.pitch_degrees,
                               .aspect = double(settings.width) / settings.height,
@@ -204,7 +224,8 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     if (!made) return tl::unexpected(made.error());
     shadow.emplace(std::move(*made));
   }
-  const auto stage = StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr);
+  const auto stage =
+      StageRenderer::create(meshes, shadow ? &shadow->shadow() : nullptr, rig_body_look(settings.lights));
   if (!stage) return tl::unexpected(stage.error());
 
   const auto frame = frame_picture(asset, settings);
@@ -218,15 +239,15 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
     order = std::move(*kept);
   }
   const PictureScene scene{loaded_->model,
-                    *stage,
-                    pose,
-                    frame->view,
-                    ball,
-                    glass,
-                    shadow ? &*shadow : nullptr,
-                    order ? &order->order() : nullptr,
-                    asset,
-                    before};
+                           *stage,
+                           pose,
+                           frame->view,
+                           ball,
+                           glass,
+                           shadow ? &*shadow : nullptr,
+                           order ? &order->order() : nullptr,
+                           asset,
+                           before};
   return take_picture(*loaded_->device, scene, settings);
 }
 
@@ -246,7 +267,7 @@ tl::expected<void, ToolError> write_png(const std::string& path, const Picture& 
 }
 
 MaterialRecord shaded_material(const Asset& asset, ShadingModel model) {
-  MaterialRecord material = asset.material() != nullptr ? *asset.material() : thesis_material(asset);
+  MaterialRecord material = own_material(asset);
   if (material.shading != model) material.light_cut = 0;
   material.shading = model;
   if (material.roughness < kLeastRoughness) {  // never cooked with a recipe

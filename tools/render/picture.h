@@ -7,6 +7,7 @@
 #include "render/camera.h"
 #include "render/debug_overlay.h"
 #include "render/kept_order.h"
+#include "render/light_rig.h"
 
 #include <coif/asset.h>
 #include <coif/hair.h>
@@ -64,10 +65,16 @@ struct PictureSettings {
   OrderChoice order = OrderChoice::kCooked;
   const ShadowTechnique* shadows = nullptr;  ///< Of the key light; null: none.
   std::uint32_t heads = 1;                   ///< Drawn in a grid.
-  std::uint32_t oversampling = 1;            ///< Samples of each pixel, each way, 1..4; 1: those of the driver.
-  DebugView debug;                           ///< Over the hair.
+  std::uint32_t oversampling = 1;            ///< Shaded samples of each pixel, each way, 1..4.
+  /// Of edges in each of those, by the driver, which may have fewer; 0: the driver's with `oversampling` 1, else one.
+  std::uint32_t edge_samples = 0;
+  DebugView debug;      ///< Over the hair.
   bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
+  LightRig lights = LightRig::kMeasured;
+  Backdrop backdrop;
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
+  BodyTextures body_textures;         ///< Of the body's materials; empty: clay where there should be one.
+  bool bust = false;                  ///< ... or a head with a face in place of the largest of them.
   bool mannequin = true;              ///< Without `body`: draw the colliders that hair stays out of, as a plain head.
 };
 
@@ -77,6 +84,7 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  ///< Rows top to bottom, sRGB.
   std::string device;              ///< GL_RENDERER.
   double draw_ms = 0;              ///< Last frame, glFinish to glFinish.
+  std::uint32_t edge_samples = 1;  ///< As the driver had them.
 };
 
 /// What a picture shows, and from where.

@@ -23,7 +23,7 @@ std::vector<HairInstance> placed_heads(const PictureScene& scene, const HairPose
 
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings) {
-  const auto lights = studio_lights(scene.view.camera);
+  const auto lights = rig_lights(settings.lights, scene.view.camera);
   DrawDesc desc = studio_desc(scene.view.camera, lights);
   desc.component = settings.component;
   const MaterialRecord* const own = settings.material ? &*settings.material : nullptr;
@@ -42,7 +42,7 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
     desc.shadow = &scene.shadow->shadow();
   }
   target.bind();
-  scene.stage.draw_backdrop();
+  scene.stage.draw_backdrop(settings.backdrop);
   for (const HeadPose& pose : poses) scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
   if (settings.patches) return Status::kOk;  // they are on the stage
   return renderer.draw(scene.model, heads, desc);

@@ -80,17 +80,31 @@ SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eige
   solid.vertices.reserve(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     SolidVertex& vertex = solid.vertices.emplace_back();
-    vertex = {mesh.positions[i] - head_joint, normals[i]};
+    vertex.position = mesh.positions[i] - head_joint;
+    vertex.normal = normals[i];
+    if (!mesh.uvs.empty()) vertex.uv = mesh.uvs[i];
     if (!turning.empty()) turn_back(turn, turning_of(mesh, i, turning), vertex);
   }
   solid.triangles = mesh.triangles;
   if (mesh.material < model.materials.size()) {
     const SourceMaterial& material = model.materials[mesh.material];
     const bool textured = !material.base_texture.path.empty() || material.base_texture.image != kNoIndex;
-    // Textures are not drawn here, and the colour beneath one is white as a rule: clay then.
+    // The colour beneath a texture is white as a rule: clay until somebody has the texture.
     if (!textured) solid.color = material.base_color.head<3>();
+    solid.roughness = material.roughness;
   }
   return solid;
+}
+
+void dress(const SourceModel& model, const SourceMesh& mesh, const BodyTextures& textures, SolidMesh& solid) {
+  if (mesh.material >= std::min(textures.size(), model.materials.size()) || mesh.uvs.empty()) return;
+  if (textures[mesh.material] == nullptr) return;
+  constexpr float kBlendedCutoff = 0.5f;  // what is blended is a hole or not, too: nothing sorts bodies
+  const SourceMaterial& material = model.materials[mesh.material];
+  solid.texture = textures[mesh.material];
+  solid.color = material.base_color.head<3>();
+  if (material.alpha_use == AlphaUse::kMask) solid.alpha_cutoff = material.alpha_cutoff;
+  if (material.alpha_use == AlphaUse::kBlend) solid.alpha_cutoff = kBlendedCutoff;
 }
 
 namespace {

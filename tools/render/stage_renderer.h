@@ -14,7 +14,9 @@
 #include <Eigen/Core>
 #include <tl/expected.hpp>
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,7 +29,15 @@ struct SourceModel;
 
 struct SolidVertex {
   Eigen::Vector3f position;
-  Eigen::Vector3f normal;  ///< Unit.
+  Eigen::Vector3f normal;                        ///< Unit.
+  Eigen::Vector2f uv = Eigen::Vector2f::Zero();  ///< V grows downwards in the texture.
+};
+
+/// RGBA, colour sRGB-encoded, alpha not premultiplied, rows top to bottom; it repeats.
+struct SolidTexture {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> rgba;
 };
 
 /// What is drawn opaque beneath the hair. Head space, metres.
@@ -35,6 +45,25 @@ struct SolidMesh {
   std::vector<SolidVertex> vertices;
   std::vector<std::uint32_t> triangles;
   Eigen::Vector3f color{kClay[0], kClay[1], kClay[2]};  ///< Linear; the default is a mannequin's clay.
+  std::shared_ptr<const SolidTexture> texture;          ///< Times `color`; null: none.
+  float alpha_cutoff = 0;                               ///< Texels with less alpha are holes, 0..1.
+  float roughness = 0.8f;                               ///< 0 a mirror .. 1 matte; only where BodyLook has gloss.
+};
+
+/// What is behind the hair: a gradient, and light in the middle of it. Linear colours.
+struct Backdrop {
+  std::array<float, 3> bottom = kBackdropBottom, top = kBackdropTop;
+  std::array<float, 3> glow{};  ///< Added in the middle, fades outwards.
+  float vignette = 0;           ///< Share that the corners lose.
+  float opacity = 1;            ///< 0: nothing is there, and the picture transparent.
+};
+
+/// How light falls on bodies. The default is matte clay.
+struct BodyLook {
+  float ambient = kClayAmbient;  ///< Light from everywhere.
+  float wrap = kClayWrap;        ///< How far light reaches around.
+  float bleed = 0;               ///< How much farther red does than blue, as in skin.
+  float gloss = 0;               ///< Share of the surface's mirror reflection that is shown.
 };
 
 /// Colliders as smooth bodies, a little smaller than they collide. Left out: planes, and shapes that keep hair inside,
@@ -56,6 +85,12 @@ struct BodyTurn {
 [[nodiscard]] SolidMesh body_mesh(const SourceModel& model, const SourceMesh& mesh, const Eigen::Vector3f& head_joint,
                                   const BodyTurn& pose = {});
 
+/// Of each material of a source its base texture, null where it has none that is known.
+using BodyTextures = std::vector<std::shared_ptr<const SolidTexture>>;
+
+/// Gives a mesh of body_mesh() its texture, and the material's own colour with it.
+void dress(const SourceModel& model, const SourceMesh& mesh, const BodyTextures& textures, SolidMesh& solid);
+
 /// Every patch of a level as a surface of its own, without its texture's holes, in colours that differ most between
 /// patches that follow each other in the draw order: wrong joins and cuts are seen at a glance. Skinned with `palette`,
 /// one matrix per bone; head space, metres.
@@ -72,15 +107,15 @@ class StageRenderer {
  public:
   /// `shadow`: what draw_bodies() will be given, or null.
   static tl::expected<StageRenderer, ToolError> create(std::span<const SolidMesh> meshes,
-                                                       const HairShadow* shadow = nullptr);
+                                                       const HairShadow* shadow = nullptr, const BodyLook& look = {});
 
   /// Frees them before that.
   void destroy();
 
-  /// Clears depth and fills the picture with a vertical gradient.
-  void draw_backdrop() const;
+  /// Clears depth and fills the picture.
+  void draw_backdrop(const Backdrop& backdrop = {}) const;
 
-  /// Draws every mesh once, matte, lit by directional `lights`, under the head's pose. `shadow` is the first light's.
+  /// Draws every mesh once, lit by directional `lights`, under the head's pose. `shadow` is the first light's.
   void draw_bodies(const Camera& camera, const HeadPose& head, std::span<const Light> lights,
                    const HairShadow* shadow = nullptr) const;
 
@@ -95,12 +130,20 @@ class StageRenderer {
     std::uint32_t vertex_array = 0;
     std::uint32_t buffers[2] = {};
     std::int32_t index_count = 0;
+    std::uint32_t texture = 0;
     Eigen::Vector3f color;
+    float alpha_cutoff = 0;
+    float roughness = 1;
   };
+  [[nodiscard]] std::uint32_t texture_of(const SolidMesh& mesh);
+
   std::uint32_t backdrop_program_ = 0;
   std::uint32_t body_program_ = 0;
   std::uint32_t empty_vertex_array_ = 0;
   std::vector<Body> bodies_;
+  /// One for each image, however many meshes show it; null: white.
+  std::map<std::shared_ptr<const SolidTexture>, std::uint32_t> textures_;
+  BodyLook look_;
 };
 
 /// The ball around heads at these places (world, metres) of which each has these points (from its place); neither may be

@@ -42,6 +42,9 @@ std::vector<std::uint8_t> develop(std::span<const float> samples, std::uint32_t 
         apply_tone_curve(std::span(sample).first<3>());
         for (std::size_t k = 0; k < 4; ++k) mean[k] += share * sample[k];
       }
+      // Pictures of a transparent backdrop hold colours as they are, not as much of them as is there.
+      const float covered = mean[3] > 0 ? std::min(mean[3], 1.0f) : 1;
+      for (std::size_t k = 0; k < 3; ++k) mean[k] /= covered;
       std::uint8_t* pixel = &pixels[4 * (y * width + x)];
       for (std::size_t k = 0; k < 3; ++k) pixel[k] = to_srgb(mean[k]);
       pixel[3] = std::uint8_t(std::lround(255 * std::min(mean[3], 1.0f)));

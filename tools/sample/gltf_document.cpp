@@ -56,12 +56,19 @@ void GltfDocument::set_skeleton(const std::vector<Joint>& joints, double per_met
 }
 
 void GltfDocument::set_image(const std::string& name, const StrandTexture& image) {
-  const auto png = encode_png(image.rgba, StrandTexture::kWidth, StrandTexture::kHeight);
+  add_image(name, {StrandTexture::kWidth, StrandTexture::kHeight, image.rgba});
+}
+
+std::size_t GltfDocument::add_image(const std::string& name, const PaintedImage& image) {
+  const auto png = encode_png(image.rgba, image.width, image.height);
   const std::size_t view = file_.add_view(std::as_bytes(std::span(png)));
-  file_.document["images"] = {{{"name", name}, {"bufferView", view}, {"mimeType", "image/png"}}};
+  Json& document = file_.document;
+  const std::size_t number = document.contains("images") ? document["images"].size() : 0;
+  document["images"].push_back({{"name", name}, {"bufferView", view}, {"mimeType", "image/png"}});
   // Linear with mips; strips must not repeat into the neighbouring window or from tip to root.
-  file_.document["samplers"] = {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}};
-  file_.document["textures"] = {{{"sampler", 0}, {"source", 0}}};
+  document["samplers"] = {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}};
+  document["textures"].push_back({{"sampler", 0}, {"source", number}});
+  return number;
 }
 
 void GltfDocument::add_mesh(const std::string& name, const SurfaceMesh& mesh, const GltfMaterial& material) {
@@ -104,6 +111,7 @@ std::size_t GltfDocument::add_material(const GltfMaterial& material) {
                   {"metallicFactor", 0.0},
                   {"roughnessFactor", material.roughness}};
   if (material.is_hair) surface["baseColorTexture"] = {{"index", 0}};
+  if (material.image) surface["baseColorTexture"] = {{"index", *material.image}};
   Json json = {{"name", material.name}, {"pbrMetallicRoughness", surface}};
   if (material.is_hair) {
     json["alphaMode"] = "BLEND";

@@ -1,5 +1,6 @@
 #include "sample/head_shape.h"
 
+#include "sample/solid_shapes.h"
 #include "sample/strips.h"
 
 #include <algorithm>
@@ -11,28 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-double ellipsoid(const Vector3d& p, const Vector3d& center, const Vector3d& radii) {
-  const Vector3d scaled = (p - center).cwiseQuotient(radii);
-  const double length = scaled.norm();
-  if (length < 1e-9) return -radii.minCoeff();
-  return length * (length - 1.0) / scaled.cwiseQuotient(radii).norm();
-}
-
-/// A rod with round ends whose radius goes from `radius_a` to `radius_b`.
-double rod(const Vector3d& p, const Vector3d& a, const Vector3d& b, double radius_a, double radius_b) {
-  const Vector3d axis = b - a;
-  const double t = std::clamp((p - a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * axis).norm() - (radius_a + t * (radius_b - radius_a));
-}
-
-/// Union whose seam is rounded over `blend` metres.
-double join(double a, double b, double blend) {
-  const double h = std::max(blend - std::abs(a - b), 0.0) / blend;
-  return std::min(a, b) - h * h * blend * 0.25;
-}
-
-/// `a` without `b`, the edge rounded over `blend` metres.
-double carve(double a, double b, double blend) { return -join(-a, b, blend); }
+constexpr double kGradientStep = 2e-4;  // metres
 
 double neck(const Vector3d& p) { return rod(p, {0, 1.520, -0.028}, {0, 1.380, -0.040}, 0.047, 0.052); }
 
@@ -83,16 +63,6 @@ double with_nose_and_mouth(double head, const Vector3d& p) {
 
 double face(const Vector3d& p) { return with_nose_and_mouth(with_eyes(skull(p), p), p); }
 
-Vector3d gradient(double (*distance)(const Vector3d&), const Vector3d& point) {
-  constexpr double kStep = 2e-4;
-  Vector3d gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vector3d offset = kStep * Vector3d::Unit(axis);
-    gradient[axis] = distance(point + offset) - distance(point - offset);
-  }
-  return gradient.normalized();
-}
-
 }  // namespace
 
 double head_distance(const Vector3d& point) {
@@ -102,7 +72,7 @@ double head_distance(const Vector3d& point) {
   return carve(bust, p.y() - kBase, 0.012);
 }
 
-Vector3d head_normal(const Vector3d& point) { return gradient(head_distance, point); }
+Vector3d head_normal(const Vector3d& point) { return unit_gradient(head_distance, point, kGradientStep); }
 
 double bare_head_distance(const Vector3d& point) {
   const Vector3d p{std::abs(point.x()), point.y(), point.z()};
@@ -111,7 +81,7 @@ double bare_head_distance(const Vector3d& point) {
   return carve(head, p.y() - kBase, 0.030);
 }
 
-Vector3d bare_head_normal(const Vector3d& point) { return gradient(bare_head_distance, point); }
+Vector3d bare_head_normal(const Vector3d& point) { return unit_gradient(bare_head_distance, point, kGradientStep); }
 
 SurfaceMesh make_bust() {
   // Finest at the face.

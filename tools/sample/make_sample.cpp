@@ -1,29 +1,32 @@
-// coif_make_sample [bob|long] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, the bob unless told otherwise; with
+// coif_make_sample [bob|long|portrait] OUT.glb [QUADS [COPIES]]: writes a sample head of hair, the bob unless told otherwise; with
 // numbers, a bob of another density.
 
 #include "base/files.h"
 #include "sample/bob.h"
 #include "sample/long.h"
+#include "sample/portrait.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace {
 
 struct Order {
   const char* path = nullptr;
-  bool is_long = false;
+  std::string_view style = "bob";
   coif::sample::BobDensity density;
 };
 
 std::optional<Order> read_order(int argc, char** argv) {
   Order order;
-  if (argc > 1) order.is_long = std::string_view(argv[1]) == "long";
-  const bool names_style = order.is_long || (argc > 1 && std::string_view(argv[1]) == "bob");
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  const bool names_style = first == "bob" || first == "long" || first == "portrait";
+  if (names_style) order.style = first;
   const int path = names_style ? 2 : 1;
-  const int most = order.is_long ? path + 1 : path + 3;
+  const int most = order.style == "bob" ? path + 3 : path + 1;
   if (argc <= path || argc > most) return std::nullopt;
   order.path = argv[path];
   if (argc > path + 1) order.density.quads = std::atof(argv[path + 1]);
@@ -33,6 +36,12 @@ std::optional<Order> read_order(int argc, char** argv) {
   return order;
 }
 
+std::vector<std::byte> make(const Order& order) {
+  if (order.style == "long") return coif::sample::make_long();
+  if (order.style == "portrait") return coif::sample::make_portrait();
+  return coif::sample::make_bob(order.density);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -40,14 +49,13 @@ int main(int argc, char** argv) {
   if (!order) {
     std::fputs(
         "usage: coif_make_sample [bob] OUT.glb [QUADS [COPIES]]\n"
-        "       coif_make_sample long OUT.glb\n"
+        "       coif_make_sample long|portrait OUT.glb\n"
         "  QUADS   rows and columns of each strip, as a share of the sample's, up to 100\n"
         "  COPIES  strips in place of each, 1 to 1000\n",
         stderr);
     return 1;
   }
-  const std::vector<std::byte> bytes =
-      order->is_long ? coif::sample::make_long() : coif::sample::make_bob(order->density);
+  const std::vector<std::byte> bytes = make(*order);
   if (!coif::write_output(order->path, bytes)) {
     std::fprintf(stderr, "coif_make_sample: error: %s: cannot write; check that the folder exists and is writable\n",
                  order->path);

@@ -24,6 +24,7 @@ inline constexpr float kMostTilt = 0.35f;  ///< Radians; scales of real hair lea
 /// Radians. The narrowest lobe is half as wide, which is about as narrow as 8 bits of a tangent's direction show.
 inline constexpr float kLeastRoughness = 0.02f;
 inline constexpr float kMostRoughness = 1.0f;
+inline constexpr float kMostGlow = 8.0f;
 
 /// Shading and the four passes of the thesis's 5.3.1. Colours are linear. Highlights' colours, exponents and shifts are
 /// kThesis's; kKajiyaKay takes the primary colour and exponent for its one, kMarschner none of them.
@@ -45,8 +46,16 @@ struct MaterialRecord {
   float roughness;
   float scatter;    ///< kMarschner: share of the light let through that other strands scatter before it is seen, 0..1.
   float light_cut;  ///< Share of what lights add that is taken away, 0 (as published) .. 1.
-  std::uint32_t reserved[3];
+  // What every model may have besides; 0: it has not, and nothing is computed for it.
+  float glow;        ///< Light that comes through hair from behind, 0..kMostGlow.
+  float root_shade;  ///< Share of its colour that a strand lacks at the root, 0..1.
+  float variation;   ///< Share by which strands are lighter and darker than each other, 0..1.
 };
+
+/// It has one of the terms that every shading model may have besides.
+constexpr bool has_strand_terms(const MaterialRecord& m) {
+  return m.glow != 0.0f || m.root_shade != 0.0f || m.variation != 0.0f;
+}
 
 /// Some alphas are blended; else the material is a mask, which is there or not.
 constexpr bool blends(const MaterialRecord& material) { return material.discard_threshold < material.opaque_threshold; }

@@ -32,7 +32,8 @@ constexpr bool is_shading_valid(const MaterialRecord& m) {
   if (model >= kShadingModelCount) return false;
   const float least_roughness = kShadingModels[model].has_fiber ? kLeastRoughness : 0.0f;
   return within(m.tilt, -kMostTilt, kMostTilt) && within(m.roughness, least_roughness, kMostRoughness) &&
-         within(m.scatter, 0.0f, 1.0f) && within(m.light_cut, 0.0f, 1.0f);
+         within(m.scatter, 0.0f, 1.0f) && within(m.light_cut, 0.0f, 1.0f) &&
+         within(m.glow, 0.0f, kMostGlow) && within(m.root_shade, 0.0f, 1.0f) && within(m.variation, 0.0f, 1.0f);
 }
 
 }  // namespace coif

@@ -150,13 +150,14 @@ struct alignas(16) DrawBlock {
   float shift[4];
   float component[4];
   float fiber[4];
+  float strands[4];
   float light_position[kMaxLights][4];
   float light_color[kMaxLights][4];
   float light_spot[kMaxLights][4];
   /// From view space; map[3]: which light it belongs to. For vectors of motion previous_clip_from_view.
   ShadowUniforms shadow;
 };
-static_assert(sizeof(DrawBlock) == 656);
+static_assert(sizeof(DrawBlock) == 672);
 
 /// From where and in what light a crowd is seen.
 struct DrawView {

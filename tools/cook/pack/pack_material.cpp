@@ -22,6 +22,9 @@ void pack_shading(const Recipe& recipe, MaterialRecord& record) {
   record.tilt = float(recipe.tilt * kDegree);
   record.roughness = float(recipe.roughness * kDegree);
   record.scatter = float(recipe.scatter);
+  record.glow = float(recipe.glow);
+  record.root_shade = float(recipe.root_shade);
+  record.variation = float(recipe.variation);
   if (recipe.energy == "bounded") record.light_cut = bounding_cut(record);
 }
 
@@ -80,15 +83,20 @@ double marschner_bound(const MaterialRecord&, int) { return 1; }
 
 /// What lights add in one channel, in the order of ShadingModel.
 constexpr double (*kBounds[])(const MaterialRecord& material, int channel) = {thesis_bound, kajiya_kay_bound,
-                                                                             marschner_bound};
+                                                                              marschner_bound};
 static_assert(std::size(kBounds) == kShadingModelCount);
 
 }  // namespace
 
 double furnace_bound(const MaterialRecord& material) {
+  // Light from all of the hemisphere behind, times the cube of its cosine to the eye, over pi.
+  constexpr double kGlowBound = 0.5;
   double most = 0;
-  for (int k = 0; k < 3; ++k) most = std::max(most, kBounds[std::size_t(material.shading)](material, k));
-  return most;
+  for (int k = 0; k < 3; ++k) {
+    const double glow = kGlowBound * double(material.glow) * double(material.base_color[k]);
+    most = std::max(most, kBounds[std::size_t(material.shading)](material, k) + glow);
+  }
+  return most * (1 + double(material.variation));
 }
 
 float bounding_cut(const MaterialRecord& material) { return float(1 - 1 / std::max(1.0, furnace_bound(material))); }

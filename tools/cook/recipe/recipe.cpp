@@ -3,6 +3,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "cook/recipe/recipe_keys.h"
+#include "cook/recipe/recipe_preset.h"
 
 #include <fmt/format.h>
 
@@ -53,10 +54,35 @@ tl::expected<void, std::string> read_section(const std::string& section, const j
   return {};
 }
 
-/// The keys of the built-in style that a document names, or of `style` where it is not empty.
-tl::expected<void, std::string> begin_from_style(const json& document, const std::string& style, Recipe& recipe) {
-  const json& named = member(member(document, "grow"), "style");
-  const json chosen = style.empty() ? named : json(style);
+/// All sections of a document, over what `recipe` has.
+tl::expected<void, std::string> read_document(const json& document, Recipe& recipe) {
+  for (const auto& [section, values] : document.items()) {
+    const bool is_list = section == "patches" && values.is_array();  // short for its "overrides"
+    if (!values.is_object() && !is_list) return tl::unexpected(unknown_key(section));
+    auto outcome = read_section(section, is_list ? json{{"overrides", values}} : values, recipe);
+    if (!outcome) return outcome;
+  }
+  return {};
+}
+
+/// What a section says of a key that `said`, where it is not empty, goes before. Null: nothing.
+json chosen_word(const json& document, const char* section, const char* key, const std::string& said) {
+  return said.empty() ? member(member(document, section), key) : json(said);
+}
+
+/// The preset that a document names. An empty object where it names none.
+tl::expected<json, std::string> find_preset(const json& document, const std::string& said, Recipe& recipe) {
+  const json chosen = chosen_word(document, "look", "preset", said);
+  if (chosen.is_null()) return json::object();
+  if (auto outcome = read_section("look", {{"preset", chosen}}, recipe); !outcome) return tl::unexpected(outcome.error());
+  for (const RecipePreset& preset : recipe_presets()) {
+    if (recipe.look_preset == preset.name) return json::parse(preset.keys);
+  }
+  return json::object();
+}
+
+/// The keys of the built-in style that a document names.
+tl::expected<void, std::string> begin_from_style(const json& chosen, Recipe& recipe) {
   if (chosen.is_null()) return {};
   if (auto outcome = read_section("grow", {{"style", chosen}}, recipe); !outcome) return outcome;
   for (const BuiltInStyle& built_in : built_in_styles()) {
@@ -101,22 +127,26 @@ Recipe draft_of(Recipe recipe) {
   recipe.texture_max_size = std::min(recipe.texture_max_size, kDraftTexels);
   recipe.shift_mask_format = "rg8";
   recipe.occlusion_strength = 0;
+  recipe.cards_rounds = std::min(recipe.cards_rounds, 1u);
   return recipe;
 }
 
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
-                                             const std::string& style) {
+                                             const RecipeBeginning& beginning) {
   Recipe recipe = default_recipe();
   const auto document = parse_shallow_json(text);
   if (!document) return bad_recipe(name, document.error());
   if (!document->is_object()) return bad_recipe(name, "a recipe is a JSON object, such as {\"dynamics\": {...}}");
-  if (auto outcome = begin_from_style(*document, style, recipe); !outcome) return bad_recipe(name, outcome.error());
-  for (const auto& [section, values] : document->items()) {
-    const bool is_list = section == "patches" && values.is_array();  // short for its "overrides"
-    if (!values.is_object() && !is_list) return bad_recipe(name, unknown_key(section));
-    if (auto outcome = read_section(section, is_list ? json{{"overrides", values}} : values, recipe); !outcome) return bad_recipe(name, outcome.error());
+  const auto preset = find_preset(*document, beginning.preset, recipe);
+  if (!preset) return bad_recipe(name, preset.error());
+  json style = chosen_word(*document, "grow", "style", beginning.style);
+  if (style.is_null()) style = chosen_word(*preset, "grow", "style", "");
+  if (auto outcome = begin_from_style(style, recipe); !outcome) return bad_recipe(name, outcome.error());
+  for (const json* const layer : {&*preset, &*document}) {
+    if (auto outcome = read_document(*layer, recipe); !outcome) return bad_recipe(name, outcome.error());
   }
-  if (!style.empty()) recipe.grow_style = style;
+  if (!beginning.preset.empty()) recipe.look_preset = beginning.preset;
+  if (!beginning.style.empty()) recipe.grow_style = beginning.style;
   if (recipe.head_center.has_value() != recipe.head_radii.has_value()) {
     return bad_recipe(name, "\"head.center\" and \"head.radii\" come together; give both or neither");
   }
@@ -138,10 +168,10 @@ tl::expected<std::string, ToolError> read_recipe_text(const std::filesystem::pat
   return text.str();
 }
 
-tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const std::string& style) {
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const RecipeBeginning& beginning) {
   const auto text = read_recipe_text(path);
   if (!text) return tl::unexpected(text.error());
-  return parse_recipe(*text, path.string(), style);
+  return parse_recipe(*text, path.string(), beginning);
 }
 
 bool is_recipe_file(const std::filesystem::path& path) { return path.filename().string().ends_with(".recipe.json"); }

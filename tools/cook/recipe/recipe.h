@@ -24,6 +24,7 @@ namespace coif {
 /// All values of a recipe. Their defaults and ranges stand in the table of recipe_keys.cpp alone: start from
 /// default_recipe().
 struct Recipe : HairStyle {
+  std::string look_preset;  ///< "none", or what the values began from.
   // scene: what it needs
   bool scene_draw = false;
   bool scene_simulate = false;
@@ -50,6 +51,7 @@ struct Recipe : HairStyle {
   // cards, where the file has strands
   std::uint32_t cards_triangles = 0;
   std::uint32_t cards_texels = 0;
+  std::uint32_t cards_rounds = 0;
   double cards_strand_width = 0;  ///< Metres; 0: from how many strands there are.
   std::string cards_body;         ///< Path beside the recipe; "": none.
   std::optional<std::uint32_t> cards_follow_hairs;  ///< None: as the file says.
@@ -144,6 +146,9 @@ struct Recipe : HairStyle {
   double tilt = 0;       ///< Degrees.
   double roughness = 0;  ///< Degrees.
   double scatter = 0;
+  double glow = 0;
+  double root_shade = 0;
+  double variation = 0;
   std::string energy;  ///< "published" or "bounded".
 };
 
@@ -158,18 +163,26 @@ struct CookSettings {
 };
 
 /// What shows how hair looks and moves, in a fraction of the time: one level of detail, drawn by distance from the head,
-/// small textures stored as they come, no occlusion.
+/// small textures stored as they come, no occlusion, cards fitted once.
 [[nodiscard]] Recipe draft_of(Recipe recipe);
 
 /// Every key at its default.
 [[nodiscard]] Recipe default_recipe();
 
+/// What a recipe begins from, whatever it says itself. Empty: as it says.
+struct RecipeBeginning {
+  std::string preset;  ///< Before its "look.preset".
+  std::string style;   ///< Before its "grow.style".
+};
+
 /// Reads JSON (with // comments). Unknown keys, wrong types and values out of range are errors that name the key,
 /// the range and, for a misspelt key, the nearest one.
-/// A built-in style that "grow.style" names holds where no other key of "grow" does; `style`, where it is not empty, goes before that.
+/// What a preset ("look.preset", recipe_presets()) says holds where no other key does; so does, in "grow", what a built-in style
+/// ("grow.style") says.
 tl::expected<Recipe, ToolError> parse_recipe(const std::string& text, const std::string& name,
-                                             const std::string& style = {});
-tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const std::string& style = {});
+                                             const RecipeBeginning& beginning = {});
+tl::expected<Recipe, ToolError> read_recipe(const std::filesystem::path& path, const RecipeBeginning& beginning = {});
+
 /// Whether a path ends in ".recipe.json": as the source of a cook such a file says itself what hair grows.
 [[nodiscard]] bool is_recipe_file(const std::filesystem::path& path);
 /// The text of a recipe's file, not looked at yet. kFileAccess where it cannot be read or is too large for one.

@@ -1,5 +1,7 @@
 #include "cook/recipe/recipe_keys.h"
 
+#include "cook/recipe/recipe_preset.h"
+
 #include "base/hair_runtime.h"
 
 namespace coif {
@@ -28,6 +30,9 @@ const RecipeKey kCookKeys[] = {
   {"scene", "smallest_size", &R::scene_smallest_size, "0", 0, 100, nullptr, "screens",
    "least of the screen's height that the head ever covers; leaves coarser levels of detail out"},
 
+  {"look", "preset", &R::look_preset, "\"none\"", 0, 0, kPresetWords, "",
+   "which preset all other keys begin from, those that are given here go before it; 'coif cook --list-presets' says what they are for"},
+
   {"source", "metres_per_unit", &R::metres_per_unit, "0", 0, 1000, nullptr, "m",
    "size of the file's unit; 0 takes the file's own, unless the model's size speaks clearly for another; OBJ has none"},
   {"source", "up_axis", &R::up_axis, "\"file\"", 0, 0, "file|x|y|z", "",
@@ -55,6 +60,8 @@ const RecipeKey kCookKeys[] = {
    "where the file has strands instead of strips: what the cards that are made of them may have"},
   {"cards", "texels", &R::cards_texels, "4194304", 4096, 67108864, nullptr, "texels",
    "what their texture may have, all cards together"},
+  {"cards", "rounds", &R::cards_rounds, "6", 0, 100, nullptr, "rounds",
+   "how often cards are compared with the strands from 32 directions and made more like them, at most: it ends where that gains little"},
   {"cards", "strand_width", &R::cards_strand_width, "0", 0, 0.1, nullptr, "m",
    "how wide a strand is where the file does not say; 0: so wide that the strands cover what all hair of a head does"},
   {"cards", "body", &R::cards_body, "\"\"", 0, 0, nullptr, "",
@@ -244,6 +251,12 @@ const RecipeKey kCookKeys[] = {
    "marschner: width of the first highlight along the strand; the second is twice as wide"},
   {"material", "scatter", &R::scatter, "0.8", 0, 1, nullptr, "",
    "marschner: share of the light through strands that others scatter before it is seen; more for light or thick hair"},
+  {"material", "glow", &R::glow, "0", 0, 8, nullptr, "",
+   "light that comes through hair from behind; more for light or thin hair, 0 costs nothing"},
+  {"material", "root_shade", &R::root_shade, "0", 0, 1, nullptr, "",
+   "share of their colour that strands lack at the root, as hair does that has grown since it was dyed or lies deep"},
+  {"material", "variation", &R::variation, "0", 0, 1, nullptr, "",
+   "share by which strands are lighter and darker than each other, where a texture tells them apart"},
   {"material", "energy", &R::energy, "\"published\"", 0, 0, "published|bounded", "",
    "bounded: lights add less, so that hair never reflects more light than it gets however many there are; published: as"
    " the model's authors have it"},

@@ -193,27 +193,30 @@ StrandField find_strand_direction(const HairStrips& hair, const FittedHead& head
                [&](std::size_t p) { write_patch(mesh, views[p], strands[p].axis, field); });
   const std::vector<float> belief = settle_beliefs(
       mesh, views, votes_of(strands), find_neighbours(mesh, views, field.tangent, kBeside * head.radii.mean()));
-  std::size_t sure = 0;
+  std::size_t sure = 0, known = 0;
   float along_u = 0;
   for (std::uint32_t p = 0; p < views.size(); ++p) {
     const int axis = strands[p].axis.texture_axis;
     const bool by_recipe = declared[p].texture_axis >= 0 && axis >= 0;
     if (by_recipe ? declared[p].at_high_end : (belief[p] < 0) != declared[p].swapped) turn_round(views[p], field);
-    sure += std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
+    known += by_recipe ? 1 : 0;
+    sure += !by_recipe && std::abs(strands[p].evidence.sum()) >= kSure ? 1 : 0;
     if (!by_recipe && std::abs(belief[p]) < kUnsure) field.unsure.push_back(hair.patches.number_of(p));
     along_u += by_recipe ? strands[p].area * (axis == 0 ? 1.0f : -1.0f) : 0.0f;
   }
   field.along_u = (along_u != 0 ? along_u > 0 : common == 0) && !mesh.uvs.empty();
   std::ranges::sort(field.unsure);
   const std::string unsure = field.unsure.empty() ? "" : ": " + numbers_text(field.unsure) + " of 'coif cook --list patches'";
-  findings.note(fmt::format("roots: {} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
-                            sure, views.size(), field.unsure.size(), unsure));
+  const std::string given = known > 0 ? fmt::format("{} known, ", known) : "";
+  findings.note(fmt::format("roots: {}{} of {} patches by their own ends, the others by texture and neighbours; {} unsure{}",
+                            given, sure, views.size() - known, field.unsure.size(), unsure));
   warn_of_up_axis(mesh, field, findings);
   return field;
 }
 
-std::vector<std::string> declared_roots(const Recipe& recipe, const HairStrips& hair) {
-  std::vector<std::string> roots(hair.patches.count, recipe.strand_root);
+std::vector<std::string> declared_roots(const Recipe& recipe, const SourceModel& source, const HairStrips& hair) {
+  const bool is_known = recipe.strand_root == "auto" && source.made_from_strands;
+  std::vector<std::string> roots(hair.patches.count, is_known ? "low_v" : recipe.strand_root);
   for (std::uint32_t p = 0; p < roots.size(); ++p) {
     if (const std::string* said = hair.said_of(recipe, p, &PatchOverride::root)) roots[p] = *said;
   }

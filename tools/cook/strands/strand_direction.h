@@ -19,8 +19,9 @@ struct StrandSettings {
   unsigned threads = 1;              ///< The result does not depend on it.
 };
 
-/// StrandSettings::roots, of all patches and of each alone.
-[[nodiscard]] std::vector<std::string> declared_roots(const Recipe& recipe, const HairStrips& hair);
+/// StrandSettings::roots, of all patches and of each alone: as the recipe says, else as the source knows.
+[[nodiscard]] std::vector<std::string> declared_roots(const Recipe& recipe, const SourceModel& source,
+                                                      const HairStrips& hair);
 
 /// The direction of the strands on every vertex: along the texture axis that runs down the patch's longer side, or over
 /// the surface from end to end where texture coordinates say nothing. The root is the end that RootEvidence points to, as far

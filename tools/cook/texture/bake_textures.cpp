@@ -38,8 +38,8 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
     // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   }
-  image = reduce(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
-  used = reduce(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
+  image = reduce(std::move(image), color.max_size, TexelMeaning::kSrgbColorAlpha);
+  used = reduce(std::move(used), color.max_size, TexelMeaning::kNumbers);
   fill_gaps(image, used);
   const Image whole{image.width, image.height, 4, {}};
   DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kSrgbColorAlpha);
@@ -49,8 +49,8 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
     used = shrink(used, image.width, image.height, TexelMeaning::kNumbers);
   }
   BaseMips mips;
-  mips.used = make_mips(std::move(used), recipe.texture_max_size, TexelMeaning::kNumbers);
-  mips.color = make_mips(std::move(image), recipe.texture_max_size, TexelMeaning::kSrgbColorAlpha);
+  mips.used = make_mips(std::move(used), color.max_size, TexelMeaning::kNumbers);
+  mips.color = make_mips(std::move(image), color.max_size, TexelMeaning::kSrgbColorAlpha);
   return mips;
 }
 
@@ -68,6 +68,11 @@ bool is_constant(const Image& image) {
 
 ShiftMask bake_shift_mask(const BaseColor& color, const RecipeImage& shift, const RecipeImage& mask,
                           bool strands_along_u, const Recipe& recipe) {
+  if (color.strands && !shift.image && !mask.image) {
+    return {
+        make_mips(shift_mask_of(*color.strands, recipe.texture_seed), recipe.texture_max_size, TexelMeaning::kNumbers),
+        false};
+  }
   const auto pointer = [](const RecipeImage& image) { return image.image ? &*image.image : nullptr; };
   Image whole = combine_shift_mask(pointer(shift), pointer(mask), recipe.texture_seed, strands_along_u);
   const bool constant = is_constant(whole);
@@ -117,7 +122,11 @@ tl::expected<BakedTextures, ToolError> bake_textures(const BaseColor& color, con
   } else {
     baked.stored.append(TextureRole::kShiftMask, format, shift_mask.mips, settings.threads);
   }
-  if (color.normals) baked.relief = bake_relief(*color.normals, hair.mesh, recipe, settings.threads, findings);
+  const Image *const normals = color.normals ? &*color.normals : nullptr, *const strands =
+                                                                              color.strands ? &*color.strands : nullptr;
+  if (normals != nullptr || strands != nullptr) {
+    baked.relief = bake_relief(normals, strands, hair.mesh, recipe, settings.threads, findings);
+  }
   baked.used = std::move(base.used);
   return baked;
 }
@@ -181,6 +190,20 @@ Image generate_shift_mask(std::uint32_t seed, bool along_u) {
       texel[0] = to_byte(0.5 + 0.7 * (shift - 0.5));
       texel[1] = to_byte(0.15 + 1.4 * sparkle);
     }
+  }
+  return image;
+}
+
+Image shift_mask_of(const Image& strands, std::uint32_t seed) {
+  Image image{strands.width, strands.height, 2, {}};
+  image.texels.resize(2 * image.texel_count());
+  for (std::size_t i = 0; i < image.texel_count(); ++i) {
+    const double number = strands.texels[4 * i] / 255.0;
+    const auto row = std::uint32_t(i / image.width);
+    // Another number of the same strand, and bright and dull places along it.
+    const double other = number * 7 - std::floor(number * 7), v = (row + 0.5) / image.height;
+    image.texels[2 * i] = to_byte(0.5 + 0.7 * (number - 0.5));
+    image.texels[2 * i + 1] = to_byte(0.2 + 0.8 * other * (0.5 + noise(seed + 2, other, v, 16, 64)));
   }
   return image;
 }

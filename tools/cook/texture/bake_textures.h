@@ -24,6 +24,9 @@ tl::expected<RecipeImage, ToolError> read_recipe_image(const std::string& name, 
 /// green breaks the secondary highlight into sparkles. It repeats in both directions. `along_u`: strands run along U.
 [[nodiscard]] Image generate_shift_mask(std::uint32_t seed, bool along_u);
 
+/// The same for strands that are known (SourceMaterial::strand_texture): each has its own shift, and its own sparkles.
+[[nodiscard]] Image shift_mask_of(const Image& strands, std::uint32_t seed);
+
 /// Red of `shift` and red of `mask` in one image of the larger size. Either may be null: its channel is generated.
 [[nodiscard]] Image combine_shift_mask(const Image* shift, const Image* mask, std::uint32_t seed, bool along_u);
 

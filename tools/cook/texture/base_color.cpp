@@ -29,6 +29,7 @@ BaseColor whole(const SurfaceLook& look, Findings& findings) {
   BaseColor color;
   if (look.image != nullptr) color.image = *look.image;
   color.normals = normals_of(look, findings);
+  if (look.strands != nullptr) color.strands = *look.strands;
   color.factor = look.factor;
   color.alpha_use = look.alpha_use;
   color.alpha_cutoff = look.alpha_cutoff;
@@ -40,7 +41,7 @@ std::vector<ImageSize> sizes_at(std::span<const SurfaceLook> looks, double scale
   std::vector<ImageSize> sizes;
   for (const SurfaceLook& look : looks) {
     ImageSize size;
-    for (const Image* image : {look.image, look.normals}) {
+    for (const Image* image : {look.image, look.normals, look.strands}) {
       if (image == nullptr) continue;
       size.width = std::max(size.width, scaled(image->width));
       size.height = std::max(size.height, scaled(image->height));
@@ -97,6 +98,18 @@ std::optional<Image> joined_normals(std::span<const SurfaceLook> looks, const At
   return draw_atlas(layout, pointers_to(normals));
 }
 
+/// The same of what is known of strands; elsewhere they are middling ones that nobody knows the way of.
+std::optional<Image> joined_strands(std::span<const SurfaceLook> looks, const AtlasLayout& layout,
+                                    std::span<const ImageSize> sizes) {
+  std::vector<Image> strands;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    strands.push_back(looks[i].strands != nullptr ? at_size(*looks[i].strands, sizes[i], TexelMeaning::kNumbers)
+                                                  : Image{1, 1, 4, {128, 0, two_sided_byte(0), two_sided_byte(0)}});
+  }
+  const bool is_any = std::ranges::any_of(looks, [](const SurfaceLook& look) { return look.strands != nullptr; });
+  return is_any ? std::optional(draw_atlas(layout, pointers_to(strands))) : std::nullopt;
+}
+
 /// A part of the hair whose texture is lost looks like the rest, not like paper.
 void color_like_the_rest(SurfaceLooks& looks, Findings& findings) {
   const SurfaceLook* known = looks.looks[looks.main].image != nullptr ? &looks.looks[looks.main] : nullptr;
@@ -125,6 +138,7 @@ tl::expected<BaseColor, std::string> joined(SurfaceLooks& looks, std::uint32_t m
   BaseColor color;
   color.image = draw_atlas(*layout, pointers_to(painted));
   color.normals = joined_normals(looks.looks, *layout, sizes, findings);
+  color.strands = joined_strands(looks.looks, *layout, sizes);
   color.alpha_use = alpha.use;
   color.alpha_cutoff = alpha.cutoff;
   color.atlas = *layout;
@@ -211,6 +225,11 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
     findings.append(images.findings());
     color.files = images.files();
     color.questions = images.questions();
+  }
+  color.max_size = recipe.texture_max_size;
+  // How large cards' texture is the recipe has said already.
+  if (source.made_from_strands && !own->image && color.image && !settings.draft) {
+    color.max_size = std::max({color.max_size, color.image->width, color.image->height});
   }
   if (auto taken = take_own_normals(recipe, settings, color, findings); !taken) return tl::unexpected(taken.error());
   return color;

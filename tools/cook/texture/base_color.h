@@ -17,6 +17,7 @@ struct SurfaceLook {
   bool lacks_image = false;        ///< The material names one that cannot be had, so that its factor says little.
   const Image* normals = nullptr;  ///< A normal or bump map; null: none.
   NormalMapUse normal_use;
+  const Image* strands = nullptr;  ///< SourceMaterial::strand_texture; null: none.
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();
   AlphaUse alpha_use = AlphaUse::kUnknown;
   float alpha_cutoff = 0.5f;
@@ -63,8 +64,10 @@ struct BaseColor {
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();  ///< Multiplies the image, linear, 0..1.
   AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
   float alpha_cutoff = 0.5f;                         ///< For kMask.
+  std::uint32_t max_size = 0;                        ///< Texels: a larger image is reduced to this.
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
+  std::optional<Image> strands;                      ///< RGBA, SourceMaterial::strand_texture.
   std::vector<std::filesystem::path> files;          ///< Image files that were read.
   std::vector<TextureQuestion> questions;            ///< How they were found; none for an image of the recipe.
 };

@@ -24,10 +24,20 @@ double rms_of(const Image& image, const Image& used) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
+/// Blue and alpha of what is known of strands.
+Image known_axes(const Image& strands) {
+  Image axes{strands.width, strands.height, 2, {}};
+  axes.texels.reserve(2 * axes.texel_count());
+  for (std::size_t i = 0; i < axes.texel_count(); ++i) {
+    axes.texels.insert(axes.texels.end(), {strands.texels[4 * i + 2], strands.texels[4 * i + 3]});
+  }
+  return axes;
+}
+
 }  // namespace
 
-StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
-                           Findings& findings) {
+StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const Recipe& recipe,
+                           unsigned threads, Findings& findings) {
   StoredTextures stored;
   const TexelFormat format = two_channel_format(recipe);
   const auto keep = [&](TextureRole role, const char* name, Image image) {
@@ -42,8 +52,13 @@ StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Rec
     findings.note(fmt::format("{}: {} x {} texels", name, mips[0].width, mips[0].height));
     stored.append(role, format, mips, threads);
   };
-  keep(TextureRole::kNormal, "map of normals", normals);
-  keep(TextureRole::kStrandAxis, "map of how strands run", strand_axes(normals));
+  if (normals != nullptr) keep(TextureRole::kNormal, "map of normals", *normals);
+  const char* const axes = "map of how strands run";
+  if (strands != nullptr) {
+    keep(TextureRole::kStrandAxis, axes, known_axes(*strands));
+  } else if (normals != nullptr) {
+    keep(TextureRole::kStrandAxis, axes, strand_axes(*normals));
+  }
   return stored;
 }
 

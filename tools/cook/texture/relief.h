@@ -13,9 +13,10 @@ namespace coif {
   return recipe.shift_mask_format == "eac" ? TexelFormat::kRg11Eac : TexelFormat::kRg8;
 }
 
-/// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), from the hair's normals (two
-/// channels), each at the lowest resolution that says all. A map that says nothing where the hair shows it is left out.
-StoredTextures bake_relief(const Image& normals, const HairMesh& hair, const Recipe& recipe, unsigned threads,
-                           Findings& findings);
+/// Maps of how normals and strands lie on the surface (TextureRole::kNormal, kStrandAxis), each at the lowest resolution that says
+/// all: from the hair's normals (two channels), and from what is known of its strands (SourceMaterial::strand_texture), else from the
+/// normals too. Null: there are none. A map that says nothing where the hair shows it is left out.
+StoredTextures bake_relief(const Image* normals, const Image* strands, const HairMesh& hair, const Recipe& recipe,
+                           unsigned threads, Findings& findings);
 
 }  // namespace coif

@@ -49,6 +49,11 @@ const Image* SourceImages::normals_of(const SourceMaterial& material) {
   return nullptr;
 }
 
+const Image* SourceImages::strands_of(const SourceMaterial& material) {
+  const std::uint32_t image = material.strand_texture.image;
+  return image < source_.images.size() ? embedded(material, image) : nullptr;
+}
+
 const Image* SourceImages::embedded(const SourceMaterial& material, std::uint32_t index) {
   const SourceImage& image = source_.images[index];
   const std::string key = fmt::format("{}", index);

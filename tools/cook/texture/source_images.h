@@ -109,6 +109,9 @@ class SourceImages {
   /// Its normal or bump map; null where it names none or has none that can be read.
   [[nodiscard]] const Image* normals_of(const SourceMaterial& material);
 
+  /// What is known of its single strands; null where nothing is.
+  [[nodiscard]] const Image* strands_of(const SourceMaterial& material);
+
   /// For hair whose materials name no image at all: the one file beside the source whose name says that it colours hair or
   /// something called one of `names`, or the only one that no other material names. Of several the one in whose name one of
   /// `names` stands as a word; where that leaves several, a warning lists them.

@@ -14,7 +14,7 @@ namespace {
 bool same(const SurfaceLook& a, const SurfaceLook& b) {
   const bool is_lit_alike = a.normals == nullptr || b.normals == nullptr ||
                             (a.normals == b.normals && a.normal_use.strength == b.normal_use.strength);
-  return is_lit_alike && a.image == b.image && a.lacks_image == b.lacks_image && a.factor == b.factor &&
+  return is_lit_alike && a.image == b.image && a.strands == b.strands && a.lacks_image == b.lacks_image && a.factor == b.factor &&
          a.alpha_use == b.alpha_use && a.alpha_cutoff == b.alpha_cutoff;
 }
 
@@ -53,6 +53,7 @@ SurfaceLook look_of(const SourceModel& source, SourceImages& images, NormalMaps 
   look.lacks_image = look.image == nullptr && names_texture(source, index);
   if (normals == NormalMaps::kOfSource) look.normals = images.normals_of(material);
   look.normal_use.strength = double(material.normal_strength);
+  look.strands = images.strands_of(material);
   if (says_what_it_lacks(source)) look.normal_use.green = GreenAxis::kUp;  // glTF 2.0, 3.9.3
   look.factor = color_factor(material);
   look.alpha_use = material.alpha_use;

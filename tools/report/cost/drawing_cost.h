@@ -40,6 +40,7 @@ struct RenderingCostRow {
   std::uint32_t samples = 1;  ///< Of a pixel.
   std::uint32_t lod = 0;
   bool simulation = false;      ///< The crowd is also simulated, on the same thread, before it is drawn.
+  bool strand_terms = false;    ///< With glow, dark roots and strands of different lightness, whatever the asset has.
   std::uint64_t triangles = 0;  ///< Of all heads; each is drawn once a pass.
   double ms_per_frame = 0;      ///< Wall time until the device has finished.
   double spread_pct = 0;
@@ -56,6 +57,7 @@ struct RenderingCostRow {
           {"samples", &Row::samples, {"samples"}, {"samples", 9}},
           {"lod", &Row::lod, {"level of detail", {}, -1}, {"lod", 5}},
           {"simulation", &Row::simulation, {"simulated"}, {"simulated", 11}},
+          {"strand_terms", &Row::strand_terms, {"strand terms"}, {"terms", 7}},
           {"triangles", &Row::triangles, {"triangles"}, {"triangles", 11}},
           {"ms_per_frame", &Row::ms_per_frame, {"time a frame", milliseconds_text}, {"ms/frame", 10}},
           {"spread_pct", &Row::spread_pct, {"spread", spread_cell}, {"spread", 9, percent_text}},

@@ -150,7 +150,7 @@ tl::expected<const LiveCook::Imported*, ToolError> LiveCook::import(const Order&
   imported_.reset();
   const auto bytes = FileBytes::read(order.source);
   if (!bytes) return tl::unexpected(bytes.error());
-  auto model = read_hair_source(order.source, recipe, {settings, order.recipe_directory(), all_threads()});
+  auto model = read_hair_source(order.source, cooking_.draft ? draft_of(recipe) : recipe, {settings, order.recipe_directory(), all_threads()});
   if (!model) return tl::unexpected(model.error());
   imported_ = Imported{order.source, std::move(settings), std::move(values), std::move(*model), xxh64(bytes->span())};
   return &*imported_;

@@ -144,7 +144,7 @@ typedef struct coif_material {
   uint32_t flags;   /* COIF_DOUBLE_SIDED, COIF_FACES_TOGETHER */
   uint32_t shading; /* coif_shading */
   float tilt, roughness, scatter, light_cut;
-  uint32_t reserved[3];
+  float glow, root_shade, variation;
 } coif_material;
 #define COIF_DOUBLE_SIDED 1u
 #define COIF_FACES_TOGETHER 2u

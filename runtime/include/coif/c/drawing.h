@@ -98,7 +98,7 @@ typedef struct coif_draw_view {
 /* The uniform block DrawBlock of the shaders, std140, byte for byte. View space: the world's axes, its origin at the eye. */
 typedef struct coif_draw_block {
   float clip_from_view[16];
-  float base_color[4], ambient[4], primary[4], secondary[4], shift[4], component[4], fiber[4];
+  float base_color[4], ambient[4], primary[4], secondary[4], shift[4], component[4], fiber[4], strands[4];
   float light_position[COIF_MAX_LIGHTS][4], light_color[COIF_MAX_LIGHTS][4], light_spot[COIF_MAX_LIGHTS][4];
   float shadow_from_view[16], shadow_depth[4], shadow_map[4]; /* The host's own, for shaders that look a shadow up. */
 } coif_draw_block;

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Makes all pictures of this folder: hair grows on the portrait, is cooked and drawn, and a moving picture is put together by
+# ImageMagick's convert.
+#
+#   sample_assets/portrait/make_pictures.sh COIF [OUT]
+#
+# COIF is the program; OUT, by default this folder, gets bob.png, wavy.png and turn.webp.
+set -eu
+coif=$1
+here=$(cd "$(dirname "$0")" && pwd)
+out=${2:-$here}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+for style in bob wavy; do
+  "$coif" grow --recipe "$here/$style.recipe.json" -o "$work/$style.hair"
+  "$coif" cook "$work/$style.hair" --recipe "$here/$style.recipe.json" -o "$work/$style.coif"
+done
+picture() { # STYLE, then what else is asked of `coif render`
+  style=$1
+  shift
+  "$coif" render "$work/$style.coif" --body "$here/portrait.glb" "$@"
+}
+picture bob --size 720x800 --view 28,4 -o "$out/bob.png"
+picture wavy --size 720x800 --view 24,4 -o "$out/wavy.png"
+
+# The motion repeats at 1.54 Hz, and after two rounds so does the hair.
+frames=20
+frame=0
+while [ $frame -lt $frames ]; do
+  time=$(awk "BEGIN { printf \"%.4f\", (2 + $frame / $frames) / 1.54 }")
+  picture bob --size 420x460 --view 28,4 --samples 4 --motion turn --time "$time" -o "$work/$(printf %02d $frame).png" >"$work/log"
+  frame=$((frame + 1))
+done
+convert -delay 3 -loop 0 "$work"/[0-9][0-9].png -quality 82 "$out/turn.webp"

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/picture.h"
+
+#include <CLI/CLI.hpp>
+
+namespace coif {
+
+/// --transparency, --order, --shadows, --lights, --backdrop, --margin, with the defaults of pictures to look at; `picture` must
+/// outlive the parsing.
+void add_picture_options(CLI::App& app, PictureSettings& picture);
+
+}  // namespace coif

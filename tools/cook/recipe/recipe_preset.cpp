@@ -1,0 +1,34 @@
+#include "cook/recipe/recipe_preset.h"
+
+namespace coif {
+namespace {
+
+constexpr RecipePreset kPresets[] = {
+    {"realistic", "light through fibres, glow from behind, darker roots; fine cards and textures",
+     R"({"material": {"shading": "marschner", "energy": "bounded", "roughness": 9, "scatter": 0.8, "glow": 0.5, "root_shade": 0.35,
+      "variation": 0.18}, "cards": {"triangles": 12000}, "textures": {"max_size": 2048}})"},
+    {"anime", "flat colour, one sharp band of light, solid edges; locks keep their shape",
+     R"({"material": {"shading": "kajiya-kay", "ambient": [0.42, 0.42, 0.45], "primary_color": [0.55, 0.55, 0.6], "primary_exponent": 260,
+      "primary_shift": 0.1, "opaque_threshold": 0.5, "discard_threshold": 0.45},
+      "dynamics": {"preset": "stiff"}, "cards": {"triangles": 3000}, "occlusion": {"strength": 0.4},
+      "order": {"method": "head"}})"},
+    {"stylised", "broad soft highlights and strong darkening inside, hair that bounces",
+     R"({"material": {"shading": "thesis", "ambient": [0.18, 0.18, 0.2], "primary_exponent": 40, "primary_color": [0.7, 0.66, 0.62],
+      "secondary_exponent": 12, "secondary_color": [0.9, 0.62, 0.42], "root_shade": 0.45, "variation": 0.08, "energy": "bounded"},
+      "dynamics": {"preset": "bouncy"}, "cards": {"triangles": 5000}})"},
+    {"ponytail", "tied hair: a tail that swings for long, the rest close to the head",
+     R"({"grow": {"style": "ponytail"}, "dynamics": {"preset": "bouncy", "liveliness": 0.7},
+      "material": {"glow": 0.3, "root_shade": 0.25, "variation": 0.12}})"},
+    {"curly", "curls: more cards, of more triangles each, springy",
+     R"({"grow": {"style": "curly"}, "dynamics": {"preset": "bouncy"}, "cards": {"triangles": 14000},
+      "material": {"glow": 0.35, "root_shade": 0.3, "variation": 0.2, "roughness": 12}})"},
+    {"short", "short hair: stands by itself, few moving bones, cheap",
+     R"({"grow": {"style": "short"}, "dynamics": {"preset": "stiff"}, "cards": {"triangles": 5000},
+      "material": {"root_shade": 0.3, "variation": 0.15}})"},
+};
+
+}  // namespace
+
+std::span<const RecipePreset> recipe_presets() { return kPresets; }
+
+}  // namespace coif

@@ -1,0 +1,32 @@
+#include "render/body_textures.h"
+
+#include "cook/texture/source_images.h"
+
+#include <map>
+
+namespace coif {
+
+BodyTextures read_body_textures(const SourceModel& model, Findings& findings) {
+  constexpr std::uint32_t kLargest = 2048;
+  std::vector<bool> is_shown(model.materials.size());
+  for (const SourceMesh& mesh : model.meshes) {
+    if (mesh.material < is_shown.size() && !mesh.uvs.empty()) is_shown[mesh.material] = true;
+  }
+  SourceImages images(model);
+  std::map<const Image*, std::shared_ptr<const SolidTexture>> known;  // looked up only
+  BodyTextures textures(model.materials.size());
+  for (std::size_t m = 0; m < textures.size(); ++m) {
+    const Image* const image = is_shown[m] ? images.of(model.materials[m]) : nullptr;
+    if (image == nullptr) continue;
+    std::shared_ptr<const SolidTexture>& texture = known[image];
+    if (texture == nullptr) {
+      Image small = reduce(*image, kLargest, TexelMeaning::kSrgbColorAlpha);
+      texture = std::make_shared<SolidTexture>(small.width, small.height, std::move(small.texels));
+    }
+    textures[m] = texture;
+  }
+  for (const std::string& warning : images.findings().warnings) findings.warn(warning);
+  return textures;
+}
+
+}  // namespace coif

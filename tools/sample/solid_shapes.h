@@ -1,0 +1,48 @@
+#pragma once
+
+// Signed distance fields that heads are made of: metres, negative inside.
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coif::sample {
+
+/// Exact near the surface up to a few percent.
+inline double ellipsoid(const Eigen::Vector3d& p, const Eigen::Vector3d& center, const Eigen::Vector3d& radii) {
+  const Eigen::Vector3d scaled = (p - center).cwiseQuotient(radii);
+  const double length = scaled.norm();
+  if (length < 1e-9) return -radii.minCoeff();
+  return length * (length - 1.0) / scaled.cwiseQuotient(radii).norm();
+}
+
+/// A rod with round ends whose radius goes from `radius_a` to `radius_b`.
+inline double rod(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius_a,
+                  double radius_b) {
+  const Eigen::Vector3d axis = b - a;
+  const double t = std::clamp((p - a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * axis).norm() - (radius_a + t * (radius_b - radius_a));
+}
+
+/// Union whose seam is rounded over `blend` metres.
+inline double join(double a, double b, double blend) {
+  const double h = std::max(blend - std::abs(a - b), 0.0) / blend;
+  return std::min(a, b) - h * h * blend * 0.25;
+}
+
+/// `a` without `b`, the edge rounded over `blend` metres.
+inline double carve(double a, double b, double blend) { return -join(-a, b, blend); }
+
+/// Which way a field grows, unit, from its differences over twice `step` metres.
+template <typename Field>
+Eigen::Vector3d unit_gradient(const Field& distance, const Eigen::Vector3d& point, double step) {
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d offset = step * Eigen::Vector3d::Unit(axis);
+    gradient[axis] = distance(point + offset) - distance(point - offset);
+  }
+  return gradient.normalized();
+}
+
+}  // namespace coif::sample
