@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kQuadsOfCard = 4;      // on the average: fewer bend no lock, more leave too few cards
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
 constexpr std::size_t kPointsOfPictures = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
+
 std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
   std::vector<CardSize> sizes;
   for (const Wisp& wisp : wisps)
