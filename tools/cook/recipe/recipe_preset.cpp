@@ -3,7 +3,7 @@
 namespace coif {
 namespace {
 
-constexpr RecipePreset kPresets[] = {
+constexpr RecipePreset kRecipePresets[] = {
     {"realistic", "light through fibres, glow from behind, darker roots; fine cards and textures",
      R"({"material": {"shading": "marschner", "energy": "bounded", "roughness": 9, "scatter": 0.8, "glow": 0.5, "root_shade": 0.35,
       "variation": 0.18}, "cards": {"triangles": 12000}, "textures": {"max_size": 2048}})"},
@@ -29,6 +29,6 @@ constexpr RecipePreset kPresets[] = {
 
 }  // namespace
 
-std::span<const RecipePreset> recipe_presets() { return kPresets; }
+std::span<const RecipePreset> recipe_presets() { return kRecipePresets; }
 
 }  // namespace coif
