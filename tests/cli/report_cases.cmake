@@ -5,7 +5,7 @@ coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: no
   TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
 coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
 coif_cli_case(report_unknown_subject EXIT 1
-  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost" ARGS report a.coif speed)
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost, cards" ARGS report a.coif speed)
 coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
   ARGS report a.coif accuracy -o out.pdf)
 coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
@@ -83,7 +83,7 @@ coif_cli_case(report_views_for_cost EXIT 1
   STDERR "coif report: error: --views is for 'coif report FILE.coif order' only; leave it out"
   ARGS report a.coif cost --views 3)
 coif_cli_case(report_size_for_accuracy EXIT 1
-  STDERR "coif report: error: --size is for 'coif report FILE.coif cost' or 'order' only; leave it out"
+  STDERR "coif report: error: --size is for 'coif report FILE.coif cost', 'order' or 'cards' only; leave it out"
   ARGS report a.coif accuracy --size 64x64)
 coif_cli_case(report_no_views EXIT 1 STDERR "coif report: error: --views" ARGS report a.coif order --views 0)
 coif_cli_case(report_long_orbit EXIT 1 STDERR "coif report: error: --orbit" ARGS report a.coif order --orbit 361)

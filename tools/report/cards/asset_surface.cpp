@@ -11,9 +11,9 @@
 namespace coif {
 namespace {
 
-constexpr double kSameBox = 0.5;     // share of both boxes that cards and their strands have in common, at least
-constexpr double kClearly = 1.05;    // times what the file's own unit and axis have: others are chosen only then
-constexpr float kFlatness = 0.02f;   // of its diagonal that a box has at least each way: flat ones have a volume
+constexpr double kSameBox = 0.5;    // share of both boxes that cards and their strands have in common, at least
+constexpr double kClearly = 1.05;   // times what the file's own unit and axis have: others are chosen only then
+constexpr float kFlatness = 0.02f;  // of its diagonal that a box has at least each way: flat ones have a volume
 
 Eigen::AlignedBox3f box_of_asset(const Asset& asset) {
   Eigen::AlignedBox3f box;
@@ -41,8 +41,9 @@ double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
 }
 
 std::string box_text(const Eigen::AlignedBox3f& box) {
-  const Eigen::Vector3f size = box.sizes();
-  return fmt::format("{:.3g} x {:.3g} x {:.3g} m", size.x(), size.y(), size.z());
+  const Eigen::Vector3f size = box.sizes(), middle = box.center();
+  return fmt::format("{:.3g} x {:.3g} x {:.3g} m about ({:.3g}, {:.3g}, {:.3g})", size.x(), size.y(), size.z(),
+                     middle.x(), middle.y(), middle.z());
 }
 
 }  // namespace
@@ -66,10 +67,11 @@ tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const
     }
   }
   if (most >= kSameBox) return best;
-  return failure(ToolError::Kind::kBadInput,
-                 fmt::format("its hair is {} large and does not lie where that of {} does, which is {}; name the file that "
-                             "it was cooked from, and with --recipe the recipe",
-                             box_text(cooked), groom.path, box_text(placed(strands, best))));
+  return failure(
+      ToolError::Kind::kBadInput,
+      fmt::format("was cooked from other strands than those of {}: its hair is {}, theirs would be {}; name the file "
+                  "that it was cooked from, and with --recipe the recipe",
+                  groom.path, box_text(cooked), box_text(placed(strands, best))));
 }
 
 namespace {
@@ -90,7 +92,7 @@ class LevelVertices {
 
  private:
   void add(const VertexRecord& vertex) {
-    const auto direction = [this](const std::int16_t (&snorm)[4]) {
+    const auto direction = [this](const std::int16_t(&snorm)[4]) {
       const Eigen::Vector3f stored(snorm[0], snorm[1], snorm[2]);
       return (place_.turn.transpose() * stored).normalized().eval();
     };

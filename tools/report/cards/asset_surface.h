@@ -16,7 +16,7 @@ namespace coif {
 /// How strands became the places of an asset: as the cook found their unit and what is up, and about the head's joint, which the
 /// asset knows.
 struct CookedPlace {
-  double factor = 1;                                  ///< For lengths.
+  double factor = 1;  ///< For lengths.
   Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
   Eigen::Vector3f head_joint = Eigen::Vector3f::Zero();  ///< Metres, after both.
 

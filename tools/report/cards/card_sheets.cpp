@@ -20,8 +20,7 @@ struct ShownSide {
   Eigen::Vector3f towards;
 };
 const std::array<ShownSide, 3>& shown_sides() {
-  static const std::array<ShownSide, 3> sides{
-      {{"front", {0, 0, -1}}, {"side", {-1, 0, 0}}, {"back", {0, 0, 1}}}};
+  static const std::array<ShownSide, 3> sides{{{"front", {0, 0, -1}}, {"side", {-1, 0, 0}}, {"back", {0, 0, 1}}}};
   return sides;
 }
 

@@ -22,8 +22,7 @@ Picture square_picture(std::uint32_t size, const std::function<Eigen::Vector3f(s
   for (std::size_t i = 0; i < std::size_t(size) * size; ++i) {
     const Eigen::Vector3f color = linear_color(i);
     for (int k = 0; k < 3; ++k) {
-      picture.rgba[4 * i + std::size_t(k)] =
-          std::uint8_t(255 * encode_srgb(std::clamp(color[k], 0.0f, 1.0f)) + 0.5f);
+      picture.rgba[4 * i + std::size_t(k)] = std::uint8_t(255 * encode_srgb(std::clamp(color[k], 0.0f, 1.0f)) + 0.5f);
     }
   }
   return picture;

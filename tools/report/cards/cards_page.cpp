@@ -8,10 +8,14 @@ namespace coif {
 namespace {
 
 constexpr const char* kWhatBaselinesAre =
-    "coif: as a cook makes them. kmeans: each cluster of strands, by the k-means of their whole shape, on one flat card of two "
-    "triangles, the rectangle of the plane that fits it best. even: coif's locks of hair, each on a strip cut into equal segments, as "
-    "many as come nearest to the strands with that many triangles. All have the same texels and textures drawn alike. Fragments "
-    "are pixels of all triangles, whatever is on them, in a picture; layers, how many of them lie over each other where any does.";
+    "coif: as a cook makes them. kmeans: each cluster of strands, by the k-means of their whole shape, on one flat "
+    "card of two "
+    "triangles, the rectangle of the plane that fits it best. even: coif's locks of hair, each on a strip cut into "
+    "equal segments, as "
+    "many as come nearest to the strands with that many triangles. All have the same texels and textures drawn alike. "
+    "Fragments "
+    "are pixels of all triangles, whatever is on them, in a picture; layers, how many of them lie over each other "
+    "where any does.";
 
 using FigureOf = std::function<double(const CardsFigures&)>;
 
@@ -50,7 +54,8 @@ Figure cards_iou_figure(const CardsReport& report, CardsAxis over) {
 }
 
 Figure cards_error_figure(const CardsReport& report, CardsAxis over) {
-  return curves(report, over, {.title = title_of("Error of the picture", over), .y_label = "RMS error, mean over directions"},
+  return curves(report, over,
+                {.title = title_of("Error of the picture", over), .y_label = "RMS error, mean over directions"},
                 "Lower is better: of what a light at the eye shows, 1 is white.",
                 [](const CardsFigures& figures) { return figures.mean_error; });
 }
@@ -69,7 +74,8 @@ std::string cards_page(const ReportHeading& heading, const CardsReport& report) 
     page.figure(cards_error_figure(report, over));
   }
   page.heading("What did the cook keep?");
-  page.paragraph("The asset's own triangles at rest, with the alpha of its largest mip and its tangents, level by level.");
+  page.paragraph(
+      "The asset's own triangles at rest, with the alpha of its largest mip and its tangents, level by level.");
   page.table(page_table(cards_asset_columns(), report.asset));
   if (!report.sheets.empty()) page.heading("How do they look?");
   for (const CardsSheet& sheet : report.sheets) page.picture(sheet.png, sheet.caption);

@@ -60,13 +60,13 @@ template <typename Row>
 
 /// One set of cards.
 struct CardsSummary {
-  std::string baseline;                ///< As CardsRow::baseline.
-  std::uint64_t triangles = 0;         ///< That were allowed.
-  std::uint64_t texels = 0;            ///< The same.
-  std::uint64_t cards = 0;             ///< That were made,
-  std::uint64_t made_triangles = 0;    ///< their triangles
-  std::uint64_t made_texels = 0;       ///< and their texture's texels, gaps included.
-  std::optional<double> segments = {}; ///< Of each strip of "even".
+  std::string baseline;                 ///< As CardsRow::baseline.
+  std::uint64_t triangles = 0;          ///< That were allowed.
+  std::uint64_t texels = 0;             ///< The same.
+  std::uint64_t cards = 0;              ///< That were made,
+  std::uint64_t made_triangles = 0;     ///< their triangles
+  std::uint64_t made_texels = 0;        ///< and their texture's texels, gaps included.
+  std::optional<double> segments = {};  ///< Of each strip of "even".
   CardsFigures figures{};
   double seconds = 0;  ///< Wall time that making them took.
 };
@@ -128,10 +128,10 @@ struct CardsReport {
   std::string source;         ///< The strands' file, as the user gave it.
   bool is_its_source = true;  ///< The asset was cooked from that file, byte for byte.
   std::uint64_t strands = 0;
-  double strand_width = 0;      ///< Metres of the groom, mean.
-  std::uint32_t size = 0;       ///< Pixels of a picture, each way.
+  double strand_width = 0;  ///< Metres of the groom, mean.
+  std::uint32_t size = 0;   ///< Pixels of a picture, each way.
   std::uint64_t directions = 0;
-  double asset_factor = 1;      ///< That the cook multiplied the groom's lengths with.
+  double asset_factor = 1;  ///< That the cook multiplied the groom's lengths with.
   std::vector<CardsRow> rows;
   std::vector<CardsSummary> summary;
   std::vector<CardsAssetLevel> asset;

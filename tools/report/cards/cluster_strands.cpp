@@ -20,7 +20,8 @@ using Shape = std::array<float, kDimensions>;
 Shape shape_at(const EvenStrands& strands, std::uint32_t i) {
   Shape shape;
   const auto points = strands.strand(i);
-  for (std::size_t k = 0; k < points.size(); ++k) std::copy_n(points[k].data(), 3, shape.begin() + std::ptrdiff_t(3 * k));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    std::copy_n(points[k].data(), 3, shape.begin() + std::ptrdiff_t(3 * k));
   return shape;
 }
 

@@ -19,14 +19,15 @@ namespace {
 constexpr char kOwn[] = "none", kFlat[] = "kmeans", kEven[] = "even";
 
 tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& settings) {
-  const bool budgets_ok =
-      !settings.budgets.empty() && std::ranges::all_of(settings.budgets, [](std::size_t budget) { return budget >= 2; });
+  const bool budgets_ok = !settings.budgets.empty() &&
+                          std::ranges::all_of(settings.budgets, [](std::size_t budget) { return budget >= 2; });
   if (!budgets_ok || settings.directions == 0 || settings.size < kLeastCardsPicture ||
       settings.size > kMostCardsPicture) {
-    return failure(ToolError::Kind::kUsage,
-                   fmt::format("cards are compared with 2 triangles at least, from a direction at least, in pictures of "
-                               "{} to {} pixels each way",
-                               kLeastCardsPicture, kMostCardsPicture));
+    return failure(
+        ToolError::Kind::kUsage,
+        fmt::format("cards are compared with 2 triangles at least, from a direction at least, in pictures of "
+                    "{} to {} pixels each way",
+                    kLeastCardsPicture, kMostCardsPicture));
   }
   if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
     return failure(ToolError::Kind::kBadInput,
@@ -123,11 +124,16 @@ class CardsMeasurement {
     summary.figures = figures_of(surface, likeness);
     for (std::size_t i = 0; i < likeness.size(); ++i) {
       const Eigen::Vector3d direction = directions_[i].cast<double>();
-      report_.rows.push_back({baseline, budget.triangles, budget.texels, {direction.x(), direction.y(), direction.z()},
-                              likeness[i].coverage_iou, psnr_db(likeness[i].error)});
+      report_.rows.push_back({baseline,
+                              budget.triangles,
+                              budget.texels,
+                              {direction.x(), direction.y(), direction.z()},
+                              likeness[i].coverage_iou,
+                              psnr_db(likeness[i].error)});
     }
     report_.summary.push_back(std::move(summary));
-    if (sheets_ && std::string_view(baseline) == kOwn) sheets_->add(fmt::format("{} triangles", budget.triangles), surface);
+    if (sheets_ && std::string_view(baseline) == kOwn)
+      sheets_->add(fmt::format("{} triangles", budget.triangles), surface);
   }
 
   void measure_level(std::uint32_t lod) {
@@ -135,7 +141,8 @@ class CardsMeasurement {
     const CardSurface surface = surface_of_asset(asset_, lod, place_);
     report_.asset.push_back({lod, surface.triangles.size() / 3, std::uint64_t{surface.width} * surface.height,
                              figures_of(surface, views_->compare(surface))});
-    if (sheets_ && lod == 0) sheets_->add(fmt::format("the asset, {} triangles", surface.triangles.size() / 3), surface);
+    if (sheets_ && lod == 0)
+      sheets_->add(fmt::format("the asset, {} triangles", surface.triangles.size() / 3), surface);
   }
 
   [[nodiscard]] CardsFigures figures_of(const CardSurface& surface, const std::vector<HairLikeness>& likeness) const {

@@ -50,8 +50,10 @@ std::string cards_summary(const CardsReport& report) {
 
 std::string cards_method(const CardsReport& report) {
   std::string text = fmt::format(
-      "{} strands of {}, {:.3g} wide in the file's metres, by 64 samples of a pixel, and cards by 16, along {} directions "
-      "all around, in pictures of {} x {} pixels. IoU: of coverage, intersection over union. PSNR and RMS error: of what a "
+      "{} strands of {}, {:.3g} wide in the file's metres, by 64 samples of a pixel, and cards by 16, along {} "
+      "directions "
+      "all around, in pictures of {} x {} pixels. IoU: of coverage, intersection over union. PSNR and RMS error: of "
+      "what a "
       "light at the eye shows of strands, over the pixels that either covers; 1 is white.",
       report.strands, report.source, report.strand_width, report.directions, report.size, report.size);
   if (!report.is_its_source) text += " The asset was cooked from another file, or from another state of this one.";
