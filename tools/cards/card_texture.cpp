@@ -126,6 +126,22 @@ class CardSamples {
   std::vector<float> strand_;
 };
 
+/// Where no strand is, directions are as beside: what covers there later, covers as its neighbours do.
+void fill_directions(CardTexture& texture) {
+  const auto reach = std::size_t(std::max(texture.width / 3, 4u));
+  std::vector<Eigen::Vector2f> sums(texture.width + 1);
+  for (std::uint32_t y = 0; y < texture.height; ++y) {
+    Eigen::Vector2f* const row = &texture.along[std::size_t(y) * texture.width];
+    sums[0].setZero();
+    for (std::uint32_t x = 0; x < texture.width; ++x) sums[x + 1] = sums[x] + row[x];
+    for (std::size_t x = 0; x < texture.width; ++x) {
+      if (!row[x].isZero()) continue;
+      const Eigen::Vector2f sum = sums[std::min<std::size_t>(x + reach, texture.width)] - sums[x - std::min(x, reach)];
+      row[x] = sum.norm() > 1e-3f ? sum.normalized() : Eigen::Vector2f::UnitY().eval();
+    }
+  }
+}
+
 /// A number of 0..1 that is another for each strand and the same in each run.
 float number_of(std::uint32_t strand) {
   std::uint32_t h = strand * 2654435769u;
@@ -168,6 +184,7 @@ CardTexture draw_on_card(const Groom& groom, std::span<const std::uint8_t> is_re
     }
   }
   samples.develop(texture);
+  fill_directions(texture);
   return texture;
 }
 

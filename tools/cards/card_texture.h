@@ -17,7 +17,7 @@ struct CardTexture {
   std::vector<float>
       depth;  ///< Of what is in front, metres towards the ribbon's normal (along x across); 0 where nothing is.
   std::vector<Eigen::Vector2f>
-      along;  ///< Mean direction of strands on the card (across, along), not unit; zero where nothing is.
+      along;  ///< Mean direction of strands on the card (across, along), not unit; where nothing is, of those beside.
   std::vector<float>
       strand;  ///< A number of the strand in front, 0..1, the same wherever it is seen; 0 where nothing is.
 };

@@ -8,7 +8,8 @@
 namespace coif {
 namespace {
 
-tl::expected<SourceModel, ToolError> cards_of(const Groom& groom, const Recipe& recipe, const ImportSettings& settings, unsigned threads) {
+tl::expected<SourceModel, ToolError> cards_of(const Groom& groom, const Recipe& recipe, const ImportSettings& settings,
+                                              unsigned threads) {
   const CardsBudget budget{recipe.cards_triangles, recipe.cards_texels, float(recipe.cards_strand_width)};
   auto model = model_of_cards(groom, budget, threads);
   if (model) model->roots = settings.roots;

@@ -1,6 +1,7 @@
 #include "cards/make_cards.h"
 
 #include "base/parallel_for.h"
+#include "cards/fit_opacity.h"
 
 #include <Eigen/Geometry>
 
@@ -12,15 +13,16 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kQuadsOfCard = 6;      // on the average: fewer bend no lock, more leave too few cards
+constexpr std::size_t kQuadsOfCard = 4;      // on the average: fewer bend no lock, more leave too few cards
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
 constexpr float kHairsOfHead = 100000;       // of people, each kHairWidth of a head's radius wide
 constexpr float kHairWidth = 0.0008f;
 
-/// Fewer strands than a head has stand for as many: as wide as covers the same.
+/// Fewer strands than a head has stand for as many. As wide as their number is less they would hide as much and be ropes, as wide as
+/// its root they would be as heavy and show the skin: half way.
 float strand_width_of(const EvenStrands& strands) {
   const float radius = 0.5f * box_of_roots(strands).sizes().maxCoeff();
-  return kHairWidth * radius * std::sqrt(std::max(kHairsOfHead / float(strands.count()), 1.0f));
+  return kHairWidth * radius * std::pow(std::max(kHairsOfHead / float(strands.count()), 1.0f), 0.75f);
 }
 
 std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
@@ -101,7 +103,9 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
   const std::size_t count = std::max<std::size_t>(budget.triangles / (2 * kQuadsOfCard), 1);
   std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
   std::vector<CardStrip> strips = make_strips(wisps, budget.triangles);
-  return texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
+  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
+  if (cards) fit_opacity(groom, shape.strands.width, *cards, threads);
+  return cards;
 }
 
 CardSurface surface_of(const Cards& cards) {

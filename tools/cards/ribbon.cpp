@@ -108,6 +108,20 @@ Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> memb
   return ribbon;
 }
 
+Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members) {
+  Ribbon ribbon = ribbon_of(strands, members);
+  for (const std::size_t end : {std::size_t{0}, kStations - 1}) {
+    const Eigen::Vector3f outwards = end == 0 ? (-ribbon.along[end]).eval() : ribbon.along[end];
+    float farthest = 0;
+    for (const std::uint32_t i : members) {
+      farthest = std::max(farthest, (strands.strand(i)[end] - ribbon.middle[end]).dot(outwards));
+    }
+    ribbon.middle[end] += farthest * outwards;
+  }
+  for (std::size_t k = 0; k < kStations; ++k) ribbon.half_width[k] += ribbon.half_depth[k];
+  return ribbon;
+}
+
 float length_of(const Ribbon& ribbon) {
   float length = 0;
   for (std::size_t k = 1; k < kStations; ++k) length += (ribbon.middle[k] - ribbon.middle[k - 1]).norm();

@@ -25,6 +25,10 @@ struct Ribbon {
 /// that allows from station to station; widths hold all but a share `stray` of them.
 [[nodiscard]] Ribbon ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray = 0.04f);
 
+/// The same as a card is cut from it: from the first root to the last tip, and by its depth wider, since what is before or behind a card
+/// is beside it for an eye at its side.
+[[nodiscard]] Ribbon card_ribbon_of(const EvenStrands& strands, std::span<const std::uint32_t> members);
+
 /// Of its middle line, metres.
 [[nodiscard]] float length_of(const Ribbon& ribbon);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -42,6 +43,8 @@ class SeenTriangle {
     for (std::size_t k = 0; k < 3; ++k) corners_[k] = frame.place(surface.positions[vertices_[k]]);
     const Eigen::Vector3f ab = corners_[1] - corners_[0], ac = corners_[2] - corners_[0];
     area_ = ab.x() * ac.y() - ac.x() * ab.y();
+    by_x_ = Eigen::Vector3f(ab.y() - ac.y(), ac.y(), -ab.y()) / area_;
+    by_y_ = Eigen::Vector3f(ac.x() - ab.x(), -ac.x(), ab.x()) / area_;
   }
 
   /// Seen from its edge it covers no sample.
@@ -61,10 +64,25 @@ class SeenTriangle {
 
   /// Of its three corners at a pixel's middle; one is negative outside.
   [[nodiscard]] Eigen::Vector3f weights(int x, int y) const {
-    const float px = float(x) + 0.5f - corners_[0].x(), py = float(y) + 0.5f - corners_[0].y();
-    const Eigen::Vector3f ab = corners_[1] - corners_[0], ac = corners_[2] - corners_[0];
-    const float b = (px * ac.y() - ac.x() * py) / area_, c = (ab.x() * py - px * ab.y()) / area_;
+    const Eigen::Vector2f at = Eigen::Vector2f(float(x) + 0.5f, float(y) + 0.5f) - corners_[0].head<2>();
+    const float b = by_x_[1] * at.x() + by_y_[1] * at.y(), c = by_x_[2] * at.x() + by_y_[2] * at.y();
     return {1 - b - c, b, c};
+  }
+
+  /// Of a row between two columns those pixels that may be inside, first and last; a pixel more than are.
+  [[nodiscard]] std::pair<int, int> span_of(int y, int left, int right) const {
+    const Eigen::Vector3f begin = weights(left, y);
+    float first = 0, last = float(right - left);
+    for (int k = 0; k < 3; ++k) {
+      if (by_x_[k] > 0) {
+        first = std::max(first, -begin[k] / by_x_[k] - 1);
+      } else if (by_x_[k] < 0) {
+        last = std::min(last, -begin[k] / by_x_[k] + 1);
+      } else if (begin[k] < 0) {
+        return {0, -1};
+      }
+    }
+    return first <= last ? std::pair(left + int(first), left + int(last)) : std::pair(0, -1);
   }
 
   [[nodiscard]] float depth(const Eigen::Vector3f& weights) const {
@@ -80,6 +98,7 @@ class SeenTriangle {
   const std::uint32_t* vertices_;
   Eigen::Vector3f corners_[3];
   float area_ = 0;
+  Eigen::Vector3f by_x_, by_y_;  // what weights grow by from pixel to pixel
 };
 
 /// Calls take(x, y, SurfacePoint) for each of the rows' samples in a triangle.
@@ -90,7 +109,8 @@ void for_each_sample(const CardSurface& surface, const PictureFrame& frame, cons
   if (!seen.is_seen()) return;
   const auto box = seen.box_within(rows);
   for (int y = box.top; y <= box.bottom; ++y) {
-    for (int x = box.left; x <= box.right; ++x) {
+    const auto [first, last] = seen.span_of(y, box.left, box.right);
+    for (int x = first; x <= last; ++x) {
       const Eigen::Vector3f weights = seen.weights(x, y);
       if (weights.minCoeff() < 0) continue;
       take(std::uint32_t(x), std::uint32_t(y),

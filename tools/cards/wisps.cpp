@@ -110,9 +110,10 @@ std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, unsi
     ribbons = ribbons_of(strands, members_of(sample, found, ribbons.size()), threads);
   }
   const auto members = members_of(all, assign(strands, all, ribbons, threads), ribbons.size());
-  ribbons = ribbons_of(strands, members, threads);
   std::vector<Wisp> wisps(members.size());
-  for (std::size_t i = 0; i < wisps.size(); ++i) wisps[i] = {members[i], ribbons[i]};
+  parallel_for(wisps.size(), threads, [&](std::size_t i) {
+    wisps[i] = {members[i], card_ribbon_of(strands, members[i])};
+  });
   return wisps;
 }
 

@@ -1,0 +1,76 @@
+#include "cards/fit_opacity.h"
+
+#include "cards/card_picture.h"
+#include "cards/compare_hair.h"
+#include "cards/made_up_groom.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace coif::fit_opacity_test {
+
+constexpr float kWidth = 0.003f;
+
+Cards unfitted_cards(const Groom& groom, std::size_t count, std::size_t triangles) {
+  const GroomShape shape = shape_of(groom, kWidth);
+  auto wisps = find_wisps(shape.strands, count, 2);
+  auto strips = make_strips(wisps, triangles);
+  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), std::size_t{1} << 18, 2);
+  if (!cards) throw std::runtime_error(cards.error().message);
+  return std::move(*cards);
+}
+
+double mean_overlap(const Groom& groom, const Cards& cards) {
+  const CardSurface surface = surface_of(cards);
+  double sum = 0;
+  for (const Eigen::Vector3f& direction : spread_directions(5)) {
+    const PictureFrame frame = frame_along(direction, ball_around(groom.points), 192);
+    sum += compare_hair(draw_strands(groom, frame, kWidth, 2), draw_cards(surface, frame, 2)).coverage_iou;
+  }
+  return sum / 5;
+}
+
+TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(400));
+  Cards cards = unfitted_cards(groom, 60, 480);
+  const double before = mean_overlap(groom, cards);
+  const OpacityFit fit = fit_opacity(groom, kWidth, cards, 2);
+  ASSERT_GE(fit.errors.size(), 2u);
+  EXPECT_LT(fit.errors.back(), 0.9 * fit.errors.front());
+  EXPECT_GT(mean_overlap(groom, cards), before + 0.07);
+  for (const CardTexture& texture : cards.textures) {
+    EXPECT_GE(std::ranges::min(texture.opacity), 0);
+    EXPECT_LE(std::ranges::max(texture.opacity), 1);
+  }
+}
+
+TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(200));
+  Cards cards = unfitted_cards(groom, 20, 100);
+  const std::vector<CardTexture> before = cards.textures;
+  fit_opacity(groom, kWidth, cards, 2);
+  bool is_changed = false;
+  for (std::size_t i = 0; i < cards.textures.size(); ++i) {
+    const CardTexture& texture = cards.textures[i];
+    is_changed = is_changed || texture.opacity != before[i].opacity;
+    const float least = 8 / float(std::min(texture.width, texture.height));
+    for (std::uint32_t y = 0; y < texture.height; ++y) {
+      const std::size_t side = std::size_t(y) * texture.width;
+      EXPECT_LE(texture.opacity[side], before[i].opacity[side] + least);
+    }
+  }
+  EXPECT_TRUE(is_changed);
+}
+
+TEST(FitOpacity, RepeatsWithAnyNumberOfThreads) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(150));
+  Cards one = unfitted_cards(groom, 20, 100), three = one;
+  const OpacityFit first = fit_opacity(groom, kWidth, one, 1), second = fit_opacity(groom, kWidth, three, 3);
+  EXPECT_EQ(first.errors, second.errors);
+  for (std::size_t i = 0; i < one.textures.size(); ++i) EXPECT_EQ(one.textures[i].opacity, three.textures[i].opacity);
+}
+
+}  // namespace coif::fit_opacity_test
