@@ -42,7 +42,7 @@ struct EvenCards {
 };
 
 /// Baseline "even": wisps as make_cards() finds them, their strips cut evenly into as many segments as come nearest to the strands,
-/// by the mean share of coverage from every fourth of the views. kOverBudget as texture_cards().
+/// by the mean coverage IoU from some of the views. kOverBudget as texture_cards().
 [[nodiscard]] tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const GroomShape& shape,
                                                                  const CardsBudget& budget, const HairViews& views,
                                                                  unsigned threads);

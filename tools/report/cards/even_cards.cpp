@@ -9,7 +9,7 @@ namespace coif {
 namespace {
 
 constexpr std::size_t kSegments[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15};
-constexpr std::size_t kViewStep = 4;  // of the views that choose between them
+constexpr std::size_t kChoosingViews = 8;  // about, that choose between them
 
 tl::expected<EvenCards, ToolError> cut_evenly(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
                                               std::size_t segments, unsigned threads) {
@@ -46,6 +46,7 @@ tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const Gro
   std::optional<EvenCards> best;
   std::optional<ToolError> refusal;
   double most = -1;
+  const std::size_t step = std::max<std::size_t>(views.count() / kChoosingViews, 1);
   for (const std::size_t segments : kSegments) {
     if (budget.triangles < 2 * segments) break;
     auto cards = cut_evenly(groom, shape, budget, segments, threads);
@@ -53,7 +54,7 @@ tl::expected<EvenCards, ToolError> make_even_cards(const Groom& groom, const Gro
       refusal = std::move(cards.error());
       continue;
     }
-    const double iou = mean_iou(views.compare(surface_of(cards->cards), kViewStep));
+    const double iou = mean_iou(views.compare(surface_of(cards->cards), step));
     if (!(iou > most)) continue;
     most = iou;
     best = std::move(*cards);
