@@ -9,4 +9,4 @@ endforeach()
 # How far cards are from them.
 add_test(NAME cli.report_cards
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/report_cards.py $<TARGET_FILE:coif_cli> ${CMAKE_CURRENT_BINARY_DIR}/report_cards)
-set_tests_properties(cli.report_cards PROPERTIES TIMEOUT 300)
+set_tests_properties(cli.report_cards PROPERTIES TIMEOUT 600)
