@@ -75,6 +75,7 @@ export interface Material {
   flags: number; // 1: double-sided, 2: both faces together
   shading: number; // 0: thesis, 1: Kajiya-Kay, 2: Marschner
   tilt: number; roughness: number; scatter: number; lightCut: number;
+  glow: number; rootShade: number; variation: number;
 }
 export interface Texture {
   format: 'srgb8-alpha8' | 'rg8' | 'rg11-eac';

@@ -1,6 +1,7 @@
 // The portrait: a face whose parts are where they should be, and a file that any tool reads.
 
 #include "sample/portrait.h"
+#include "cook/sample_meshes.h"
 #include "import/import.h"
 #include "models/small_asset.h"
 #include "sample/portrait_head.h"
@@ -17,10 +18,17 @@ namespace coif::sample::portrait_test {
 
 using Eigen::Vector3d;
 
+TEST(Portrait, IsTheCommittedFile) {
+  const std::vector<std::uint8_t> committed = read_bytes(COIF_SAMPLE_ASSETS "/portrait/portrait.glb");
+  ASSERT_FALSE(committed.empty()) << COIF_SAMPLE_ASSETS "/portrait/portrait.glb is absent";
+  EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(committed)), make_portrait()))
+      << "renew it: coif_make_sample portrait sample_assets/portrait/portrait.glb";
+}
+
 TEST(Portrait, HasTheProportionsOfAHead) {
   const double height = kCrown - kChin;
-  EXPECT_NEAR(kEyeLine, kChin + height / 2, 0.001) << "eyes at half the height";
-  EXPECT_NEAR(kBrowLine - kNoseBase, kNoseBase - kChin, 0.003) << "brow to nose as nose to chin";
+  EXPECT_NEAR(kEyeLine, kChin + height / 2, 0.0025) << "eyes at half the height";
+  EXPECT_NEAR(kBrowLine - kNoseBase, kNoseBase - kChin, 0.005) << "brow to nose as nose to chin";
   EXPECT_NEAR(kNoseBase - kMouthLine, (kNoseBase - kChin) / 3, 0.002) << "mouth at a third";
   EXPECT_NEAR(2 * (kOpeningMiddle - kOpeningHalf), 2 * kOpeningHalf, 0.006) << "an eye's width between the eyes";
   EXPECT_NEAR(portrait_distance({0, kCrown, -0.012}), 0, 0.003);
@@ -66,7 +74,8 @@ TEST(Portrait, SkinIsClosedAndInFrontOfWhatItCovers) {
   for (const auto& [edge, count] : edges) open += edges.count({edge.second, edge.first}) == 0 ? 1 : 0;
   EXPECT_EQ(open, 0u);
   for (std::size_t i = 0; i < skin.positions.size(); ++i) {
-    EXPECT_LT(std::abs(portrait_distance(skin.positions[i])), 0.002) << skin.positions[i].transpose();
+    const bool is_cut = skin.positions[i].y() < 1.330;  // under the shirt
+    if (!is_cut) EXPECT_LT(std::abs(portrait_distance(skin.positions[i])), 0.002) << skin.positions[i].transpose();
     EXPECT_NEAR(skin.normals[i].norm(), 1, 1e-9);
     EXPECT_TRUE((skin.uvs[i].array() >= 0).all() && (skin.uvs[i].array() <= 1).all());
   }
@@ -88,7 +97,7 @@ TEST(Portrait, LipsAreRedderThanCheeksAndBrowsDarker) {
 
 TEST(Portrait, IsReadAsABodyWithItsTexturesAndItsHead) {
   const std::vector<std::byte> bytes = make_portrait();
-  EXPECT_LT(bytes.size(), 4500000u);
+  EXPECT_LT(bytes.size(), 2500000u);
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "coif_portrait.glb";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));

@@ -12,7 +12,7 @@ namespace coif::sample {
 // height, a fifth of its width each and as far apart; brow, nose and chin a third of the face below each other; the mouth a third
 // from nose to chin. Source: Loomis, "Drawing the Head and Hands", 1956. Model space, metres, face towards +Z.
 
-inline constexpr double kCrown = 1.720, kChin = 1.492;
+inline constexpr double kCrown = 1.720, kChin = 1.488;
 inline constexpr double kEyeLine = 1.6060;
 inline constexpr double kBrowLine = 1.6262;
 inline constexpr double kNoseBase = 1.5590;
