@@ -54,7 +54,7 @@ TEST(CardAtlas, UsesMostOfItsTexels) {
 TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
   const Groom groom = test::groom_of(test::strands_of_a_head(500));
   for (const std::size_t triangles : {2u, 1500u}) {
-    const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 1, 0}, 2);
+    const auto model = model_of_cards(groom, {triangles, std::size_t{1} << 18, 0, 0}, 2);
     ASSERT_TRUE(model) << model.error().message;
     EXPECT_EQ(find_model_fault(*model), "");
     ASSERT_EQ(model->meshes.size(), 1u);
@@ -66,7 +66,7 @@ TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
 }
 
 TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
-  const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 1, 0}, 2);
+  const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 0, 0}, 2);
   ASSERT_TRUE(model) << model.error().message;
   const SourceMesh& mesh = model->meshes[0];
   std::size_t outwards = 0, count = 0;

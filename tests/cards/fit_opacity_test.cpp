@@ -51,7 +51,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
   const Groom groom = test::groom_of(test::strands_of_a_head(200));
   Cards cards = unfitted_cards(groom, 20, 100);
   const std::vector<CardTexture> before = cards.textures;
-  fit_opacity(groom, kWidth, 4, cards, 2);
+  fit_opacity(groom, kWidth, 2, cards, 2);
   bool is_changed = false;
   for (std::size_t i = 0; i < cards.textures.size(); ++i) {
     const CardTexture& texture = cards.textures[i];
@@ -68,7 +68,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
 TEST(FitOpacity, RepeatsWithAnyNumberOfThreads) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   Cards one = unfitted_cards(groom, 20, 100), three = one;
-  const OpacityFit first = fit_opacity(groom, kWidth, 4, one, 1), second = fit_opacity(groom, kWidth, 4, three, 3);
+  const OpacityFit first = fit_opacity(groom, kWidth, 2, one, 1), second = fit_opacity(groom, kWidth, 2, three, 3);
   EXPECT_EQ(first.errors, second.errors);
   for (std::size_t i = 0; i < one.textures.size(); ++i) EXPECT_EQ(one.textures[i].opacity, three.textures[i].opacity);
 }

@@ -128,7 +128,7 @@ TEST(StrandBody, HairOfTheBodysOwnIsLeftOut) {
   EXPECT_NE(cards.warnings[0].find("1 of its meshes are called hair"), std::string::npos) << cards.warnings[0];
 }
 
-std::string obj_text(bool with_mesh, const char* mesh_name) {
+std::string obj_text(bool with_mesh, const char* mesh_name, std::size_t strands = 60) {
   std::string text;
   int vertex = 0;
   if (with_mesh) {
@@ -140,7 +140,7 @@ std::string obj_text(bool with_mesh, const char* mesh_name) {
     vertex = int(mesh.positions.size());
   }
   text += "o strands\n";
-  for (const auto& strand : test::strands_of_a_head(60)) {
+  for (const auto& strand : test::strands_of_a_head(strands)) {
     for (const Vector3f& p : strand) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
     text += "l";
     for (std::size_t k = 0; k < strand.size(); ++k) text += fmt::format(" {}", ++vertex);
@@ -151,8 +151,8 @@ std::string obj_text(bool with_mesh, const char* mesh_name) {
 
 Recipe small_cards() {
   Recipe recipe = default_recipe();
-  recipe.cards_triangles = 300;
-  recipe.cards_texels = 65536;
+  recipe.cards_triangles = 60;
+  recipe.cards_texels = 8192;
   return recipe;
 }
 
@@ -166,6 +166,9 @@ TEST(HairSource, LinesBesideAMeshAreItsHair) {
   const auto strips = read_hair_source(folder.write("strips.obj", obj_text(true, "hair")), small_cards(), {});
   ASSERT_TRUE(strips);
   EXPECT_EQ(strips->meshes.size(), 1u);
+  const auto edges = read_hair_source(folder.write("edges.obj", obj_text(true, "face", 5)), small_cards(), {});
+  ASSERT_TRUE(edges);
+  EXPECT_EQ(edges->meshes.size(), 1u) << "a few edges that somebody left behind";
 }
 
 TEST(HairSource, ABodyOfItsOwnFileComesBesideTheRecipe) {

@@ -119,3 +119,10 @@ coif_cli_case(cook_quiet_json EXIT 0 WRITES out.coif STDERR "^$" JSON output byt
 coif_cli_case(cook_lost_materials EXIT 3
   STDERR "braid.obj: 'braid.mtl' is named for the materials and was not read.*warnings?, and --warnings-as-errors; nothing was written"
   TEXT braid.obj "mtllib braid.mtl\nv 0 1.7 0\nv 0.1 1.7 0\nv 0 1.5 0\nusemtl hair\nf 1 3 2\n" ARGS cook braid.obj -o out.coif --quiet --warnings-as-errors)
+
+coif_cli_case(list_presets EXIT 0 STDOUT "realistic .*anime .*stylised .*ponytail .*curly .*short .*--print-recipe"
+  ARGS cook --list-presets)
+coif_cli_case(print_recipe_of_a_preset EXIT 0 STDOUT "\"preset\": \"curly\".*\"style\": \"curly\""
+  ARGS cook --preset curly --print-recipe)
+coif_cli_case(cook_by_an_unknown_preset EXIT 1 STDERR "--preset.*frizzy.*realistic"
+  ARGS cook ${sample} --preset frizzy -o out.coif)

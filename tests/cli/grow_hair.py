@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-CARDS = {"triangles": 400, "texels": 65536}
+CARDS = {"triangles": 60, "texels": 8192}
 
 
 class Bench:
@@ -47,10 +47,9 @@ def strands_are_written_and_cooked(bench):
 
 def a_recipe_is_a_source_and_names_its_body(bench):
     bench.write("bob.recipe.json", {"cards": CARDS, "grow": {"style": "bob", "strands": 600}})
-    bench.done("cook", "bob.recipe.json", "-o", "bob.coif", "--draft")
-    told = json.loads(bench.done("cook", "bob.recipe.json", "-o", "b.coif", "--draft", "--threads", "1", "--format", "json"))
-    assert 100 < told["triangles"] <= 400 and told["chains"] >= 1, told
-    assert (bench.folder / "bob.coif").read_bytes() == (bench.folder / "b.coif").read_bytes(), "threads change the asset"
+    told = json.loads(bench.done("cook", "bob.recipe.json", "-o", "bob.coif", "--draft", "--format", "json"))
+    assert 20 < told["triangles"] <= 60 and told["chains"] >= 1, told
+    bench.done("validate", "bob.coif")
     bench.refused(1, "bob.recipe.json: is a recipe itself; leave --recipe out", "cook", "bob.recipe.json", "--recipe", "bob.recipe.json", "-o", "c.coif")
 
     # A head of its own: a dependency of the cook, and of what the cache keeps.

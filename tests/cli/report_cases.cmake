@@ -5,7 +5,7 @@ coif_cli_case(report_text_file EXIT 3 STDERR "coif report: error: notes.coif: no
   TEXT notes.coif "this text is long enough for a header" ARGS report notes.coif stability)
 coif_cli_case(report_no_file EXIT 1 STDERR "coif report: error: FILE is required" ARGS report)
 coif_cli_case(report_unknown_subject EXIT 1
-  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost" ARGS report a.coif speed)
+  STDERR "coif report: error: SUBJECT: 'speed' is not one of accuracy, stability, order, shadows, cost, cards" ARGS report a.coif speed)
 coif_cli_case(report_unknown_suffix EXIT 1 STDERR "coif report: error: out.pdf: the suffix must be .html or .json"
   ARGS report a.coif accuracy -o out.pdf)
 coif_cli_case(report_unknown_solver EXIT 1 STDERR "coif report: error: --solver: 'magic' is not one of .*thesis"
@@ -83,7 +83,7 @@ coif_cli_case(report_views_for_cost EXIT 1
   STDERR "coif report: error: --views is for 'coif report FILE.coif order' only; leave it out"
   ARGS report a.coif cost --views 3)
 coif_cli_case(report_size_for_accuracy EXIT 1
-  STDERR "coif report: error: --size is for 'coif report FILE.coif cost' or 'order' only; leave it out"
+  STDERR "coif report: error: --size is for 'coif report FILE.coif cost', 'order' or 'cards' only; leave it out"
   ARGS report a.coif accuracy --size 64x64)
 coif_cli_case(report_no_views EXIT 1 STDERR "coif report: error: --views" ARGS report a.coif order --views 0)
 coif_cli_case(report_long_orbit EXIT 1 STDERR "coif report: error: --orbit" ARGS report a.coif order --orbit 361)
@@ -137,3 +137,27 @@ coif_cli_case(report_shadows_without_device EXIT 5 SAMPLE STDERR "bob.coif: no E
   ARGS report ${COIF_COOKED_SAMPLE} shadows ${quick_shadows})
 set_tests_properties(cli.report_shadows_without_device PROPERTIES ENVIRONMENT "__EGL_VENDOR_LIBRARY_FILENAMES=/none")
 coif_cli_script(report_order_needs_a_mesh SAMPLE DEFINE ASSET=${COIF_COOKED_SAMPLE})
+
+# Cards beside their strands: tests/cli/report_cards.py measures.
+set(cards report ${COIF_COOKED_SAMPLE} cards)
+set(lines "v 8 0 0\nv 8 -1 0\nv 8.1 0 0\nv 8.1 -1 0.1\nl 1 2\nl 3 4\n")
+coif_cli_case(report_cards_without_strands EXIT 1
+  STDERR "coif report: error: cards are compared with strands; name those that the asset was cooked from: --source GROOM"
+  ARGS report a.coif cards)
+coif_cli_case(report_cards_of_text EXIT 1 SAMPLE TEXT notes.txt "no strands"
+  STDERR "--source: notes.txt is no file of strands; name one that is: .hair, .tfx, .obj" ARGS ${cards} --source notes.txt)
+coif_cli_case(report_cards_of_absent_strands EXIT 2 SAMPLE STDERR "absent.tfx: cannot open" ARGS ${cards} --source absent.tfx)
+coif_cli_case(report_cards_of_strips EXIT 3 SAMPLE TEXT strips.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+  STDERR "strips.obj: cannot be read as lines of a Wavefront OBJ: .*export curves as polylines" ARGS ${cards} --source strips.obj)
+coif_cli_case(report_cards_of_other_strands EXIT 3 SAMPLE TEXT other.obj ${lines}
+  STDERR "bob.coif: was cooked from other strands than those of other.obj: its hair is .*; name the file that it was cooked from"
+  ARGS ${cards} --source other.obj)
+coif_cli_case(report_cards_not_square EXIT 1 SAMPLE TEXT other.obj ${lines}
+  STDERR "--size: pictures of cards are as wide as high" ARGS ${cards} --source other.obj --size 64x48)
+coif_cli_case(report_cards_too_large EXIT 1 SAMPLE TEXT other.obj ${lines}
+  STDERR "bob.coif: .*in pictures of 16 to 1024 pixels each way" ARGS ${cards} --source other.obj --size 2000x2000)
+coif_cli_case(report_cards_of_one_triangle EXIT 1 STDERR "coif report: error: --budgets"
+  ARGS report a.coif cards --source a.tfx --budgets 1)
+coif_cli_case(report_source_for_cost EXIT 1
+  STDERR "coif report: error: --source is for 'coif report FILE.coif cards' only; leave it out"
+  ARGS report a.coif cost --source a.tfx)

@@ -13,3 +13,8 @@ foreach(case strands_are_written_and_cooked a_recipe_is_a_source_and_names_its_b
             ${CMAKE_CURRENT_BINARY_DIR}/grow_hair_${case})
   set_tests_properties(cli.grow_hair.${case} PROPERTIES TIMEOUT 180)
 endforeach()
+
+# How far cards are from them.
+add_test(NAME cli.report_cards
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/report_cards.py $<TARGET_FILE:coif_cli> ${CMAKE_CURRENT_BINARY_DIR}/report_cards)
+set_tests_properties(cli.report_cards PROPERTIES TIMEOUT 600)

@@ -89,7 +89,7 @@ TEST(GrowHair, EveryStyleIsNamed) {
 TEST(GrowHair, KeysGoBeforeTheStylesOwn) {
   EXPECT_TRUE(recipe_of(R"({"style": "bob"})").grow_parting.has_value());
   EXPECT_FALSE(recipe_of(R"({"parting": null, "style": "bob"})").grow_parting.has_value());
-  const auto chosen = parse_recipe(R"({"grow": {"style": "bob", "curl_radius": 0.5e-2}})", "test", "ponytail");
+  const auto chosen = parse_recipe(R"({"grow": {"style": "bob", "curl_radius": 0.5e-2}})", "test", {"", "ponytail"});
   ASSERT_TRUE(chosen);
   EXPECT_EQ(chosen->grow_style, "ponytail");
   EXPECT_TRUE(chosen->grow_gather.has_value());

@@ -59,6 +59,11 @@ Eigen::Vector2d spread_in_triangle(std::size_t n) {
 
 Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform) { return transform.rotation(); }
 
+Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(symmetric);
+  return solved.eigenvectors().rowwise().reverse();  // Eigen has the least first
+}
+
 Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right) {
   return normal.completeOrthogonalDecomposition().solve(right);
 }

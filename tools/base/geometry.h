@@ -48,6 +48,10 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 /// The rotation nearest to a transform's linear part, without scale and shear.
 [[nodiscard]] Eigen::Matrix3d rotation_part(const Eigen::Affine3d& transform);
 
+/// Columns: unit directions, at right angles, in which a symmetric matrix stretches most, less and least. Which way each points is
+/// left to chance.
+[[nodiscard]] Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& symmetric);
+
 /// The shortest x of those for which `normal` x is nearest to `right`.
 [[nodiscard]] Eigen::Vector4d least_squares(const Eigen::Matrix4d& normal, const Eigen::Vector4d& right);
 

@@ -10,6 +10,7 @@ namespace coif {
 namespace {
 
 constexpr int kAcross = 8, kAlong = 4;  // samples of a texel
+constexpr float kLeastUpright = 0.1f;   // cosine from along the card: what lies across it has no width in a row
 constexpr std::size_t kOnCard = Ribbon::kStations;
 
 /// A place on a flat card: u from -1 to 1 across, v from 0 to 1 along, and metres in front.
@@ -79,15 +80,16 @@ class CardSamples {
         height_(int(along) * kAlong),
         samples_(std::size_t(width_) * std::size_t(height_)) {}
 
+  /// Where a piece lies aslant a row cuts it wider than it is.
   void draw(const FlatPiece& piece) {
     const OnCard &a = piece.a, &b = piece.b;
     const float ya = a.v * float(height_), yb = b.v * float(height_), xa = column(a.u), xb = column(b.u);
-    const float rise = yb - ya;
+    const float rise = yb - ya, upright = std::max(std::abs(piece.along.y()), kLeastUpright);
     const int top = std::max(int(std::ceil(std::min(ya, yb) - 0.5f)), 0),
               bottom = std::min(int(std::ceil(std::max(ya, yb) - 0.5f)) - 1, height_ - 1);
     for (int y = top; y <= bottom; ++y) {
       const float t = (float(y) + 0.5f - ya) / rise;
-      const float x = xa + t * (xb - xa), half = piece.half_a + t * (piece.half_b - piece.half_a),
+      const float x = xa + t * (xb - xa), half = (piece.half_a + t * (piece.half_b - piece.half_a)) / upright,
                   front = a.front + t * (b.front - a.front);
       const int left = std::max(int(std::ceil(x - half - 0.5f)), 0),
                 right = std::min(int(std::floor(x + half - 0.5f)), width_ - 1);

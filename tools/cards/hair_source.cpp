@@ -77,25 +77,41 @@ bool has_mesh_called_hair(const SourceModel& model) {
   });
 }
 
+/// Whether lines beside a mesh are hair: modelling tools leave single edges behind, which are none.
+bool is_hair_beside_mesh(const Groom& groom) {
+  constexpr std::size_t kFewestStrands = 32, kFewestPoints = 4;
+  std::size_t strands = 0;
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) strands += groom.strand(i).size() >= kFewestPoints ? 1 : 0;
+  return strands >= kFewestStrands;
+}
+
+/// The strands of a file that may have a mesh as well; none where its mesh is the hair.
+std::optional<Groom> strands_beside(const Model& model, const fs::path& path, const Recipe& recipe,
+                                    const ImportSettings& import) {
+  const bool says_what_is_hair =
+      !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
+  if (model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path))) return std::nullopt;
+  auto groom = read_groom(path, import);
+  if (!groom || (model && !is_hair_beside_mesh(*groom))) return std::nullopt;
+  return std::move(*groom);
+}
+
 /// A file that may hold triangles, lines, or both.
 Model read_model(const fs::path& path, const Recipe& recipe, const HairSourceSettings& settings) {
   auto model = import_model(path, settings.import);
-  if (!has_strand_suffix(path)) return model;
   // Lines without triangles are no model, but may be hair.
-  if (!model && model.error().kind != ToolError::Kind::kBadInput) return model;
-  const bool says_what_is_hair =
-      !recipe.hair_meshes.empty() || !recipe.hair_materials.empty() || !recipe.hair_bones.empty();
-  const bool is_strips = model && (says_what_is_hair || has_mesh_called_hair(*model) || !mentions_lines(path));
-  tl::expected<Groom, ToolError> groom = failure(ToolError::Kind::kBadInput, "");
-  if (!is_strips) groom = read_groom(path, settings.import);
-  if (!groom) {
-    if (model && !recipe.cards_body.empty())
-      model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
-    return model;
+  const bool may_be_lines = model || model.error().kind == ToolError::Kind::kBadInput;
+  std::optional<Groom> groom;
+  if (may_be_lines && has_strand_suffix(path)) groom = strands_beside(model, path, recipe, settings.import);
+  if (groom) {
+    std::optional<SourceModel> body;
+    if (model) body = std::move(*model);
+    return cards_on(std::move(*groom), std::move(body), recipe, settings);
   }
-  std::optional<SourceModel> body;
-  if (model) body = std::move(*model);
-  return cards_on(std::move(*groom), std::move(body), recipe, settings);
+  if (model && !recipe.cards_body.empty()) {
+    model->warnings.push_back("the file has strips: \"cards.body\" is for strands, and is not read");
+  }
+  return model;
 }
 
 }  // namespace

@@ -128,12 +128,17 @@ float length_of(const Ribbon& ribbon) {
   return length;
 }
 
-float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float beside) {
+float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float limit, float beside) {
+  // From the ends inwards, where strands of different shapes are farthest from each other.
+  static_assert(kStations == 16);
+  constexpr std::size_t kOrder[kStations] = {15, 0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7};
+  const float most = limit * float(kStations);
   float sum = 0;
-  for (std::size_t k = 0; k < kStations; ++k) {
+  for (const std::size_t k : kOrder) {
     const Eigen::Vector3f off = strand[k] - ribbon.middle[k];
     const float sideways = off.dot(ribbon.across[k]);
-    sum += off.squaredNorm() - (1 - beside) * sideways * sideways;
+    sum += std::max(off.squaredNorm() - (1 - beside) * sideways * sideways, 0.0f);
+    if (sum >= most) break;
   }
   return sum / float(kStations);
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Ribbon {
 [[nodiscard]] float length_of(const Ribbon& ribbon);
 
 /// How far a strand lies off a ribbon, mean over the stations, metres squared: what lies beside the middle counts `beside` of what lies
-/// in front of it or behind, since a card is wide and has no depth.
-[[nodiscard]] float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand, float beside = 0.12f);
+/// in front of it or behind, since a card is wide and has no depth. Where it is at least `limit`, that or more is returned, for less.
+[[nodiscard]] float distance_to(const Ribbon& ribbon, std::span<const Eigen::Vector3f> strand,
+                                float limit = std::numeric_limits<float>::max(), float beside = 0.12f);
 
 }  // namespace coif

@@ -47,24 +47,24 @@ struct Assignment {
   double distance = 0;
 };
 
-/// The nearest ribbon, and how far.
+/// The nearest ribbon, and how far. `guess` is looked at first: the nearer it is, the sooner others are out.
 std::pair<std::uint32_t, float> nearest_ribbon(const std::vector<Ribbon>& ribbons,
-                                               std::span<const Eigen::Vector3f> strand) {
-  std::pair<std::uint32_t, float> best(0, std::numeric_limits<float>::max());
+                                               std::span<const Eigen::Vector3f> strand, std::uint32_t guess) {
+  std::pair<std::uint32_t, float> best(guess, distance_to(ribbons[guess], strand));
   for (std::uint32_t r = 0; r < ribbons.size(); ++r) {
-    const float distance = distance_to(ribbons[r], strand);
+    const float distance = distance_to(ribbons[r], strand, best.second);
     if (distance < best.second) best = {r, distance};
   }
   return best;
 }
 
 Assignment assign(const EvenStrands& strands, std::span<const std::uint32_t> which, const std::vector<Ribbon>& ribbons,
-                  unsigned threads) {
+                  std::span<const std::uint32_t> guesses, unsigned threads) {
   Assignment out;
   out.ribbon_of.resize(which.size());
   std::vector<float> distances(which.size());
   parallel_for(which.size(), threads, [&](std::size_t i) {
-    const auto [ribbon, distance] = nearest_ribbon(ribbons, strands.strand(which[i]));
+    const auto [ribbon, distance] = nearest_ribbon(ribbons, strands.strand(which[i]), guesses.empty() ? 0 : guesses[i]);
     out.ribbon_of[i] = ribbon;
     distances[i] = distance;
   });
@@ -102,14 +102,18 @@ std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, unsi
   for (const std::uint32_t i : first_middles(strands, sample, std::min(count, sample.size()))) {
     ribbons.push_back(ribbon_of(strands, std::span(&i, 1)));
   }
+  std::vector<std::uint32_t> guesses;
   double before = std::numeric_limits<double>::max();
   for (int round = 0; round < kRounds; ++round) {
-    const Assignment found = assign(strands, sample, ribbons, threads);
+    const Assignment found = assign(strands, sample, ribbons, guesses, threads);
     if (found.distance > (1 - double(kLeastGain)) * before) break;
     before = found.distance;
-    ribbons = ribbons_of(strands, members_of(sample, found, ribbons.size()), threads);
+    const auto members = members_of(sample, found, ribbons.size());
+    ribbons = ribbons_of(strands, members, threads);
+    const bool is_numbered_alike = std::size_t(std::ranges::max(found.ribbon_of)) + 1 == ribbons.size();
+    guesses = is_numbered_alike ? found.ribbon_of : std::vector<std::uint32_t>();
   }
-  const auto members = members_of(all, assign(strands, all, ribbons, threads), ribbons.size());
+  const auto members = members_of(all, assign(strands, all, ribbons, {}, threads), ribbons.size());
   std::vector<Wisp> wisps(members.size());
   parallel_for(wisps.size(), threads, [&](std::size_t i) {
     wisps[i] = {members[i], card_ribbon_of(strands, members[i])};

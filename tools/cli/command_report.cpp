@@ -5,9 +5,11 @@
 #include "cli/messages.h"
 #include "cli/options.h"
 #include "cli/report_options.h"
+#include "cli/report_strands.h"
 #include "cli/view_output.h"
 #include "render/camera.h"
 #include "report/accuracy/accuracy_report.h"
+#include "report/cards/cards_report.h"
 #include "report/cost/cost_report.h"
 #include "report/order/order_report.h"
 #include "report/shadow/shadow_report.h"
@@ -15,6 +17,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace coif {
 namespace {
@@ -41,6 +44,7 @@ struct ReportJob {
   const std::string& suffix;  ///< Of the output file; empty where there is none.
   const std::string& view;    ///< The text of the page that the report links to; empty where there is none.
   const Asset& asset;
+  const std::optional<ReportStrands>& strands;  ///< Of a report about cards.
 };
 
 /// How a report is shown.
@@ -111,6 +115,11 @@ tl::expected<Rendered, ToolError> report_subject(const ReportJob& job, const Acc
     case ReportSubject::kShadows:
       return report_on<ShadowReport>(job, {shadow_text, shadow_json, shadow_page},
                                      with(measure_shadows, job.options.shadows));
+    case ReportSubject::kCards:
+      return report_on<CardsReport>(job, {cards_text, cards_json, cards_page}, [&job](const ReportProgress& progress) {
+        const ReportStrands& strands = *job.strands;
+        return measure_cards(job.asset, strands.groom, strands.hash, strands.settings, progress);
+      });
     case ReportSubject::kCost:
       return report_on<CostReport>(job, {cost_text, cost_json, cost_page},
                                    with(measure_all_cost, cost_choice(job.options)));
@@ -166,13 +175,20 @@ tl::expected<Exit, ToolError> run_report(const ReportOptions& options, const Mes
   if (!options.output.empty()) {  // before the minutes of measuring
     if (auto checked = check_output(options.output, {options.file}); !checked) return tl::unexpected(checked.error());
   }
+  std::optional<ReportStrands> strands;
+  if (options.subject == ReportSubject::kCards) {
+    auto read = read_report_strands(options, messages);
+    if (!read) return tl::unexpected(read.error());
+    strands = std::move(*read);
+    strands->settings.sheets = suffix == kPageSuffix;
+  }
   const auto settings = accuracy_settings(options, messages);
   if (!settings) return tl::unexpected(settings.error());
 
   const auto view = linked_page(options, suffix, *file);
   if (!view) return tl::unexpected(view.error());
 
-  const auto rendered = report_subject({options, suffix, *view, file->asset()}, *settings);
+  const auto rendered = report_subject({options, suffix, *view, file->asset(), strands}, *settings);
   if (!rendered) {
     return tl::unexpected(ToolError{rendered.error().kind, options.file + ": " + rendered.error().message});
   }

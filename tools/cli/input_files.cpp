@@ -68,9 +68,10 @@ tl::expected<RecipeChoice, ToolError> choose_recipe(const fs::path& source, cons
 
 void choose_body(const fs::path& body, RecipeChoice& choice) {
   if (body.empty()) return;
+  const fs::path from = choice.directory.empty() ? fs::path(".") : choice.directory;
   choice.recipe.cards_body = fs::absolute(body)
                                  .lexically_normal()
-                                 .lexically_proximate(fs::absolute(choice.directory).lexically_normal())
+                                 .lexically_proximate(fs::absolute(from).lexically_normal())
                                  .string();
 }
 

@@ -13,7 +13,8 @@ constexpr Choice<ReportSubject> kSubjects[] = {{"accuracy", ReportSubject::kAccu
                                                {"stability", ReportSubject::kStability},
                                                {"order", ReportSubject::kOrder},
                                                {"shadows", ReportSubject::kShadows},
-                                               {"cost", ReportSubject::kCost}};
+                                               {"cost", ReportSubject::kCost},
+                                               {"cards", ReportSubject::kCards}};
 
 /// May stand several times, with one value or several between commas each time.
 CLI::Option* as_list(CLI::Option* option) {
@@ -114,6 +115,19 @@ std::vector<const CLI::Option*> add_shadow_options(CLI::App& app, ShadowSettings
               ->capture_default_str()};
 }
 
+std::vector<const CLI::Option*> add_cards_options(CLI::App& app, CardsChoice& cards) {
+  return {app.add_option("--source", cards.source, "The strands that the asset was cooked from")->type_name("GROOM"),
+          app.add_option("--recipe", cards.recipe,
+                         "The recipe that it was cooked with (default: GROOM's name with .recipe.json)")
+              ->type_name("FILE"),
+          add_list(app, "--budgets", cards.settings.budgets, "Triangles of each set of cards, repeatable")
+              ->check(CLI::Range(2u, 1000000u))
+              ->capture_default_str(),
+          app.add_option("--directions", cards.settings.directions, "To compare cards and strands from")
+              ->check(CLI::Range(1u, 512u))
+              ->capture_default_str()};
+}
+
 /// Error (kUsage): one of `only`, which only `subject` takes, was given.
 tl::expected<void, ToolError> refuse(const std::vector<const CLI::Option*>& only, const char* subject) {
   for (const CLI::Option* option : only) {
@@ -141,8 +155,9 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
   options.only.push_back({ReportSubject::kCost, "cost", add_cost_options(app, options.cost)});
   options.only.push_back({ReportSubject::kOrder, "order", add_order_options(app, options.order)});
   options.only.push_back({ReportSubject::kShadows, "shadows", add_shadow_options(app, options.shadows)});
-  options.size_option =
-      add_size(app, options.size)->description("Pixels of a picture (default: cost 512x384, order 160x160)");
+  options.only.push_back({ReportSubject::kCards, "cards", add_cards_options(app, options.cards)});
+  options.size_option = add_size(app, options.size)
+                            ->description("Pixels of a picture (default: cost 512x384, order 160x160, cards 256x256)");
   add_format(app, options.format);
 }
 
@@ -154,8 +169,12 @@ tl::expected<void, ToolError> check_subject(const ReportOptions& options) {
   if (options.subject == ReportSubject::kOrder && options.accuracy.solvers.size() > 1) {
     return tl::unexpected(ToolError{ToolError::Kind::kUsage, "--solver: draw orders are measured with one at a time"});
   }
-  const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder;
-  return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost' or 'order");
+  if (options.subject == ReportSubject::kCards && options.cards.source.empty()) {
+    return usage("cards are compared with strands; name those that the asset was cooked from: --source GROOM");
+  }
+  const bool has_pictures = options.subject == ReportSubject::kCost || options.subject == ReportSubject::kOrder ||
+                            options.subject == ReportSubject::kCards;
+  return has_pictures ? tl::expected<void, ToolError>{} : refuse({options.size_option}, "cost', 'order' or 'cards");
 }
 
 }  // namespace coif

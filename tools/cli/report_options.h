@@ -2,6 +2,7 @@
 
 #include "cli/options.h"
 #include "report/accuracy/measure_accuracy.h"
+#include "report/cards/measure_cards.h"
 #include "report/cost/measure_cost.h"
 #include "report/order/measure_order.h"
 #include "report/shadow/measure_shadows.h"
@@ -31,7 +32,14 @@ struct CostChoice {
 tl::expected<CostReport, ToolError> measure_all_cost(const Asset& asset, const CostChoice& choice,
                                                      const ReportProgress& progress);
 
-enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost };
+/// What `coif report cards` compares with.
+struct CardsChoice {
+  std::string source;                 ///< The file of the strands.
+  std::optional<std::string> recipe;  ///< None: what lies beside the source, or the defaults.
+  CardsSettings settings;             ///< But for what the recipe says.
+};
+
+enum class ReportSubject { kAccuracy, kStability, kOrder, kShadows, kCost, kCards };
 
 /// Options that only one subject takes; owned by the program.
 struct SubjectOptions {
@@ -53,6 +61,7 @@ struct ReportOptions {
   CostChoice cost;      ///< But for the size of its pictures.
   OrderSettings order;  ///< But for the size of its pictures, where one was asked for.
   ShadowSettings shadows;
+  CardsChoice cards;  ///< But for the size of its pictures, where one was asked for.
   PixelSize size{512, 384};
   std::vector<SubjectOptions> only;          ///< One for each subject that has options of its own.
   const CLI::Option* size_option = nullptr;  ///< For subjects with pictures.

@@ -160,7 +160,7 @@ tl::expected<Groom, ToolError> grow_hair(const HairStyle& style, const GrowGroun
   const grow::Ground place{style, *head, body};
   grow::StrandPaths paths =
       style.grow_gather ? grow_tied(place, roots, stations, threads) : grow_open(place, roots, stations, threads);
-  shape_strands(place, roots, paths, threads);
+  shape_strands(place, paths, threads);
   const std::vector<std::uint32_t> sizes = cut_level(place, paths);
 
   Groom groom;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace coif::grow {
 namespace {
@@ -61,13 +62,8 @@ class UntwistedFrames {
 
 class Shaper {
  public:
-  Shaper(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, unsigned threads)
-      : ground_(ground),
-        style_(ground.style),
-        roots_(roots),
-        paths_(paths),
-        threads_(threads),
-        scale_(ground.head.scale()) {
+  Shaper(const Ground& ground, StrandPaths& paths, unsigned threads)
+      : ground_(ground), style_(ground.style), paths_(paths), threads_(threads), scale_(ground.head.scale()) {
     for (std::size_t i = 0; i < paths.count(); ++i) {
       float length = 0;
       const auto strand = paths.strand(i);
@@ -192,7 +188,6 @@ class Shaper {
 
   const Ground& ground_;
   const HairStyle& style_;
-  std::span<const Root> roots_;
   StrandPaths& paths_;
   unsigned threads_;
   float scale_;
@@ -201,9 +196,7 @@ class Shaper {
 
 }  // namespace
 
-void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, unsigned threads) {
-  Shaper(ground, roots, paths, threads).run();
-}
+void shape_strands(const Ground& ground, StrandPaths& paths, unsigned threads) { Shaper(ground, paths, threads).run(); }
 
 std::vector<std::uint32_t> cut_level(const Ground& ground, StrandPaths& paths) {
   std::vector<std::uint32_t> sizes(paths.count(), std::uint32_t(paths.stations));

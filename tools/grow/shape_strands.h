@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace coif::grow {
@@ -13,7 +12,7 @@ namespace coif::grow {
 /// Draws strands together into clumps and these into smaller ones, waves and curls them, lets them stray, and takes what that pushed
 /// into the skin out of it. What each of these is, as grooming tools have it: Yuksel, Schaefer and Keyser 2009, "Hair meshes";
 /// clumps whose strands curl together as in Choe and Ko 2005, "A statistical wisp model and pseudophysical approaches".
-void shape_strands(const Ground& ground, std::span<const Root> roots, StrandPaths& paths, unsigned threads);
+void shape_strands(const Ground& ground, StrandPaths& paths, unsigned threads);
 
 /// How many points of each strand are left below a level cut; all where the style has none. A strand's last point is moved to
 /// where it is cut.

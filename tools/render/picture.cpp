@@ -167,7 +167,7 @@ tl::expected<std::vector<Eigen::Vector3d>, ToolError> what_is_framed(const Asset
 
 }  // namespace
 
-tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
+tl::expected<FramedPicture, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings) {
   auto points = what_is_framed(asset, settings, played_path(asset, settings).get());
   if (!points) return tl::unexpected(points.error());
   // A face may be longer than what its hair lies on; whose it is does not matter.
@@ -180,7 +180,7 @@ tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const Pi
                               .heads = settings.heads,
                               .margin = settings.margin};
   CrowdView view = frame_crowd(*points, camera);
-  return PictureFrame{std::move(*points), std::move(view)};
+  return FramedPicture{std::move(*points), std::move(view)};
 }
 
 /// The asset in the context. Objects of the context die with it, last.

@@ -88,13 +88,13 @@ struct Picture {
 };
 
 /// What a picture shows, and from where.
-struct PictureFrame {
+struct FramedPicture {
   std::vector<Eigen::Vector3d> points;  ///< That have to be in it, of each head, from its joint; world axes, metres.
   CrowdView view;
 };
 
 /// As PictureMaker frames it. Errors: those of simulate_poses().
-tl::expected<PictureFrame, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings);
+tl::expected<FramedPicture, ToolError> frame_picture(const Asset& asset, const PictureSettings& settings);
 
 /// Pictures of one asset, which must outlive this object, in one OpenGL ES context; one of these at a time.
 class PictureMaker {

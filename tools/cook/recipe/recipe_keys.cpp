@@ -1,8 +1,7 @@
 #include "cook/recipe/recipe_keys.h"
 
-#include "cook/recipe/recipe_preset.h"
-
 #include "base/hair_runtime.h"
+#include "cook/recipe/recipe_preset.h"
 
 namespace coif {
 namespace {

@@ -16,6 +16,9 @@ CellFormat::CellFormat(const char* pattern, const char* missing)
 Cell CellFormat::operator()(const ColumnValue& value) const {
   if (const Cell* cell = std::get_if<Cell>(&value)) return *cell;
   if (const bool* yes = std::get_if<bool>(&value)) return {*yes ? "yes" : "no"};
+  if (const auto* three = std::get_if<std::array<double, 3>>(&value)) {
+    return {fmt::format("{:.3f} {:.3f} {:.3f}", (*three)[0], (*three)[1], (*three)[2])};
+  }
   const std::uint64_t* count = std::get_if<std::uint64_t>(&value);
   if (of_number_) return of_number_(count != nullptr ? double(*count) : std::get<double>(value));
   return {count != nullptr ? std::to_string(*count) : number_text(std::get<double>(value))};
@@ -27,6 +30,11 @@ nlohmann::ordered_json value_json(const ColumnValue& value) {
   if (const Cell* cell = std::get_if<Cell>(&value)) return cell->text;
   if (const bool* yes = std::get_if<bool>(&value)) return *yes;
   if (const std::uint64_t* count = std::get_if<std::uint64_t>(&value)) return *count;
+  if (const auto* three = std::get_if<std::array<double, 3>>(&value)) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const double number : *three) list.push_back(number_json(number));
+    return list;
+  }
   return number_json(std::get<double>(value));
 }
 

@@ -7,6 +7,7 @@
 #include "report/page/report_heading.h"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
 #include <initializer_list>
@@ -20,13 +21,14 @@
 
 namespace coif {
 
-/// What a column has of a record. NaN stands for a number that does not exist.
-using ColumnValue = std::variant<Cell, bool, std::uint64_t, double>;
+/// What a column has of a record. NaN stands for a number that does not exist; a list in JSON are three numbers.
+using ColumnValue = std::variant<Cell, bool, std::uint64_t, double, std::array<double, 3>>;
 
-/// Text and cells as they are; numbers that may be missing as numbers or NaN.
+/// Text, cells and directions as they are; numbers that may be missing as numbers or NaN.
 template <typename Value>
 [[nodiscard]] ColumnValue column_value(const Value& value) {
-  if constexpr (std::same_as<Value, bool> || std::same_as<Value, Cell>) {
+  if constexpr (std::same_as<Value, bool> || std::same_as<Value, Cell> ||
+                std::same_as<Value, std::array<double, 3>>) {
     return value;
   } else if constexpr (std::unsigned_integral<Value>) {
     return std::uint64_t{value};

@@ -1,0 +1,149 @@
+#include "report/cards/hair_views.h"
+
+#include "cards/card_picture.h"
+#include "cards/made_up_groom.h"
+#include "lab/rig.h"
+#include "report/cards/asset_surface.h"
+#include "report/cards_asset.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace coif::cards_views_test {
+
+/// Squares of a side of 0.2 m that look along Z, one behind the other from `first` on.
+CardSurface squares(int count, float first = 0) {
+  CardSurface surface;
+  for (int i = 0; i < count; ++i) {
+    const auto corner = std::uint32_t(surface.positions.size());
+    for (const auto& [x, y] : {std::pair{0.f, 0.f}, {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}) {
+      surface.positions.emplace_back(0.2f * x - 0.1f, 0.1f - 0.2f * y, first - 0.02f * float(i));
+      surface.uvs.emplace_back(x, y);
+      surface.across.push_back(Eigen::Vector3f::UnitX());
+      surface.along.push_back(-Eigen::Vector3f::UnitY());
+    }
+    for (const std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) surface.triangles.push_back(corner + k);
+  }
+  surface.width = surface.height = 2;
+  surface.opacity = {1, 0.4f, 0.8f, 0.2f};
+  return surface;
+}
+
+/// Takes Z to Y.
+Eigen::Matrix3f z_up() {
+  Eigen::Matrix3f turn;
+  turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return turn;
+}
+
+PictureFrame frame_of(const CardSurface& surface, const Eigen::Vector3f& towards) {
+  return frame_along(towards, ball_around(surface.positions), 100);
+}
+
+TEST(SurfaceCost, CountsEachLayer) {
+  const CardSurface one = squares(1), three = squares(3);
+  const PictureFrame frame = frame_of(three, {0, 0, -1});
+  const SurfaceCost of_one = cost_of(one, frame), of_three = cost_of(three, frame);
+  const double pixels = std::pow(0.2 * double(frame.pixels_of_metre), 2);
+  EXPECT_NEAR(of_one.fragments / pixels, 1, 0.05);
+  EXPECT_NEAR(of_one.layers, 1, 0.03) << "samples on the diagonal are in both triangles";
+  EXPECT_DOUBLE_EQ(of_three.fragments, 3 * of_one.fragments);
+  EXPECT_NEAR(of_three.layers, 3, 0.09);
+  const SurfaceCost from_edge = cost_of(one, frame_of(one, {1, 0, 0}));
+  EXPECT_EQ(from_edge.fragments, 0);
+  EXPECT_EQ(from_edge.layers, 0);
+}
+
+TEST(HairPictures, OfASurfaceAreLikeItself) {
+  const CardSurface surface = squares(2);
+  for (const Eigen::Vector3f& direction : spread_directions(5)) {
+    const HairPicture picture = draw_cards(surface, frame_of(surface, direction), 2);
+    const HairLikeness same = compare_hair(picture, picture);
+    EXPECT_EQ(same.coverage_iou, 1);
+    EXPECT_EQ(same.error, 0);
+  }
+}
+
+TEST(CloserFrame, HoldsAllStrandsAndFillsThePicture) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(60));
+  const auto directions = spread_directions(5);
+  for (const PictureFrame& frame : frames_around(groom, z_up(), directions, 64)) {
+    const PictureFrame close = closer(frame, groom);
+    EXPECT_GT(close.pixels_of_metre, frame.pixels_of_metre);
+    Eigen::AlignedBox2f seen;
+    for (const Eigen::Vector3f& point : groom.points) seen.extend(close.place(point).head<2>().eval());
+    EXPECT_GE(seen.min().minCoeff(), 0);
+    EXPECT_LE(seen.max().maxCoeff(), 64);
+    EXPECT_GT(seen.sizes().maxCoeff(), 60);
+  }
+}
+
+TEST(FramesAround, LookAlongTheTurnedAxes) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(10));
+  const PictureFrame frame = frames_around(groom, z_up(), {{{0, 0, -1}}}, 64)[0];
+  const Eigen::Vector3f down = frame.axes.row(1).transpose();
+  EXPECT_NEAR((down + Eigen::Vector3f::UnitZ()).norm(), 0, 1e-5) << "the groom's own Z is up";
+}
+
+/// A groom as large as squares(), whose file says nothing of its unit.
+Groom groom_around_squares(const CardSurface& surface) {
+  std::vector<std::vector<Eigen::Vector3f>> strands;
+  for (std::size_t v = 0; v < surface.positions.size(); v += 4) {
+    strands.push_back({surface.positions[v], surface.positions[v + 3]});
+    strands.push_back({surface.positions[v + 1], surface.positions[v + 2]});
+  }
+  Groom groom = test::groom_of(strands);
+  groom.path = "strands.obj";
+  groom.space.unit = groom.space.up = Statement::kUnsaid;
+  return groom;
+}
+
+TEST(CookedPlace, IsFoundWhateverTheCookDidToUnitAndUp) {
+  const CardSurface surface = squares(3, 0.5f);
+  const Groom groom = groom_around_squares(surface);
+  const Eigen::Matrix3f half_turn =
+      Eigen::AngleAxisf(std::numbers::pi_v<float>, Eigen::Vector3f::UnitX()).toRotationMatrix();
+  for (const float factor : {1.0f, 0.01f, 10.0f}) {
+    for (const Eigen::Matrix3f& turn : {Eigen::Matrix3f(Eigen::Matrix3f::Identity()), z_up(), half_turn}) {
+      const OpenedAsset asset(asset_of_surface(surface, {factor, turn, {0.1f, 0.3f, -0.2f}}));
+      ASSERT_TRUE(asset.asset().is_open());
+      const auto place = find_cooked_place(asset.asset(), groom);
+      ASSERT_TRUE(place.has_value()) << place.error().message;
+      EXPECT_NEAR(place->factor, double(factor), 1e-6 * double(factor));
+      const CardSurface back = surface_of_asset(asset.asset(), 0, *place);
+      ASSERT_EQ(back.triangles.size(), surface.triangles.size());
+      for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+        const std::uint32_t there = back.triangles[i], here = surface.triangles[i];
+        EXPECT_LT((back.positions[there] - surface.positions[here]).norm(), 1e-4);
+        EXPECT_LT((back.along[there] - surface.along[here]).norm(), 1e-3);
+      }
+    }
+  }
+}
+
+TEST(CookedPlace, OfOtherStrandsIsNone) {
+  const OpenedAsset asset(asset_of_surface(squares(1), {}));
+  const Groom other = groom_around_squares(squares(1, 7));
+  const auto place = find_cooked_place(asset.asset(), other);
+  ASSERT_FALSE(place.has_value());
+  EXPECT_EQ(place.error().kind, ToolError::Kind::kBadInput);
+  EXPECT_NE(place.error().message.find("strands.obj"), std::string::npos) << place.error().message;
+  EXPECT_NE(place.error().message.find("--recipe"), std::string::npos) << place.error().message;
+}
+
+TEST(SurfaceOfAsset, LooksLikeTheOneThatWasCooked) {
+  const CardSurface surface = squares(2);
+  const OpenedAsset asset(asset_of_surface(surface, {}));
+  const CardSurface back = surface_of_asset(asset.asset(), 0, {});
+  EXPECT_EQ(back.positions.size(), surface.positions.size());
+  for (const Eigen::Vector3f& direction : spread_directions(4)) {
+    const PictureFrame frame = frame_of(surface, direction);
+    const HairLikeness likeness = compare_hair(draw_cards(surface, frame, 2), draw_cards(back, frame, 2));
+    EXPECT_GT(likeness.coverage_iou, 0.995);
+    EXPECT_LT(likeness.error, 0.005);
+  }
+}
+
+}  // namespace coif::cards_views_test

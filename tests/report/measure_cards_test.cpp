@@ -1,0 +1,175 @@
+#include "report/cards/measure_cards.h"
+
+#include "cards/made_up_groom.h"
+#include "cards/make_cards.h"
+#include "lab/rig.h"
+#include "report/cards_asset.h"
+#include "report/made_up_report.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+namespace coif::measure_cards_test {
+
+constexpr float kWidth = 0.002f;
+constexpr std::size_t kTriangles = 120;
+
+CardsSettings quick() {
+  CardsSettings settings;
+  settings.budgets = {40, kTriangles};
+  settings.directions = 5;
+  settings.size = 64;
+  settings.texels = std::size_t{1} << 15;
+  settings.strand_width = kWidth;
+  return settings;
+}
+
+/// A groom, an asset that holds what coif makes of it, and what there is to say of both. Making cards takes long.
+class CardsReports : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    groom_ = std::make_unique<Groom>(test::groom_of(test::strands_of_a_head(120)));
+    groom_->path = "a.hair";
+    CardsSettings settings = quick();
+    const auto cards = make_cards(*groom_, shape_of(*groom_, kWidth), {kTriangles, settings.texels, kWidth}, 2);
+    if (!cards) throw std::runtime_error(cards.error().message);
+    asset_ = std::make_unique<OpenedAsset>(
+        asset_of_surface(surface_of(*cards), {1, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
+    settings.sheets = true;
+    auto report = measure(settings);
+    if (!report) throw std::runtime_error(report.error().message);
+    report_ = std::make_unique<CardsReport>(std::move(*report));
+  }
+  static void TearDownTestSuite() {
+    groom_.reset();
+    asset_.reset();
+    report_.reset();
+  }
+
+  [[nodiscard]] static tl::expected<CardsReport, ToolError> measure(const CardsSettings& settings) {
+    return measure_cards(asset_->asset(), *groom_, 0, settings, [](const std::string&) {});
+  }
+
+  static inline std::unique_ptr<Groom> groom_;
+  static inline std::unique_ptr<OpenedAsset> asset_;
+  static inline std::unique_ptr<CardsReport> report_;
+};
+
+TEST_F(CardsReports, HaveEachSetOfCardsFromEachDirection) {
+  const CardsSettings settings = quick();
+  EXPECT_TRUE(report_->left_out.empty());
+  ASSERT_EQ(report_->summary.size(), 6u);
+  std::set<std::tuple<std::string, std::uint64_t, std::array<double, 3>>> rows;
+  for (const CardsRow& row : report_->rows) {
+    rows.insert({row.baseline, row.triangles, row.direction});
+    EXPECT_GT(row.coverage_iou, 0.1);
+    EXPECT_LE(row.coverage_iou, 1);
+    EXPECT_GT(row.psnr_db, 0);
+    EXPECT_EQ(row.texels, settings.texels);
+  }
+  EXPECT_EQ(rows.size(), 3 * settings.budgets.size() * settings.directions);
+  EXPECT_EQ(report_->rows.size(), rows.size());
+  for (const CardsSummary& summary : report_->summary) {
+    EXPECT_GT(summary.cards, 0u);
+    EXPECT_LE(summary.made_triangles, summary.triangles);
+    EXPECT_LE(summary.made_texels, summary.texels);
+    EXPECT_LE(summary.figures.worst_iou, summary.figures.mean_iou);
+    EXPECT_LE(summary.figures.worst_psnr_db, summary.figures.mean_psnr_db);
+    EXPECT_GE(summary.figures.layers, 1);
+    EXPECT_GT(summary.figures.vertices, summary.made_triangles / 2);
+    EXPECT_EQ(summary.segments.has_value(), summary.baseline == "even");
+  }
+}
+
+TEST_F(CardsReports, HavePagesWithPlotsAndPictures) {
+  ASSERT_EQ(report_->sheets.size(), 4u) << "three sides and the textures";
+  EXPECT_EQ(count_of(cards_page(made_up_heading(), *report_), "data:image/png"), 4u);
+  CardsReport plain = *report_;
+  plain.sheets.clear();  // what follows reads every letter
+  const std::string page = cards_page(made_up_heading(), plain);
+  EXPECT_EQ(count_of(page, "<svg"), 4u);
+  EXPECT_EQ(count_of(page, "data:image/png"), 0u);
+  (void)expect_unique_ids(page);
+  for (const CardsAxis axis : {CardsAxis::kTriangles, CardsAxis::kSeconds}) {
+    const Plot plot = cards_error_figure(plain, axis).plot;
+    ASSERT_EQ(plot.series.size(), axis == CardsAxis::kTriangles ? 4u : 3u) << "the asset was not made here";
+    for (const PlotSeries& series : plot.series) EXPECT_FALSE(series.points.empty()) << series.name;
+    expect_well_formed(draw(plot));
+  }
+}
+
+TEST_F(CardsReports, FindTheAssetAsNearAsTheCardsItIsMadeOf) {
+  ASSERT_EQ(report_->asset.size(), 1u);
+  const CardsSummary* own = nullptr;
+  for (const CardsSummary& summary : report_->summary) {
+    if (summary.baseline == "none" && summary.triangles == kTriangles) own = &summary;
+  }
+  ASSERT_NE(own, nullptr);
+  EXPECT_EQ(report_->asset[0].triangles, own->made_triangles);
+  EXPECT_NEAR(report_->asset[0].figures.mean_iou, own->figures.mean_iou, 0.003);
+  EXPECT_NEAR(report_->asset[0].figures.mean_error, own->figures.mean_error, 0.01);
+  EXPECT_NEAR(report_->asset[0].figures.fragments, own->figures.fragments, 0.01 * own->figures.fragments);
+  EXPECT_FALSE(report_->is_its_source) << "nothing says what it was cooked from";
+  EXPECT_NE(cards_method(*report_).find("another file"), std::string::npos);
+}
+
+TEST_F(CardsReports, HaveTheDocumentedKeys) {
+  const nlohmann::ordered_json json = cards_json(made_up_heading(), *report_);
+  EXPECT_EQ(keys_of(json["rows"][0]),
+            (Keys{"triangles", "texels", "direction", "coverage_iou", "psnr_db", "baseline"}));
+  EXPECT_EQ(json["rows"][0]["direction"].size(), 3u);
+  const Keys figures{"mean_coverage_iou", "worst_coverage_iou", "mean_psnr_db", "worst_psnr_db",
+                     "mean_error",        "vertices",           "fragments",    "layers"};
+  Keys summary{"triangles", "texels", "baseline", "cards", "made_triangles", "made_texels", "segments"};
+  summary.insert(summary.end(), figures.begin(), figures.end());
+  summary.emplace_back("seconds");
+  EXPECT_EQ(keys_of(json["summary"][0]), summary);
+  Keys level{"lod", "triangles", "texels"};
+  level.insert(level.end(), figures.begin(), figures.end());
+  EXPECT_EQ(keys_of(json["asset_levels"][0]), level);
+  EXPECT_EQ(json["left_out"].size(), 0u);
+  EXPECT_EQ(json["source"], "a.hair");
+}
+
+TEST_F(CardsReports, GoOnWithoutCardsThatDoNotFit) {
+  CardsSettings settings = quick();
+  settings.budgets = {100};
+  settings.texels = 1156;  // some cards, but not fifty
+  const auto report = measure(settings);
+  // coif asks for 4096 texels at least.
+  ASSERT_TRUE(report.has_value()) << report.error().message;
+  EXPECT_TRUE(report->sheets.empty()) << "nobody asked for any";
+  ASSERT_EQ(report->summary.size(), 1u);
+  EXPECT_EQ(report->summary[0].baseline, "even");
+  ASSERT_EQ(report->left_out.size(), 2u);
+  const std::string text = cards_text(made_up_heading(), *report);
+  EXPECT_NE(text.find("left out: kmeans, 100 triangles: a.hair: 50 cards do not fit into 1156 texels"),
+            std::string::npos)
+      << text;
+  settings.texels = 16;
+  const auto none = measure(settings);
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().kind, ToolError::Kind::kOverBudget);
+}
+
+TEST_F(CardsReports, RefuseSettingsOutOfRange) {
+  for (const auto& spoil : std::vector<void (*)(CardsSettings&)>{
+           [](CardsSettings& s) { s.budgets.clear(); }, [](CardsSettings& s) { s.budgets = {1}; },
+           [](CardsSettings& s) { s.directions = 0; }, [](CardsSettings& s) { s.size = 2000; }}) {
+    CardsSettings settings = quick();
+    spoil(settings);
+    const auto report = measure(settings);
+    ASSERT_FALSE(report.has_value());
+    EXPECT_EQ(report.error().kind, ToolError::Kind::kUsage);
+  }
+  const auto without_mesh = measure_cards({}, *groom_, 0, quick(), [](const std::string&) {});
+  ASSERT_FALSE(without_mesh.has_value());
+  EXPECT_EQ(without_mesh.error().kind, ToolError::Kind::kBadInput);
+}
+
+}  // namespace coif::measure_cards_test

@@ -1,0 +1,36 @@
+#include "cli/report_strands.h"
+
+#include "base/files.h"
+#include "cli/input_files.h"
+#include "groom/read_groom.h"
+#include "payload_hash.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace coif {
+
+tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& options, const Messages& messages) {
+  const std::string& source = options.cards.source;
+  if (!has_strand_suffix(source)) {
+    return usage(fmt::format("--source: {} is no file of strands; name one that is: {}", source, strand_suffixes()));
+  }
+  CardsSettings settings = options.cards.settings;
+  if (options.size_option->count() > 0) {
+    if (options.size.width != options.size.height) return usage("--size: pictures of cards are as wide as high");
+    settings.size = options.size.width;
+  }
+  const auto choice = choose_recipe(source, options.cards.recipe, messages);
+  if (!choice) return tl::unexpected(choice.error());
+  settings.texels = choice->recipe.cards_texels;
+  settings.strand_width = float(choice->recipe.cards_strand_width);
+  const auto bytes = FileBytes::read(source);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto groom = read_groom(source, import_settings(choice->recipe, {}));
+  if (!groom) return tl::unexpected(groom.error());
+  for (const std::string& warning : groom->warnings) messages.warning(source + ": " + warning);
+  return ReportStrands{std::move(*groom), xxh64(bytes->span()), std::move(settings)};
+}
+
+}  // namespace coif

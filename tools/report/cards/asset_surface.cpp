@@ -1,0 +1,138 @@
+#include "report/cards/asset_surface.h"
+
+#include "base/geometry.h"
+#include "cook/size/trust.h"
+#include "cook/size/up_evidence.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace coif {
+namespace {
+
+constexpr double kSameBox = 0.5;    // share of both boxes that cards and their strands have in common, at least
+constexpr double kClearly = 1.05;   // times what the file's own unit and axis have: others are chosen only then
+constexpr float kFlatness = 0.02f;  // of its diagonal that a box has at least each way: flat ones have a volume
+
+Eigen::AlignedBox3f box_of_asset(const Asset& asset) {
+  Eigen::AlignedBox3f box;
+  for (const std::uint32_t v : asset.lod_indices(0)) box.extend(Eigen::Vector3f(asset.vertices()[v].position));
+  return box;
+}
+
+/// As the asset has it: turns are from axis to axis, so that a box stays one.
+Eigen::AlignedBox3f placed(const Eigen::AlignedBox3f& box, const CookedPlace& place) {
+  Eigen::AlignedBox3f there(place.of_strand(box.min()));
+  return there.extend(place.of_strand(box.max()));
+}
+
+/// Volume of what two boxes share over that of both, 0..1.
+double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
+  const float least = kFlatness * std::max(a.diagonal().norm(), b.diagonal().norm());
+  for (Eigen::AlignedBox3f* const box : {&a, &b}) {
+    const Eigen::Vector3f missing = (Eigen::Vector3f::Constant(least) - box->sizes()).cwiseMax(0) / 2;
+    *box = Eigen::AlignedBox3f(box->min() - missing, box->max() + missing);
+  }
+  const Eigen::AlignedBox3f common = a.intersection(b);
+  if (common.isEmpty()) return 0;
+  const double shared = double(common.volume());
+  return shared / (double(a.volume()) + double(b.volume()) - shared);
+}
+
+std::string box_text(const Eigen::AlignedBox3f& box) {
+  const Eigen::Vector3f size = box.sizes(), middle = box.center();
+  return fmt::format("{:.3g} x {:.3g} x {:.3g} m about ({:.3g}, {:.3g}, {:.3g})", size.x(), size.y(), size.z(),
+                     middle.x(), middle.y(), middle.z());
+}
+
+}  // namespace
+
+tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const Groom& groom) {
+  const Eigen::AlignedBox3f cooked = box_of_asset(asset);
+  Eigen::AlignedBox3f strands;
+  for (const Eigen::Vector3f& point : groom.points) strands.extend(point);
+  SourceModel words;  // what the file says of its size
+  words.space = groom.space;
+  CookedPlace best;
+  double most = -1;
+  for (std::size_t up = 0; up < kUps; ++up) {
+    for (const UnitPrior& unit : unit_priors(words, {})) {
+      const CookedPlace place{unit.factor, y_up_from_direction(up).cast<float>(),
+                              Eigen::Vector3f(asset.skeleton().head_joint)};
+      const double share = common_share(cooked, placed(strands, place));
+      if (!(share > (most < kSameBox ? most : kClearly * most))) continue;
+      most = share;
+      best = place;
+    }
+  }
+  if (most >= kSameBox) return best;
+  return failure(
+      ToolError::Kind::kBadInput,
+      fmt::format("was cooked from other strands than those of {}: its hair is {}, theirs would be {}; name the file "
+                  "that it was cooked from, and with --recipe the recipe",
+                  groom.path, box_text(cooked), box_text(placed(strands, best))));
+}
+
+namespace {
+
+/// The vertices that some triangles use, numbered afresh.
+class LevelVertices {
+ public:
+  LevelVertices(const Asset& asset, const CookedPlace& place, CardSurface& surface)
+      : asset_(asset), place_(place), surface_(surface), number_(asset.vertices().size(), kNoIndex) {}
+
+  std::uint32_t operator()(std::uint32_t vertex) {
+    if (number_[vertex] == kNoIndex) {
+      number_[vertex] = std::uint32_t(surface_.positions.size());
+      add(asset_.vertices()[vertex]);
+    }
+    return number_[vertex];
+  }
+
+ private:
+  void add(const VertexRecord& vertex) {
+    const auto direction = [this](const std::int16_t(&snorm)[4]) {
+      const Eigen::Vector3f stored(snorm[0], snorm[1], snorm[2]);
+      return (place_.turn.transpose() * stored).normalized().eval();
+    };
+    surface_.positions.push_back(place_.in_groom(Eigen::Vector3f(vertex.position)));
+    surface_.uvs.emplace_back(vertex.uv[0], vertex.uv[1]);
+    surface_.along.push_back(direction(vertex.tangent));
+    surface_.across.push_back(direction(vertex.normal).cross(surface_.along.back()).normalized());
+  }
+
+  const Asset& asset_;
+  const CookedPlace& place_;
+  CardSurface& surface_;
+  std::vector<std::uint32_t> number_;
+};
+
+/// Alpha as it is, without thresholds; 1 everywhere without a texture.
+void set_opacity(const Asset& asset, CardSurface& surface) {
+  const float factor = asset.material() != nullptr ? asset.material()->base_color[3] : 1.0f;
+  const TextureRecord* const texture = asset.texture(TextureRole::kBaseColor);
+  if (texture == nullptr) {
+    surface.width = surface.height = 1;
+    surface.opacity = {std::min(factor, 1.0f)};
+    return;
+  }
+  surface.width = texture->width;
+  surface.height = texture->height;
+  const auto texels = asset.texels(*texture, 0);
+  for (std::size_t i = 3; i < texels.size(); i += 4) {
+    surface.opacity.push_back(std::min(float(texels[i]) / 255.0f * factor, 1.0f));
+  }
+}
+
+}  // namespace
+
+CardSurface surface_of_asset(const Asset& asset, std::uint32_t lod, const CookedPlace& place) {
+  CardSurface surface;
+  LevelVertices vertices(asset, place, surface);
+  for (const std::uint32_t vertex : asset.lod_indices(lod)) surface.triangles.push_back(vertices(vertex));
+  set_opacity(asset, surface);
+  return surface;
+}
+
+}  // namespace coif

@@ -1,0 +1,82 @@
+#include "report/cards/card_sheets.h"
+
+#include "base/encodings.h"
+#include "cards/card_picture.h"
+#include "render/gallery.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr std::uint32_t kTileSize = 384;  // pixels
+constexpr std::uint32_t kColumns = 4;     // as wide as a page shows without reducing it
+
+struct ShownSide {
+  const char* name;
+  Eigen::Vector3f towards;
+};
+const std::array<ShownSide, 3>& shown_sides() {
+  static const std::array<ShownSide, 3> sides{{{"front", {0, 0, -1}}, {"side", {-1, 0, 0}}, {"back", {0, 0, 1}}}};
+  return sides;
+}
+
+std::vector<PictureFrame> frames_of_sides(const Groom& groom, const Eigen::Matrix3f& turn, bool faces_backwards) {
+  std::vector<Eigen::Vector3f> directions;
+  for (const ShownSide& side : shown_sides()) directions.push_back(faces_backwards ? -side.towards : side.towards);
+  std::vector<PictureFrame> frames = frames_around(groom, turn, directions, kTileSize);
+  for (PictureFrame& frame : frames) frame = closer(frame, groom);
+  return frames;
+}
+
+SheetSection row_of(std::string title, const std::vector<std::string>& captions, const std::vector<Picture>& pictures) {
+  SheetSection section{std::move(title), {}};
+  for (std::size_t i = 0; i < pictures.size(); ++i) section.tiles.push_back({captions[i], pictures[i]});
+  return section;
+}
+
+CardsSheet sheet_of(std::string caption, std::span<const SheetSection> sections) {
+  const Picture sheet = contact_sheet(sections, kColumns);
+  return {std::move(caption), encode_png(sheet.rgba, sheet.width, sheet.height)};
+}
+
+}  // namespace
+
+CardSheets::CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards,
+                       unsigned threads)
+    : threads_(threads),
+      views_(groom, width, frames_of_sides(groom, turn, faces_backwards), threads),
+      sides_(views_.count()) {}
+
+void CardSheets::add(const std::string& caption, const CardSurface& surface) {
+  captions_.push_back(caption);
+  textures_.push_back(texture_tile(surface, kTileSize));
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const HairPicture seen = draw_cards(surface, views_.frame(i), threads_);
+    sides_[i].hair.push_back(hair_tile(seen, views_.frame(i)));
+    sides_[i].wires.push_back(wire_tile(surface, views_.frame(i)));
+    sides_[i].differences.push_back(difference_tile(views_.strands(i), seen));
+  }
+}
+
+std::vector<CardsSheet> CardSheets::finish() const {
+  if (captions_.empty()) return {};
+  std::vector<CardsSheet> sheets;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Side& side = sides_[i];
+    SheetSection hair = row_of(shown_sides()[i].name, captions_, side.hair);
+    hair.tiles.insert(hair.tiles.begin(), {"strands", hair_tile(views_.strands(i), views_.frame(i))});
+    const SheetSection sections[] = {
+        std::move(hair), row_of("difference: red too bright or too much, blue missing", captions_, side.differences),
+        row_of("triangles, without their texture", captions_, side.wires)};
+    sheets.push_back(sheet_of(fmt::format("From the {}.", shown_sides()[i].name), sections));
+  }
+  const SheetSection textures[] = {row_of("textures: what of each texel strands cover", captions_, textures_)};
+  sheets.push_back(sheet_of("What lies on the cards, all on one texture.", textures));
+  return sheets;
+}
+
+}  // namespace coif

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "cards/card_surface.h"
+#include "groom/groom.h"
+#include "render/picture.h"
+#include "report/cards/cards_report.h"
+#include "report/cards/hair_views.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+// One surface as tiles of a contact sheet.
+
+/// By a light at the eye, and darker the farther behind.
+[[nodiscard]] Picture hair_tile(const HairPicture& hair, const PictureFrame& frame);
+
+/// What is seen less what is wanted: red where a surface is too bright, or is and should not be; blue where it is missing.
+[[nodiscard]] Picture difference_tile(const HairPicture& wanted, const HairPicture& seen);
+
+/// Its triangles without their texture, solid, each outlined.
+[[nodiscard]] Picture wire_tile(const CardSurface& surface, const PictureFrame& frame);
+
+/// Its texture's opacity, white on black, reduced to `size` pixels each way.
+[[nodiscard]] Picture texture_tile(const CardSurface& surface, std::uint32_t size);
+
+/// Strands beside sets of cards, from the front, a side and the back.
+class CardSheets {
+ public:
+  /// As frames_around() and HairViews; `faces_backwards`: the hair's front is where -Z points.
+  CardSheets(const Groom& groom, float width, const Eigen::Matrix3f& turn, bool faces_backwards, unsigned threads);
+
+  /// In the order in which they shall stand.
+  void add(const std::string& caption, const CardSurface& surface);
+
+  /// One sheet for each side, and one of textures.
+  [[nodiscard]] std::vector<CardsSheet> finish() const;
+
+ private:
+  /// Of each set of cards, from one side.
+  struct Side {
+    std::vector<Picture> hair, wires, differences;
+  };
+
+  unsigned threads_;
+  HairViews views_;
+  std::vector<std::string> captions_;
+  std::vector<Side> sides_;
+  std::vector<Picture> textures_;
+};
+
+}  // namespace coif

@@ -1,0 +1,165 @@
+#pragma once
+
+// What `coif report cards` finds: records, measured by measure_cards(), and the columns that show them.
+//
+// Cards and strands are drawn alike, from directions all around, and compared: coverage by intersection over union, what the
+// pixels send to an eye that holds the light by PSNR, over the pixels that either covers.
+
+#include "report/page/report_columns.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coif {
+
+/// One set of cards from one direction.
+struct CardsRow {
+  std::string baseline;             ///< "none": coif's own; "kmeans", "even": as baseline_cards.h makes them.
+  std::uint64_t triangles = 0;      ///< That were allowed.
+  std::uint64_t texels = 0;         ///< The same.
+  std::array<double, 3> direction;  ///< That the eye looks along, unit, in the strands' axes.
+  double coverage_iou = 0;          ///< 0..1.
+  double psnr_db = 0;
+};
+
+[[nodiscard]] inline Columns<CardsRow> cards_columns() {
+  return {{"triangles", &CardsRow::triangles, {"triangles allowed"}},
+          {"texels", &CardsRow::texels, {"texels allowed"}},
+          {"direction", &CardsRow::direction, {"looking along"}},
+          {"coverage_iou", &CardsRow::coverage_iou, {"coverage IoU", "{:.4f}"}},
+          {"psnr_db", &CardsRow::psnr_db, {"PSNR", "{:.2f} dB"}},
+          {"baseline", &CardsRow::baseline, {"baseline"}}};
+}
+
+/// How near a surface comes to the strands over all directions, and what it takes to draw.
+struct CardsFigures {
+  double mean_iou = 0, worst_iou = 0;
+  double mean_psnr_db = 0, worst_psnr_db = 0;
+  double mean_error = 0;       ///< Of the pictures' root mean square errors; 1 is white.
+  std::uint64_t vertices = 0;  ///< That some triangle uses.
+  double fragments = 0;        ///< Of a picture, mean: pixels of all triangles, whatever is on them.
+  double layers = 0;           ///< Of them over each other, mean over pixels and pictures.
+};
+
+/// What a record's `figures` have.
+template <typename Row>
+[[nodiscard]] Columns<Row> cards_figure_columns() {
+  const auto of = [](auto member) { return [member](const Row& row) { return row.figures.*member; }; };
+  return {{"mean_coverage_iou", of(&CardsFigures::mean_iou), {"IoU, mean", "{:.4f}"}, {"IoU", 8, "{:.4f}"}},
+          {"worst_coverage_iou", of(&CardsFigures::worst_iou), {"worst", "{:.4f}"}, {"worst", 8, "{:.4f}"}},
+          {"mean_psnr_db", of(&CardsFigures::mean_psnr_db), {"PSNR, mean", "{:.2f} dB"}, {"PSNR dB", 9, "{:.2f}"}},
+          {"worst_psnr_db", of(&CardsFigures::worst_psnr_db), {"worst", "{:.2f} dB"}, {"worst", 7, "{:.2f}"}},
+          {"mean_error", of(&CardsFigures::mean_error), {"RMS error", "{:.4f}"}, {"error", 8, "{:.4f}"}},
+          {"vertices", of(&CardsFigures::vertices), {"vertices"}, {"vertices", 10}},
+          {"fragments", of(&CardsFigures::fragments), {"fragments", "{:.0f}"}, {"fragments", 11, "{:.0f}"}},
+          {"layers", of(&CardsFigures::layers), {"layers", "{:.2f}"}, {"layers", 8, "{:.2f}"}}};
+}
+
+/// One set of cards.
+struct CardsSummary {
+  std::string baseline;                 ///< As CardsRow::baseline.
+  std::uint64_t triangles = 0;          ///< That were allowed.
+  std::uint64_t texels = 0;             ///< The same.
+  std::uint64_t cards = 0;              ///< That were made,
+  std::uint64_t made_triangles = 0;     ///< their triangles
+  std::uint64_t made_texels = 0;        ///< and their texture's texels, gaps included.
+  std::optional<double> segments = {};  ///< Of each strip of "even".
+  CardsFigures figures{};
+  double seconds = 0;  ///< Wall time that making them took.
+};
+
+/// What a set of cards is called, for people.
+[[nodiscard]] std::string cards_name(const std::string& baseline);
+
+[[nodiscard]] inline Columns<CardsSummary> cards_summary_columns() {
+  using Row = CardsSummary;
+  Columns<Row> columns{
+      {kNoKey, [](const Row& row) { return cards_name(row.baseline); }, {"cards"}, {"cards", -9}},
+      {"triangles", &Row::triangles, {"triangles allowed"}, {"allowed", 8}},
+      {"texels", &Row::texels},
+      {"baseline", &Row::baseline},
+      {"cards", &Row::cards, {"number"}, {"number", 8}},
+      {"made_triangles", &Row::made_triangles, {"triangles"}, {"triangles", 11}},
+      {"made_texels", &Row::made_texels, {"texels"}},
+      {"segments", &Row::segments, {"segments of each", {"{:.0f}", "-"}}, {"segments", 10, {"{:.0f}", "-"}}}};
+  columns.append(cards_figure_columns<Row>());
+  columns.add({"seconds", &Row::seconds, {"seconds to make", "{:.2f}"}, {"seconds", 9, "{:.2f}"}});
+  return columns;
+}
+
+/// One level of detail of the asset.
+struct CardsAssetLevel {
+  std::uint64_t lod = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t texels = 0;  ///< Of the base colour's largest mip.
+  CardsFigures figures{};
+};
+
+[[nodiscard]] inline Columns<CardsAssetLevel> cards_asset_columns() {
+  using Row = CardsAssetLevel;
+  Columns<Row> columns{{"lod", &Row::lod, {"level"}, {"asset's level", -28}},
+                       {"triangles", &Row::triangles, {"triangles"}, {"triangles", 8 + 11}},
+                       {"texels", &Row::texels, {"texels"}, {"texels", 10}}};
+  columns.append(cards_figure_columns<Row>());
+  return columns;
+}
+
+/// Cards that could not be made.
+struct CardsLeftOut {
+  std::string baseline;
+  std::uint64_t triangles = 0;
+  std::string why;
+};
+
+[[nodiscard]] inline Columns<CardsLeftOut> cards_left_out_columns() {
+  return {{"baseline", &CardsLeftOut::baseline}, {"triangles", &CardsLeftOut::triangles}, {"why", &CardsLeftOut::why}};
+}
+
+/// Pictures side by side.
+struct CardsSheet {
+  std::string caption;
+  std::vector<std::uint8_t> png;
+};
+
+struct CardsReport {
+  std::string source;         ///< The strands' file, as the user gave it.
+  bool is_its_source = true;  ///< The asset was cooked from that file, byte for byte.
+  std::uint64_t strands = 0;
+  double strand_width = 0;  ///< Metres of the groom, mean.
+  std::uint32_t size = 0;   ///< Pixels of a picture, each way.
+  std::uint64_t directions = 0;
+  double asset_factor = 1;  ///< That the cook multiplied the groom's lengths with.
+  std::vector<CardsRow> rows;
+  std::vector<CardsSummary> summary;
+  std::vector<CardsAssetLevel> asset;
+  std::vector<CardsLeftOut> left_out;
+  std::vector<CardsSheet> sheets;  ///< For the page; empty where none were asked for.
+};
+
+/// `coif report cards` for other programs: the heading, then what the strands are, and `rows`, `summary`, `asset` and `left_out`
+/// with the keys of their columns.
+[[nodiscard]] nlohmann::ordered_json cards_json(const ReportHeading& heading, const CardsReport& report);
+
+/// `coif report cards` for a terminal: each set of cards over all directions, and the summary.
+[[nodiscard]] std::string cards_text(const ReportHeading& heading, const CardsReport& report);
+
+/// `coif report cards` as one HTML document.
+[[nodiscard]] std::string cards_page(const ReportHeading& heading, const CardsReport& report);
+
+/// How much nearer than the baselines coif's cards are, and what the asset has kept of that, in a sentence or two.
+[[nodiscard]] std::string cards_summary(const CardsReport& report);
+
+/// What was compared with what, in a sentence.
+[[nodiscard]] std::string cards_method(const CardsReport& report);
+
+// The page's diagrams.
+
+/// One figure of each set of cards, over the triangles that were allowed or the seconds that it took to make.
+enum class CardsAxis { kTriangles, kSeconds };
+[[nodiscard]] Figure cards_iou_figure(const CardsReport& report, CardsAxis over);
+[[nodiscard]] Figure cards_error_figure(const CardsReport& report, CardsAxis over);
+
+}  // namespace coif

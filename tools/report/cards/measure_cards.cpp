@@ -1,0 +1,195 @@
+#include "report/cards/measure_cards.h"
+
+#include "base/parallel_for.h"
+#include "report/cards/asset_surface.h"
+#include "report/cards/baseline_cards.h"
+#include "report/cards/card_sheets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr char kOwn[] = "none", kFlat[] = "kmeans", kEven[] = "even";
+
+tl::expected<void, ToolError> check(const Asset& asset, const CardsSettings& settings) {
+  const bool budgets_ok = !settings.budgets.empty() &&
+                          std::ranges::all_of(settings.budgets, [](std::size_t budget) { return budget >= 2; });
+  if (!budgets_ok || settings.directions == 0 || settings.size < kLeastCardsPicture ||
+      settings.size > kMostCardsPicture) {
+    return failure(
+        ToolError::Kind::kUsage,
+        fmt::format("cards are compared with 2 triangles at least, from a direction at least, in pictures of "
+                    "{} to {} pixels each way",
+                    kLeastCardsPicture, kMostCardsPicture));
+  }
+  if (!asset.is_open() || asset.vertices().empty() || asset.indices().empty()) {
+    return failure(ToolError::Kind::kBadInput,
+                   "the asset has no mesh to compare with strands; cook it again without leaving the mesh out");
+  }
+  return {};
+}
+
+/// Cards, how long they took and what they were made of.
+struct MadeCards {
+  Cards cards;
+  double seconds = 0;
+  std::optional<double> segments = {};
+};
+
+class CardsMeasurement {
+ public:
+  CardsMeasurement(const Asset& asset, const Groom& groom, const CookedPlace& place, const CardsSettings& settings,
+                   const ReportProgress& progress)
+      : asset_(asset),
+        groom_(groom),
+        place_(place),
+        settings_(settings),
+        progress_(progress),
+        shape_(shape_of(groom, settings.strand_width)),
+        directions_(spread_directions(settings.directions)) {
+    progress_("strands");
+    views_.emplace(groom, shape_.strands.width, frames_around(groom, place.turn, directions_, settings.size), kThreads);
+    if (settings.sheets) {
+      const bool faces_backwards = (asset.skeleton().flags & kSkeletonFacesBackwards) != 0;
+      sheets_.emplace(groom, shape_.strands.width, place.turn, faces_backwards, kThreads);
+    }
+  }
+
+  tl::expected<CardsReport, ToolError> run() {
+    describe_strands();
+    for (const std::size_t triangles : settings_.budgets) {
+      const CardsBudget budget{triangles, settings_.texels, settings_.strand_width};
+      measure(kOwn, budget, [&] { return timed([&] { return make_cards(groom_, shape_, budget, kThreads); }); });
+      measure(kFlat, budget, [&] { return timed([&] { return make_flat_cards(groom_, shape_, budget, kThreads); }); });
+      measure(kEven, budget, [&] { return even_cards(budget); });
+    }
+    if (report_.summary.empty()) return tl::unexpected(*refusal_);
+    for (std::uint32_t lod = 0; lod < asset_.lod_count(); ++lod) measure_level(lod);
+    if (sheets_) report_.sheets = sheets_->finish();
+    return std::move(report_);
+  }
+
+ private:
+  using Made = tl::expected<MadeCards, ToolError>;
+  static inline const unsigned kThreads = all_threads();
+
+  template <typename Make>
+  static Made timed(const Make& make) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto cards = make();
+    if (!cards) return tl::unexpected(cards.error());
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    return MadeCards{std::move(*cards), taken.count()};
+  }
+
+  [[nodiscard]] Made even_cards(const CardsBudget& budget) const {
+    auto even = make_even_cards(groom_, shape_, budget, *views_, kThreads);
+    if (!even) return tl::unexpected(even.error());
+    return MadeCards{std::move(even->cards), even->seconds, double(even->segments)};
+  }
+
+  void describe_strands() {
+    report_.source = groom_.path;
+    report_.strands = groom_.strand_count();
+    report_.strand_width = double(shape_.strands.width);
+    report_.size = settings_.size;
+    report_.directions = settings_.directions;
+    report_.asset_factor = place_.factor;
+  }
+
+  template <typename Make>
+  void measure(const char* baseline, const CardsBudget& budget, const Make& make) {
+    progress_(fmt::format("{} triangles, {}", budget.triangles, cards_name(baseline)));
+    const Made made = make();
+    if (!made) {
+      report_.left_out.push_back({baseline, budget.triangles, made.error().message});
+      if (!refusal_) refusal_ = made.error();
+      return;
+    }
+    const CardSurface surface = surface_of(made->cards);
+    CardsSummary summary{.baseline = baseline, .triangles = budget.triangles, .texels = budget.texels};
+    summary.cards = made->cards.wisps.size();
+    summary.made_triangles = surface.triangles.size() / 3;
+    summary.made_texels = std::uint64_t{surface.width} * surface.height;
+    summary.segments = made->segments;
+    summary.seconds = made->seconds;
+    const std::vector<HairLikeness> likeness = views_->compare(surface);
+    summary.figures = figures_of(surface, likeness);
+    for (std::size_t i = 0; i < likeness.size(); ++i) {
+      const Eigen::Vector3d direction = directions_[i].cast<double>();
+      report_.rows.push_back({baseline,
+                              budget.triangles,
+                              budget.texels,
+                              {direction.x(), direction.y(), direction.z()},
+                              likeness[i].coverage_iou,
+                              psnr_db(likeness[i].error)});
+    }
+    report_.summary.push_back(std::move(summary));
+    if (sheets_ && std::string_view(baseline) == kOwn)
+      sheets_->add(fmt::format("{} triangles", budget.triangles), surface);
+  }
+
+  void measure_level(std::uint32_t lod) {
+    progress_(fmt::format("the asset's level {}", lod));
+    const CardSurface surface = surface_of_asset(asset_, lod, place_);
+    report_.asset.push_back({lod, surface.triangles.size() / 3, std::uint64_t{surface.width} * surface.height,
+                             figures_of(surface, views_->compare(surface))});
+    if (sheets_ && lod == 0)
+      sheets_->add(fmt::format("the asset, {} triangles", surface.triangles.size() / 3), surface);
+  }
+
+  [[nodiscard]] CardsFigures figures_of(const CardSurface& surface, const std::vector<HairLikeness>& likeness) const {
+    CardsFigures figures;
+    figures.worst_iou = 1;
+    figures.worst_psnr_db = psnr_db(0);
+    const auto count = double(likeness.size());
+    for (const HairLikeness& one : likeness) {
+      const double psnr = psnr_db(one.error);
+      figures.mean_iou += one.coverage_iou / count;
+      figures.worst_iou = std::min(figures.worst_iou, one.coverage_iou);
+      figures.mean_psnr_db += psnr / count;
+      figures.worst_psnr_db = std::min(figures.worst_psnr_db, psnr);
+      figures.mean_error += one.error / count;
+    }
+    figures.vertices = surface.positions.size();
+    const SurfaceCost cost = views_->cost(surface);
+    figures.fragments = cost.fragments;
+    figures.layers = cost.layers;
+    return figures;
+  }
+
+  const Asset& asset_;
+  const Groom& groom_;
+  const CookedPlace& place_;
+  const CardsSettings& settings_;
+  const ReportProgress& progress_;
+  GroomShape shape_;
+  std::vector<Eigen::Vector3f> directions_;
+  std::optional<HairViews> views_;
+  std::optional<CardSheets> sheets_;
+  std::optional<ToolError> refusal_;  ///< The first set of cards that could not be made.
+  CardsReport report_;
+};
+
+}  // namespace
+
+tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Groom& groom, std::uint64_t groom_hash,
+                                                   const CardsSettings& settings, const ReportProgress& progress) {
+  if (const auto checked = check(asset, settings); !checked) return tl::unexpected(checked.error());
+  const auto place = find_cooked_place(asset, groom);
+  if (!place) return tl::unexpected(place.error());
+  auto report = CardsMeasurement(asset, groom, *place, settings, progress).run();
+  if (!report) return report;
+  const ProvenanceRecord* const provenance = asset.provenance();
+  report->is_its_source = provenance != nullptr && provenance->source_hash == groom_hash;
+  return report;
+}
+
+}  // namespace coif

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/tool_error.h"
+#include "groom/groom.h"
+#include "report/cards/cards_report.h"
+
+#include <coif/asset.h>
+
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace coif {
+
+inline constexpr std::uint32_t kLeastCardsPicture = 16, kMostCardsPicture = 1024;  ///< Pixels each way.
+
+struct CardsSettings {
+  std::vector<std::size_t> budgets{1000, 2000, 4000, 8000, 16000};  ///< Triangles of each set of cards, 2 at least.
+  std::size_t directions = 32;                                      ///< To look along, 1 at least.
+  std::uint32_t size = 256;                                         ///< Pixels of a picture, each way.
+  bool sheets = false;                                              ///< Also make what the page shows.
+
+  // As the recipe has it.
+  std::size_t texels = std::size_t{1} << 22;  ///< Of each set of cards.
+  float strand_width = 0;                     ///< Metres; CardsBudget::strand_width.
+};
+
+/// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which was cooked
+/// from that groom, with the strands. `groom_hash`: XXH64 of its file. Errors: kUsage for settings out of range; kBadInput for an asset
+/// without a mesh or from other strands; kOverBudget where no cards can be made at all.
+tl::expected<CardsReport, ToolError> measure_cards(const Asset& asset, const Groom& groom, std::uint64_t groom_hash,
+                                                   const CardsSettings& settings, const ReportProgress& progress);
+
+}  // namespace coif
