@@ -25,7 +25,7 @@ picture() { # STYLE, then what else is asked of `coif render`
 picture bob --size 720x800 --view 28,4 -o "$out/bob.png"
 picture wavy --size 720x800 --view -26,2 -o "$out/wavy.png"
 
-# The motion repeats at 1.54 Hz, and after two rounds so does the hair.
+# The motion repeats at 1.54 Hz, and after two rounds so does the hair. Shown at half its speed.
 frames=20
 frame=0
 while [ $frame -lt $frames ]; do
@@ -33,4 +33,4 @@ while [ $frame -lt $frames ]; do
   picture bob --size 420x460 --view 28,4 --samples 4 --motion turn --time "$time" -o "$work/$(printf %02d $frame).png" >"$work/log"
   frame=$((frame + 1))
 done
-convert -delay 3 -loop 0 "$work"/[0-9][0-9].png -quality 82 "$out/turn.webp"
+convert -delay 6 -loop 0 "$work"/[0-9][0-9].png -quality 82 "$out/turn.webp"
