@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace coif::fewer_strands_test {
@@ -28,6 +29,31 @@ TEST(FewerStrands, AreAllWhereThoseAreFew) {
   const Groom same = fewer_strands(all, 0.001f, 1u << 20);
   EXPECT_EQ(same.points, all.points);
   EXPECT_EQ(same.widths, std::vector<float>(all.points.size(), 0.001f));
+}
+
+TEST(StraighterStrands, LieWhereTheyLayWithFewerPoints) {
+  const Groom all = test::groom_of(test::strands_of_a_head(100));
+  constexpr float kTolerance = 0.002f;
+  const Groom straighter = straighter_strands(all, kTolerance);
+  EXPECT_EQ(find_groom_fault(straighter), "");
+  ASSERT_EQ(straighter.strand_count(), all.strand_count());
+  EXPECT_LT(straighter.points.size(), 2 * all.points.size() / 3);
+  for (std::size_t i = 0; i < all.strand_count(); ++i) {
+    const auto kept = straighter.strand(i);
+    EXPECT_EQ(kept.front(), all.strand(i).front());
+    EXPECT_EQ(kept.back(), all.strand(i).back());
+    for (const Eigen::Vector3f& point : all.strand(i)) {
+      float nearest = 1;
+      for (std::size_t p = 1; p < kept.size(); ++p) {
+        const Eigen::Vector3f way = kept[p] - kept[p - 1];
+        const float share = std::clamp((point - kept[p - 1]).dot(way) / way.squaredNorm(), 0.0f, 1.0f);
+        nearest = std::min(nearest, (kept[p - 1] + share * way - point).norm());
+      }
+      EXPECT_LE(nearest, 1.001f * kTolerance);
+    }
+  }
+  EXPECT_EQ(straighter_strands(test::hanging_wisps(2, 3), 1e-6f).points.size(), 2u * 3 * 2)
+      << "straight ones keep their ends";
 }
 
 }  // namespace coif::fewer_strands_test

@@ -91,7 +91,7 @@ TEST(FlatRibbon, IsThereForOneStraightStrand) {
 TEST(FlatCards, AreTwoTrianglesEachAndLookLikeHairThatIsFlat) {
   const Groom groom = test::hanging_wisps(5, 40);
   const GroomShape shape = shape_of(groom, kWidth);
-  const auto cards = make_flat_cards(groom, shape, {10, std::size_t{1} << 18, kWidth}, 2);
+  const auto cards = make_flat_cards(groom, shape, {10, std::size_t{1} << 18, 1, kWidth}, 2);
   ASSERT_TRUE(cards.has_value());
   ASSERT_EQ(cards->strips.size(), 5u);
   for (const CardStrip& strip : cards->strips) EXPECT_EQ(strip.triangles(), 2u);
@@ -117,7 +117,7 @@ TEST(EvenCards, HaveAsManySegmentsAsComeNearest) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   const GroomShape shape = shape_of(groom, kWidth);
   const HairViews views = views_of(groom);
-  const CardsBudget budget{120, std::size_t{1} << 16, kWidth};
+  const CardsBudget budget{120, std::size_t{1} << 16, 1, kWidth};
   const auto even = make_even_cards(groom, shape, budget, views, 2);
   ASSERT_TRUE(even.has_value());
   EXPECT_GT(even->seconds, 0);
@@ -141,7 +141,7 @@ TEST(EvenCards, HaveAsManySegmentsAsComeNearest) {
 TEST(EvenCards, SayWhyThereAreNone) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   const GroomShape shape = shape_of(groom, kWidth);
-  const auto even = make_even_cards(groom, shape, {600, 64, kWidth}, views_of(groom), 2);
+  const auto even = make_even_cards(groom, shape, {600, 64, 1, kWidth}, views_of(groom), 2);
   ASSERT_FALSE(even.has_value());
   EXPECT_EQ(even.error().kind, ToolError::Kind::kOverBudget);
   EXPECT_NE(even.error().message.find("allow more texels"), std::string::npos) << even.error().message;

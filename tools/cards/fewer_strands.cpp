@@ -1,9 +1,45 @@
 #include "cards/fewer_strands.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace coif {
+namespace {
+
+/// Metres, of a point from the line between two others.
+float off_line(const Eigen::Vector3f& point, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  const Eigen::Vector3f way = b - a;
+  const float squared = way.squaredNorm();
+  const float share = squared > 0 ? std::clamp((point - a).dot(way) / squared, 0.0f, 1.0f) : 0.0f;
+  return (a + share * way - point).norm();
+}
+
+/// Which of the points first..last have to stay, both ends too.
+void find_corners(const std::vector<Eigen::Vector3f>& points, std::uint32_t first, std::uint32_t last, float tolerance,
+                  std::vector<bool>& stays) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{first, last}};
+  stays[first] = stays[last] = true;
+  while (!open.empty()) {
+    const auto [begin, end] = open.back();
+    open.pop_back();
+    float farthest = tolerance;
+    std::uint32_t corner = begin;
+    for (std::uint32_t p = begin + 1; p < end; ++p) {
+      const float off = off_line(points[p], points[begin], points[end]);
+      if (off > farthest) farthest = off, corner = p;
+    }
+    if (corner == begin) continue;
+    stays[corner] = true;
+    open.push_back({begin, corner});
+    open.push_back({corner, end});
+  }
+}
+
+}  // namespace
 
 Groom fewer_strands(const Groom& groom, float width, std::size_t points) {
   const std::size_t each =
@@ -20,6 +56,26 @@ Groom fewer_strands(const Groom& groom, float width, std::size_t points) {
   }
   fewer.groups.push_back({"", 0, std::uint32_t(fewer.strand_count())});
   return fewer;
+}
+
+Groom straighter_strands(const Groom& groom, float tolerance) {
+  std::vector<bool> stays(groom.points.size(), false);
+  for (std::size_t i = 0; i < groom.strand_count(); ++i)
+    find_corners(groom.points, groom.begin[i], groom.begin[i + 1] - 1, tolerance, stays);
+  Groom straighter;
+  straighter.root_first = groom.root_first;
+  straighter.groups = groom.groups;
+  straighter.begin.push_back(0);
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    for (std::uint32_t p = groom.begin[i]; p < groom.begin[i + 1]; ++p) {
+      if (!stays[p]) continue;
+      straighter.points.push_back(groom.points[p]);
+      if (!groom.widths.empty()) straighter.widths.push_back(groom.widths[p]);
+      if (!groom.colors.empty()) straighter.colors.push_back(groom.colors[p]);
+    }
+    straighter.begin.push_back(std::uint32_t(straighter.points.size()));
+  }
+  return straighter;
 }
 
 }  // namespace coif

@@ -1,6 +1,7 @@
 #include "cards/fit_opacity.h"
 
 #include "base/parallel_for.h"
+#include "cards/fewer_strands.h"
 #include "cards/strand_picture.h"
 #include "cards/surface_raster.h"
 
@@ -15,9 +16,10 @@ namespace coif {
 namespace {
 
 constexpr std::size_t kViews = 32;
-constexpr std::uint32_t kPicture = 256;  // pixels of hair, both ways
-constexpr std::uint32_t kFitSide = 2;    // samples of a pixel, both ways
-constexpr double kLeastFall = 0.02;                  // of the error, for another round
+constexpr std::uint32_t kPicture = 256;              // pixels of hair, both ways
+constexpr float kTolerance = 0.1f;                   // pixels that strands may lie off where they are
+constexpr std::uint32_t kFitSide = 2;                // samples of a pixel, both ways
+constexpr double kLeastFall = 0.04;                  // of the error, for another round
 constexpr float kClearest = 1e-4f;                   // so that a texel behind an opaque one still has some say
 constexpr float kLittleSeen = 0.3f;                  // samples: texels that are seen less than this change less
 constexpr int kSpreadAcross = 0, kSpreadAlong = 12;  // texels
@@ -200,10 +202,11 @@ void change_textures(const CardSurface& surface, std::span<const View> views, Ca
 
 }  // namespace
 
-OpacityFit fit_opacity(const Groom& groom, float strand_width, int rounds, Cards& cards, unsigned threads) {
+OpacityFit fit_opacity(const Groom& fine, float strand_width, int rounds, Cards& cards, unsigned threads) {
   OpacityFit fit;
   if (rounds <= 0) return fit;
-  const ShownBall ball = ball_around(groom.points);
+  const ShownBall ball = ball_around(fine.points);
+  const Groom groom = straighter_strands(fine, kTolerance / frame_along({0, 0, -1}, ball, kPicture).pixels_of_metre);
   std::vector<CardTexture> best = cards.textures;
   for (int round = 0; round <= rounds; ++round) {
     const CardSurface surface = surface_of(cards);

@@ -24,6 +24,7 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   const auto choice = choose_recipe(source, options.cards.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   settings.texels = choice->recipe.cards_texels;
+  settings.rounds = int(choice->recipe.cards_rounds);
   settings.strand_width = float(choice->recipe.cards_strand_width);
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());

@@ -24,6 +24,7 @@ struct CardsSettings {
 
   // As the recipe has it.
   std::size_t texels = std::size_t{1} << 22;  ///< Of each set of cards.
+  int rounds = 6;                             ///< CardsBudget::rounds.
   float strand_width = 0;                     ///< Metres; CardsBudget::strand_width.
 };
 
