@@ -12,10 +12,10 @@ out=${2:-$here}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Drafts: to find orders of triangles for all directions takes minutes, and pictures of one hardly show it.
+# The recipes ask for one order of triangles: to find those for all directions takes minutes, and these pictures hardly show it.
 for style in bob wavy; do
   "$coif" grow --recipe "$here/$style.recipe.json" -o "$work/$style.hair"
-  "$coif" cook "$work/$style.hair" --recipe "$here/$style.recipe.json" --draft -o "$work/$style.coif"
+  "$coif" cook "$work/$style.hair" --recipe "$here/$style.recipe.json" -o "$work/$style.coif"
 done
 picture() { # STYLE, then what else is asked of `coif render`
   style=$1

@@ -39,6 +39,9 @@ void add_order(CLI::App& app, OrderChoice& choice) {
 }
 
 void add_stage(CLI::App& app, PictureSettings& picture) {
+  static constexpr Choice<bool> kHeads[] = {{"face", true}, {"ball", false}};
+  add_choice<bool>(app, "--head", picture.bust, kHeads,
+                   "What is under hair that comes without a body: a head with a face (default), or the asset's own collider");
   add_choice<LightRig>(app, "--lights", picture.lights, kLights, "From where light comes (default: studio)");
   const auto parse = [&picture](const std::string& word) {
     const auto backdrop = find_backdrop(word);

@@ -13,10 +13,12 @@ const SIZE = { width: 480, height: 360 };
 const PIXELS = SIZE.width * SIZE.height;
 
 const inWork = (name) => join(WORK, name);
+// What the page shows, too.
+const PLAIN = ['--lights', 'plain', '--backdrop', 'light', '--head', 'ball', '--samples', '4'];
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
 function rendered(view, ...options) {
-  coif('render', ASSET, '-o', 'reference.png', '--size', `${SIZE.width}x${SIZE.height}`, '--view', view, ...options);
+  coif('render', ASSET, '-o', 'reference.png', '--size', `${SIZE.width}x${SIZE.height}`, '--view', view, ...PLAIN, ...options);
   return readPng(inWork('reference.png')).rgba;
 }
 

@@ -13,10 +13,12 @@ const SIZE = { width: 480, height: 360 };
 const LEAST_DB = 40;
 
 const inWork = (name) => join(WORK, name);
+// What the page shows, too.
+const PLAIN = ['--lights', 'plain', '--backdrop', 'light', '--head', 'ball', '--samples', '4'];
 const coif = (...words) => execFileSync(COIF, words, { encoding: 'utf8', cwd: WORK });
 
 function rendered(asset, ...options) {
-  coif('render', asset, '-o', 'reference.png', '--size', `${SIZE.width}x${SIZE.height}`, '--view', '30,5', ...options);
+  coif('render', asset, '-o', 'reference.png', '--size', `${SIZE.width}x${SIZE.height}`, '--view', '30,5', ...PLAIN, ...options);
   return readPng(inWork('reference.png')).rgba;
 }
 
