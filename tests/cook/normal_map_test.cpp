@@ -2,6 +2,8 @@
 
 #include "cook/built_models.h"
 #include "cook/image_files.h"
+#include "cook/strands/strand_direction.h"
+#include "cook/texture/bake_textures.h"
 #include "cook/texture/relief.h"
 
 #include <gtest/gtest.h>
@@ -203,6 +205,44 @@ TEST(BakeRelief, KeepsOnlyTheResolutionThatSaysSomething) {
   ASSERT_FALSE(stored.records.empty());
   EXPECT_EQ(stored.records[0].height, 1u) << "nothing changes along V";
   EXPECT_LT(stored.records[0].width, kSide);
+}
+
+/// Of an image of what is known of strands: all of one strand, which runs at a slant.
+Image one_strand(std::uint8_t number) {
+  Image strands{64, 64, 4, {}};
+  for (std::size_t i = 0; i < strands.texel_count(); ++i)
+    strands.texels.insert(strands.texels.end(), {number, 128, two_sided_byte(0), two_sided_byte(1)});
+  return strands;
+}
+
+TEST(KnownStrands, RunAsTheyAreKnownToWithoutAMapOfNormals) {
+  const Image strands = one_strand(7);
+  Findings findings;
+  const StoredTextures stored = bake_relief(nullptr, &strands, whole_image(), default_recipe(), 1, findings);
+  ASSERT_EQ(stored.records.size(), 1u);
+  EXPECT_EQ(stored.records[0].role, TextureRole::kStrandAxis);
+}
+
+TEST(KnownStrands, HaveAShiftOfTheirOwn) {
+  const Image low = shift_mask_of(one_strand(0), 1), high = shift_mask_of(one_strand(255), 1);
+  ASSERT_EQ(low.texels.size(), std::size_t{2} * 64 * 64);
+  for (std::size_t i = 0; i < low.texels.size(); i += 2) {
+    ASSERT_EQ(low.texels[i], low.texels[0]) << "one strand has one";
+    ASSERT_EQ(high.texels[i], high.texels[0]);
+  }
+  EXPECT_GT(high.texels[0], low.texels[0] + 100);
+}
+
+TEST(KnownStrands, HaveTheirRootsWhereTheyGrowUnlessTheRecipeSaysOtherwise) {
+  SourceModel source;
+  HairStrips hair;
+  hair.patches.count = 2;
+  Recipe recipe = default_recipe();
+  EXPECT_EQ(declared_roots(recipe, source, hair), std::vector<std::string>(2, "auto"));
+  source.made_from_strands = true;
+  EXPECT_EQ(declared_roots(recipe, source, hair), std::vector<std::string>(2, "low_v"));
+  recipe.strand_root = "high_v";
+  EXPECT_EQ(declared_roots(recipe, source, hair), std::vector<std::string>(2, "high_v"));
 }
 
 }  // namespace coif::normal_map_test

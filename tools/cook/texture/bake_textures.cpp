@@ -31,6 +31,7 @@ void report_spared(const Image& whole, const DetailedImage& kept, Findings& find
 
 BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& recipe, Transparency& transparency,
                    Findings& findings) {
+  const std::uint32_t max_size = color.max_size.value_or(recipe.texture_max_size);
   Image image = *color.image;
   Image used = used_texels(hair, image.width, image.height);
   transparency = choose_transparency(color, &image, used, recipe, findings);
@@ -38,8 +39,8 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
     // Before filtering: colours count everywhere, as if nothing had ever been in the alpha channel.
     for (std::size_t i = 3; i < image.texels.size(); i += 4) image.texels[i] = 255;
   }
-  image = reduce(std::move(image), color.max_size, TexelMeaning::kSrgbColorAlpha);
-  used = reduce(std::move(used), color.max_size, TexelMeaning::kNumbers);
+  image = reduce(std::move(image), max_size, TexelMeaning::kSrgbColorAlpha);
+  used = reduce(std::move(used), max_size, TexelMeaning::kNumbers);
   fill_gaps(image, used);
   const Image whole{image.width, image.height, 4, {}};
   DetailedImage detailed = reduce_to_detail(std::move(image), used, TexelMeaning::kSrgbColorAlpha);
@@ -49,8 +50,8 @@ BaseMips bake_base(const BaseColor& color, const HairMesh& hair, const Recipe& r
     used = shrink(used, image.width, image.height, TexelMeaning::kNumbers);
   }
   BaseMips mips;
-  mips.used = make_mips(std::move(used), color.max_size, TexelMeaning::kNumbers);
-  mips.color = make_mips(std::move(image), color.max_size, TexelMeaning::kSrgbColorAlpha);
+  mips.used = make_mips(std::move(used), max_size, TexelMeaning::kNumbers);
+  mips.color = make_mips(std::move(image), max_size, TexelMeaning::kSrgbColorAlpha);
   return mips;
 }
 

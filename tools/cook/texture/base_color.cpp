@@ -226,10 +226,9 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
     color.files = images.files();
     color.questions = images.questions();
   }
-  color.max_size = recipe.texture_max_size;
   // How large cards' texture is the recipe has said already.
   if (source.made_from_strands && !own->image && color.image && !settings.draft) {
-    color.max_size = std::max({color.max_size, color.image->width, color.image->height});
+    color.max_size = std::max({recipe.texture_max_size, color.image->width, color.image->height});
   }
   if (auto taken = take_own_normals(recipe, settings, color, findings); !taken) return tl::unexpected(taken.error());
   return color;

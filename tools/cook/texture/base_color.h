@@ -64,7 +64,7 @@ struct BaseColor {
   Eigen::Vector4f factor = Eigen::Vector4f::Ones();  ///< Multiplies the image, linear, 0..1.
   AlphaUse alpha_use = AlphaUse::kUnknown;           ///< What the file says; kUnknown for an image of the recipe.
   float alpha_cutoff = 0.5f;                         ///< For kMask.
-  std::uint32_t max_size = 0;                        ///< Texels: a larger image is reduced to this.
+  std::optional<std::uint32_t> max_size;             ///< Texels: a larger image is reduced to this; none: the recipe's.
   std::optional<AtlasLayout> atlas;                  ///< Set where surfaces of several materials share the image.
   std::optional<Image> normals;                      ///< Two channels, as NormalMap has them; none: the surface's own.
   std::optional<Image> strands;                      ///< RGBA, SourceMaterial::strand_texture.
