@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 for shown in realistic:wavy anime:fringe_bob stylised:bob ponytail:ponytail curly:curly short:short; do
   preset=${shown%:*}
   cat >"$work/$preset.recipe.json" <<END
-{"grow": {"style": "${shown#*:}", "strands": 12000}, "order": {"method": "head"}, "lods": {"levels": 1}}
+{"grow": {"style": "${shown#*:}", "strands": 9000}, "cards": {"rounds": 2}, "order": {"method": "head"}, "lods": {"levels": 1}}
 END
   "$coif" cook "$work/$preset.recipe.json" --preset "$preset" --body "$here/portrait.glb" -o "$work/$preset.coif"
   "$coif" render "$work/$preset.coif" --body "$here/portrait.glb" --size 360x400 --view 35,5 -o "$work/$preset.png"
