@@ -1,10 +1,10 @@
 #!/bin/sh
 # Makes all pictures of this folder: hair grows on the portrait, is cooked and drawn, and a moving picture is put together by
-# ImageMagick's convert.
+# ImageMagick.
 #
 #   sample_assets/portrait/make_pictures.sh COIF [OUT]
 #
-# COIF is the program; OUT, by default this folder, gets bob.png, wavy.png and turn.webp.
+# COIF is the program; OUT, by default this folder, gets bob.png, wavy.png, turn.webp and presets.webp.
 set -eu
 coif=$1
 here=$(cd "$(dirname "$0")" && pwd)
@@ -34,3 +34,16 @@ while [ $frame -lt $frames ]; do
   frame=$((frame + 1))
 done
 convert -delay 6 -loop 0 "$work"/[0-9][0-9].png -quality 82 "$out/turn.webp"
+
+# What each preset of `coif cook --list-presets` is for.
+for shown in realistic:wavy anime:fringe_bob stylised:bob ponytail:ponytail curly:curly short:short; do
+  preset=${shown%:*}
+  cat >"$work/$preset.recipe.json" <<END
+{"grow": {"style": "${shown#*:}", "strands": 9000}, "cards": {"rounds": 2}, "order": {"method": "head"}, "lods": {"levels": 1}}
+END
+  "$coif" cook "$work/$preset.recipe.json" --preset "$preset" --body "$here/portrait.glb" -o "$work/$preset.coif"
+  picture "$preset" --size 360x400 --view 35,5 -o "$work/$preset.png"
+done
+(cd "$work" && montage -label %t realistic.png anime.png stylised.png ponytail.png curly.png short.png -tile 3x2 -geometry +4+4 \
+  -quality 85 "$work/presets.webp")
+cp "$work/presets.webp" "$out/presets.webp"

@@ -1,30 +1,22 @@
 #include "cards/card_picture.h"
 
 #include "cards/compare_hair.h"
+#include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
-#include "cards/make_cards.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
-#include <utility>
 
 namespace coif::card_picture_test {
 
 constexpr float kWidth = 0.002f;
 
 struct MadeCards {
-  explicit MadeCards(const Groom& groom, std::size_t count, std::size_t triangles) {
-    const GroomShape shape = shape_of(groom, kWidth);
-    auto wisps = find_wisps(shape.strands, count, 2);
-    auto strips = make_strips(wisps, triangles);
-    auto made = texture_cards(groom, shape, std::move(wisps), std::move(strips), std::size_t{1} << 19, 2);
-    if (!made) throw std::runtime_error(made.error().message);
-    cards = std::move(*made);
-    surface = surface_of(cards);
-  }
+  MadeCards(const Groom& groom, std::size_t count, std::size_t triangles)
+      : cards(test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 19)),
+        surface(surface_of(cards)) {}
   Cards cards;
   CardSurface surface;
 };

@@ -2,25 +2,19 @@
 
 #include "cards/card_picture.h"
 #include "cards/compare_hair.h"
+#include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
-#include <utility>
 
 namespace coif::fit_opacity_test {
 
 constexpr float kWidth = 0.003f;
 
 Cards unfitted_cards(const Groom& groom, std::size_t count, std::size_t triangles) {
-  const GroomShape shape = shape_of(groom, kWidth);
-  auto wisps = find_wisps(shape.strands, count, 2);
-  auto strips = make_strips(wisps, triangles);
-  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), std::size_t{1} << 18, 2);
-  if (!cards) throw std::runtime_error(cards.error().message);
-  return std::move(*cards);
+  return test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 18);
 }
 
 double mean_overlap(const Groom& groom, const Cards& cards) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -22,6 +23,10 @@ constexpr std::array<std::int8_t, 256> kBase64Values = [] {
 }();
 
 }  // namespace
+
+std::uint8_t two_sided_byte(double value) {
+  return std::uint8_t(std::lround(std::clamp(127 * value, -127.0, 127.0)) + 128);
+}
 
 std::string base64(std::span<const std::uint8_t> bytes) {
   std::string text;

@@ -21,6 +21,9 @@ namespace coif {
 /// "%20" as a space (RFC 3986, section 2.1); a percent sign without two digits stays.
 [[nodiscard]] std::string decoded_uri(std::string_view uri);
 
+/// One number of -1 to 1 as a map's byte, of which the formats' two_sided() is the reverse.
+[[nodiscard]] std::uint8_t two_sided_byte(double value);
+
 /// PNG bytes of a picture: RGBA, sRGB, rows top to bottom. Empty only when out of memory.
 [[nodiscard]] std::vector<std::uint8_t> encode_png(std::span<const std::uint8_t> rgba, std::uint32_t width,
                                                    std::uint32_t height);

@@ -14,9 +14,6 @@ const Eigen::Vector3f kBrown(0.36f, 0.24f, 0.15f);  // as screens have it
 
 std::uint8_t byte_of(float value) { return std::uint8_t(std::clamp(value, 0.0f, 1.0f) * 255 + 0.5f); }
 
-/// -1..1 as a byte of which 128 stands for 0, as in TextureRole::kStrandAxis.
-std::uint8_t two_sided_byte_of(float value) { return std::uint8_t(128 + std::clamp(value, -1.0f, 1.0f) * 127 + 0.5f); }
-
 /// An image of all cards, RGBA, texel by texel from their textures.
 class AtlasPicture {
  public:
@@ -53,8 +50,8 @@ std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepe
   // The double angle's cosine and sine, times how much strands of this texel run one way.
   const float length = std::max(along.norm(), 1e-6f);
   return {byte_of(texture.strand[i]), byte_of(0.5f + 0.5f * texture.depth[i] / deepest),
-          two_sided_byte_of((along.x() * along.x() - along.y() * along.y()) / length),
-          two_sided_byte_of(2 * along.x() * along.y() / length)};
+          two_sided_byte(double((along.x() * along.x() - along.y() * along.y()) / length)),
+          two_sided_byte(double(2 * along.x() * along.y() / length))};
 }
 
 void add_images(const Cards& cards, SourceModel& model) {

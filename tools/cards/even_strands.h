@@ -29,6 +29,12 @@ struct EvenStrands {
 /// Around all roots.
 [[nodiscard]] Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands);
 
+/// The end of a strand that grows from the skin, as find_reversed_strands() has it.
+[[nodiscard]] inline const Eigen::Vector3f& root_of(const Groom& groom, std::span<const std::uint8_t> is_reversed,
+                                                    std::size_t i) {
+  return is_reversed[i] != 0 ? groom.strand(i).back() : groom.strand(i).front();
+}
+
 /// `width`: of strands whose groom says none. `is_reversed`, empty or one for each strand: it begins with its tip.
 [[nodiscard]] EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed = {});
 

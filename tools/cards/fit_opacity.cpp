@@ -11,19 +11,21 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace coif {
 namespace {
 
 constexpr std::size_t kViews = 32;
-constexpr std::uint32_t kPicture = 256;              // pixels of hair, both ways
-constexpr float kTolerance = 0.1f;                   // pixels that strands may lie off where they are
-constexpr std::uint32_t kFitSide = 2;                // samples of a pixel, both ways
-constexpr double kLeastFall = 0.04;                  // of the error, for another round
-constexpr float kClearest = 1e-4f;                   // so that a texel behind an opaque one still has some say
-constexpr float kLittleSeen = 0.3f;                  // samples: texels that are seen less than this change less
-constexpr int kSpreadAcross = 0, kSpreadAlong = 12;  // texels
-constexpr float kEdge = 0.2f;                        // of a card's width and length
+constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
+constexpr std::uint32_t kPicture = 256;                    // pixels of hair, both ways
+constexpr float kTolerance = 0.1f;                         // pixels that strands may lie off where they are
+constexpr std::uint32_t kFitSide = 2;                      // samples of a pixel, both ways
+constexpr double kLeastFall = 0.04;                        // of the error, for another round
+constexpr float kClearest = 1e-4f;                         // so that a texel behind an opaque one still has some say
+constexpr float kLittleSeen = 0.3f;                        // samples: texels that are seen less than this change less
+constexpr std::size_t kSpreadAlong = 12;                   // texels
+constexpr float kEdge = 0.2f;                              // of a card's width and length
 
 /// Fog outside of the hair shows more than what lacks inside.
 constexpr float kOutside = 4;
@@ -145,25 +147,17 @@ class CardChange {
     return std::min(side, 1.0f);
   }
 
-  /// To the sums over the texels around each.
+  /// To the sums over the texels before and behind each, along the card.
   void spread(std::vector<float>& values) const {
-    sum_around(values, place_.width, place_.height, place_.width, 1, kSpreadAcross);
-    sum_around(values, place_.height, place_.width, 1, place_.width, kSpreadAlong);
-  }
-
-  /// `lines` lines of `count` values, which are `step` apart.
-  static void sum_around(std::vector<float>& values, std::size_t count, std::size_t lines, std::size_t line,
-                         std::size_t step, int reach) {
+    const std::size_t count = place_.height, step = place_.width;
     std::vector<float> before(count);
-    for (std::size_t l = 0; l < lines; ++l) {
-      float* const begin = &values[l * line];
-      for (std::size_t i = 0; i < count; ++i) before[i] = begin[i * step];
+    for (std::size_t column = 0; column < step; ++column) {
+      for (std::size_t i = 0; i < count; ++i) before[i] = values[column + i * step];
       for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t first = i - std::min(i, std::size_t(reach)),
-                          last = std::min(i + std::size_t(reach), count - 1);
+        const std::size_t first = i - std::min(i, kSpreadAlong), last = std::min(i + kSpreadAlong, count - 1);
         float sum = 0;
         for (std::size_t k = first; k <= last; ++k) sum += before[k];
-        begin[i * step] = sum;
+        values[column + i * step] = sum;
       }
     }
   }
@@ -200,25 +194,32 @@ void change_textures(const CardSurface& surface, std::span<const View> views, Ca
   });
 }
 
+std::vector<std::vector<float>> opacities_of(const Cards& cards) {
+  std::vector<std::vector<float>> opacities;
+  for (const CardTexture& texture : cards.textures) opacities.push_back(texture.opacity);
+  return opacities;
+}
+
 }  // namespace
 
-OpacityFit fit_opacity(const Groom& fine, float strand_width, int rounds, Cards& cards, unsigned threads) {
+OpacityFit fit_opacity(const Groom& whole, float strand_width, int rounds, Cards& cards, unsigned threads) {
   OpacityFit fit;
   if (rounds <= 0) return fit;
+  const Groom fine = fewer_strands(whole, strand_width, kMostPoints);
   const ShownBall ball = ball_around(fine.points);
   const Groom groom = straighter_strands(fine, kTolerance / frame_along({0, 0, -1}, ball, kPicture).pixels_of_metre);
-  std::vector<CardTexture> best = cards.textures;
+  std::vector<std::vector<float>> best;
   for (int round = 0; round <= rounds; ++round) {
     const CardSurface surface = surface_of(cards);
     const std::vector<View> views = look(groom, strand_width, surface, ball, round, threads);
     const double error = error_of(views), before = fit.errors.empty() ? error : fit.errors.back();
     fit.errors.push_back(error);
     if (round > 0 && error > before) {
-      cards.textures = best;
+      for (std::size_t i = 0; i < best.size(); ++i) cards.textures[i].opacity = std::move(best[i]);
       break;
     }
     if (round == rounds || (round > 0 && error > (1 - kLeastFall) * before)) break;
-    best = cards.textures;
+    best = opacities_of(cards);
     change_textures(surface, views, cards, threads);
   }
   return fit;

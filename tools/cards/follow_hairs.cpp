@@ -23,9 +23,7 @@ class GuideRoots {
   explicit GuideRoots(const Groom& guides) : guides_(guides), reversed_(find_reversed_strands(guides)) {}
 
   [[nodiscard]] bool is_reversed(std::size_t i) const { return reversed_[i] != 0; }
-  [[nodiscard]] const Vector3f& root(std::size_t i) const {
-    return is_reversed(i) ? guides_.strand(i).back() : guides_.strand(i).front();
-  }
+  [[nodiscard]] const Vector3f& root(std::size_t i) const { return root_of(guides_, reversed_, i); }
   [[nodiscard]] Vector3f way(std::size_t i) const {
     const auto strand = guides_.strand(i);
     const Vector3f segment = is_reversed(i) ? strand[strand.size() - 2] - strand.back() : strand[1] - strand[0];

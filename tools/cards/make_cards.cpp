@@ -1,7 +1,6 @@
 #include "cards/make_cards.h"
 
 #include "base/parallel_for.h"
-#include "cards/fewer_strands.h"
 #include "cards/fit_opacity.h"
 
 #include <Eigen/Geometry>
@@ -15,7 +14,6 @@ namespace {
 
 constexpr std::size_t kQuadsOfCard = 4;      // on the average: fewer bend no lock, more leave too few cards
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
-constexpr std::size_t kPointsOfPictures = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
 
 std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
   std::vector<CardSize> sizes;
@@ -99,13 +97,7 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
   std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
   std::vector<CardStrip> strips = make_strips(wisps, budget.triangles);
   auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
-  if (!cards) return cards;
-  if (groom.points.size() <= kPointsOfPictures) {
-    fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
-  } else {
-    const Groom fewer = fewer_strands(groom, shape.strands.width, kPointsOfPictures);
-    fit_opacity(fewer, shape.strands.width, budget.rounds, *cards, threads);
-  }
+  if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
   return cards;
 }
 

@@ -59,8 +59,7 @@ std::vector<Vector3f> some_roots(const Groom& groom) {
   const std::vector<std::uint8_t> reversed = find_reversed_strands(groom);
   const std::size_t step = std::max<std::size_t>(groom.strand_count() / kSome, 1);
   std::vector<Vector3f> roots;
-  for (std::size_t i = 0; i < groom.strand_count(); i += step)
-    roots.push_back(reversed[i] != 0 ? groom.strand(i).back() : groom.strand(i).front());
+  for (std::size_t i = 0; i < groom.strand_count(); i += step) roots.push_back(root_of(groom, reversed, i));
   return roots;
 }
 

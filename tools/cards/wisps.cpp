@@ -1,11 +1,11 @@
 #include "cards/wisps.h"
 
 #include "base/parallel_for.h"
+#include "cards/spread_seeds.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <random>
 
 namespace coif {
 namespace {
@@ -18,27 +18,6 @@ float squared_distance(std::span<const Eigen::Vector3f> a, std::span<const Eigen
   float sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]).squaredNorm();
   return sum / float(a.size());
-}
-
-/// Strands that lie far from each other, chosen by the squares of their distances from those chosen before.
-std::vector<std::uint32_t> first_middles(const EvenStrands& strands, std::span<const std::uint32_t> sample,
-                                         std::size_t count) {
-  std::mt19937_64 random(1);
-  std::vector<std::uint32_t> chosen{sample[sample.size() / 2]};
-  std::vector<float> nearest(sample.size(), std::numeric_limits<float>::max());
-  while (chosen.size() < count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < sample.size(); ++i) {
-      nearest[i] = std::min(nearest[i], squared_distance(strands.strand(sample[i]), strands.strand(chosen.back())));
-      sum += double(nearest[i]);
-    }
-    if (!(sum > 0)) break;  // the rest are copies of these
-    double left = sum * (double(random() >> 11) * 0x1p-53);
-    std::size_t next = 0;
-    while (next + 1 < sample.size() && (left -= double(nearest[next])) >= 0) ++next;
-    chosen.push_back(sample[next]);
-  }
-  return chosen;
 }
 
 /// Which ribbon each strand of `which` is nearest to, and how far that is in all.
@@ -99,8 +78,11 @@ std::vector<Wisp> find_wisps(const EvenStrands& strands, std::size_t count, unsi
     sample.resize(kSample);
   }
   std::vector<Ribbon> ribbons;
-  for (const std::uint32_t i : first_middles(strands, sample, std::min(count, sample.size()))) {
-    ribbons.push_back(ribbon_of(strands, std::span(&i, 1)));
+  const auto apart = [&](std::uint32_t i, std::uint32_t k) {
+    return squared_distance(strands.strand(sample[i]), strands.strand(sample[k]));
+  };
+  for (const std::uint32_t seed : spread_seeds(sample.size(), std::min(count, sample.size()), apart)) {
+    ribbons.push_back(ribbon_of(strands, std::span(&sample[seed], 1)));
   }
   std::vector<std::uint32_t> guesses;
   double before = std::numeric_limits<double>::max();

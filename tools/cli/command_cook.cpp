@@ -29,15 +29,6 @@ tl::expected<Exit, ToolError> list_source(const CookOptions& options, const Reci
   return Exit::kOk;
 }
 
-std::span<const Choice<const char*>> preset_choices() {
-  static const std::vector<Choice<const char*>> choices = [] {
-    std::vector<Choice<const char*>> all;
-    for (const RecipePreset& preset : recipe_presets()) all.push_back({preset.name, preset.name});
-    return all;
-  }();
-  return choices;
-}
-
 std::string preset_text() {
   std::string text;
   for (const RecipePreset& preset : recipe_presets()) text += fmt::format("{:10}  {}\n", preset.name, preset.meaning);
@@ -122,7 +113,8 @@ Command add_cook(CLI::App& program) {
       ->type_name("OUT.coif");
   app->add_option("--recipe", options->recipe, "What the artist says (default: SOURCE's name with .recipe.json)")
       ->type_name("R.json");
-  add_choice<const char*>(*app, "--preset", options->preset, preset_choices(),
+  static const auto preset_choices = name_choices(recipe_presets());
+  add_choice<const char*>(*app, "--preset", options->preset, preset_choices,
                           "What kind of hair it is: the recipe begins from that preset, before its \"look.preset\"");
   app->add_flag("--list-presets", options->list_presets, "Print what the presets are for, cook nothing");
   app->add_option("--body", options->body,

@@ -28,15 +28,6 @@ struct GrowOptions {
   bool print_recipe = false;
 };
 
-std::span<const Choice<const char*>> style_choices() {
-  static const std::vector<Choice<const char*>> choices = [] {
-    std::vector<Choice<const char*>> all;
-    for (const BuiltInStyle& style : built_in_styles()) all.push_back({style.name, style.name});
-    return all;
-  }();
-  return choices;
-}
-
 tl::expected<RecipeChoice, ToolError> grow_recipe(const GrowOptions& options) {
   RecipeChoice choice{default_recipe(), {}, options.recipe};
   auto recipe = options.recipe.empty() ? parse_recipe("{}", "--style", {"", options.style})
@@ -104,7 +95,8 @@ Command add_grow(CLI::App& program) {
                   "The strands to write; an OBJ has no place for their widths and colours")
       ->type_name("OUT.obj|OUT.hair");
   app->add_option("--recipe", options->recipe, "What hair it is")->type_name("R.json");
-  add_choice<const char*>(*app, "--style", options->style, style_choices(),
+  static const auto style_choices = name_choices(built_in_styles());
+  add_choice<const char*>(*app, "--style", options->style, style_choices,
                           "Which style it begins from, before what the recipe names");
   app->add_option("--body", options->body,
                   "Model with the head that it grows on, before what the recipe names (default: the sample's bust)")

@@ -37,6 +37,14 @@ struct Choice {
   Value value;
 };
 
+/// Choices among things that have a name, each of which stands for itself.
+template <typename Named>
+[[nodiscard]] std::vector<Choice<const char*>> name_choices(std::span<const Named> things) {
+  std::vector<Choice<const char*>> choices;
+  for (const Named& thing : things) choices.push_back({thing.name, thing.name});
+  return choices;
+}
+
 /// An option that takes one of the words in `choices`; any other is a usage error that lists them. `value` and
 /// `choices` must outlive the parsing.
 template <typename Value>

@@ -113,10 +113,6 @@ NormalMap from_heights(const Image& map, double strength) {
 
 }  // namespace
 
-std::uint8_t two_sided_byte(double value) {
-  return std::uint8_t(std::lround(std::clamp(127 * value, -127.0, 127.0)) + 128);
-}
-
 tl::expected<NormalMap, std::string> read_normal_map(const Image& map, const NormalMapUse& use) {
   if (share_of_texels(map, is_grey) > kNearlyAll) return from_heights(map, use.strength);
   const bool two = has_two_channels(map);

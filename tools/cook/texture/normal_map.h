@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/encodings.h"
 #include "cook/texture/image.h"
 
 namespace coif {
@@ -27,9 +28,6 @@ struct NormalMap {
 ///
 /// Error: a sentence that ends in what the image is instead (normals in the model's axes, or no unit vectors at all).
 tl::expected<NormalMap, std::string> read_normal_map(const Image& map, const NormalMapUse& use);
-
-/// One number of -1 to 1 as a map's byte, of which two_sided() is the reverse.
-[[nodiscard]] std::uint8_t two_sided_byte(double value);
 
 /// How strands run where a map of normals (two channels) shows their ridges: TextureRole::kStrandAxis, with about a hundred
 /// texels along the longer side. Across a strand normals change, along it they do not: the axis of least spread of the

@@ -1,10 +1,10 @@
 #include "base/parallel_for.h"
+#include "cards/spread_seeds.h"
 #include "report/cards/baseline_cards.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <random>
 
 namespace coif {
 namespace {
@@ -34,26 +34,6 @@ float squared_distance_of(const Shape& a, const Shape& b) {
   return std::accumulate(sums.begin(), sums.end(), 0.0f);
 }
 static_assert(kDimensions % 8 == 0);
-
-/// Each drawn by the squares of distances from those drawn before; fewer where the rest are copies of these.
-std::vector<Shape> seeds_among(const std::vector<Shape>& shapes, std::size_t count) {
-  std::mt19937_64 random(1);
-  std::vector<Shape> seeds{shapes[shapes.size() / 2]};
-  std::vector<float> nearest(shapes.size(), std::numeric_limits<float>::max());
-  while (seeds.size() < count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      nearest[i] = std::min(nearest[i], squared_distance_of(shapes[i], seeds.back()));
-      sum += double(nearest[i]);
-    }
-    if (!(sum > 0)) break;
-    double left = sum * (double(random() >> 11) * 0x1p-53);
-    std::size_t next = 0;
-    while (next + 1 < shapes.size() && (left -= double(nearest[next])) >= 0) ++next;
-    seeds.push_back(shapes[next]);
-  }
-  return seeds;
-}
 
 /// Of each shape, which middle is nearest, and how far all are from theirs.
 struct Nearest {
@@ -103,7 +83,10 @@ std::vector<std::vector<std::uint32_t>> cluster_strands(const EvenStrands& stran
     for (std::size_t i = 0; i < kMostSample; ++i) sample[i] = all[i * all.size() / kMostSample];
     sample.resize(kMostSample);
   }
-  std::vector<Shape> middles = seeds_among(sample, std::min(count, sample.size()));
+  const auto apart = [&](std::uint32_t i, std::uint32_t k) { return squared_distance_of(sample[i], sample[k]); };
+  std::vector<Shape> middles;
+  for (const std::uint32_t seed : spread_seeds(sample.size(), std::min(count, sample.size()), apart))
+    middles.push_back(sample[seed]);
   double before = std::numeric_limits<double>::max();
   for (int round = 0; round < kMostRounds; ++round) {
     const Nearest nearest = nearest_middles(sample, middles, threads);
