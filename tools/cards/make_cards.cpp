@@ -123,7 +123,8 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
   const std::size_t count = std::max<std::size_t>(triangles / (2 * kQuadsOfCard), 1);
   std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
   std::vector<CardStrip> strips = make_strips(wisps, triangles);
-  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads, scalp, budget.caps);
+  auto cards =
+      texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads, scalp, budget.caps);
   if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
   return cards;
 }

@@ -25,7 +25,8 @@ struct CardsBudget {
   int rounds = 6;  ///< Of fit_opacity(), at most.
   float strand_width =
       0;  ///< Metres, of strands whose groom says none; 0: so wide that they cover a head of their size as hair does.
-  float caps = 0.06f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
+  float caps =
+      0.04f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
 };
 
 /// A groom as cards are made from it.

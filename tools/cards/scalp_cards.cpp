@@ -63,7 +63,8 @@ std::vector<std::uint32_t> strands_over(const ScalpPatch& patch, const Scalp& sc
   std::vector<std::uint32_t> found;
   const Eigen::Vector2f low = patch.low.array() - overlap, high = patch.high.array() + overlap;
   for (std::uint32_t i = 0; i < scalp.strands.strand_count(); ++i) {
-    const Vector3f root = patch.local(scalp.strands.strand(i).front()), tip = patch.local(scalp.strands.strand(i).back());
+    const Vector3f root = patch.local(scalp.strands.strand(i).front()),
+                   tip = patch.local(scalp.strands.strand(i).back());
     const Eigen::Vector2f least = root.cwiseMin(tip).head<2>(), most = root.cwiseMax(tip).head<2>();
     const bool is_over = (least.array() < high.array()).all() && (most.array() > low.array()).all();
     if (is_over && std::abs(root.z() - patch.height(root.x(), root.y())) < scalp.reach) found.push_back(i);
@@ -71,7 +72,7 @@ std::vector<std::uint32_t> strands_over(const ScalpPatch& patch, const Scalp& sc
   return found;
 }
 
-/// The least number of stations for so many quads of one length.
+/// Quads of one length.
 CardStrip strip_of(std::uint32_t wisp) {
   CardStrip strip{wisp, {}};
   for (std::size_t k = 0; k <= kQuadsOfScalpCard; ++k)
@@ -88,9 +89,8 @@ ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is
   Scalp scalp = find_scalp(groom, is_reversed, strands, count, threads);
   const float side = usual_side(scalp.patches);
   cards.overlap = kOverlap * side;
-  std::erase_if(scalp.patches, [&](const ScalpPatch& patch) {
-    return !wants_card(patch, side, strands.width * scalp.reach);
-  });
+  std::erase_if(scalp.patches,
+                [&](const ScalpPatch& patch) { return !wants_card(patch, side, strands.width * scalp.reach); });
   cards.wisps.resize(scalp.patches.size());
   parallel_for(scalp.patches.size(), threads, [&](std::size_t i) {
     const ScalpPatch& patch = scalp.patches[i];

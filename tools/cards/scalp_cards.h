@@ -19,7 +19,7 @@ namespace coif {
 struct ScalpCards {
   std::vector<Wisp> wisps;        ///< Their members are all strands that are seen on them, most on several.
   std::vector<CardStrip> strips;  ///< One for each.
-  Groom strands;                  ///< What lies on them: Scalp::strands.
+  Groom strands;                  ///< What is drawn on them: Scalp::strands, one for each of the hair's.
   float overlap = 0;              ///< How far a card reaches beyond its own roots, over its neighbours, metres.
 };
 

@@ -15,18 +15,14 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kReach = 0.3f;               // of the scalp's radius
-constexpr float kLock = 15;                  // its strands are so many radii of its roots long
-constexpr std::size_t kFewestRoots = 12;     // of a patch, on the average
-constexpr float kDirectionWeight = 0.5f;     // strands that set out at right angles are as unlike as roots so many patches apart
-constexpr float kLeastAlongSkin = 0.3f;      // of a strand's way: one that stands off the skin is laid along its neighbours
-constexpr float kStray = 0.02f;              // of the roots, on each side
-constexpr std::size_t kPiecesOnSkin = 8;     // of each strand
-constexpr float kCoveredAfter = 0.04f;       // of the radius: so far from where the first roots are, strands
-constexpr float kLayers = 2;                 // lie on each other in so many layers
-constexpr std::size_t kMostCopies = 12;      // of a strand
-constexpr std::size_t kMostLaidDown = std::size_t{1} << 19;  // strands and copies, where these are more than strands
-constexpr float kSpreadCopies = 1.5f;        // of how far roots lie apart
+constexpr float kReach = 0.3f;            // of the scalp's radius
+constexpr float kLock = 15;               // its strands are so many radii of its roots long
+constexpr std::size_t kFewestRoots = 12;  // of a patch, on the average
+constexpr float kDirectionWeight =
+    0.5f;  // strands that set out at right angles are as unlike as roots so many patches apart
+constexpr float kLeastAlongSkin = 0.3f;  // of a strand's way: one that stands off the skin is laid along its neighbours
+constexpr float kStray = 0.02f;          // of the roots, on each side
+constexpr std::size_t kPiecesOnSkin = 8;  // of each strand
 
 /// The first part of a strand at even steps, with the file's points that are next to them.
 struct RootPart {
@@ -137,46 +133,17 @@ void lay_down(const ScalpPatch& patch, RootPart& part) {
   }
 }
 
-void add_strand(const Groom& groom, const RootPart& part, const Vector3f& offset, Groom& strands) {
-  for (const Vector3f& point : part.points) strands.points.push_back(point + offset);
-  strands.begin.push_back(std::uint32_t(strands.points.size()));
-  for (const std::uint32_t p : part.of_groom) {
-    if (!groom.widths.empty()) strands.widths.push_back(groom.widths[p]);
-    if (!groom.colors.empty()) strands.colors.push_back(groom.colors[p]);
-  }
-}
-
-/// A groom's strand stands for several hairs, which begin beside each other: so many of each as cover the skin soon.
-struct HairsOfStrand {
-  std::size_t count = 1;
-  float apart = 0;  ///< Roots of strands, metres.
-};
-
-HairsOfStrand hairs_of_strand(const Scalp& scalp, std::size_t strands, float width) {
-  float area = 0;
-  for (const ScalpPatch& patch : scalp.patches) area += (patch.high - patch.low).prod();
-  if (!(area > 0) || !(width > 0)) return {};
-  const float covered = float(strands) / area * width * kCoveredAfter * scalp.radius;  // layers
-  const std::size_t most = std::clamp<std::size_t>(kMostLaidDown / strands, 1, kMostCopies);
-  return {std::size_t(std::clamp(std::ceil(kLayers / covered), 1.0f, float(most))), std::sqrt(area / float(strands))};
-}
-
-/// All strands, then all of their first copies, and so on.
-Groom laid_down(const Groom& groom, const std::vector<RootPart>& parts, const Scalp& scalp, const HairsOfStrand& hairs) {
-  std::vector<const ScalpPatch*> patch_of(parts.size());
-  for (const ScalpPatch& patch : scalp.patches) {
-    for (const std::uint32_t i : patch.members) patch_of[i] = &patch;
-  }
+Groom groom_of(const Groom& groom, const std::vector<RootPart>& parts) {
   Groom strands;
   strands.path = groom.path;
   strands.root_first = true;
   strands.begin.assign(1, 0);
-  for (std::size_t copy = 0; copy < hairs.count; ++copy) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      Eigen::Vector2f beside = Eigen::Vector2f::Zero();
-      if (copy > 0) beside = (spread_in_square(copy * parts.size() + i).array() - 0.5).matrix().cast<float>();
-      const Vector3f offset = patch_of[i]->axes.topRows<2>().transpose() * (kSpreadCopies * hairs.apart * beside);
-      add_strand(groom, parts[i], offset, strands);
+  for (const RootPart& part : parts) {
+    strands.points.insert(strands.points.end(), part.points.begin(), part.points.end());
+    strands.begin.push_back(std::uint32_t(strands.points.size()));
+    for (const std::uint32_t p : part.of_groom) {
+      if (!groom.widths.empty()) strands.widths.push_back(groom.widths[p]);
+      if (!groom.colors.empty()) strands.colors.push_back(groom.colors[p]);
     }
   }
   return strands;
@@ -213,7 +180,7 @@ Scalp find_scalp(const Groom& groom, std::span<const std::uint8_t> is_reversed, 
     set_skin(parts, patch);
     for (const std::uint32_t i : patch.members) lay_down(patch, parts[i]);
   });
-  scalp.strands = laid_down(groom, parts, scalp, hairs_of_strand(scalp, parts.size(), strands.width));
+  scalp.strands = groom_of(groom, parts);
   return scalp;
 }
 
