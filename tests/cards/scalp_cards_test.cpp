@@ -50,9 +50,9 @@ std::vector<std::vector<Vector3f>> parted_hair(std::size_t count) {
 std::pair<float, float> distances_of(const ScalpCards& cards) {
   float least = 1, most = 0;
   for (std::size_t i = 0; i < cards.strips.size(); ++i) {
-    const auto& stations = cards.strips[i].stations;
-    for (std::size_t k = 0; k + 1 < stations.size(); ++k) {
-      const auto a = edge_at(cards.wisps[i].ribbon, stations[k]), b = edge_at(cards.wisps[i].ribbon, stations[k + 1]);
+    const auto edges = edges_of(cards.wisps[i].ribbon, cards.strips[i]);
+    for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+      const auto &a = edges[k], &b = edges[k + 1];
       for (const float u : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
         for (const float v : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
           const Vector3f at = (1 - v) * ((1 - u) * a[0] + u * a[1]) + v * ((1 - u) * b[0] + u * b[1]);

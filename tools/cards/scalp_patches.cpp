@@ -136,6 +136,7 @@ void lay_down(const ScalpPatch& patch, RootPart& part) {
 Groom groom_of(const Groom& groom, const std::vector<RootPart>& parts) {
   Groom strands;
   strands.path = groom.path;
+  strands.groups = groom.groups;
   strands.root_first = true;
   strands.begin.assign(1, 0);
   for (const RootPart& part : parts) {
