@@ -45,7 +45,8 @@ struct Cards {
   std::vector<CardTexture> textures;
 };
 
-/// Textures for cards that are there, and behind them those of a scalp, which have a share of the texels. kOverBudget where the texels are too few for them.
+/// Textures for cards that are there, and behind them those of a scalp, which have a share of the texels. kOverBudget where
+/// the texels are too few for them.
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
                                                            std::vector<Wisp> wisps, std::vector<CardStrip> strips,
                                                            std::size_t texels, unsigned threads,
