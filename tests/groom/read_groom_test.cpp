@@ -95,7 +95,9 @@ TEST(GroomStream, AnswersOfAnHonestProcessComeThroughAndOthersDoNot) {
     auto spoilt = bytes;
     spoilt[at] ^= 0x80;
     GroomOutcome other;
-    if (decode_groom(spoilt, other) && other) EXPECT_EQ(find_groom_fault(*other), "") << at;
+    if (decode_groom(spoilt, other) && other) {
+      EXPECT_EQ(find_groom_fault(*other), "") << at;
+    }
   }
 }
 

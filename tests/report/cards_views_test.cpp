@@ -1,6 +1,7 @@
 #include "report/cards/hair_views.h"
 
 #include "cards/card_picture.h"
+#include "cards/made_up_cards.h"
 #include "cards/made_up_groom.h"
 #include "lab/rig.h"
 #include "report/cards/asset_surface.h"
@@ -121,6 +122,22 @@ TEST(CookedPlace, IsFoundWhateverTheCookDidToUnitAndUp) {
       }
     }
   }
+}
+
+TEST(CookedPlace, IsFoundOfStrandsInAUnitOfTheirOwn) {
+  auto strands = test::strands_of_a_head(200);
+  for (std::vector<Eigen::Vector3f>& strand : strands) {
+    for (Eigen::Vector3f& point : strand) point *= 350;
+  }
+  Groom groom = test::groom_of(strands);
+  groom.space.unit = groom.space.up = Statement::kUnsaid;
+  const Cards cards = test::unfitted_cards(groom, 0.5f, 40, 160, std::size_t{1} << 16);
+  const float factor = 0.0027f;  // 0.095 m over 35
+  const OpenedAsset asset(asset_of_surface(surface_of(cards), {factor, Eigen::Matrix3f::Identity(), {0, 0.1f, 0}}));
+  ASSERT_TRUE(asset.asset().is_open());
+  const auto place = find_cooked_place(asset.asset(), groom);
+  ASSERT_TRUE(place.has_value()) << place.error().message;
+  EXPECT_NEAR(place->factor, double(factor), 1e-6);
 }
 
 TEST(CookedPlace, OfOtherStrandsIsNone) {

@@ -1,12 +1,14 @@
 #include "report/cards/asset_surface.h"
 
 #include "base/geometry.h"
+#include "cards/make_cards.h"
 #include "cook/size/trust.h"
 #include "cook/size/up_evidence.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -40,6 +42,15 @@ double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
   return shared / (double(a.volume()) + double(b.volume()) - shared);
 }
 
+/// Those that a cook chooses from (cook/size).
+std::vector<UnitPrior> units_of(const Groom& groom) {
+  SourceModel words;  // what the file says of its size
+  words.space = groom.space;
+  std::vector<UnitPrior> units = unit_priors(words, {});
+  if (const auto own = unit_by_scalp(groom.space, scalp_radius_of(shape_of(groom, 0).strands))) units.push_back(*own);
+  return units;
+}
+
 std::string box_text(const Eigen::AlignedBox3f& box) {
   const Eigen::Vector3f size = box.sizes(), middle = box.center();
   return fmt::format("{:.3g} x {:.3g} x {:.3g} m about ({:.3g}, {:.3g}, {:.3g})", size.x(), size.y(), size.z(),
@@ -52,12 +63,11 @@ tl::expected<CookedPlace, ToolError> find_cooked_place(const Asset& asset, const
   const Eigen::AlignedBox3f cooked = box_of_asset(asset);
   Eigen::AlignedBox3f strands;
   for (const Eigen::Vector3f& point : groom.points) strands.extend(point);
-  SourceModel words;  // what the file says of its size
-  words.space = groom.space;
+  const std::vector<UnitPrior> units = units_of(groom);
   CookedPlace best;
   double most = -1;
   for (std::size_t up = 0; up < kUps; ++up) {
-    for (const UnitPrior& unit : unit_priors(words, {})) {
+    for (const UnitPrior& unit : units) {
       const CookedPlace place{unit.factor, y_up_from_direction(up).cast<float>(),
                               Eigen::Vector3f(asset.skeleton().head_joint)};
       const double share = common_share(cooked, placed(strands, place));
