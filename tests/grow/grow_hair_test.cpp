@@ -73,7 +73,7 @@ TEST_P(EveryStyle, BeginsOnTheSkinAndNeverPassesThroughIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle,
-                         testing::Values("none", "bob", "fringe_bob", "long", "wavy", "curly", "afro", "short", "spiky",
+                         testing::Values("none", "bob", "fringe_bob", "locks", "long", "wavy", "curly", "afro", "short", "spiky",
                                          "slick", "ponytail"),
                          [](const auto& style) { return std::string(style.param); });
 

@@ -48,7 +48,8 @@ float Flow::tangled_at(const Vector3f& root_direction) const {
 float Flow::leaves_bare(const Vector3f& root_direction) const {
   const float crown = tangled_at(root_direction);
   if (!style_.grow_parting) return crown;
-  return std::max(crown, ramp(0, 0.5f, parted(root_direction)) * (1 - ramp(0.04f, 0.09f, std::abs(root_direction.dot(parting_)))));
+  return std::max(
+      crown, ramp(0, 0.5f, parted(root_direction)) * (1 - ramp(0.04f, 0.09f, std::abs(root_direction.dot(parting_)))));
 }
 
 /// Away from the crown, in a spiral that opens.

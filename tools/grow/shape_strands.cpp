@@ -141,7 +141,8 @@ class Shaper {
     for (std::size_t k = 1; k <= last; ++k) {
       const float t = float(k) / float(last), at = t * lengths_[i];
       const float curled = ramp(0, std::max(start, 0.02f), t) * radius, angle = phase + turns * kTurn * at / pitch;
-      const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * wave, wave_angle = wave_phase + kTurn * at / wave_length;
+      const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * wave,
+                  wave_angle = wave_phase + kTurn * at / wave_length;
       strand[k] += curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k));
       // Flat, and half as deep as it is wide: each lock's own way, so that some show their waves to every side.
       const Vector3f across = std::cos(wave_side) * frames.second(k) + std::sin(wave_side) * frames.first(k);

@@ -20,7 +20,11 @@ constexpr float kStep = 0.003f;  // metres on a head of usual size
 class OpenStrand {
  public:
   OpenStrand(const Ground& ground, const Flow& flow, const Root& root, std::size_t number)
-      : ground_(ground), flow_(flow), root_(root), scale_(ground.head.scale()), side_(flow.side_of(root.direction, number)) {
+      : ground_(ground),
+        flow_(flow),
+        root_(root),
+        scale_(ground.head.scale()),
+        side_(flow.side_of(root.direction, number)) {
     const Dice dice(ground.style.grow_seed, Purpose::kLift);
     lift_ = 1 + 0.25f * dice.signed_unit(number);
     const Vector3f normal = ground.body.normal(root.place);

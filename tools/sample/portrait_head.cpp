@@ -92,9 +92,10 @@ double portrait_mouth(double head, const Vector3d& p) {
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
   head = join(head, upper_lip, 0.0050);
   head = join(head, lower_lip, 0.0060);
-  const double line = rod(p, {0, 1.5367, 0.0938}, {0.0130, 1.5370, 0.0890}, 0.0004, 0.0004);
-  const double line_end = rod(p, {0.0130, 1.5370, 0.0890}, {0.0240, 1.5378, 0.0778}, 0.0004, 0.0003);
-  return carve(head, join(line, line_end, 0.002), 0.0026);
+  // Shallow and broad: the surface's samples would cut a narrow one to pieces. The line itself is painted.
+  const double line = rod(p, {0, 1.5367, 0.0952}, {0.0130, 1.5370, 0.0908}, 0.0006, 0.0006);
+  const double line_end = rod(p, {0.0130, 1.5370, 0.0908}, {0.0240, 1.5378, 0.0800}, 0.0006, 0.0003);
+  return carve(head, join(line, line_end, 0.002), 0.0048);
 }
 
 double portrait_ear(double head, const Vector3d& p) {

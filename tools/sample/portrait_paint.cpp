@@ -122,7 +122,7 @@ Vector3d skin_color(const Vector3d& point) {
                   0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
   const Vector3d lip =
-      kLips * (1.0 - 0.50 * smooth_step(0.86, 1.0, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
+      kLips * (1.0 - 0.72 * smooth_step(0.84, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
