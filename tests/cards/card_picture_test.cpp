@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace coif::card_picture_test {
 
@@ -43,6 +46,38 @@ TEST(CardStrips, TakeTheTrianglesThereAreWhereStripsBend) {
     EXPECT_GE(made + 2, triangles);
   }
   EXPECT_EQ(make_strips(wisps, 0).size(), wisps.size()) << "one quad each is the least";
+}
+
+/// Mean over the stations, metres squared.
+double off_ribbon(const Ribbon& ribbon, const CardStrip& strip, std::span<const std::array<Eigen::Vector3f, 2>> edges) {
+  double sum = 0;
+  std::size_t e = 0;
+  for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
+    if (k > strip.stations[e + 1]) ++e;
+    const float share = float(k - strip.stations[e]) / float(strip.stations[e + 1] - strip.stations[e]);
+    const auto wanted = edge_at(ribbon, k);
+    for (std::size_t side = 0; side < 2; ++side) {
+      sum += double((edges[e][side] + share * (edges[e + 1][side] - edges[e][side]) - wanted[side]).squaredNorm());
+    }
+  }
+  return sum / double(Ribbon::kStations);
+}
+
+TEST(CardStrips, LieNearerToABendThanItsChords) {
+  const EvenStrands even = even_strands(test::groom_of(test::strands_of_a_head(300)), kWidth);
+  const auto wisps = find_wisps(even, 30, 2);
+  double fitted = 0, chords = 0;
+  for (const CardStrip& strip : make_strips(wisps, 160)) {
+    const Ribbon& ribbon = wisps[strip.wisp].ribbon;
+    std::vector<std::array<Eigen::Vector3f, 2>> on_it;
+    for (const std::uint8_t station : strip.stations) on_it.push_back(edge_at(ribbon, station));
+    const auto edges = edges_of(ribbon, strip);
+    ASSERT_EQ(edges.size(), on_it.size());
+    fitted += off_ribbon(ribbon, strip, edges);
+    chords += off_ribbon(ribbon, strip, on_it);
+  }
+  EXPECT_GT(chords, 0);
+  EXPECT_LT(fitted, 0.6 * chords);
 }
 
 TEST(CardTexture, CoversWhatStrandsCoverOfTheFlatCard) {

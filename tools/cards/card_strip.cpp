@@ -1,5 +1,7 @@
 #include "cards/card_strip.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -34,11 +36,46 @@ Gap gap_of(const Wisp& wisp, std::uint32_t strip, std::uint8_t begin, std::uint8
   return gap;
 }
 
+constexpr float kEndsCount = 4;  // so many times as much as a station between: roots stay on the skin
+
+/// Row k: what each edge of the strip has a share of in station k's place, where the strip is straight in between.
+Eigen::MatrixXf shares_of_edges(const CardStrip& strip) {
+  const auto edges = Eigen::Index(strip.stations.size());
+  Eigen::MatrixXf shares = Eigen::MatrixXf::Zero(Eigen::Index(Ribbon::kStations), edges);
+  for (Eigen::Index e = 0; e + 1 < edges; ++e) {
+    const int begin = strip.stations[std::size_t(e)], end = strip.stations[std::size_t(e) + 1];
+    for (int k = begin; k <= end; ++k) {
+      const float share = float(k - begin) / float(end - begin);
+      shares(k, e) = 1 - share;
+      shares(k, e + 1) = share;
+    }
+  }
+  return shares;
+}
+
 }  // namespace
 
 std::array<Eigen::Vector3f, 2> edge_at(const Ribbon& ribbon, std::size_t station) {
   const Eigen::Vector3f side = ribbon.half_width[station] * ribbon.across[station];
   return {ribbon.middle[station] - side, ribbon.middle[station] + side};
+}
+
+std::vector<std::array<Eigen::Vector3f, 2>> edges_of(const Ribbon& ribbon, const CardStrip& strip) {
+  const Eigen::MatrixXf shares = shares_of_edges(strip);
+  Eigen::VectorXf counts = Eigen::VectorXf::Ones(shares.rows());
+  counts[0] = counts[shares.rows() - 1] = kEndsCount;
+  Eigen::MatrixXf wanted(shares.rows(), 6);
+  for (Eigen::Index k = 0; k < shares.rows(); ++k) {
+    const auto edge = edge_at(ribbon, std::size_t(k));
+    wanted.row(k) << edge[0].transpose(), edge[1].transpose();
+  }
+  const Eigen::MatrixXf counted = shares.transpose() * counts.asDiagonal();
+  const Eigen::MatrixXf found = (counted * shares).ldlt().solve(counted * wanted);
+  std::vector<std::array<Eigen::Vector3f, 2>> edges(strip.stations.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    edges[e] = {found.block<1, 3>(Eigen::Index(e), 0).transpose(), found.block<1, 3>(Eigen::Index(e), 3).transpose()};
+  }
+  return edges;
 }
 
 std::vector<CardStrip> make_strips(std::span<const Wisp> wisps, std::size_t triangles) {

@@ -24,12 +24,13 @@ std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
 
 void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& plan, const AtlasPlace& place,
                   CardSurface& surface) {
-  for (const std::uint8_t station : strip.stations) {
-    const auto edge = edge_at(wisp.ribbon, station);
+  const auto edges = edges_of(wisp.ribbon, strip);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::uint8_t station = strip.stations[e];
     const float v = float(place.y) + float(place.height) * float(station) / float(Ribbon::kStations - 1);
     for (std::size_t end = 0; end < 2; ++end) {
       const float u = float(place.x) + float(place.width) * float(end);
-      surface.positions.push_back(edge[end]);
+      surface.positions.push_back(edges[e][end]);
       surface.uvs.emplace_back(u / float(plan.width), v / float(plan.height));
       surface.across.push_back(wisp.ribbon.across[station]);
       surface.along.push_back(wisp.ribbon.along[station]);

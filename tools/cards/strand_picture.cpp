@@ -9,7 +9,6 @@
 namespace coif {
 namespace {
 
-constexpr int kSide = 8;             // samples of a pixel, each way
 constexpr std::uint32_t kBand = 16;  // rows of pixels that are drawn together
 
 constexpr float kNothing = std::numeric_limits<float>::infinity();
@@ -79,13 +78,14 @@ class Band {
   std::vector<std::uint32_t> piece_;
 };
 
-std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, float width) {
+/// `side`: samples of a pixel, each way.
+std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, float width, int side) {
   std::vector<Piece> pieces;
   pieces.reserve(groom.points.size());
-  const float samples_of_metre = float(kSide) * frame.pixels_of_metre;
+  const float samples_of_metre = float(side) * frame.pixels_of_metre;
   const auto in_samples = [&](const Eigen::Vector3f& point) {
     const Eigen::Vector3f place = frame.place(point);
-    return Eigen::Vector3f(float(kSide) * place.x(), float(kSide) * place.y(), place.z());
+    return Eigen::Vector3f(float(side) * place.x(), float(side) * place.y(), place.z());
   };
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     for (std::uint32_t p = groom.begin[i]; p + 1 < groom.begin[i + 1]; ++p) {
@@ -99,54 +99,55 @@ std::vector<Piece> pieces_of(const Groom& groom, const PictureFrame& frame, floa
 }
 
 /// Which pieces reach into each band.
-std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Piece>& pieces, std::size_t bands) {
+std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Piece>& pieces, std::size_t bands, int side) {
   std::vector<std::vector<std::uint32_t>> lists(bands);
-  constexpr float kRows = float(kBand) * kSide;
+  const float rows = float(kBand) * float(side);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
-    const float top = (std::min(piece.a.y(), piece.b.y()) - piece.half_width) / kRows;
-    const float bottom = (std::max(piece.a.y(), piece.b.y()) + piece.half_width) / kRows;
+    const float top = (std::min(piece.a.y(), piece.b.y()) - piece.half_width) / rows;
+    const float bottom = (std::max(piece.a.y(), piece.b.y()) + piece.half_width) / rows;
     if (!(bottom >= 0) || !(top < float(bands))) continue;
     for (auto b = std::size_t(std::max(top, 0.0f)); b < bands && float(b) <= bottom; ++b) lists[b].push_back(i);
   }
   return lists;
 }
 
-void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t first_row, std::uint32_t rows,
+void develop(const Band& band, const std::vector<Piece>& pieces, std::uint32_t first_row, std::uint32_t rows, int side,
              HairPicture& picture) {
   for (std::uint32_t y = 0; y < rows; ++y) {
     for (std::uint32_t x = 0; x < picture.size; ++x) {
       int covered = 0;
       float depth = 0, shade = 0;
-      for (int s = 0; s < kSide * kSide; ++s) {
-        const std::size_t sx = std::size_t(x) * kSide + std::size_t(s % kSide),
-                          sy = std::size_t(y) * kSide + std::size_t(s / kSide);
+      for (int s = 0; s < side * side; ++s) {
+        const std::size_t sx = std::size_t(x) * std::size_t(side) + std::size_t(s % side),
+                          sy = std::size_t(y) * std::size_t(side) + std::size_t(s / side);
         if (band.depth(sx, sy) == kNothing) continue;
         ++covered;
         depth += band.depth(sx, sy);
         shade += pieces[band.piece(sx, sy)].shade;
       }
       const std::size_t at = std::size_t(first_row + y) * picture.size + x;
-      picture.coverage[at] = float(covered) / float(kSide * kSide);
+      picture.coverage[at] = float(covered) / float(side * side);
       if (covered == 0) continue;
       picture.depth[at] = depth / float(covered);
-      picture.shade[at] = shade / float(kSide * kSide);
+      picture.shade[at] = shade / float(side * side);
     }
   }
 }
 
 }  // namespace
 
-HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads) {
+HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads,
+                         std::uint32_t side) {
   HairPicture picture = blank_picture(frame.size);
-  const std::vector<Piece> pieces = pieces_of(groom, frame, width);
+  const std::vector<Piece> pieces = pieces_of(groom, frame, width, int(side));
   const std::size_t bands = (frame.size + kBand - 1) / kBand;
-  const auto lists = by_band(pieces, bands);
+  const auto lists = by_band(pieces, bands, int(side));
   parallel_for(bands, threads, [&](std::size_t b) {
     const auto first = std::uint32_t(b * kBand), rows = std::min(kBand, frame.size - first);
-    Band band(frame.size * kSide, first * kSide, rows * kSide);
+    Band band(frame.size * side, first * side, rows * side);
     for (const std::uint32_t i : lists[b]) band.draw(pieces[i], i);
-    develop(band, pieces, first, rows, picture);
+    develop(band, pieces, first, rows, int(side), picture);
   });
   return picture;
 }

@@ -32,8 +32,9 @@ struct HairPicture {
   return std::sqrt(std::max(1 - along.z() * along.z(), 0.0f));
 }
 
-/// Strands with round cross sections of `width` metres where the groom says none, each pixel by 64 samples, the nearest strand in
-/// each. Which sample a strand covers is exact, so that a strand thinner than a sample covers as many as its width is worth.
-[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads);
+/// Strands with round cross sections of `width` metres where the groom says none, each pixel by `side` x `side` samples, the nearest
+/// strand in each. Which sample a strand covers is exact, so that a strand thinner than a sample covers as many as its width is worth.
+[[nodiscard]] HairPicture draw_strands(const Groom& groom, const PictureFrame& frame, float width, unsigned threads,
+                                       std::uint32_t side = 8);
 
 }  // namespace coif
