@@ -109,7 +109,7 @@ GroundShade shade_below(std::span<const SolidMesh> meshes, const HeadPose& head)
   std::vector<float> hidden(std::size_t{GroundShade::kSide} * GroundShade::kSide, 0.0f);
   for (const Caster& caster : casters) spread(caster, caster.place.y() - ground, tall, shade, hidden);
   for (std::size_t k = 0; k < hidden.size(); ++k)
-    shade.opacity.push_back(std::uint8_t(255 * kDarkest * inside(k) * (1 - std::exp(-0.8f * hidden[k])) + 0.5f));
+    shade.opacity.push_back(std::uint8_t(255 * kDarkest * inside(k) * (1 - std::exp(-2.2f * hidden[k])) + 0.5f));
   return shade;
 }
 
