@@ -81,7 +81,7 @@ class OpenStrand {
     const float level = ramp(0.35f, 0.75f, normal.y());
     const float aside = (tip_.place.x() - ground_.head.center.x()) / ground_.head.radii.x();
     const float inwards = 0.5f * std::copysign(ramp(1.1f, 1.8f, std::abs(aside)), -aside);
-    return 5 * near * level * Vector3f(inwards, 0, root_.direction.z() > -0.1f ? 1.0f : -1.0f);
+    return 9 * near * level * Vector3f(inwards, 0, root_.direction.z() > -0.1f ? 1.0f : -1.0f);
   }
 
   /// Outwards from the head's axis, near the tip or the line of the cut.
