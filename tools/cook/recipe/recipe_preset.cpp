@@ -8,7 +8,7 @@ constexpr RecipePreset kRecipePresets[] = {
      "long and wavy unless \"grow.style\" says otherwise: light through fibres, glow from behind, darker roots; fine "
      "cards and textures",
      R"({"grow": {"style": "wavy"}, "material": {"shading": "marschner", "energy": "bounded", "roughness": 9, "scatter": 1, "glow": 1.5,
-      "ambient": [0.3, 0.3, 0.3], "root_shade": 0.2, "variation": 0.2}, "cards": {"triangles": 20000}, "textures": {"max_size": 2048}})"},
+      "ambient": [0.2, 0.2, 0.2], "root_shade": 0.2, "variation": 0.2}, "cards": {"triangles": 20000}, "textures": {"max_size": 2048}})"},
     {"anime", "large pointed locks, flat colour, one sharp band of light, solid edges; locks keep their shape",
      R"({"grow": {"style": "locks"}, "material": {"shading": "kajiya-kay", "ambient": [0.5, 0.5, 0.54], "primary_color": [0.5, 0.52, 0.6],
       "primary_exponent": 220, "primary_shift": 0.1, "opaque_threshold": 0.5, "discard_threshold": 0.45},
