@@ -63,4 +63,20 @@ TEST(ReversedStrands, AreNoneInFormatsThatBeginWithRoots) {
   EXPECT_EQ(std::ranges::count(found, 0), 50);
 }
 
+TEST(ScalpRadius, IsThatOfTheSphereThatRootsLieOn) {
+  auto strands = test::strands_of_a_head(400);
+  for (std::vector<Eigen::Vector3f>& strand : strands) {
+    for (Eigen::Vector3f& point : strand) point *= 35;
+  }
+  const auto radius_of = [](const auto& some) { return scalp_radius_of(even_strands(test::groom_of(some), 0.001f)); };
+  EXPECT_NEAR(radius_of(strands), 3.5, 0.05);
+  for (int i = 0; i < 80; ++i) strands.push_back(test::hanging({9 + 0.1f * float(i), 5, 0}, 3));
+  EXPECT_NEAR(radius_of(strands), 3.5, 0.05) << "though some grow elsewhere";
+}
+
+TEST(ScalpRadius, IsNotToldByALock) {
+  EXPECT_EQ(scalp_radius_of(even_strands(test::hanging_wisps(3, 40), 0.001f)), 0);
+  EXPECT_EQ(scalp_radius_of(EvenStrands{}), 0);
+}
+
 }  // namespace coif::even_strands_test

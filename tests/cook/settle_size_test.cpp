@@ -167,6 +167,19 @@ TEST(JudgedSizes, LengthsInTheRecipeSpeakForTheModelAsItIs) {
   EXPECT_FALSE(judge_size(model, recipe).changes());
 }
 
+TEST(JudgedSizes, AScalpTellsAUnitOfItsOwnWhereTheFileSaysNone) {
+  SourceModel model = long_hair();
+  model.scalp_radius = 0.1;
+  EXPECT_EQ(judge(at_scale(model, 100, Statement::kUnsaid)).factor, 0.01) << "a usual one is taken where it fits";
+  const JudgedSize strange = judge(at_scale(model, 300, Statement::kUnsaid));
+  EXPECT_DOUBLE_EQ(strange.factor, 0.0032) << "0.095 m over 30, to two digits";
+  EXPECT_TRUE(doubts(strange, SizeDoubt::Of::kOtherUnit));
+  EXPECT_FALSE(judge(at_scale(model, 1.6, Statement::kUnsaid)).changes()) << "a large head";
+  EXPECT_NE(judge(at_scale(model, 3, Statement::kDeclared)).factor, 0.32) << "the file has a unit";
+  model.scalp_radius = 0;
+  EXPECT_NE(judge(at_scale(model, 300, Statement::kUnsaid)).factor, 0.0032) << "the hair alone tells powers of ten";
+}
+
 TEST(JudgedSizes, BrowsAloneAreNoHead) {
   SourceModel model;
   add_node(model, "root", kNoIndex, {0, 0, 0});

@@ -124,6 +124,7 @@ tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const Ca
   const auto cards = make_cards(groom, shape, budget, threads);
   if (!cards) return tl::unexpected(cards.error());
   SourceModel model = empty_model(groom);
+  model.scalp_radius = scalp_radius_of(shape.strands);
   model.meshes.push_back(mesh_of(*cards, box_of_roots(shape.strands).center()));
   add_images(*cards, model);
   return model;

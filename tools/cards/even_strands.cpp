@@ -2,6 +2,8 @@
 
 #include "base/geometry.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -30,7 +32,10 @@ float resample(std::span<const Eigen::Vector3f> line, bool from_end, std::span<E
   return length;
 }
 
-constexpr double kBeyondDoubt = 0.6;  // radii of the scalp that a tip is farther from it than the root
+constexpr int kSphereRounds = 20;      // until a sphere has settled
+constexpr double kMostOff = 0.12;      // radii that the nearer two thirds of roots lie off a scalp, at most
+constexpr double kLeastSpread = 0.12;  // radii, their deviation where it is least: many spheres hold a line or a ring
+constexpr double kBeyondDoubt = 0.6;   // radii of the scalp that a tip is farther from it than the root
 
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
@@ -57,6 +62,37 @@ Sphere sphere_of(std::span<const Eigen::Vector3f> points) {
   const Eigen::Vector4d found = least_squares(normal, right);
   const double squared = found.w() + found.head<3>().squaredNorm();
   return {middle + found.head<3>(), squared > 0 && std::isfinite(squared) ? std::sqrt(squared) : 0.0};
+}
+
+/// The nearer two thirds of points that may lie on a sphere: hair of an animal's tail or of a beard has its roots elsewhere.
+std::span<const Eigen::Vector3f> nearer_to(const Sphere& sphere, std::vector<Eigen::Vector3f>& points) {
+  const auto kept = points.begin() + std::ptrdiff_t(2 * points.size() / 3);
+  std::ranges::nth_element(points, kept, {}, [&](const Eigen::Vector3f& p) { return sphere.off(p); });
+  return std::span(points).first(std::max<std::size_t>(2 * points.size() / 3, std::min<std::size_t>(points.size(), 4)));
+}
+
+/// Coordinate by coordinate.
+Eigen::Vector3d middle_of(std::vector<Eigen::Vector3f> points) {
+  Eigen::Vector3d middle;
+  const auto half = points.begin() + std::ptrdiff_t(points.size() / 2);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::ranges::nth_element(points, half, {}, [&](const Eigen::Vector3f& p) { return p[axis]; });
+    middle[axis] = double((*half)[axis]);
+  }
+  return middle;
+}
+
+/// Standard deviation of points along the axis on which it is least.
+double least_spread(std::span<const Eigen::Vector3f> points) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : points) mean += p.cast<double>() / double(points.size());
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector3d off = p.cast<double>() - mean;
+    sum += off * off.transpose() / double(points.size());
+  }
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return std::sqrt(std::max(least, 0.0));
 }
 
 /// Both ends of all strands, and which of them lie on a scalp.
@@ -95,16 +131,11 @@ class StrandEnds {
 
  private:
   [[nodiscard]] Sphere settled(Sphere sphere) const {
-    constexpr int kRounds = 20;
     std::vector<Eigen::Vector3f> nearer(count());
-    for (int round = 0; round < kRounds && sphere.radius > 0; ++round) {
+    for (int round = 0; round < kSphereRounds && sphere.radius > 0; ++round) {
       for (std::size_t i = 0; i < count(); ++i)
         nearer[i] = sphere.off(first_[i]) <= sphere.off(last_[i]) ? first_[i] : last_[i];
-      // Hair of an animal's tail or of a beard has its roots elsewhere: the farther third has no say.
-      const auto kept = nearer.begin() + std::ptrdiff_t(2 * nearer.size() / 3);
-      std::ranges::nth_element(nearer, kept, {}, [&](const Eigen::Vector3f& p) { return sphere.off(p); });
-      sphere = sphere_of(std::span(nearer).first(
-          std::max<std::size_t>(2 * nearer.size() / 3, std::min<std::size_t>(nearer.size(), 4))));
+      sphere = sphere_of(nearer_to(sphere, nearer));
     }
     return sphere;
   }
@@ -128,6 +159,18 @@ Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands) {
   Eigen::AlignedBox3f roots;
   for (std::size_t i = 0; i < strands.count(); ++i) roots.extend(strands.strand(i).front());
   return roots;
+}
+
+double scalp_radius_of(const EvenStrands& strands) {
+  if (strands.count() < 4) return 0;
+  std::vector<Eigen::Vector3f> roots;
+  for (std::size_t i = 0; i < strands.count(); ++i) roots.push_back(strands.strand(i).front());
+  Sphere sphere{middle_of(roots), 1};
+  for (int round = 0; round < kSphereRounds && sphere.radius > 0; ++round) sphere = sphere_of(nearer_to(sphere, roots));
+  if (!(sphere.radius > 0)) return 0;
+  const std::span<const Eigen::Vector3f> near = nearer_to(sphere, roots);
+  const bool lie_on_it = std::ranges::all_of(near, [&](const Eigen::Vector3f& p) { return sphere.off(p) < kMostOff; });
+  return lie_on_it && least_spread(near) > kLeastSpread * sphere.radius ? sphere.radius : 0;
 }
 
 EvenStrands even_strands(const Groom& groom, float width, std::span<const std::uint8_t> is_reversed) {

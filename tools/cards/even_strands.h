@@ -29,6 +29,9 @@ struct EvenStrands {
 /// Around all roots.
 [[nodiscard]] Eigen::AlignedBox3f box_of_roots(const EvenStrands& strands);
 
+/// Of the sphere that most roots lie on, metres; 0 where they lie on none, or on too little of one to tell.
+[[nodiscard]] double scalp_radius_of(const EvenStrands& strands);
+
 /// The end of a strand that grows from the skin, as find_reversed_strands() has it.
 [[nodiscard]] inline const Eigen::Vector3f& root_of(const Groom& groom, std::span<const std::uint8_t> is_reversed,
                                                     std::size_t i) {

@@ -60,7 +60,7 @@ struct SourceMaterial {
   /// What is known of single strands, of cards that were made from them: red a number of the strand, 0..1; green how far in front of
   /// others it is; blue and alpha how it runs, as TextureRole::kStrandAxis has it. Embedded or none; no file format has it.
   SourceTexture strand_texture;
-  float normal_strength = 1;               ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
+  float normal_strength = 1;    ///< What the map's slopes are multiplied with, 0..kMostNormalStrength.
   std::string opacity_texture;  ///< Another image that holds the alpha, as written; for messages. Empty: none.
   std::vector<std::string> other_textures;  ///< "occlusion map 'ao.png'": maps of what is computed here; for messages.
   AlphaUse alpha_use = AlphaUse::kUnknown;
@@ -127,13 +127,13 @@ enum class Statement {
 
 /// What a file says of its size and of where up is. The model has that applied, right or wrong.
 struct SourceSpace {
-  double metres_per_unit = 1;              ///< What the file's lengths were multiplied with.
-  Statement unit = Statement::kGiven;      ///< A model that no file gave is in metres,
-  Statement up = Statement::kGiven;        ///< Y up.
-  char up_axis = 'y';                      ///< The file's own that became Y, whatever its sign: 'x', 'y' or 'z'.
-  std::string unit_words = "the caller";   ///< For messages: "glTF is in metres", "UnitScaleFactor 1, centimetres".
-  std::string up_words = "the caller";     ///< "glTF has Y up".
-  std::string generator;                   ///< The program that wrote the file, as far as it says.
+  double metres_per_unit = 1;             ///< What the file's lengths were multiplied with.
+  Statement unit = Statement::kGiven;     ///< A model that no file gave is in metres,
+  Statement up = Statement::kGiven;       ///< Y up.
+  char up_axis = 'y';                     ///< The file's own that became Y, whatever its sign: 'x', 'y' or 'z'.
+  std::string unit_words = "the caller";  ///< For messages: "glTF is in metres", "UnitScaleFactor 1, centimetres".
+  std::string up_words = "the caller";    ///< "glTF has Y up".
+  std::string generator;                  ///< The program that wrote the file, as far as it says.
 };
 
 struct SourceModel {
@@ -151,6 +151,7 @@ struct SourceModel {
   Facing facing = Facing::kUnknown;
   /// Cards that stand for strands: these grow along V of the texture, which is as large as it should be.
   bool made_from_strands = false;
+  double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
   SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.
   /// Paths of the other files that the importer opened or looked for, absent ones too: buffers, material libraries. Not

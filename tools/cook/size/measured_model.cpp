@@ -34,6 +34,7 @@ SourceModel without_images(const SourceModel& source) {
   model.springs = source.springs;
   model.head_node = source.head_node;
   model.facing = source.facing;
+  model.scalp_radius = source.scalp_radius;
   model.space = source.space;
   for (const SourceImage& image : source.images) model.images.push_back({image.name, {}});
   return model;
@@ -86,6 +87,7 @@ void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& r
     for (Eigen::Vector3f& position : mesh.positions) position = move * position;
     for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal).normalized();
   }
+  model.scalp_radius *= factor;
   for (SourceCollider& collider : model.colliders) {
     collider.center = change * collider.center;
     collider.tail = change * collider.tail;

@@ -86,7 +86,9 @@ void judge_unit(const KnownModel& known, const Recipe& recipe, JudgedSize& judge
   const std::vector<SizeEvidence> evidence = measure_model(known, recipe);
   if (evidence.empty()) return;
   std::vector<Vote> votes;
-  for (const UnitPrior& prior : unit_priors(known.model, recipe)) {
+  std::vector<UnitPrior> priors = unit_priors(known.model, recipe);
+  if (const auto by_scalp = unit_by_scalp(space, known.model.scalp_radius / known.scale)) priors.push_back(*by_scalp);
+  for (const UnitPrior& prior : priors) {
     votes.push_back({prior.factor, prior.likelihood, size_likelihood(evidence, prior.factor)});
   }
   const Vote& own = votes.front();  // the file's, or metres

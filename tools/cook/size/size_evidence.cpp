@@ -26,8 +26,8 @@ double square(double value) { return value * value; }
 double likelihood_of(const SizeEvidence& item, double factor) {
   const double length = item.metres * factor;
   double deviations = 0;
-  if (length < item.low) deviations = std::log(item.low / length) / kSmaller;
-  if (length > item.high) deviations = std::log(length / item.high) / kLarger;
+  if (length < item.low) deviations = std::log(item.low / length) / (item.spread * kSmaller);
+  if (length > item.high) deviations = std::log(length / item.high) / (item.spread * kLarger);
   return std::max(-0.5 * square(deviations), kFloor);
 }
 
@@ -52,11 +52,17 @@ void measure_head(const KnownModel& known, const Recipe& recipe, SizeMeasures& m
   const auto head_bone = find_head_bone(known.model, known.hair, recipe.head_bone);
   if (!head_bone) return;
   const HeadSign sign = first_sign_of_head(known.model, known.hair, *head_bone);
-  if (!sign.is_mesh && (known.on_face || narrow < kFlatHair * wide)) return;
+  if (!sign.is_mesh && (known.on_face || narrow < kFlatHair * wide || known.model.scalp_radius > 0)) return;
   const double radius = sign.shape.radii.mean();
   const bool fits = wide > kLeastOfHead * radius && wide < kMostOfHead * radius;
   measures.add({sign.is_mesh ? "the head's radius" : "the radius of the room for a head in the hair", radius, 0.075,
                 0.17, (sign.is_mesh ? 1.0 : 0.9) * (fits ? 1.0 : 0.5), true});
+}
+
+/// Grooms without a unit come in the units of whatever head they were grown on: their roots say more than what is usual of units.
+void measure_scalp(const KnownModel& known, SizeMeasures& measures) {
+  constexpr double kSure = 0.5;
+  measures.add({"the radius of the scalp that roots lie on", known.model.scalp_radius, 0.075, 0.12, 1, true, kSure});
 }
 
 void measure_body(const KnownModel& known, SizeMeasures& measures) {
@@ -137,6 +143,7 @@ std::vector<SizeEvidence> measure_model(const KnownModel& known, const Recipe& r
     measure_head(known, recipe, measures);
     measure_hair(known, measures);
   }
+  measure_scalp(known, measures);
   measure_body(known, measures);
   return std::move(measures).finish();
 }

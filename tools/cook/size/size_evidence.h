@@ -14,6 +14,7 @@ struct SizeEvidence {
   double low, high;        ///< Between these nothing is said against it. Metres.
   double weight;           ///< How far it is to be relied on, 0..1.
   bool of_person = false;  ///< Of the one who wears the hair: all of these together count as one.
+  double spread = 1;       ///< Of its logarithm outside of what is usual, against that of dolls and giants.
 };
 
 /// Of a model with Y up: head, body, skeleton, hair and the width of its strips, as far as it has them.

@@ -61,6 +61,15 @@ std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recip
   return priors;
 }
 
+std::optional<UnitPrior> unit_by_scalp(const SourceSpace& space, double scalp_radius) {
+  constexpr double kUsualScalp = 0.095;  // metres
+  constexpr double kOfItsOwn = -2.5;
+  if (space.unit != Statement::kUnsaid || !(scalp_radius > 0)) return {};
+  const double factor = kUsualScalp / scalp_radius;
+  const double digits = std::pow(10.0, std::floor(std::log10(factor)) - 1);
+  return UnitPrior{std::round(factor / digits) * digits, kOfItsOwn};
+}
+
 std::array<double, kUps> up_priors(const SourceModel& model) {
   const SourceSpace& space = model.space;
   double trust = space.up == Statement::kUnsaid ? 1.5 : kByChoice;

@@ -5,6 +5,7 @@
 #include "import/source_model.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace coif {
@@ -20,6 +21,10 @@ struct UnitPrior {
 /// it, inches and feet. A file's word counts the more the less it could be there by itself: the format's definition, a unit
 /// that somebody chose, the value that every exporter writes, the output of a converter that knows no units.
 [[nodiscard]] std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe);
+
+/// Of a file without a unit whose strands' roots lie on a scalp: the unit that makes it a usual one, to two digits. Few files are in a
+/// unit of their own. `scalp_radius`: as it was imported; 0: not known.
+[[nodiscard]] std::optional<UnitPrior> unit_by_scalp(const SourceSpace& space, double scalp_radius);
 
 /// The same for each direction of up_direction().
 [[nodiscard]] std::array<double, kUps> up_priors(const SourceModel& model);
