@@ -67,8 +67,9 @@ float key_light(vec3 place, vec3 n, float cosine) {
   vec3 up = cross(side, n);
   float sum = 0.0;
   for (int i = 0; i < kPlaces; ++i) {
+    // Higher the farther aside: the surface is no plane.
     float away = max(kReach, 2.5 * shadow_map.w) * sqrt((float(i) + 0.5) / float(kPlaces)), around = 2.399963 * float(i);
-    vec3 from = place + n * shadow_map.w + away * (cos(around) * side + sin(around) * up);
+    vec3 from = place + n * (shadow_map.w + 0.35 * away) + away * (cos(around) * side + sin(around) * up);
     sum += hair_light(map_from_world * vec4(from, 1.0), slope, shadow_depth, shadow_map);
   }
   return lit * sum / float(kPlaces);
