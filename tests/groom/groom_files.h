@@ -63,6 +63,14 @@ inline Bytes small_tfx_3() {
   return file.add_all<float>({0, 0, 0, 0, 1, 0, 0, 2, 0, /**/ 1, 0, 0, 1, 1, 0, 1, 2, 0.5f});
 }
 
+/// These with a width for each strand and a colour for each point.
+inline Bytes small_tfx_3_with_widths() {
+  Bytes file = small_tfx_3().set(148, 368u).set(156, 376u);
+  file.add_all<float>({0.01f, 0.02f});
+  for (int i = 0; i < 6; ++i) file.add_all<float>({0.1f * float(i), 0.5f, 2.0f, 1});
+  return file;
+}
+
 /// The same as TressFX 4 has them, with a width for each strand and a colour for each point.
 inline Bytes small_tfx_4() {
   Bytes file;

@@ -12,6 +12,7 @@ namespace coif::strand_files_test {
 using test::Bytes;
 using test::small_hair;
 using test::small_tfx_3;
+using test::small_tfx_3_with_widths;
 using test::small_tfx_4;
 
 void expect_whole(const Groom& groom) { EXPECT_EQ(find_groom_fault(groom), ""); }
@@ -92,6 +93,27 @@ TEST(TressFx, VersionsThreeAndFourHaveTheSameStrands) {
   EXPECT_EQ(four->colors[5], Eigen::Vector3f(0.5f, 0.5f, 1));
 }
 
+TEST(TressFx, VersionThreeHasWidthsAndColoursAsFourHas) {
+  const auto three = read_tressfx(small_tfx_3_with_widths().span()), four = read_tressfx(small_tfx_4().span());
+  ASSERT_TRUE(three) << three.error();
+  expect_whole(*three);
+  EXPECT_EQ(three->points, read_tressfx(small_tfx_3().span())->points);
+  EXPECT_EQ(three->widths, (std::vector<float>{0.01f, 0.01f, 0.01f, 0.02f, 0.02f, 0.02f}));
+  EXPECT_EQ(three->widths, four->widths);
+  EXPECT_EQ(three->colors, four->colors);
+  EXPECT_TRUE(read_tressfx(small_tfx_3().span())->widths.empty());
+}
+
+TEST(TressFx, TakesNoWidthThatIsNone) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float none : {-1.0f, nan, 1e30f}) {
+    const auto groom = read_tressfx(small_tfx_3_with_widths().set(368, none).span());
+    ASSERT_TRUE(groom) << groom.error();
+    expect_whole(*groom);
+    EXPECT_EQ(groom->widths, (std::vector<float>{0, 0, 0, 0.02f, 0.02f, 0.02f})) << none;
+  }
+}
+
 TEST(TressFx, SaysWhatIsWrongAndWhere) {
   const auto refused = [](Bytes file) { return fault_of(read_tressfx(file.span())); };
   EXPECT_EQ(refused(small_tfx_3().set(0, 2.0f)), "is of version 2; 3 and 4 can be read");
@@ -100,6 +122,10 @@ TEST(TressFx, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(refused(small_tfx_3().set(4, 3u)), "cut off in the points: 72 of 108 bytes from byte 296 on");
   EXPECT_EQ(refused(small_tfx_4().set(24, 0xFFFFFFFFu)),
             "cut off in the thickness: 0 of 8 bytes from byte 4294967295 on");
+  EXPECT_EQ(refused(small_tfx_3_with_widths().set(148, 472u)),
+            "cut off in the thickness: 0 of 8 bytes from byte 472 on");
+  EXPECT_EQ(refused(small_tfx_3_with_widths().set(156, 380u)),
+            "cut off in the colours: 92 of 96 bytes from byte 380 on");
   EXPECT_EQ(refused(small_tfx_4().set(4, 0xFFFFFFFFu).set(8, 4096u)).substr(0, 21), "cut off in the points");
   Bytes file = small_tfx_3();
   file.bytes.resize(159);
@@ -175,7 +201,7 @@ TEST(StrandFiles, DamageAnywhereIsRefusedOrRepaired) {
     damage_everywhere(file, flip, hair);
     damage_everywhere(file, cut, hair);
   }
-  for (const std::string& file : {small_tfx_3().bytes, small_tfx_4().bytes}) {
+  for (const std::string& file : {small_tfx_3().bytes, small_tfx_3_with_widths().bytes, small_tfx_4().bytes}) {
     damage_everywhere(file, flip, tfx);
     damage_everywhere(file, cut, tfx);
   }

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Model = tl::expected<SourceModel, ToolError>;
 
 Model cards_of(const Groom& groom, const Recipe& recipe, const HairSourceSettings& settings) {
-  const CardsBudget budget{recipe.cards_triangles, recipe.cards_texels, int(recipe.cards_rounds), float(recipe.cards_strand_width)};
+  const CardsBudget budget{recipe.cards_triangles, recipe.cards_texels, int(recipe.cards_rounds), float(recipe.cards_strand_width), float(recipe.cards_caps)};
   auto model = model_of_cards(groom, budget, settings.threads);
   if (model) model->roots = settings.import.roots;
   return model;

@@ -22,6 +22,16 @@ std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
   return sizes;
 }
 
+/// Behind the others.
+void add_scalp_cards(const ScalpCards& scalp, Cards& cards) {
+  const auto first = std::uint32_t(cards.wisps.size());
+  cards.wisps.insert(cards.wisps.end(), scalp.wisps.begin(), scalp.wisps.end());
+  for (CardStrip strip : scalp.strips) {
+    strip.wisp += first;
+    cards.strips.push_back(std::move(strip));
+  }
+}
+
 void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& plan, const AtlasPlace& place,
                   CardSurface& surface) {
   const auto edges = edges_of(wisp.ribbon, strip);
@@ -36,6 +46,12 @@ void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& pla
       surface.along.push_back(wisp.ribbon.along[station]);
     }
   }
+}
+
+std::size_t triangles_of(std::span<const CardStrip> strips) {
+  std::size_t sum = 0;
+  for (const CardStrip& strip : strips) sum += strip.triangles();
+  return sum;
 }
 
 void add_triangles(std::uint32_t first, std::size_t stations, std::vector<std::uint32_t>& triangles) {
@@ -71,9 +87,15 @@ GroomShape shape_of(const Groom& groom, float strand_width) {
 }
 
 tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape, std::vector<Wisp> wisps,
-                                             std::vector<CardStrip> strips, std::size_t texels, unsigned threads) {
+                                             std::vector<CardStrip> strips, std::size_t texels, unsigned threads,
+                                             const ScalpCards& scalp, float scalp_share) {
   Cards cards{std::move(wisps), std::move(strips), {}, {}};
-  cards.plan = plan_atlas(sizes_of(cards.wisps), texels);
+  const std::size_t above_scalp = cards.wisps.size();
+  std::vector<CardSize> sizes = sizes_of(cards.wisps);
+  const std::vector<CardSize> on_scalp = scalp_card_sizes(scalp, sizes, scalp_share);
+  sizes.insert(sizes.end(), on_scalp.begin(), on_scalp.end());
+  add_scalp_cards(scalp, cards);
+  cards.plan = plan_atlas(sizes, texels);
   if (cards.plan.places.empty()) {
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "{} cards do not fit into {} texels; allow more texels, or fewer triangles", cards.wisps.size(),
@@ -83,7 +105,9 @@ tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShap
   parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
     const AtlasPlace& place = cards.plan.places[i];
     cards.textures[i] =
-        draw_on_card(groom, shape.is_reversed, cards.wisps[i], shape.strands.width, place.width, place.height);
+        i < above_scalp
+            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], shape.strands.width, place.width, place.height)
+            : draw_scalp_card(scalp, i - above_scalp, shape.strands.width, place.width, place.height);
   });
   return cards;
 }
@@ -94,10 +118,14 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "cards need 2 triangles and {} texels at least; allow them more", kFewestTexels);
   }
-  const std::size_t count = std::max<std::size_t>(budget.triangles / (2 * kQuadsOfCard), 1);
+  const auto for_scalp = std::size_t(budget.caps * float(budget.triangles));
+  const ScalpCards scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
+  const std::size_t triangles = budget.triangles - triangles_of(scalp.strips);
+  const std::size_t count = std::max<std::size_t>(triangles / (2 * kQuadsOfCard), 1);
   std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
-  std::vector<CardStrip> strips = make_strips(wisps, budget.triangles);
-  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
+  std::vector<CardStrip> strips = make_strips(wisps, triangles);
+  auto cards =
+      texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads, scalp, budget.caps);
   if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
   return cards;
 }

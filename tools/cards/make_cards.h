@@ -6,6 +6,7 @@
 #include "cards/card_surface.h"
 #include "cards/card_texture.h"
 #include "cards/even_strands.h"
+#include "cards/scalp_cards.h"
 #include "cards/wisps.h"
 #include "groom/groom.h"
 
@@ -24,6 +25,8 @@ struct CardsBudget {
   int rounds = 6;  ///< Of fit_opacity(), at most.
   float strand_width =
       0;  ///< Metres, of strands whose groom says none; 0: so wide that they cover a head of their size as hair does.
+  float caps =
+      0.04f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
 };
 
 /// A groom as cards are made from it.
@@ -42,10 +45,12 @@ struct Cards {
   std::vector<CardTexture> textures;
 };
 
-/// Textures for cards that are there. kOverBudget where the texels are too few for them.
+/// Textures for cards that are there, and behind them those of a scalp, which have a share of the texels. kOverBudget where
+/// the texels are too few for them.
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
                                                            std::vector<Wisp> wisps, std::vector<CardStrip> strips,
-                                                           std::size_t texels, unsigned threads);
+                                                           std::size_t texels, unsigned threads,
+                                                           const ScalpCards& scalp = {}, float scalp_share = 0);
 
 /// Cards in place of the strands. Repeats for equal input, whatever `threads` is. kOverBudget where the budget is too small for the
 /// fewest cards that hold the hair.

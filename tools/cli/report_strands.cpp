@@ -26,6 +26,7 @@ tl::expected<ReportStrands, ToolError> read_report_strands(const ReportOptions& 
   settings.texels = choice->recipe.cards_texels;
   settings.rounds = int(choice->recipe.cards_rounds);
   settings.strand_width = float(choice->recipe.cards_strand_width);
+  settings.caps = float(choice->recipe.cards_caps);
   const auto bytes = FileBytes::read(source);
   if (!bytes) return tl::unexpected(bytes.error());
   auto groom = read_groom(source, import_settings(choice->recipe, {}));

@@ -35,6 +35,7 @@ class FragmentView::Rasteriser {
         positions_(positions),
         grid_(grid),
         covered_from_(view.columns_ * view.rows_, std::numeric_limits<float>::infinity()) {
+    corners_.reserve(positions.size());
     for (const Eigen::Vector3f& p : positions) corners_.push_back(corner_of(p));
   }
 
@@ -98,20 +99,32 @@ class FragmentView::Rasteriser {
   void visit_lines(std::vector<Placed>& out) {
     const auto [low_x, high_x] = std::minmax({corner_[0].x, corner_[1].x, corner_[2].x});
     const auto [low_y, high_y] = std::minmax({corner_[0].y, corner_[1].y, corner_[2].y});
-    for (std::int64_t row = first_line(low_y); row <= last_line(high_y); ++row) {
-      for (std::int64_t column = first_line(low_x); column <= last_line(high_x); ++column) visit(column, row, out);
+    const std::int64_t first_column = first_line(low_x), last_column = last_line(high_x), last_row = last_line(high_y);
+    if (first_column > last_column) return;
+    // A line is inside where all three are at least so large; from column to column and row to row they grow evenly.
+    std::int64_t inside[3], by_column[3], by_row[3], least[3];
+    const Corner start{first_column * kSteps, first_line(low_y) * kSteps};
+    for (int k = 0; k < 3; ++k) {
+      const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
+      inside[k] = edge(a, b, start);
+      by_column[k] = -(b.y - a.y) * kSteps;
+      by_row[k] = (b.x - a.x) * kSteps;
+      least[k] = owns_edge(a, b) ? 0 : 1;
+    }
+    for (std::int64_t row = first_line(low_y); row <= last_row; ++row) {
+      std::int64_t at[3] = {inside[0], inside[1], inside[2]};
+      for (std::int64_t column = first_column; column <= last_column; ++column) {
+        if (at[0] >= least[0] && at[1] >= least[1] && at[2] >= least[2]) visit(column, row, at, out);
+        for (int k = 0; k < 3; ++k) at[k] += by_column[k];
+      }
+      for (int k = 0; k < 3; ++k) inside[k] += by_row[k];
     }
   }
 
-  void visit(std::int64_t column, std::int64_t row, std::vector<Placed>& out) {
-    const Corner p{column * kSteps, row * kSteps};
+  /// A line that meets the triangle. `inside`: twice the areas that it makes with the edges.
+  void visit(std::int64_t column, std::int64_t row, const std::int64_t (&inside)[3], std::vector<Placed>& out) {
     Eigen::Vector3f share;
-    for (int k = 0; k < 3; ++k) {
-      const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
-      const std::int64_t inside = edge(a, b, p);
-      if (inside < 0 || (inside == 0 && !owns_edge(a, b))) return;
-      share[k] = float(inside) / float(area_);
-    }
+    for (int k = 0; k < 3; ++k) share[k] = float(inside[k]) / float(area_);
     meet();
     Placed placed{std::uint32_t(row) * std::uint32_t(view_.columns_) + std::uint32_t(column), base_};
     const Eigen::Vector3f point = share[0] * point_[0] + share[1] * point_[1] + share[2] * point_[2];
@@ -141,7 +154,7 @@ class FragmentView::Rasteriser {
 };
 
 FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const ViewGrid& grid)
-    : towards_eye_(grid.towards_eye), spacing_(grid.spacing) {
+    : towards_eye_(grid.towards_eye), spacing_(grid.spacing), solids_(hair.solids) {
   const Eigen::Vector3f upright = std::abs(towards_eye_.y()) < 0.99f ? Eigen::Vector3f(Eigen::Vector3f::UnitY())
                                                                      : Eigen::Vector3f(Eigen::Vector3f::UnitX());
   right_ = upright.cross(towards_eye_).normalized();
@@ -153,7 +166,6 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
   Rasteriser rasteriser(*this, hair, positions, grid);
   for (const std::uint32_t t : near_to_far(hair, positions)) rasteriser.draw(t, placed);
   sort_into_lines(placed);
-  find_solids(hair.solids);
 }
 
 /// So that what is solid comes before most of what it hides: in slices, each in stored order, for which no sorting is needed.
@@ -209,10 +221,8 @@ void FragmentView::sort_into_lines(std::span<const Placed> placed) {
   }
 }
 
-void FragmentView::find_solids(std::span<const ColliderRecord> solids) {
-  for (std::size_t i = 0; i < columns_ * rows_; ++i) {
-    solid_.push_back(coif::solid_depth(solids, place(i, 0), -towards_eye_));
-  }
+float FragmentView::solid_depth(std::size_t line) const {
+  return coif::solid_depth(solids_, place(line, 0), -towards_eye_);
 }
 
 std::array<FragmentView::LineShare, 4> FragmentView::lines_around(const Eigen::Vector3f& point) const {
@@ -238,7 +248,7 @@ float FragmentView::transmittance(const Eigen::Vector3f& point, float margin) co
   if (!(column >= 0 && column < float(columns_) && row >= 0 && row < float(rows_))) return 1;
   const std::size_t index = std::size_t(row) * columns_ + std::size_t(column);
   const float depth = -point.dot(towards_eye_) - margin;
-  if (depth > solid_[index]) return 0;
+  if (depth > solid_depth(index)) return 0;
   float passes = 1;
   for (const Fragment& fragment : line(index)) {
     if (fragment.depth >= depth) break;

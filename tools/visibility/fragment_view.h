@@ -46,7 +46,7 @@ class FragmentView {
     return std::span(fragments_).subspan(begin_[index], begin_[index + 1] - begin_[index]);
   }
   /// Where the head hides what is behind it; infinity where the line passes it.
-  [[nodiscard]] float solid_depth(std::size_t line) const { return solid_[line]; }
+  [[nodiscard]] float solid_depth(std::size_t line) const;
 
   struct LineShare {
     std::size_t line;
@@ -72,7 +72,6 @@ class FragmentView {
                                                        std::span<const Eigen::Vector3f> positions) const;
   void set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions);
   void sort_into_lines(std::span<const Placed> placed);
-  void find_solids(std::span<const ColliderRecord> solids);
 
   Eigen::Vector3f right_, up_, towards_eye_;
   float spacing_ = 1;
@@ -80,7 +79,7 @@ class FragmentView {
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> begin_ = {0};  ///< Per line and one more: its first fragment.
   std::vector<Fragment> fragments_;
-  std::vector<float> solid_;
+  std::vector<ColliderRecord> solids_;
 };
 
 /// A fragment as far as drawing order is concerned.

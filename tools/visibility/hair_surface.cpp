@@ -22,8 +22,8 @@ struct Neighbours {
 Neighbours neighbours(float place, int size) {
   const float texel = (place - std::floor(place)) * float(size) - 0.5f;
   const float first = std::floor(texel);
-  const int index = (int(first) + size) % size;
-  return {index, (index + 1) % size, texel - first};
+  const int index = first < 0 ? size - 1 : int(first);
+  return {index, index + 1 == size ? 0 : index + 1, texel - first};
 }
 
 }  // namespace

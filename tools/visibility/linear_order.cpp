@@ -21,7 +21,10 @@ std::size_t unit_range(std::span<const Vote> votes, std::span<const std::uint32_
 class InsertionSearch {
  public:
   InsertionSearch(std::span<const Vote> votes, UnitOrder order)
-      : order_(std::move(order)), opinions_(unit_range(votes, order_)), place_(places_in(order_, opinions_.size())) {
+      : order_(std::move(order)),
+        opinions_(unit_range(votes, order_)),
+        place_(places_in(order_, opinions_.size())),
+        is_settled_(opinions_.size(), false) {
     double total = 0;
     for (const Vote& vote : votes) {
       opinions_[vote.first].push_back({vote.second, vote.weight});
@@ -35,7 +38,9 @@ class InsertionSearch {
     const UnitOrder units = order_;
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
       bool moved = false;
-      for (const std::uint32_t unit : units) moved = settle(unit) || moved;
+      for (const std::uint32_t unit : units) {
+        if (!is_settled_[unit]) moved = settle(unit) || moved;
+      }
       if (!moved) break;
     }
     return std::move(order_);
@@ -51,7 +56,8 @@ class InsertionSearch {
     float gain;  ///< Of going past the other from where the unit is.
   };
 
-  /// Puts the unit where it loses least; false where it is there.
+  /// Puts the unit where it loses least; false where it is there. Then it stays there until one moves that it has an opinion on: where
+  /// all others are does not matter.
   bool settle(std::uint32_t unit) {
     const std::uint32_t here = place_[unit];
     steps_.clear();
@@ -72,8 +78,11 @@ class InsertionSearch {
       gain += double(step->gain);
       if (gain > best) best = gain, target = step->place;
     }
+    is_settled_[unit] = true;
+    if (target == here) return false;
     move(here, target);
-    return target != here;
+    for (const Opinion& opinion : opinions_[unit]) is_settled_[opinion.other] = false;
+    return true;
   }
 
   void move(std::uint32_t from, std::uint32_t to) {
@@ -86,6 +95,7 @@ class InsertionSearch {
   UnitOrder order_;
   std::vector<std::vector<Opinion>> opinions_;
   std::vector<std::uint32_t> place_;
+  std::vector<bool> is_settled_;
   std::vector<Step> steps_;
   double least_gain_ = 0;
 };
@@ -99,7 +109,10 @@ std::vector<std::uint32_t> places_in(std::span<const std::uint32_t> order, std::
 }
 
 double votes_against(std::span<const Vote> votes, std::span<const std::uint32_t> order) {
-  const std::vector<std::uint32_t> place = places_in(order, unit_range(votes, order));
+  return votes_against_places(votes, places_in(order, unit_range(votes, order)));
+}
+
+double votes_against_places(std::span<const Vote> votes, std::span<const std::uint32_t> place) {
   double lost = 0;
   for (const Vote& vote : votes) {
     const bool first_before = place[vote.first] < place[vote.second];

@@ -21,6 +21,9 @@ using UnitOrder = std::vector<std::uint32_t>;
 /// What an order loses of the votes: the weights of those that it goes against.
 [[nodiscard]] double votes_against(std::span<const Vote> votes, std::span<const std::uint32_t> order);
 
+/// The same, from each unit's place (places_in()), for many votes on one order.
+[[nodiscard]] double votes_against_places(std::span<const Vote> votes, std::span<const std::uint32_t> place);
+
 /// The units `order` has, in an order that loses no more than that one does: each unit is taken out and put back where it loses
 /// least, until no move helps (insertion neighbourhood, Laguna, Marti and Campos 1999, "Intensification and diversification
 /// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes and, for each

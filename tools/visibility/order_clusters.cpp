@@ -48,8 +48,9 @@ class Clustering {
   static bool may_found(std::size_t cell) { return (cell / 4 + cell) % 2 == 0; }
 
   [[nodiscard]] Losses losses(const UnitOrder& order) const {
+    const std::vector<std::uint32_t> place = places_in(order, order.size());
     Losses lost{};
-    for (std::size_t cell = 0; cell < kViewCells; ++cell) lost[cell] = votes_against(cells_[cell], order);
+    for (std::size_t cell = 0; cell < kViewCells; ++cell) lost[cell] = votes_against_places(cells_[cell], place);
     return lost;
   }
 

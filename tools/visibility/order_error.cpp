@@ -1,7 +1,9 @@
 #include "visibility/order_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -19,10 +21,41 @@ double psnr_db(double squared_error, std::size_t pixels) {
 
 namespace {
 
+constexpr std::uint32_t kDigitBits = 11;
+constexpr std::size_t kFewVotes = 512;  // are sorted by comparing them
+
+/// Those of one digit of a unit after those of lower ones, else as they came.
+void sort_by_digit(std::span<const Vote> votes, std::uint32_t Vote::*unit, std::uint32_t shift, std::span<Vote> out) {
+  constexpr std::uint32_t kDigits = 1u << kDigitBits;
+  std::array<std::uint32_t, kDigits> next{};
+  const auto digit_of = [&](const Vote& vote) { return vote.*unit >> shift & (kDigits - 1); };
+  for (const Vote& vote : votes) ++next[digit_of(vote)];
+  std::exclusive_scan(next.begin(), next.end(), next.begin(), 0u);
+  for (const Vote& vote : votes) out[next[digit_of(vote)]++] = vote;
+}
+
+/// By the first unit, then by the second, else as they came: digit by digit, since there are many of few units.
+void sort_by_pair(std::vector<Vote>& votes) {
+  const auto pair_of = [](const Vote& vote) { return std::tuple(vote.first, vote.second); };
+  if (votes.size() < kFewVotes) {
+    std::ranges::stable_sort(votes, {}, pair_of);
+    return;
+  }
+  std::uint32_t largest = 0;
+  for (const Vote& vote : votes) largest = std::max({largest, vote.first, vote.second});
+  std::vector<Vote> other(votes.size());
+  for (std::uint32_t Vote::*const unit : {&Vote::second, &Vote::first}) {
+    for (std::uint32_t shift = 0; shift < 32 && largest >> shift > 0; shift += kDigitBits) {
+      sort_by_digit(votes, unit, shift, other);
+      votes.swap(other);
+    }
+  }
+}
+
 /// One vote per pair. Votes of a pair are added in the order in which they came, so that sums are always the same.
 void merge(std::vector<Vote>& votes) {
   const auto pair_of = [](const Vote& vote) { return std::tuple(vote.first, vote.second); };
-  std::ranges::stable_sort(votes, {}, pair_of);
+  sort_by_pair(votes);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < votes.size();) {
     Vote sum = votes[i];

@@ -117,9 +117,10 @@ SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> posit
   const float low = view.line_count() == 0 ? 0 : view.place(0, 0).dot(axes.up);
   SeenLines seen;
   for (std::size_t i = 0; i < view.line_count(); ++i) {
-    const float end = view.solid_depth(i);
     const auto fragments = view.line(i);
-    if (fragments.empty() || fragments.front().depth > end) continue;
+    if (fragments.empty()) continue;
+    const float end = view.solid_depth(i);
+    if (fragments.front().depth > end) continue;
     add_layers(fragments, end, opaque_threshold, light, view, i, seen);
     const Eigen::Vector3f origin = view.place(i, 0);
     const float height = high > low ? (origin.dot(axes.up) - low) / (high - low) : 0;

@@ -20,9 +20,10 @@ constexpr float kSolid = 0.999f;
 
 SightLines::SightLines(const FragmentView& view, float solid_alpha) {
   for (std::size_t i = 0; i < view.line_count(); ++i) {
-    const float end = view.solid_depth(i);
     const auto fragments = view.line(i);
-    if (fragments.empty() || fragments.front().depth > end) continue;
+    if (fragments.empty()) continue;
+    const float end = view.solid_depth(i);
+    if (fragments.front().depth > end) continue;
     ++covered;
     if (fragments.front().alpha >= kSolid) continue;
     float passes = 1;

@@ -63,6 +63,8 @@ const RecipeKey kCookKeys[] = {
    "how often cards are compared with the strands from 32 directions and made more like them, at most: it ends where that gains little"},
   {"cards", "strand_width", &R::cards_strand_width, "0", 0, 0.1, nullptr, "m",
    "how wide a strand is where the file does not say; 0: so wide that the strands cover what all hair of a head does"},
+  {"cards", "caps", &R::cards_caps, "0.04", 0, 0.5, nullptr, "",
+   "share of triangles and texels, at most, of cards that lie on the scalp and hide the skin between roots; 0: none"},
   {"cards", "body", &R::cards_body, "\"\"", 0, 0, nullptr, "",
    "model of the head and body that strands belong to, which come without, and that hair grows on; path from the recipe"},
   {"cards", "follow_hairs", &R::cards_follow_hairs, "null", 0, 64, nullptr, "strands",

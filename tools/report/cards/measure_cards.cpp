@@ -65,7 +65,7 @@ class CardsMeasurement {
   tl::expected<CardsReport, ToolError> run() {
     describe_strands();
     for (const std::size_t triangles : settings_.budgets) {
-      const CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width};
+      const CardsBudget budget{triangles, settings_.texels, settings_.rounds, settings_.strand_width, settings_.caps};
       measure(kOwn, budget, [&] { return timed([&] { return make_cards(groom_, shape_, budget, kThreads); }); });
       measure(kFlat, budget, [&] { return timed([&] { return make_flat_cards(groom_, shape_, budget, kThreads); }); });
       measure(kEven, budget, [&] { return even_cards(budget); });

@@ -26,6 +26,7 @@ struct CardsSettings {
   std::size_t texels = std::size_t{1} << 22;  ///< Of each set of cards.
   int rounds = 6;                             ///< CardsBudget::rounds.
   float strand_width = 0;                     ///< Metres; CardsBudget::strand_width.
+  float caps = 0.04f;                         ///< CardsBudget::caps.
 };
 
 /// Makes cards of `groom` for each budget, coif's own and the baselines, and compares all of them and the asset, which was cooked

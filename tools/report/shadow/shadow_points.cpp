@@ -23,9 +23,10 @@ Eigen::Vector3f normal_of(const HairSurface::Triangle& triangle, std::span<const
 std::optional<float> light_on_patch(const FragmentView& view, std::size_t line, std::uint32_t patch, float depth,
                                     float tolerance) {
   std::optional<float> found;
+  const float solid = view.solid_depth(line);
   float passes = 1;
   for (const Fragment& fragment : view.line(line)) {
-    if (fragment.depth > view.solid_depth(line)) break;
+    if (fragment.depth > solid) break;
     const float distance = std::fabs(fragment.depth - depth);
     if (fragment.patch == patch && distance < tolerance) {
       tolerance = distance;
@@ -59,9 +60,10 @@ void TruthAgreement::add(const FragmentView& seen, const FragmentView& aside, co
                          std::span<const Eigen::Vector3f> positions) {
   const Eigen::Vector3f towards = seen.place(0, 0) - seen.place(0, 1), offset = aside.place(0, 0) - seen.place(0, 0);
   for (std::size_t line = 0; line < std::min(seen.line_count(), aside.line_count()); ++line) {
+    const float solid = seen.solid_depth(line);
     float passes = 1;
     for (const Fragment& fragment : seen.line(line)) {
-      if (fragment.depth > seen.solid_depth(line)) break;
+      if (fragment.depth > solid) break;
       const Eigen::Vector3f normal = normal_of(hair.triangles[fragment.triangle], positions);
       const float facing = normal.dot(towards);
       const float rise = facing != 0 ? normal.dot(offset) / facing : 0;

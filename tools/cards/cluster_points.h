@@ -1,0 +1,110 @@
+#pragma once
+
+#include "base/parallel_for.h"
+#include "cards/spread_seeds.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace coif {
+
+/// Points in clusters by squared distance (Lloyd 1982; the first middles by spread_seeds()). Of very many points a sample finds the
+/// middles. `D`: coordinates of a point, a multiple of 8.
+template <std::size_t D>
+class PointClusters {
+ public:
+  using Point = std::array<float, D>;
+
+  /// The numbers of `points` in `count` clusters at most, each ascending, none empty. Repeats for equal input, whatever `threads` is.
+  [[nodiscard]] static std::vector<std::vector<std::uint32_t>> find(const std::vector<Point>& points, std::size_t count,
+                                                                    unsigned threads) {
+    if (points.empty() || count == 0) return {};
+    const std::vector<Point> middles = middles_of(sample_of(points), count, threads);
+    std::vector<std::vector<std::uint32_t>> clusters(middles.size());
+    const Nearest nearest = nearest_middles(points, middles, threads);
+    for (std::uint32_t i = 0; i < points.size(); ++i) clusters[nearest.middle[i]].push_back(i);
+    std::erase_if(clusters, [](const auto& members) { return members.empty(); });
+    return clusters;
+  }
+
+ private:
+  static constexpr std::size_t kMostSample = 16384;  // points that find the middles
+  static constexpr int kMostRounds = 30;
+  static constexpr float kLeastGain = 0.001f;  // of all squared distances
+
+  /// Of each point, which middle is nearest, and how far all are from theirs.
+  struct Nearest {
+    std::vector<std::uint32_t> middle;
+    double distance = 0;
+  };
+
+  static std::vector<Point> sample_of(const std::vector<Point>& points) {
+    if (points.size() <= kMostSample) return points;
+    std::vector<Point> sample(kMostSample);
+    for (std::size_t i = 0; i < kMostSample; ++i) sample[i] = points[i * points.size() / kMostSample];
+    return sample;
+  }
+
+  static float squared_distance(const Point& a, const Point& b) {
+    // Eight sums side by side, which a compiler turns into vectors.
+    static_assert(D % 8 == 0);
+    std::array<float, 8> sums{};
+    for (std::size_t k = 0; k < D; k += sums.size()) {
+      for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += (a[k + j] - b[k + j]) * (a[k + j] - b[k + j]);
+    }
+    return std::accumulate(sums.begin(), sums.end(), 0.0f);
+  }
+
+  static Nearest nearest_middles(const std::vector<Point>& points, const std::vector<Point>& middles,
+                                 unsigned threads) {
+    Nearest found{std::vector<std::uint32_t>(points.size()), 0};
+    std::vector<float> distances(points.size(), std::numeric_limits<float>::max());
+    parallel_for(points.size(), threads, [&](std::size_t i) {
+      for (std::uint32_t m = 0; m < middles.size(); ++m) {
+        const float distance = squared_distance(points[i], middles[m]);
+        if (!(distance < distances[i])) continue;
+        distances[i] = distance;
+        found.middle[i] = m;
+      }
+    });
+    found.distance = std::accumulate(distances.begin(), distances.end(), 0.0);
+    return found;
+  }
+
+  /// Of those that are nearest to each middle; a middle that is nearest to none stays.
+  static void move_to_means(const std::vector<Point>& points, const Nearest& nearest, std::vector<Point>& middles) {
+    std::vector<std::array<double, D>> sums(middles.size());
+    std::vector<std::size_t> counts(middles.size(), 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::uint32_t m = nearest.middle[i];
+      ++counts[m];
+      for (std::size_t k = 0; k < D; ++k) sums[m][k] += double(points[i][k]);
+    }
+    for (std::size_t m = 0; m < middles.size(); ++m) {
+      if (counts[m] == 0) continue;
+      for (std::size_t k = 0; k < D; ++k) middles[m][k] = float(sums[m][k] / double(counts[m]));
+    }
+  }
+
+  static std::vector<Point> middles_of(const std::vector<Point>& sample, std::size_t count, unsigned threads) {
+    const auto apart = [&](std::uint32_t i, std::uint32_t k) { return squared_distance(sample[i], sample[k]); };
+    std::vector<Point> middles;
+    for (const std::uint32_t seed : spread_seeds(sample.size(), std::min(count, sample.size()), apart))
+      middles.push_back(sample[seed]);
+    double before = std::numeric_limits<double>::max();
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Nearest nearest = nearest_middles(sample, middles, threads);
+      if (nearest.distance >= (1 - double(kLeastGain)) * before) break;
+      before = nearest.distance;
+      move_to_means(sample, nearest, middles);
+    }
+    return middles;
+  }
+};
+
+}  // namespace coif
