@@ -72,9 +72,7 @@ float Flow::parted(const Vector3f& direction) const {
 Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, bool is_fringe) const {
   const Vector3f direction = head_.direction(place);
   const Vector3f down = along(-Vector3f::UnitY(), normal);
-  // Forwards over the brow; at the temples that would stand off the head.
-  if (is_fringe)
-    return along(Vector3f(0.35f * direction.x(), -0.8f, ramp(0.2f, 0.85f, direction.z())), normal).normalized();
+  if (is_fringe) return along(Vector3f(0.35f * direction.x(), -0.8f, 1), normal).normalized();
   Vector3f way = along(from_crown(direction), normal);
   if (side != 0) {
     // To the side at first, and soon down: squarely away from a parting aside, hair of the temple would end up behind the ear.
