@@ -49,6 +49,8 @@ coif_cli_case(render_gusts_with_another_solver EXIT 1 STDERR "coif render: error
   ARGS render a.coif --gusts 3 --solver thesis -o out.png)
 coif_cli_case(render_bad_lights EXIT 1 STDERR "--lights: 'disco' is not one of studio, sun, rim, plain"
   ARGS render a.coif --lights disco -o out.png)
+coif_cli_case(render_bad_ground EXIT 1 STDERR "--ground: 'grass' is not one of auto, shown, none"
+  ARGS render a.coif --ground grass -o out.png)
 coif_cli_case(render_bad_backdrop EXIT 1 STDERR "'grey' is not dark, light, clear or a colour as #rrggbb"
   ARGS render a.coif --backdrop grey -o out.png)
 coif_cli_case(render_bad_samples EXIT 1 STDERR "--samples: '3' is not 1, 2, 4, 8, 16, 32 or 64"

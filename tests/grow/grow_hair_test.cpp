@@ -73,8 +73,8 @@ TEST_P(EveryStyle, BeginsOnTheSkinAndNeverPassesThroughIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, EveryStyle,
-                         testing::Values("none", "bob", "fringe_bob", "long", "wavy", "curly", "afro", "short", "spiky",
-                                         "slick", "ponytail"),
+                         testing::Values("none", "bob", "fringe_bob", "locks", "long", "wavy", "curly", "afro", "short",
+                                         "spiky", "slick", "ponytail"),
                          [](const auto& style) { return std::string(style.param); });
 
 TEST(GrowHair, EveryStyleIsNamed) {
@@ -115,7 +115,7 @@ TEST(GrowHair, RootsKeepToTheHairline) {
   for (std::size_t i = 0; i < groom.strand_count(); ++i) {
     const Vector3f root = direction_of(groom.strand(i)[0]);
     const float azimuth = grow::azimuth_of(root), elevation = grow::elevation_of(root);
-    EXPECT_GT(elevation, grow::hairline(recipe, azimuth) - 6);
+    EXPECT_GT(elevation, grow::hairline(recipe, azimuth) - 7);
     on_face += std::abs(azimuth) < 40 && elevation < 25 ? 1 : 0;
     at_back += std::abs(azimuth) > 140 && elevation < 0 ? 1 : 0;
   }
@@ -144,6 +144,62 @@ TEST(GrowHair, APartingSendsHairToItsSides) {
   }
   EXPECT_GT(on_top, 100u);
   EXPECT_LT(crossed, on_top / 50);
+}
+
+TEST(GrowHair, LiesCloseToTheSkull) {
+  const Groom groom = grown(R"({"style": "bob", "strands": 600, "flyaways": 0})");
+  float farthest = 0;
+  for (const Vector3f& p : groom.points) {
+    if (direction_of(p).y() > 0.3f) farthest = std::max(farthest, away_from_skin(p));
+  }
+  EXPECT_LT(farthest, 0.035f) << "metres";
+}
+
+TEST(GrowHair, RootsAreDensestWhereHairLeavesThemToBothSides) {
+  const Groom groom = grown(R"({"strands": 6000, "parting": 0})");
+  const auto between = [&](float from, float to) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+      const Vector3f root = direction_of(groom.strand(i)[0]);
+      count += root.z() > 0.1f && root.y() > 0.75f && std::abs(root.x()) >= from && std::abs(root.x()) < to ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_GT(between(0, 0.04f), between(0.2f, 0.24f) * 3 / 2);
+}
+
+TEST(GrowHair, WavesOfALockGoTogetherAndGrowTowardsTheTips) {
+  const std::string keys = R"("style": "wavy", "strands": 1200, "flyaways": 0, "frizz": 0)";
+  const Groom waved = grown("{" + keys + "}"), plain = grown("{" + keys + ", \"wave_height\": 0.00001}");
+  ASSERT_EQ(waved.points.size(), plain.points.size());
+  const auto shift = [&](std::size_t i, float t) {
+    const auto k = std::size_t(t * float(waved.strand(i).size() - 1));
+    return Vector3f(waved.strand(i)[k] - plain.strand(i)[k]);
+  };
+  float near_root = 0, near_tip = 0, alike = 0, any = 0;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < waved.strand_count(); ++i) {
+    near_root += shift(i, 0.15f).norm(), near_tip += shift(i, 0.85f).norm();
+    for (std::size_t k = i + 1; k < waved.strand_count(); ++k) {
+      if ((waved.strand(i)[0] - waved.strand(k)[0]).norm() > 0.004f) continue;
+      ++pairs;
+      alike += shift(i, 0.5f).dot(shift(k, 0.5f));
+      any += shift(i, 0.5f).norm() * shift(k, 0.5f).norm();
+    }
+  }
+  EXPECT_GT(near_tip, 3 * near_root);
+  ASSERT_GT(pairs, 100u);
+  EXPECT_GT(alike, 0.4f * any);
+}
+
+TEST(GrowHair, FallsBeforeOrBehindTheShoulders) {
+  const Groom groom = grown(R"({"style": "long", "strands": 500, "flyaways": 0})");
+  std::size_t over_the_end = 0;
+  for (std::size_t i = 0; i < groom.strand_count(); ++i) {
+    const bool beyond = std::ranges::any_of(groom.strand(i), [](const Vector3f& p) { return std::abs(p.x()) > 0.19f; });
+    over_the_end += beyond ? 1 : 0;
+  }
+  EXPECT_LT(over_the_end, groom.strand_count() / 50);
 }
 
 TEST(GrowHair, ATieHoldsEveryStrand) {

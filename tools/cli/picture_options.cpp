@@ -40,8 +40,9 @@ void add_order(CLI::App& app, OrderChoice& choice) {
 
 void add_stage(CLI::App& app, PictureSettings& picture) {
   static constexpr Choice<bool> kHeads[] = {{"face", true}, {"ball", false}};
-  add_choice<bool>(app, "--head", picture.bust, kHeads,
-                   "What is under hair that comes without a body: a head with a face (default), or the asset's own collider");
+  add_choice<bool>(
+      app, "--head", picture.bust, kHeads,
+      "What is under hair that comes without a body: a head with a face (default), or the asset's own collider");
   add_choice<LightRig>(app, "--lights", picture.lights, kLights, "From where light comes (default: studio)");
   const auto parse = [&picture](const std::string& word) {
     const auto backdrop = find_backdrop(word);
@@ -54,6 +55,12 @@ void add_stage(CLI::App& app, PictureSettings& picture) {
   app.add_option_function<std::string>(
          "--backdrop", parse, "What is behind: dark (default), light, clear (transparent), or a colour #rrggbb")
       ->type_name("NAME|COLOUR");
+  static constexpr Choice<GroundChoice> kGrounds[] = {
+      {"auto", GroundChoice::kWhereSeen}, {"shown", GroundChoice::kAlways}, {"none", GroundChoice::kNever}};
+  add_choice<GroundChoice>(
+      app, "--ground", picture.ground, kGrounds,
+      "Whether what is under hair casts a soft shade on the ground it stands on (default: auto, where the "
+      "picture shows the feet of a whole body)");
   add_number(app, "--margin", picture.margin, 1.0, 10.0,
              "How far away the camera is, of the distance from which hair and head fill the picture");
 }
@@ -64,6 +71,7 @@ void add_picture_options(CLI::App& app, PictureSettings& picture) {
   picture.shadows = &kDeepShadow;
   picture.lights = LightRig::kStudio;
   picture.bust = true;
+  picture.ground = GroundChoice::kWhereSeen;
   picture.backdrop = find_backdrop("dark").value_or(Backdrop{});
   add_transparency(app, picture.transparency);
   add_order(app, picture.order);

@@ -6,7 +6,7 @@
 
 namespace coif {
 
-/// --transparency, --order, --shadows, --head, --lights, --backdrop, --margin, with the defaults of pictures to look at; `picture` must
+/// --transparency, --order, --shadows, --head, --lights, --backdrop, --ground, --margin, with the defaults of pictures to look at; `picture` must
 /// outlive the parsing.
 void add_picture_options(CLI::App& app, PictureSettings& picture);
 

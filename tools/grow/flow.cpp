@@ -32,9 +32,24 @@ Flow::Flow(const HairStyle& style, const HeadFrame& head)
   if (parting_.x() < 0) parting_ = -parting_;
 }
 
-float Flow::side_of(const Vector3f& root_direction) const {
+float Flow::side_of(const Vector3f& root_direction, std::size_t number) const {
   if (!style_.grow_parting) return 0;
-  return root_direction.dot(parting_) >= 0 ? 1.0f : -1.0f;
+  // A comb draws no ruled line, and here and there a strand lies over it.
+  constexpr float kWavers = 0.012f, kStrays = 0.016f;
+  const Dice dice(style_.grow_seed, Purpose::kParting);
+  const float line = kWavers * dice.smooth(0, 9 * root_direction.z()).x() + kStrays * dice.signed_unit(number, 1);
+  return root_direction.dot(parting_) >= line ? 1.0f : -1.0f;
+}
+
+float Flow::tangled_at(const Vector3f& root_direction) const {
+  return 1 - ramp(0.02f, 0.28f, (root_direction - crown_).norm());
+}
+
+float Flow::leaves_bare(const Vector3f& root_direction) const {
+  const float crown = tangled_at(root_direction);
+  if (!style_.grow_parting) return crown;
+  return std::max(
+      crown, ramp(0, 0.5f, parted(root_direction)) * (1 - ramp(0.04f, 0.09f, std::abs(root_direction.dot(parting_)))));
 }
 
 /// Away from the crown, in a spiral that opens.
@@ -60,8 +75,10 @@ Vector3f Flow::at(const Vector3f& place, const Vector3f& normal, float side, boo
   if (is_fringe) return along(Vector3f(0.35f * direction.x(), -0.8f, 1), normal).normalized();
   Vector3f way = along(from_crown(direction), normal);
   if (side != 0) {
-    const float share = parted(direction);
-    way = (1 - share) * way + share * (along(side * parting_, normal) + 0.55f * down);
+    // To the side at first, and soon down: squarely away from a parting aside, hair of the temple would end up behind the ear.
+    const float share = parted(direction), falls = ramp(0.05f, 0.75f, side * direction.dot(parting_));
+    const Vector3f aside = along(side * (parting_ + Vector3f::UnitX()) / 2, normal);
+    way = (1 - share) * way + share * ((1 - falls) * aside + (0.35f + falls) * down);
   }
   const auto strength = float(style_.grow_comb_strength);
   way = (1 - strength) * way + strength * along(comb_direction(style_.grow_comb, direction), normal);

@@ -22,6 +22,7 @@ enum class Purpose : std::uint64_t {
   kFlyaway,
   kTail,
   kWander,
+  kParting,
   kColor
 };
 

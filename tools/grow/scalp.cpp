@@ -1,6 +1,7 @@
 #include "grow/scalp.h"
 
 #include "base/parallel_for.h"
+#include "grow/flow.h"
 #include "grow/random.h"
 
 #include <algorithm>
@@ -53,19 +54,21 @@ Vector3f skin_in(const Vector3f& direction, const HeadFrame& head, const BodyFie
   return head.center + at * ray;
 }
 
-bool grows_at(const Vector3f& direction, std::size_t i, const HairStyle& style, const Dice& dice) {
+bool grows_at(const Vector3f& direction, std::size_t i, const HairStyle& style, const Flow& flow, const Dice& dice) {
+  constexpr float kElsewhere = 0.4f;  // of how dense roots are where nothing lies over them
   const float above = elevation_of(direction) - hairline(style, azimuth_of(direction));
   const auto fade = float(style.grow_hairline_fade);
   if (above < -0.3f * fade) return false;
-  return dice.unit(i) <= 0.12f + 0.88f * ramp(-0.3f * fade, fade, above);
+  const float dense = kElsewhere + (1 - kElsewhere) * flow.leaves_bare(direction);
+  return dice.unit(i) <= dense * (0.12f + 0.88f * ramp(-0.3f * fade, fade, above));
 }
 
 /// Of `count` directions all around those in which hair grows.
-std::vector<std::uint32_t> hairy(std::size_t count, const HairStyle& style) {
+std::vector<std::uint32_t> hairy(std::size_t count, const HairStyle& style, const Flow& flow) {
   const Dice roots(style.grow_seed, Purpose::kRoot), fade(style.grow_seed, Purpose::kFade);
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < count; ++i) {
-    if (grows_at(spread_on_sphere(i, count, roots), i, style, fade)) found.push_back(std::uint32_t(i));
+    if (grows_at(spread_on_sphere(i, count, roots), i, style, flow, fade)) found.push_back(std::uint32_t(i));
   }
   return found;
 }
@@ -100,13 +103,14 @@ float hairline(const HairStyle& style, float azimuth) {
 }
 
 std::vector<Root> spread_roots(const HairStyle& style, const HeadFrame& head, const BodyField& body, unsigned threads) {
-  constexpr std::size_t kTrial = 4096;
-  const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style).size();
+  constexpr std::size_t kTrial = 16384;
+  const Flow flow(style, head);
+  const std::size_t wanted = style.grow_strands, sample = hairy(kTrial, style, flow).size();
   if (sample == 0) return {};
   // A few more than are wanted, of which the last ones of a random order are left out.
   std::size_t all = kTrial * wanted / sample + kTrial / 8;
-  std::vector<std::uint32_t> found = hairy(all, style);
-  while (found.size() < wanted) found = hairy(all += all / 8, style);
+  std::vector<std::uint32_t> found = hairy(all, style, flow);
+  while (found.size() < wanted) found = hairy(all += all / 8, style, flow);
   const Dice dice(style.grow_seed, Purpose::kRoot);
   std::ranges::nth_element(found, found.begin() + std::ptrdiff_t(wanted) - 1, {},
                            [&](std::uint32_t i) { return std::pair(dice.unit(i, 99), i); });

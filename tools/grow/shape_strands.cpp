@@ -132,7 +132,7 @@ class Shaper {
     const float pitch = scale_ * float(style_.grow_curl_pitch) *
                         (1 + 0.25f * curls.signed_unit(clump, 2) + 0.2f * random * curls.signed_unit(i, 2));
     const float radius = curl * (1 + 0.2f * curls.signed_unit(clump, 3) + 0.5f * random * curls.signed_unit(i, 3));
-    const float wave_phase = kTurn * 0.6f * mixed(waves, 0);
+    const float wave_phase = kTurn * mixed(waves, 0), wave_side = 0.9f * waves.signed_unit(clump, 3);
     const float wave_length = scale_ * float(style_.grow_wave_length) * (1 + 0.15f * waves.signed_unit(clump, 2));
     const auto strand = paths_.strand(i);
     const UntwistedFrames frames(strand, ground_.head.direction(strand[0]));
@@ -141,9 +141,13 @@ class Shaper {
     for (std::size_t k = 1; k <= last; ++k) {
       const float t = float(k) / float(last), at = t * lengths_[i];
       const float curled = ramp(0, std::max(start, 0.02f), t) * radius, angle = phase + turns * kTurn * at / pitch;
-      const float waved = ramp(0, 0.35f, t) * wave * std::sin(wave_phase + kTurn * at / wave_length);
-      strand[k] +=
-          curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k)) + waved * frames.second(k);
+      const float waved = ramp(0, 0.5f, t) * (0.4f + 0.6f * t) * wave,
+                  wave_angle = wave_phase + kTurn * at / wave_length;
+      strand[k] += curled * (std::cos(angle) * frames.first(k) + std::sin(angle) * frames.second(k));
+      // Flat, and half as deep as it is wide: each lock's own way, so that some show their waves to every side.
+      const Vector3f across = std::cos(wave_side) * frames.second(k) + std::sin(wave_side) * frames.first(k);
+      const Vector3f deep = std::cos(wave_side) * frames.first(k) - std::sin(wave_side) * frames.second(k);
+      strand[k] += waved * (std::sin(wave_angle) * across + 0.5f * std::cos(wave_angle) * deep);
     }
   }
 

@@ -20,14 +20,21 @@ constexpr float kStep = 0.003f;  // metres on a head of usual size
 class OpenStrand {
  public:
   OpenStrand(const Ground& ground, const Flow& flow, const Root& root, std::size_t number)
-      : ground_(ground), flow_(flow), root_(root), scale_(ground.head.scale()), side_(flow.side_of(root.direction)) {
+      : ground_(ground),
+        flow_(flow),
+        root_(root),
+        scale_(ground.head.scale()),
+        side_(flow.side_of(root.direction, number)) {
     const Dice dice(ground.style.grow_seed, Purpose::kLift);
     lift_ = 1 + 0.25f * dice.signed_unit(number);
     const Vector3f normal = ground.body.normal(root.place);
     const float angle = float(ground.style.grow_lift) * kRadians * (1 + 0.15f * dice.signed_unit(number, 1));
     const Vector3f flat = flow.at(root.place, normal, side_, root.is_fringe);
+    const float astray = 0.08f + 0.7f * flow.tangled_at(root.direction);
     tip_.place = root.place;
-    tip_.way = (std::cos(angle) * flat + std::sin(angle) * normal + 0.08f * dice.in_cube(number, 2)).normalized();
+    Vector3f astray_way = dice.in_cube(number, 2);
+    astray_way -= astray_way.dot(normal) * normal;
+    tip_.way = (std::cos(angle) * flat + std::sin(angle) * normal + astray * astray_way).normalized();
   }
 
   void grow(std::span<Vector3f> points) {
@@ -49,11 +56,32 @@ class OpenStrand {
     Vector3f turn = -4 * bends * bends * float(style.grow_gravity) * Vector3f::UnitY();
     const float near = 1 - ramp(wanted, wanted + 0.25f * radius, away);
     if (near > 0) {
-      const Vector3f way = flow_.at(tip_.place, ground_.body.normal(tip_.place), side_, root_.is_fringe);
+      const Vector3f normal = ground_.body.normal(tip_.place);
+      Vector3f way = flow_.at(tip_.place, normal, side_, root_.is_fringe);
+      way += settling((wanted - away) / scale_) * normal;
       turn += near * (1 + 6 * bends) * (way - tip_.way);
     }
-    turn += swing();
+    turn += swing() + drape(away);
     advance(ground_, turn / radius, length, wanted, tip_);
+  }
+
+  /// Up to where it lies or down to there, by what it is short of that: the skull's hair follows its roundness.
+  [[nodiscard]] float settling(float short_of) const {
+    constexpr float kFrom = 0.01f, kSteepest = 0.45f;
+    const float height = ground_.head.direction(tip_.place).y();
+    return ramp(-0.35f, 0.15f, height) * kSteepest * std::clamp(short_of / kFrom, -1.0f, 1.0f);
+  }
+
+  /// Before the shoulder or behind it: what lies on top of it would slide outwards and stand over its end.
+  [[nodiscard]] Vector3f drape(float away) const {
+    const float below = (ground_.head.center.y() - tip_.place.y()) / ground_.head.radii.y();
+    const float near = ramp(0.3f, 1.2f, below) * (1 - ramp(0.02f * scale_, 0.17f * scale_, away));
+    if (near == 0) return Vector3f::Zero();
+    const Vector3f normal = ground_.body.normal(tip_.place);
+    const float level = ramp(0.35f, 0.75f, normal.y());
+    const float aside = (tip_.place.x() - ground_.head.center.x()) / ground_.head.radii.x();
+    const float inwards = 0.5f * std::copysign(ramp(1.1f, 1.8f, std::abs(aside)), -aside);
+    return 9 * near * level * Vector3f(inwards, 0, root_.direction.z() > -0.1f ? 1.0f : -1.0f);
   }
 
   /// Outwards from the head's axis, near the tip or the line of the cut.
@@ -84,9 +112,10 @@ float clearance(const Ground& ground, const Root& root, float lift, const Tip& t
   const float scale = ground.head.scale();
   const float below = (ground.head.center.y() - tip.place.y()) / ground.head.radii.y();
   const float on_head = 1 - 0.85f * ramp(0.7f, 1.7f, below);
-  const float risen = ramp(0, 0.07f * scale, tip.grown);
-  const float volume = float(style.grow_volume) + float(style.grow_layers) * root.height;
-  return scale * (kLeastClearance + risen * on_head * lift * volume);
+  // What is beneath grows with the way: at the root there is but the skin.
+  const float volume = float(style.grow_volume) * ramp(0, 0.05f * scale, tip.grown) +
+                       float(style.grow_layers) * root.height * ramp(0, 0.13f * scale, tip.grown);
+  return scale * (kLeastClearance + on_head * lift * volume);
 }
 
 void advance(const Ground& ground, const Vector3f& turn, float length, float wanted_clearance, Tip& tip) {

@@ -5,6 +5,7 @@
 #include "render/camera.h"
 #include "render/egl_context.h"
 #include "render/gallery.h"
+#include "render/ground.h"
 #include "render/mannequin_bust.h"
 #include "render/motion_frame.h"
 #include "render/picture_scene.h"
@@ -108,6 +109,18 @@ std::vector<SolidMesh> stage_meshes(const Asset& asset, const PictureSettings& s
     for (SolidMesh& patch : patches) meshes.push_back(std::move(patch));
   }
   return meshes;
+}
+
+/// None where the picture has no ground.
+tl::expected<std::optional<GroundRenderer>, ToolError> ground_of(const PictureSettings& settings,
+                                                                 std::span<const SolidMesh> meshes,
+                                                                 const HeadPose& head, const CrowdView& view) {
+  if (settings.ground == GroundChoice::kNever) return std::nullopt;
+  const GroundShade shade = shade_below(meshes, head);
+  if (!shows_ground(settings.ground, shade, view.camera, view.places.front())) return std::nullopt;
+  auto ground = GroundRenderer::create(shade);
+  if (!ground) return tl::unexpected(ground.error());
+  return std::optional(*ground);
 }
 
 /// Samples are asked of the driver where somebody does, or transparency is made of them, or there are no others.
@@ -231,6 +244,8 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
   const auto frame = frame_picture(asset, settings);
   if (!frame) return tl::unexpected(frame.error());
   const ShadowBall ball = ball_around(frame->points, frame->view.places);
+  auto ground = ground_of(settings, meshes, pose.head, frame->view);
+  if (!ground) return tl::unexpected(ground.error());
   const MaterialRecord glass = like_glass(asset);
   std::unique_ptr<KeptBoneOrder> order;
   if (settings.order == OrderChoice::kBones) {
@@ -247,7 +262,8 @@ tl::expected<Picture, ToolError> PictureMaker::take(const PictureSettings& setti
                            shadow ? &*shadow : nullptr,
                            order ? &order->order() : nullptr,
                            asset,
-                           before};
+                           before,
+                           *ground ? &**ground : nullptr};
   return take_picture(*loaded_->device, scene, settings);
 }
 

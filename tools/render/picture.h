@@ -6,6 +6,7 @@
 #include "motion/head_path.h"
 #include "render/camera.h"
 #include "render/debug_overlay.h"
+#include "render/ground.h"
 #include "render/kept_order.h"
 #include "render/light_rig.h"
 
@@ -72,6 +73,7 @@ struct PictureSettings {
   bool warm_up = true;  ///< Draw once before the frame that is timed, for what drivers put off until then.
   LightRig lights = LightRig::kMeasured;
   Backdrop backdrop;
+  GroundChoice ground = GroundChoice::kNever;  ///< The shade below what is drawn opaque.
   const SourceModel* body = nullptr;  ///< Drawn opaque instead of the collider: the source's meshes that are not hair.
   BodyTextures body_textures;         ///< Of the body's materials; empty: clay where there should be one.
   bool bust = false;                  ///< ... or a head with a face in place of the largest of them.

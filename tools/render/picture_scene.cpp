@@ -44,6 +44,9 @@ Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const Offsc
   target.bind();
   scene.stage.draw_backdrop(settings.backdrop);
   for (const HeadPose& pose : poses) scene.stage.draw_bodies(scene.view.camera, pose, lights, desc.shadow);
+  if (scene.ground != nullptr) {
+    for (const Eigen::Vector3d& place : scene.view.places) scene.ground->draw(scene.view.camera, place);
+  }
   if (settings.patches) return Status::kOk;  // they are on the stage
   return renderer.draw(scene.model, heads, desc);
 }

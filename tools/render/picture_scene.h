@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/egl_context.h"
+#include "render/ground.h"
 #include "render/picture.h"
 #include "render/stage_renderer.h"
 
@@ -21,10 +22,11 @@ struct PictureScene {
   StudioShadow* shadow;         ///< Null: none.
   TriangleOrder* order;         ///< Null: the asset's own.
   const Asset& asset;
-  const HairPose& before;  ///< A frame earlier.
+  const HairPose& before;        ///< A frame earlier.
+  const GroundRenderer* ground;  ///< Null: none.
 };
 
-/// Shadows, backdrop, bodies, hair.
+/// Shadows, backdrop, bodies, ground, hair.
 Status draw_scene(HairRenderer& renderer, const PictureScene& scene, const OffscreenTarget& target,
                   const PictureSettings& settings);
 

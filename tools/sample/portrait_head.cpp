@@ -81,20 +81,21 @@ double portrait_mouth(double head, const Vector3d& p) {
   if (p.z() < 0.03) return head;
   const double teeth = ellipsoid(p, {0, 1.5370, 0.0635}, {0.0270, 0.0240, 0.0235});
   head = join(head, teeth, 0.024);
-  const double under_lip = ellipsoid(p, {0, 1.5195, 0.0970}, {0.0190, 0.0055, 0.0100});
-  head = carve(head, under_lip, 0.016);
-  const double groove = rod(p, {0, 1.5580, 0.0935}, {0, 1.5480, 0.0965}, 0.0012, 0.0022);
-  head = carve(head, groove, 0.007);
-  const double bow = rod(p, {0.0042, 1.5418, 0.0890}, {0.0212, 1.5386, 0.0775}, 0.0045, 0.0008);
-  const double middle = rod(p, {0, 1.5405, 0.0899}, {0.0042, 1.5411, 0.0893}, 0.0044, 0.0040);
-  const double full = rod(p, {0, 1.5314, 0.0870}, {0.0090, 1.5324, 0.0852}, 0.0060, 0.0052);
-  const double lower = rod(p, {0.0090, 1.5324, 0.0852}, {0.0206, 1.5378, 0.0772}, 0.0052, 0.0008);
+  const double under_lip = ellipsoid(p, {0, 1.5200, 0.0985}, {0.0180, 0.0050, 0.0085});
+  head = carve(head, under_lip, 0.014);
+  const double groove = rod(p, {0, 1.5580, 0.0942}, {0, 1.5490, 0.0970}, 0.0010, 0.0018);
+  head = carve(head, groove, 0.006);
+  const double bow = rod(p, {0.0044, 1.5410, 0.0882}, {0.0235, 1.5380, 0.0752}, 0.0038, 0.0008);
+  const double middle = rod(p, {0, 1.5400, 0.0889}, {0.0044, 1.5405, 0.0884}, 0.0037, 0.0034);
+  const double full = rod(p, {0, 1.5322, 0.0864}, {0.0095, 1.5330, 0.0844}, 0.0052, 0.0045);
+  const double lower = rod(p, {0.0095, 1.5330, 0.0844}, {0.0230, 1.5374, 0.0752}, 0.0045, 0.0008);
   const double upper_lip = join(bow, middle, 0.003), lower_lip = join(full, lower, 0.004);
   head = join(head, upper_lip, 0.0050);
   head = join(head, lower_lip, 0.0060);
-  const double line = rod(p, {0, 1.5366, 0.0950}, {0.0120, 1.5369, 0.0912}, 0.0006, 0.0006);
-  const double line_end = rod(p, {0.0120, 1.5369, 0.0912}, {0.0216, 1.5388, 0.0802}, 0.0006, 0.0002);
-  return carve(head, join(line, line_end, 0.002), 0.0036);
+  // Shallow and broad: the surface's samples would cut a narrow one to pieces. The line itself is painted.
+  const double line = rod(p, {0, 1.5367, 0.0952}, {0.0130, 1.5370, 0.0908}, 0.0006, 0.0006);
+  const double line_end = rod(p, {0.0130, 1.5370, 0.0908}, {0.0240, 1.5378, 0.0800}, 0.0006, 0.0003);
+  return carve(head, join(line, line_end, 0.002), 0.0048);
 }
 
 double portrait_ear(double head, const Vector3d& p) {
@@ -165,8 +166,8 @@ LidEdges lid_edges(double x) {
   const double t = std::clamp(edges.across, -1.0, 1.0);
   const double corner = kEyeLine - 0.0006 + 0.0012 * t;  // the outer one is higher
   const double arch = 1.0 - t * t;
-  edges.upper = corner + (0.0080 + 0.0006 * t) * std::pow(arch, 0.70);
-  edges.lower = corner - (0.0051 + 0.0008 * t) * std::pow(arch, 0.85);
+  edges.upper = corner + (0.0066 + 0.0007 * t) * std::pow(arch, 0.72);
+  edges.lower = corner - (0.0047 + 0.0008 * t) * std::pow(arch, 0.85);
   return edges;
 }
 

@@ -22,7 +22,8 @@ constexpr std::uint32_t kEyeSide = 256;
 using Corner = std::pair<double, double>;
 
 // Most texels for the face. Degrees around the head -> U, and metres above the ground -> 1 - V.
-constexpr std::array<Corner, 4> kAround{{{0, 0}, {40, 0.50}, {75, 0.75}, {180, 1}}};
+// Textures repeat: without a margin the filter would mix the middle of the back into that of the face.
+constexpr std::array<Corner, 4> kAround{{{0, 0.008}, {40, 0.50}, {75, 0.75}, {180, 0.992}}};
 constexpr std::array<Corner, 4> kUp{{{1.22, 0}, {1.485, 0.16}, {1.650, 0.90}, {1.725, 1}}};
 constexpr double kSkinAxisZ = -0.020;  // the axis that the skin is unrolled from
 

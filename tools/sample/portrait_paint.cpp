@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const Vector3d kSkin{0.545, 0.335, 0.245};
 const Vector3d kBlush{0.560, 0.235, 0.180};
-const Vector3d kLips{0.455, 0.165, 0.145};
+const Vector3d kLips{0.440, 0.185, 0.155};
 const Vector3d kBrow{0.090, 0.050, 0.031};
 const Vector3d kRoots{0.050, 0.029, 0.020};
 const Vector3d kLashes{0.020, 0.012, 0.010};
@@ -91,12 +91,12 @@ struct LipCover {
 };
 
 LipCover lip_cover(double x, double y) {
-  constexpr double kCorner = 0.0230;
+  constexpr double kCorner = 0.0250;
   const double t = std::min(x / kCorner, 1.0);
   const double fall = std::sqrt(std::max(1 - t * t, 0.0));
-  const double bow = 0.0085 - 0.0014 * bump(x, 0, 0, 0, 0.0032, 1);
-  const double upper = bow * std::pow(1 - std::pow(t, 1.6), 0.9), lower = 0.0108 * std::pow(fall, 1.15);
-  const double above = y - kMouthLine - 0.0018 * t * t;
+  const double bow = 0.0074 - 0.0014 * bump(x, 0, 0, 0, 0.0032, 1);
+  const double upper = bow * std::pow(1 - std::pow(t, 1.6), 0.9), lower = 0.0098 * std::pow(fall, 1.15);
+  const double above = y - kMouthLine - 0.0010 * t * t;
   const double v = above > 0 ? above / std::max(upper, 1e-4) : -above / std::max(lower, 1e-4);
   return {smooth_step(1.12, 0.86, v) * smooth_step(1.0, 0.93, t), std::max(1 - v, 0.0)};
 }
@@ -122,7 +122,7 @@ Vector3d skin_color(const Vector3d& point) {
                   0.8 * bump(x, y, kOpeningMiddle - kOpeningHalf, kEyeLine, 0.0028, 0.0030) * front);
   const LipCover lips = lip_cover(x, y);
   const Vector3d lip =
-      kLips * (1.0 - 0.40 * smooth_step(0.82, 1.0, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
+      kLips * (1.0 - 0.72 * smooth_step(0.84, 0.98, lips.depth)) * (1 + 0.05 * value_noise(point.x() * 1400, y * 150));
   color = blended(color, lip, 0.92 * lips.share * front);
   color = blended(color, kBrow, 0.95 * brow_cover(x, y) * front);
   // Lash lines: broad above and towards the outer corner.
@@ -148,7 +148,7 @@ Vector3d eye_color(double x, double y) {
   iris *= 1 + 0.6 * smooth_step(0.1, -0.4, y);
   Vector3d color = blended(iris, white, smooth_step(kIris - 0.02, kIris + 0.05, r));
   color = blended({0.004, 0.004, 0.005}, color, smooth_step(kPupil - 0.015, kPupil + 0.03, r));
-  color *= 1 - 0.72 * smooth_step(0.22, 0.62, y + 0.10 * x * x);  // the upper lid's shadow
+  color *= 1 - 0.72 * smooth_step(0.12, 0.52, y + 0.10 * x * x);  // the upper lid's shadow
   const double glint = smooth_step(0.085, 0.055, std::hypot(x + 0.15, y - 0.17));
   return color + Vector3d::Constant(1.2 * glint);
 }

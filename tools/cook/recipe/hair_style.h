@@ -84,6 +84,6 @@ struct BuiltInStyle {
 [[nodiscard]] std::span<const BuiltInStyle> built_in_styles();
 
 /// What "grow.style" may be: "none" and their names.
-inline constexpr const char* kStyleWords = "none|bob|fringe_bob|long|wavy|curly|afro|short|spiky|slick|ponytail";
+inline constexpr const char* kStyleWords = "none|bob|fringe_bob|locks|long|wavy|curly|afro|short|spiky|slick|ponytail";
 
 }  // namespace coif
