@@ -1,6 +1,7 @@
 #include "cards/make_cards.h"
 
 #include "base/parallel_for.h"
+#include "cards/choose_cards.h"
 #include "cards/fit_opacity.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +13,6 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kQuadsOfCard = 4;      // on the average: fewer bend no lock, more leave too few cards
 constexpr std::size_t kFewestTexels = 4096;  // 64 x 64
 
 std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
@@ -121,11 +121,9 @@ tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& 
   const auto for_scalp = std::size_t(budget.caps * float(budget.triangles));
   const ScalpCards scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
   const std::size_t triangles = budget.triangles - triangles_of(scalp.strips);
-  const std::size_t count = std::max<std::size_t>(triangles / (2 * kQuadsOfCard), 1);
-  std::vector<Wisp> wisps = find_wisps(shape.strands, count, threads);
-  std::vector<CardStrip> strips = make_strips(wisps, triangles);
-  auto cards =
-      texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads, scalp, budget.caps);
+  ChosenCards chosen = choose_cards(shape.strands, triangles, threads);
+  auto cards = texture_cards(groom, shape, std::move(chosen.wisps), std::move(chosen.strips), budget.texels, threads,
+                             scalp, budget.caps);
   if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
   return cards;
 }
