@@ -132,6 +132,16 @@ TEST(ScalpCards, NeedAScalp) {
   EXPECT_TRUE(MadeScalp(parted_hair(1000), 3).cards.wisps.empty()) << "too few triangles";
 }
 
+TEST(ScalpCards, LieCloseOrAreNotThere) {
+  for (const std::size_t triangles : {8u, 16u, 32u, 64u, 128u, 256u, 640u}) {
+    const MadeScalp made(parted_hair(1500), triangles);
+    EXPECT_LT(distances_of(made.cards).second, 1.1f * kHead) << triangles;
+    if (triangles >= 256) {
+      EXPECT_FALSE(made.cards.wisps.empty()) << triangles;
+    }
+  }
+}
+
 TEST(ScalpCards, RepeatWithAnyNumberOfThreads) {
   const MadeScalp one(parted_hair(1200));
   const ScalpCards three = find_scalp_cards(one.groom, one.shape.is_reversed, one.shape.strands, 240, 3);

@@ -18,7 +18,9 @@ constexpr float kOverlap = 0.3f;              // of a patch's usual side
 constexpr float kMostOffSkin = 0.12f;         // of it: roots that lie farther off are on no surface
 constexpr float kThinnest = 0.25f;            // a patch is so much longer one way than the other: lashes are in no skin
 constexpr float kLeastCovered = 0.5f;         // of a patch, by its own strands if none lay on another
-constexpr float kClearance = 0.5f;            // strands' widths between card and skin
+// Of the scalp's radius, that a card is lifted off it, and long or wide: few large ones would stand off it like a hat.
+constexpr float kMostLift = 0.06f, kMostLong = 0.9f;
+constexpr float kClearance = 0.5f;  // strands' widths between card and skin
 
 /// Of the rectangle in which its roots are.
 Eigen::Vector2f size_of(const ScalpPatch& patch) { return patch.high - patch.low; }
@@ -32,6 +34,17 @@ float usual_side(std::span<const ScalpPatch> patches) {
   return std::sqrt(std::max(*middle, 0.0f));
 }
 
+/// So high above the skin that quads this much wider than the patch lie nowhere below it.
+float lift_of(const ScalpPatch& patch, float overlap) {
+  const Eigen::Vector2f size = size_of(patch).array() + 2 * overlap;
+  const float bend = patch.skin[3], half = 0.5f * size.y(), quad = size.x() / float(kQuadsOfScalpCard);
+  return patch.off_skin + (bend < 0 ? -bend * quad * quad / 4 : bend * half * half);
+}
+
+bool lies_close(const ScalpPatch& patch, float overlap, float radius) {
+  return lift_of(patch, overlap) < kMostLift * radius && size_of(patch).maxCoeff() + 2 * overlap < kMostLong * radius;
+}
+
 bool wants_card(const ScalpPatch& patch, float side, float strand_area) {
   const Eigen::Vector2f size = size_of(patch);
   return patch.off_skin < kMostOffSkin * side && size.minCoeff() > kThinnest * size.maxCoeff() &&
@@ -43,8 +56,7 @@ Ribbon ribbon_on(const ScalpPatch& patch, float overlap, float clearance) {
   Ribbon ribbon;
   const Eigen::Vector2f low = patch.low.array() - overlap, high = patch.high.array() + overlap;
   const float y = 0.5f * (low.y() + high.y()), half = 0.5f * (high.y() - low.y()), length = high.x() - low.x();
-  const float bend = patch.skin[3], quad = length / float(kQuadsOfScalpCard);
-  const float lift = clearance + patch.off_skin + (bend < 0 ? -bend * quad * quad / 4 : bend * half * half);
+  const float bend = patch.skin[3], lift = clearance + lift_of(patch, overlap);
   for (std::size_t k = 0; k < Ribbon::kStations; ++k) {
     const float x = low.x() + length * float(k) / float(Ribbon::kStations - 1);
     const Vector3f normal = patch.normal(x, y);
@@ -89,8 +101,9 @@ ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is
   Scalp scalp = find_scalp(groom, is_reversed, strands, count, threads);
   const float side = usual_side(scalp.patches);
   cards.overlap = kOverlap * side;
-  std::erase_if(scalp.patches,
-                [&](const ScalpPatch& patch) { return !wants_card(patch, side, strands.width * scalp.reach); });
+  std::erase_if(scalp.patches, [&](const ScalpPatch& patch) {
+    return !wants_card(patch, side, strands.width * scalp.reach) || !lies_close(patch, cards.overlap, scalp.radius);
+  });
   cards.wisps.resize(scalp.patches.size());
   parallel_for(scalp.patches.size(), threads, [&](std::size_t i) {
     const ScalpPatch& patch = scalp.patches[i];

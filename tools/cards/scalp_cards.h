@@ -23,8 +23,8 @@ struct ScalpCards {
   float overlap = 0;              ///< How far a card reaches beyond its own roots, over its neighbours, metres.
 };
 
-/// With so many triangles at most. None where there are too few, or no scalp is found (scalp_patches.h); none in places whose roots do
-/// not lie on a surface or would not cover it. Repeats for equal input, whatever `threads` is.
+/// With so many triangles at most. None where there are too few for cards that lie close, or no scalp is found (scalp_patches.h);
+/// none in places whose roots do not lie on a surface or would not cover it. Repeats for equal input, whatever `threads` is.
 [[nodiscard]] ScalpCards find_scalp_cards(const Groom& groom, std::span<const std::uint8_t> is_reversed,
                                           const EvenStrands& strands, std::size_t triangles, unsigned threads);
 
