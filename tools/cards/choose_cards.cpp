@@ -16,6 +16,8 @@ constexpr double kQuads[] = {4, 5, 6.5, 9, 12};
 /// Bends that strips cut short count so many times what strands lie off a ribbon that bends as they do: textures make good for that.
 constexpr double kCutShort = 2;
 
+constexpr double kWorthwhile = 0.9;  // of what others lose, for fewer cards: these are wider, and look like plates
+
 /// The ribbon with its middle on the strip.
 Ribbon flattened(const Ribbon& ribbon, const CardStrip& strip) {
   const auto edges = edges_of(ribbon, strip);
@@ -59,7 +61,7 @@ ChosenCards choose_cards(const EvenStrands& strands, std::size_t triangles, unsi
   for (const double quads : kQuads) {
     ChosenCards cards = cards_of(strands, triangles, quads, threads);
     const double off = strands_off_strips(strands, cards, threads);
-    if (off >= least) break;
+    if (off > kWorthwhile * least) break;
     least = off;
     best = std::move(cards);
   }
