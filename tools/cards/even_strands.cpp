@@ -1,8 +1,7 @@
 #include "cards/even_strands.h"
 
 #include "base/geometry.h"
-
-#include <Eigen/Eigenvalues>
+#include "base/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +90,8 @@ double least_spread(std::span<const Eigen::Vector3f> points) {
     const Eigen::Vector3d off = p.cast<double>() - mean;
     sum += off * off.transpose() / double(points.size());
   }
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  return std::sqrt(std::max(least, 0.0));
+  const Eigen::Vector3d least = principal_axes(sum).col(2);
+  return std::sqrt(std::max(least.dot(sum * least), 0.0));
 }
 
 /// Both ends of all strands, and which of them lie on a scalp.
@@ -145,9 +144,7 @@ class StrandEnds {
     std::vector<double> off(count());
     for (std::size_t i = 0; i < off.size(); ++i)
       off[i] = sphere.radius * std::min(sphere.off(first_[i]), sphere.off(last_[i]));
-    const auto middle = off.begin() + std::ptrdiff_t(off.size() / 2);
-    std::ranges::nth_element(off, middle);
-    return *middle;
+    return quantile(off, 0.5f);
   }
 
   std::vector<Eigen::Vector3f> first_, last_;

@@ -159,7 +159,7 @@ class OpacityRounds {
   }
 
   /// A part of the last change is made again.
-  static void change_card(std::vector<float> change, std::vector<float>& last, CardTexture& texture) {
+  static void change_card(const std::vector<float>& change, std::vector<float>& last, CardTexture& texture) {
     last.resize(change.size(), 0);
     for (std::uint32_t y = 0; y < texture.height; ++y) {
       for (std::uint32_t x = 0; x < texture.width; ++x) {

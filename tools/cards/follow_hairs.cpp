@@ -1,5 +1,6 @@
 #include "cards/follow_hairs.h"
 
+#include "base/quantile.h"
 #include "cards/even_strands.h"
 
 #include <Eigen/Geometry>
@@ -43,9 +44,7 @@ class GuideRoots {
       if (count > 1) distances.push_back(std::sqrt(nearest));
     }
     if (distances.empty()) return 0;
-    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-    std::ranges::nth_element(distances, middle);
-    return *middle;
+    return quantile(distances, 0.5f);
   }
 
  private:

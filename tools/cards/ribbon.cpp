@@ -1,6 +1,7 @@
 #include "cards/ribbon.h"
 
 #include "base/geometry.h"
+#include "base/quantile.h"
 
 #include <Eigen/Geometry>
 
@@ -77,13 +78,6 @@ void set_across(const EvenStrands& strands, std::span<const std::uint32_t> membe
   }
 }
 
-/// The value that all but a share of them stay below.
-float bound_of(std::vector<float>& values, float stray) {
-  const auto at = std::size_t((1 - stray) * float(values.size() - 1) + 0.5f);
-  std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(at));
-  return values[at];
-}
-
 void set_widths(const EvenStrands& strands, std::span<const std::uint32_t> members, float stray, Ribbon& ribbon) {
   std::vector<float> beside(members.size()), before(members.size());
   for (std::size_t k = 0; k < kStations; ++k) {
@@ -93,8 +87,8 @@ void set_widths(const EvenStrands& strands, std::span<const std::uint32_t> membe
       beside[m] = std::abs(off.dot(ribbon.across[k]));
       before[m] = std::abs(off.dot(normal));
     }
-    ribbon.half_width[k] = bound_of(beside, stray) + 0.5f * strands.width;
-    ribbon.half_depth[k] = bound_of(before, stray);
+    ribbon.half_width[k] = quantile(beside, 1 - stray) + 0.5f * strands.width;
+    ribbon.half_depth[k] = quantile(before, 1 - stray);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "cards/scalp_cards.h"
 
 #include "base/parallel_for.h"
+#include "base/quantile.h"
 #include "cards/scalp_patches.h"
 
 #include <algorithm>
@@ -29,9 +30,7 @@ float usual_side(std::span<const ScalpPatch> patches) {
   std::vector<float> areas;
   for (const ScalpPatch& patch : patches) areas.push_back(size_of(patch).prod());
   if (areas.empty()) return 0;
-  const auto middle = areas.begin() + std::ptrdiff_t(areas.size() / 2);
-  std::ranges::nth_element(areas, middle);
-  return std::sqrt(std::max(*middle, 0.0f));
+  return std::sqrt(std::max(quantile(areas, 0.5f), 0.0f));
 }
 
 /// So high above the skin that quads this much wider than the patch lie nowhere below it.

@@ -2,6 +2,7 @@
 
 #include "base/geometry.h"
 #include "base/parallel_for.h"
+#include "base/quantile.h"
 #include "cards/cluster_points.h"
 
 #include <algorithm>
@@ -87,13 +88,6 @@ void set_axes(const std::vector<RootPart>& parts, const Vector3f& inside, ScalpP
   along -= along.dot(outwards) * outwards;
   along = along.norm() > 0 ? along.normalized() : outwards.unitOrthogonal();
   patch.axes << along.transpose(), outwards.cross(along).transpose(), outwards.transpose();
-}
-
-/// The value that so much of them stay below.
-float quantile(std::vector<float>& values, float share) {
-  const auto at = values.begin() + std::ptrdiff_t(share * float(values.size() - 1) + 0.5f);
-  std::ranges::nth_element(values, at);
-  return *at;
 }
 
 void set_skin(const std::vector<RootPart>& parts, ScalpPatch& patch) {

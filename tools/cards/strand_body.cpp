@@ -1,6 +1,7 @@
 #include "cards/strand_body.h"
 
 #include "base/geometry.h"
+#include "base/quantile.h"
 #include "cards/even_strands.h"
 #include "cook/select/hair_evidence.h"
 #include "cook/select/head.h"
@@ -67,9 +68,7 @@ std::vector<Vector3f> some_roots(const Groom& groom) {
 float typical_distance(const grow::BodySurface& skin, std::span<const Vector3f> roots, const OtherSpace& space) {
   std::vector<float> distances;
   for (const Vector3f& root : roots) distances.push_back(skin.distance(space.of(root), 1e6f));
-  const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-  std::ranges::nth_element(distances, middle);
-  return *middle;
+  return quantile(distances, 0.5f);
 }
 
 bool is_open(Statement said) { return said == Statement::kUsual || said == Statement::kUnsaid; }

@@ -34,9 +34,10 @@ void sort_by_digit(std::span<const Vote> votes, std::uint32_t Vote::*unit, std::
   for (const Vote& vote : votes) out[next[digit_of(vote)]++] = vote;
 }
 
+std::tuple<std::uint32_t, std::uint32_t> pair_of(const Vote& vote) { return {vote.first, vote.second}; }
+
 /// By the first unit, then by the second, else as they came: digit by digit, since there are many of few units.
 void sort_by_pair(std::vector<Vote>& votes) {
-  const auto pair_of = [](const Vote& vote) { return std::tuple(vote.first, vote.second); };
   if (votes.size() < kFewVotes) {
     std::ranges::stable_sort(votes, {}, pair_of);
     return;
@@ -54,7 +55,6 @@ void sort_by_pair(std::vector<Vote>& votes) {
 
 /// One vote per pair. Votes of a pair are added in the order in which they came, so that sums are always the same.
 void merge(std::vector<Vote>& votes) {
-  const auto pair_of = [](const Vote& vote) { return std::tuple(vote.first, vote.second); };
   sort_by_pair(votes);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < votes.size();) {

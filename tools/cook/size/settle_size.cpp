@@ -86,9 +86,7 @@ void judge_unit(const KnownModel& known, const Recipe& recipe, JudgedSize& judge
   const std::vector<SizeEvidence> evidence = measure_model(known, recipe);
   if (evidence.empty()) return;
   std::vector<Vote> votes;
-  std::vector<UnitPrior> priors = unit_priors(known.model, recipe);
-  if (const auto by_scalp = unit_by_scalp(space, known.model.scalp_radius / known.scale)) priors.push_back(*by_scalp);
-  for (const UnitPrior& prior : priors) {
+  for (const UnitPrior& prior : unit_priors(known.model, recipe, known.model.scalp_radius / known.scale)) {
     votes.push_back({prior.factor, prior.likelihood, size_likelihood(evidence, prior.factor)});
   }
   const Vote& own = votes.front();  // the file's, or metres

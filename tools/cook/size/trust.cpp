@@ -18,8 +18,10 @@ constexpr double kByConverter = 2.5;
 constexpr double kByRecipe = 4;  ///< More, where the recipe has lengths that somebody read off the model as it is.
 
 constexpr double kMetresPerInch = 0.0254, kMetresPerFoot = 0.3048;
-constexpr double kImperial = 1.5;  ///< Inches and feet are rarer than powers of ten.
-constexpr double kRarePower = 1;   ///< Beyond a factor of 100.
+constexpr double kImperial = 1.5;      ///< Inches and feet are rarer than powers of ten.
+constexpr double kRarePower = 1;       ///< Beyond a factor of 100.
+constexpr double kOfItsOwn = 2.5;      ///< A unit that makes the scalp a usual one,
+constexpr double kUsualScalp = 0.095;  ///< of this radius, metres.
 
 bool is_converter(const std::string& generator) {
   static const std::vector<std::string> names{"*assimp*", "*open asset import*", "*trimesh*", "*obj2gltf*", "*meshlab*",
@@ -37,17 +39,23 @@ double trust_in(Statement statement) {
   return 0;
 }
 
-/// Of files without a unit: what modellers count in.
-std::vector<UnitPrior> customs() {
-  return {{1, 0},   {0.01, 0}, {0.1, -0.3}, {0.001, -0.5}, {kMetresPerInch, -2}, {kMetresPerFoot, -3},
-          {10, -3}, {100, -4}, {0.0001, -4}};
+/// Of files without a unit: what modellers count in, and rarely one of their own.
+std::vector<UnitPrior> customs(double scalp_radius) {
+  std::vector<UnitPrior> units{
+      {1, 0},   {0.01, 0}, {0.1, -0.3}, {0.001, -0.5}, {kMetresPerInch, -2}, {kMetresPerFoot, -3},
+      {10, -3}, {100, -4}, {0.0001, -4}};
+  if (scalp_radius > 0) {
+    const double factor = kUsualScalp / scalp_radius, digits = std::pow(10.0, std::floor(std::log10(factor)) - 1);
+    units.push_back({std::round(factor / digits) * digits, -kOfItsOwn});
+  }
+  return units;
 }
 
 }  // namespace
 
-std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe) {
+std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recipe, double scalp_radius) {
   const SourceSpace& space = model.space;
-  if (space.unit == Statement::kUnsaid) return customs();
+  if (space.unit == Statement::kUnsaid) return customs(scalp_radius);
   double trust = trust_in(space.unit);
   if (model.head_node != kNoIndex) trust = kHumanoid;
   if (is_converter(space.generator)) trust = std::min(trust, kByConverter);
@@ -59,15 +67,6 @@ std::vector<UnitPrior> unit_priors(const SourceModel& model, const Recipe& recip
     priors.push_back({unit / space.metres_per_unit, -trust - kImperial});
   }
   return priors;
-}
-
-std::optional<UnitPrior> unit_by_scalp(const SourceSpace& space, double scalp_radius) {
-  constexpr double kUsualScalp = 0.095;  // metres
-  constexpr double kOfItsOwn = -2.5;
-  if (space.unit != Statement::kUnsaid || !(scalp_radius > 0)) return {};
-  const double factor = kUsualScalp / scalp_radius;
-  const double digits = std::pow(10.0, std::floor(std::log10(factor)) - 1);
-  return UnitPrior{std::round(factor / digits) * digits, kOfItsOwn};
 }
 
 std::array<double, kUps> up_priors(const SourceModel& model) {

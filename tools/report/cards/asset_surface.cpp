@@ -46,9 +46,7 @@ double common_share(Eigen::AlignedBox3f a, Eigen::AlignedBox3f b) {
 std::vector<UnitPrior> units_of(const Groom& groom) {
   SourceModel words;  // what the file says of its size
   words.space = groom.space;
-  std::vector<UnitPrior> units = unit_priors(words, {});
-  if (const auto own = unit_by_scalp(groom.space, scalp_radius_of(shape_of(groom, 0).strands))) units.push_back(*own);
-  return units;
+  return unit_priors(words, {}, scalp_radius_of(shape_of(groom, 0).strands));
 }
 
 std::string box_text(const Eigen::AlignedBox3f& box) {
