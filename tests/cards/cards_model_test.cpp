@@ -65,6 +65,54 @@ TEST(CardsModel, KeepsTheBudgetAndThePromisesOfASource) {
   }
 }
 
+/// Texels, none in two places.
+std::size_t area_of(const std::vector<Cards>& levels) {
+  const AtlasPlan& plan = levels.front().plan;
+  std::vector<bool> taken(std::size_t(plan.width) * plan.height, false);
+  std::size_t area = 0;
+  for (const Cards& cards : levels) {
+    EXPECT_EQ(cards.plan.places.size(), cards.wisps.size());
+    for (const AtlasPlace& place : cards.plan.places) {
+      for (std::uint32_t y = place.y; y < place.y + place.height; ++y) {
+        for (std::uint32_t x = place.x; x < place.x + place.width; ++x, ++area) {
+          EXPECT_FALSE(taken[std::size_t(y) * plan.width + x]);
+          taken[std::size_t(y) * plan.width + x] = true;
+        }
+      }
+    }
+  }
+  return area;
+}
+
+TEST(CardsModel, HasLevelsOfDetailThatShareTheTexels) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(500));
+  const CardsBudget budget{
+      .triangles = 1200, .texels = std::size_t{1} << 18, .rounds = 1, .levels = 3, .level_ratio = 0.5};
+  const auto levels = make_card_levels(groom, shape_of(groom, 0), budget, 2);
+  ASSERT_TRUE(levels) << levels.error().message;
+  ASSERT_EQ(levels->size(), 3u);
+  EXPECT_LE(area_of(*levels), budget.texels);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t triangles = surface_of((*levels)[k]).triangles.size() / 3, allowed = budget.triangles >> k;
+    EXPECT_LE(triangles, allowed);
+    EXPECT_GT(triangles, allowed / 2);
+  }
+  const auto model = model_of_cards(groom, budget, 2);
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(find_model_fault(*model), "");
+  ASSERT_EQ(model->coarser.size(), 2u);
+  EXPECT_LT(model->coarser[1].mesh.triangles.size(), model->coarser[0].mesh.triangles.size());
+}
+
+TEST(CardsModel, LevelsEndWhereThereIsNothingLeftOfThem) {
+  const Groom groom = test::groom_of(test::strands_of_a_head(100));
+  const CardsBudget budget{
+      .triangles = 6, .texels = std::size_t{1} << 16, .rounds = 0, .levels = 8, .level_ratio = 0.5};
+  const auto levels = make_card_levels(groom, shape_of(groom, 0), budget, 2);
+  ASSERT_TRUE(levels) << levels.error().message;
+  EXPECT_EQ(levels->size(), 2u) << "6, 3 and then 1 triangle, which is no strip";
+}
+
 TEST(CardsModel, FacesOutwardsWithTheNormalsOfItsTriangles) {
   const auto model = model_of_cards(test::groom_of(test::strands_of_a_head(500)), {600, std::size_t{1} << 18, 0, 0}, 2);
   ASSERT_TRUE(model) << model.error().message;

@@ -13,6 +13,11 @@ namespace coif::fit_opacity_test {
 
 constexpr float kWidth = 0.003f;
 
+OpacityFit fit(const Groom& groom, int rounds, Cards& cards, unsigned threads) {
+  FitTarget target(groom, kWidth);
+  return fit_opacity(target, rounds, cards, threads);
+}
+
 Cards unfitted_cards(const Groom& groom, std::size_t count, std::size_t triangles) {
   return test::unfitted_cards(groom, kWidth, count, triangles, std::size_t{1} << 18);
 }
@@ -31,9 +36,9 @@ TEST(FitOpacity, BringsCardsNearerToStrandsFromDirectionsThatItDidNotSee) {
   const Groom groom = test::groom_of(test::strands_of_a_head(400));
   Cards cards = unfitted_cards(groom, 60, 480);
   const double before = mean_overlap(groom, cards);
-  const OpacityFit fit = fit_opacity(groom, kWidth, 4, cards, 2);
-  ASSERT_GE(fit.errors.size(), 2u);
-  EXPECT_LT(fit.errors.back(), 0.9 * fit.errors.front());
+  const OpacityFit fitted = fit(groom, 4, cards, 2);
+  ASSERT_GE(fitted.errors.size(), 2u);
+  EXPECT_LT(fitted.errors.back(), 0.9 * fitted.errors.front());
   EXPECT_GT(mean_overlap(groom, cards), before + 0.07);
   for (const CardTexture& texture : cards.textures) {
     EXPECT_GE(std::ranges::min(texture.opacity), 0);
@@ -45,7 +50,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
   const Groom groom = test::groom_of(test::strands_of_a_head(200));
   Cards cards = unfitted_cards(groom, 20, 100);
   const std::vector<CardTexture> before = cards.textures;
-  fit_opacity(groom, kWidth, 2, cards, 2);
+  fit(groom, 2, cards, 2);
   bool is_changed = false;
   for (std::size_t i = 0; i < cards.textures.size(); ++i) {
     const CardTexture& texture = cards.textures[i];
@@ -62,7 +67,7 @@ TEST(FitOpacity, AddsNothingAtSidesAndTipsWhoseStraightEdgesWouldShow) {
 TEST(FitOpacity, RepeatsWithAnyNumberOfThreads) {
   const Groom groom = test::groom_of(test::strands_of_a_head(150));
   Cards one = unfitted_cards(groom, 20, 100), three = one;
-  const OpacityFit first = fit_opacity(groom, kWidth, 2, one, 1), second = fit_opacity(groom, kWidth, 2, three, 3);
+  const OpacityFit first = fit(groom, 2, one, 1), second = fit(groom, 2, three, 3);
   EXPECT_EQ(first.errors, second.errors);
   for (std::size_t i = 0; i < one.textures.size(); ++i) EXPECT_EQ(one.textures[i].opacity, three.textures[i].opacity);
 }

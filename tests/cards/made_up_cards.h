@@ -16,7 +16,7 @@ inline Cards unfitted_cards(const Groom& groom, float width, std::size_t count, 
   const GroomShape shape = shape_of(groom, width);
   auto wisps = find_wisps(shape.strands, count, 2);
   auto strips = make_strips(wisps, triangles);
-  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), texels, 2);
+  auto cards = texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, texels, 2);
   if (!cards) throw std::runtime_error(cards.error().message);
   return std::move(*cards);
 }

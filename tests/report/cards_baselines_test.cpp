@@ -132,7 +132,7 @@ TEST(EvenCards, HaveAsManySegmentsAsComeNearest) {
     std::vector<Wisp> wisps = find_wisps(shape.strands, budget.triangles / (2 * segments), 2);
     std::vector<CardStrip> strips;
     for (std::uint32_t i = 0; i < wisps.size(); ++i) strips.push_back(even_strip(i, segments));
-    const auto other = texture_cards(groom, shape, wisps, strips, budget.texels, 2);
+    const auto other = texture_cards(groom, shape, {wisps, strips}, budget.texels, 2);
     ASSERT_TRUE(other.has_value());
     EXPECT_GE(mean_iou(views, even->cards), mean_iou(views, *other) - 0.01) << segments;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace coif {
@@ -54,14 +55,17 @@ std::array<std::uint8_t, 4> strand_texel(const CardTexture& texture, float deepe
           two_sided_byte(double(2 * along.x() * along.y() / length))};
 }
 
-void add_images(const Cards& cards, SourceModel& model) {
-  AtlasPicture colors(cards.plan), strands(cards.plan);
-  for (std::size_t i = 0; i < cards.wisps.size(); ++i) {
-    const AtlasPlace& place = cards.plan.places[i];
-    const CardTexture& texture = cards.textures[i];
-    const float deepest = std::max(std::ranges::max(cards.wisps[i].ribbon.half_depth), 1e-9f);
-    colors.paint(place, [&](std::size_t k) { return color_texel(texture, k); });
-    strands.paint(place, [&](std::size_t k) { return strand_texel(texture, deepest, k); });
+/// All levels have one atlas.
+void add_images(std::span<const Cards> levels, SourceModel& model) {
+  AtlasPicture colors(levels.front().plan), strands(levels.front().plan);
+  for (const Cards& cards : levels) {
+    for (std::size_t i = 0; i < cards.wisps.size(); ++i) {
+      const AtlasPlace& place = cards.plan.places[i];
+      const CardTexture& texture = cards.textures[i];
+      const float deepest = std::max(std::ranges::max(cards.wisps[i].ribbon.half_depth), 1e-9f);
+      colors.paint(place, [&](std::size_t k) { return color_texel(texture, k); });
+      strands.paint(place, [&](std::size_t k) { return strand_texel(texture, deepest, k); });
+    }
   }
   model.images.push_back({"cards", colors.png()});
   model.images.push_back({"strands", strands.png()});
@@ -77,26 +81,32 @@ bool faces_inwards(const Ribbon& ribbon, const Eigen::Vector3f& middle) {
 }
 
 /// Triangles of strips whose front is the other side are turned round.
-SourceMesh mesh_of(const Cards& cards, const Eigen::Vector3f& middle) {
+SourceLevel level_of(const Cards& cards, const Eigen::Vector3f& middle) {
   CardSurface surface = surface_of(cards);
-  SourceMesh mesh;
+  SourceLevel level;
+  SourceMesh& mesh = level.mesh;
   mesh.name = "hair";
   mesh.material = 0;
   mesh.triangles = std::move(surface.triangles);
   std::size_t vertex = 0, index = 0;
-  for (std::size_t i = 0; i < cards.strips.size(); ++i) {
+  for (std::uint32_t i = 0; i < cards.strips.size(); ++i) {
     const bool is_turned = faces_inwards(cards.wisps[i].ribbon, middle);
-    for (const std::size_t end = vertex + 2 * cards.strips[i].stations.size(); vertex < end; ++vertex) {
+    for (const std::uint8_t station : cards.strips[i].stations) {
+      level.place.insert(level.place.end(), 2, float(station) / float(Ribbon::kStations - 1));
+    }
+    for (const std::size_t end = level.place.size(); vertex < end; ++vertex) {
       const Eigen::Vector3f normal = surface.along[vertex].cross(surface.across[vertex]).normalized();
       mesh.normals.push_back(is_turned ? -normal : normal);
     }
-    for (const std::size_t end = index + 3 * cards.strips[i].triangles(); index < end; index += 3) {
+    level.strip_of.insert(level.strip_of.end(), cards.strips[i].triangles(), i);
+    for (const std::size_t end = 3 * level.strip_of.size(); index < end; index += 3) {
       if (is_turned) std::swap(mesh.triangles[index + 1], mesh.triangles[index + 2]);
     }
   }
   mesh.positions = std::move(surface.positions);
   mesh.uvs = std::move(surface.uvs);
-  return mesh;
+  level.along = std::move(surface.along);
+  return level;
 }
 
 SourceModel empty_model(const Groom& groom) {
@@ -121,12 +131,14 @@ SourceModel empty_model(const Groom& groom) {
 
 tl::expected<SourceModel, ToolError> model_of_cards(const Groom& groom, const CardsBudget& budget, unsigned threads) {
   const GroomShape shape = shape_of(groom, budget.strand_width);
-  const auto cards = make_cards(groom, shape, budget, threads);
-  if (!cards) return tl::unexpected(cards.error());
+  const auto levels = make_card_levels(groom, shape, budget, threads);
+  if (!levels) return tl::unexpected(levels.error());
   SourceModel model = empty_model(groom);
   model.scalp_radius = scalp_radius_of(shape.strands);
-  model.meshes.push_back(mesh_of(*cards, box_of_roots(shape.strands).center()));
-  add_images(*cards, model);
+  const Eigen::Vector3f middle = box_of_roots(shape.strands).center();
+  model.meshes.push_back(level_of(levels->front(), middle).mesh);
+  for (const Cards& cards : std::span(*levels).subspan(1)) model.coarser.push_back(level_of(cards, middle));
+  add_images(*levels, model);
   return model;
 }
 

@@ -1,11 +1,7 @@
 #include "cards/fit_opacity.h"
 
 #include "base/parallel_for.h"
-#include "cards/fewer_strands.h"
 #include "cards/fit_view.h"
-#include "cards/strand_picture.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -17,28 +13,11 @@
 namespace coif {
 namespace {
 
-constexpr std::size_t kViews = 32;                         // of a round
-constexpr std::size_t kTurns = 3;                          // of them, until a round has the same again
-constexpr std::size_t kMostPoints = std::size_t{1} << 21;  // more are drawn to no purpose: pixels are millimetres
-constexpr std::uint32_t kPicture = 256;                    // pixels of hair, both ways
-constexpr float kTolerance = 0.1f;                         // pixels that strands may lie off where they are
-constexpr std::uint32_t kStrandSide = 6;                   // of strands
-constexpr double kLeastFall = 0.02;                        // of the error, for another round
-constexpr float kLittleSeen = 0.3f;                        // samples: texels that are seen less than this change less
-constexpr float kOnwards = 0.5f;                           // of a texel's last change that it makes again
-constexpr std::size_t kSpreadAlong = 4;                    // texels
-constexpr float kEdge = 0.12f;                             // of a card's width and length
-
-/// The same spiral, turned.
-std::vector<Eigen::Vector3f> turned_directions(std::size_t turns) {
-  std::vector<Eigen::Vector3f> directions = spread_directions(kViews);
-  const float turn = 2.4f * float(turns + 1);
-  const Eigen::Matrix3f turned =
-      (Eigen::AngleAxisf(turn, Eigen::Vector3f::UnitY()) * Eigen::AngleAxisf(0.5f * turn, Eigen::Vector3f::UnitX()))
-          .toRotationMatrix();
-  for (Eigen::Vector3f& direction : directions) direction = turned * direction;
-  return directions;
-}
+constexpr double kLeastFall = 0.02;      // of the error, for another round
+constexpr float kLittleSeen = 0.3f;      // samples: texels that are seen less than this change less
+constexpr float kOnwards = 0.5f;         // of a texel's last change that it makes again
+constexpr std::size_t kSpreadAlong = 4;  // texels
+constexpr float kEdge = 0.12f;           // of a card's width and length
 
 /// What every texel of the atlas should change by, as views have it.
 class AtlasChange {
@@ -103,20 +82,12 @@ class AtlasChange {
 /// Cards whose opacity changes, round by round.
 class OpacityRounds {
  public:
-  OpacityRounds(const Groom& groom, float strand_width, Cards& cards, unsigned threads)
-      : groom_(groom),
-        strand_width_(strand_width),
+  OpacityRounds(FitTarget& target, Cards& cards, unsigned threads)
+      : target_(target),
         cards_(cards),
         threads_(std::max(threads, 1u)),
         change_(cards.plan.width, cards.plan.height),
         views_(threads_) {
-    const ShownBall ball = ball_around(groom.points);
-    for (std::size_t turn = 0; turn < kTurns; ++turn) {
-      for (const Eigen::Vector3f& direction : turned_directions(turn)) {
-        frames_.push_back(frame_along(direction, ball, kPicture));
-      }
-    }
-    wanted_.resize(frames_.size());
     for (const CardStrip& strip : cards.strips) {
       first_triangle_.push_back(first_triangle_.back() + std::uint32_t(strip.triangles()));
       last_change_.emplace_back();
@@ -126,12 +97,13 @@ class OpacityRounds {
   /// Looks from a round's directions; returns what cards cover wrongly, of what strands cover.
   double look(int round) {
     const CardSurface surface = surface_of(cards_);
-    const std::size_t turn = std::size_t(round) % kTurns * kViews;
+    constexpr std::size_t kViews = FitTarget::kViews;
     double error = 0, covered = 0;
     // As many views at once as there are threads. Texels add them up one after the other, so that their number changes nothing.
     for (std::size_t first = 0; first < kViews; first += views_.size()) {
       const std::size_t count = std::min(views_.size(), kViews - first);
-      parallel_for(count, threads_, [&](std::size_t i) { look_along(turn + first + i, surface, views_[i]); });
+      parallel_for(count, threads_,
+                   [&](std::size_t i) { look_along(FitTarget::view_of(round, first + i), surface, views_[i]); });
       parallel_for(cards_.strips.size(), threads_, [&](std::size_t card) {
         for (std::size_t i = 0; i < count; ++i) change_.add(views_[i], card);
       });
@@ -151,11 +123,9 @@ class OpacityRounds {
   }
 
  private:
-  void look_along(std::size_t frame, const CardSurface& surface, FitView& view) {
-    if (wanted_[frame].empty())
-      wanted_[frame] = draw_strands(groom_, frames_[frame], strand_width_, 1, kStrandSide).coverage;
-    view.look(surface, first_triangle_, frames_[frame]);
-    view.compare(wanted_[frame]);
+  void look_along(std::size_t view, const CardSurface& surface, FitView& seen) {
+    seen.look(surface, first_triangle_, target_.frame(view));
+    seen.compare(target_.coverage(view));
   }
 
   /// A part of the last change is made again.
@@ -178,16 +148,13 @@ class OpacityRounds {
     return std::min(std::min({across, 1 - across, 1 - along}) / kEdge, 1.0f);
   }
 
-  const Groom& groom_;
-  float strand_width_;
+  FitTarget& target_;
   Cards& cards_;
   unsigned threads_;
   std::vector<std::uint32_t> first_triangle_{0};
   AtlasChange change_;
   std::vector<std::vector<float>> last_change_;  ///< Of each card's texels.
   std::vector<FitView> views_;
-  std::vector<PictureFrame> frames_;        ///< Of all turns.
-  std::vector<std::vector<float>> wanted_;  ///< What strands cover in each, drawn when it is first asked for.
 };
 
 std::vector<std::vector<float>> opacities_of(const Cards& cards) {
@@ -198,13 +165,10 @@ std::vector<std::vector<float>> opacities_of(const Cards& cards) {
 
 }  // namespace
 
-OpacityFit fit_opacity(const Groom& whole, float strand_width, int rounds, Cards& cards, unsigned threads) {
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, unsigned threads) {
   OpacityFit fit;
   if (rounds <= 0) return fit;
-  const Groom fine = fewer_strands(whole, strand_width, kMostPoints);
-  const float pixels_of_metre = frame_along({0, 0, -1}, ball_around(fine.points), kPicture).pixels_of_metre;
-  const Groom groom = straighter_strands(fine, kTolerance / pixels_of_metre);
-  OpacityRounds fitting(groom, strand_width, cards, threads);
+  OpacityRounds fitting(target, cards, threads);
   std::vector<std::vector<float>> best;
   for (int round = 0; round <= rounds; ++round) {
     const double error = fitting.look(round), before = fit.errors.empty() ? error : fit.errors.back();

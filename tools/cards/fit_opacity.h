@@ -1,7 +1,7 @@
 #pragma once
 
+#include "cards/fit_target.h"
 #include "cards/make_cards.h"
-#include "groom/groom.h"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ struct OpacityFit {
 /// cards from 32 directions, a third of 96 in turn, and hands each pixel's difference from the strands back to the texels that it sees,
 /// by how much they change it (simultaneous algebraic reconstruction: Andersen and Kak 1984), spread along the card, where strands lie.
 /// A part of each round's change is made again in the next (Polyak 1964, the heavy ball), which takes half as many rounds. Ends when a
-/// round gains too little, or after so many. `strand_width` is of strands whose groom says none. Repeats for equal input, whatever `threads` is.
-OpacityFit fit_opacity(const Groom& groom, float strand_width, int rounds, Cards& cards, unsigned threads);
+/// round gains too little, or after so many. Repeats for equal input, whatever `threads` is.
+OpacityFit fit_opacity(FitTarget& target, int rounds, Cards& cards, unsigned threads);
 
 }  // namespace coif

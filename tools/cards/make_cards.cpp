@@ -1,12 +1,12 @@
 #include "cards/make_cards.h"
 
 #include "base/parallel_for.h"
-#include "cards/choose_cards.h"
 #include "cards/fit_opacity.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -22,14 +22,81 @@ std::vector<CardSize> sizes_of(std::span<const Wisp> wisps) {
   return sizes;
 }
 
-/// Behind the others.
-void add_scalp_cards(const ScalpCards& scalp, Cards& cards) {
-  const auto first = std::uint32_t(cards.wisps.size());
-  cards.wisps.insert(cards.wisps.end(), scalp.wisps.begin(), scalp.wisps.end());
-  for (CardStrip strip : scalp.strips) {
-    strip.wisp += first;
+std::size_t triangles_of(std::span<const CardStrip> strips) {
+  std::size_t sum = 0;
+  for (const CardStrip& strip : strips) sum += strip.triangles();
+  return sum;
+}
+
+/// What a level draws, before it has textures.
+struct ChosenLevel {
+  ChosenCards cards;
+  ScalpCards scalp{};
+};
+
+ChosenLevel choose_level(const Groom& groom, const GroomShape& shape, std::size_t triangles, float caps,
+                         unsigned threads) {
+  ChosenLevel level;
+  const auto for_scalp = std::size_t(caps * float(triangles));
+  level.scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
+  level.cards = choose_cards(shape.strands, triangles - triangles_of(level.scalp.strips), threads);
+  return level;
+}
+
+/// Of its cards and behind them those of the scalp, each way `scale` times as large as they are.
+std::vector<CardSize> sizes_of(const ChosenLevel& level, float scalp_share, float scale) {
+  std::vector<CardSize> sizes = sizes_of(level.cards.wisps);
+  const std::vector<CardSize> on_scalp = scalp_card_sizes(level.scalp, sizes, scalp_share);
+  sizes.insert(sizes.end(), on_scalp.begin(), on_scalp.end());
+  for (CardSize& size : sizes) size = {scale * size.width, scale * size.length};
+  return sizes;
+}
+
+/// Cards at their places in the atlas, those of the scalp behind the others.
+Cards draw_level(const Groom& groom, const GroomShape& shape, ChosenLevel level, AtlasPlan plan, unsigned threads) {
+  Cards cards{std::move(level.cards.wisps), std::move(level.cards.strips), std::move(plan), {}};
+  const std::size_t above_scalp = cards.wisps.size();
+  cards.wisps.insert(cards.wisps.end(), level.scalp.wisps.begin(), level.scalp.wisps.end());
+  for (CardStrip strip : level.scalp.strips) {
+    strip.wisp += std::uint32_t(above_scalp);
     cards.strips.push_back(std::move(strip));
   }
+  cards.textures.resize(cards.wisps.size());
+  parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
+    const AtlasPlace& place = cards.plan.places[i];
+    const float width = shape.strands.width;
+    cards.textures[i] = i < above_scalp
+                            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], width, place.width, place.height)
+                            : draw_scalp_card(level.scalp, i - above_scalp, width, place.width, place.height);
+  });
+  return cards;
+}
+
+/// All of them in one atlas.
+tl::expected<std::vector<Cards>, ToolError> draw_levels(const Groom& groom, const GroomShape& shape,
+                                                        std::vector<ChosenLevel> levels, const CardsBudget& budget,
+                                                        unsigned threads) {
+  std::vector<CardSize> sizes;
+  std::vector<std::size_t> ends;
+  for (const ChosenLevel& level : levels) {
+    const double scale = std::pow(budget.level_ratio, double(ends.size()));
+    const std::vector<CardSize> own = sizes_of(level, budget.caps, float(scale));
+    sizes.insert(sizes.end(), own.begin(), own.end());
+    ends.push_back(sizes.size());
+  }
+  const AtlasPlan plan = plan_atlas(sizes, budget.texels);
+  if (plan.places.empty()) {
+    return file_failure(ToolError::Kind::kOverBudget, groom.path,
+                        "{} cards do not fit into {} texels; allow more texels, or fewer triangles", sizes.size(),
+                        budget.texels);
+  }
+  std::vector<Cards> drawn;
+  for (std::size_t k = 0, begin = 0; k < levels.size(); begin = ends[k++]) {
+    const auto first = plan.places.begin();
+    AtlasPlan own{plan.width, plan.height, {first + std::ptrdiff_t(begin), first + std::ptrdiff_t(ends[k])}};
+    drawn.push_back(draw_level(groom, shape, std::move(levels[k]), std::move(own), threads));
+  }
+  return drawn;
 }
 
 void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& plan, const AtlasPlace& place,
@@ -46,12 +113,6 @@ void add_vertices(const Wisp& wisp, const CardStrip& strip, const AtlasPlan& pla
       surface.along.push_back(wisp.ribbon.along[station]);
     }
   }
-}
-
-std::size_t triangles_of(std::span<const CardStrip> strips) {
-  std::size_t sum = 0;
-  for (const CardStrip& strip : strips) sum += strip.triangles();
-  return sum;
 }
 
 void add_triangles(std::uint32_t first, std::size_t stations, std::vector<std::uint32_t>& triangles) {
@@ -86,46 +147,41 @@ GroomShape shape_of(const Groom& groom, float strand_width) {
   return shape;
 }
 
-tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape, std::vector<Wisp> wisps,
-                                             std::vector<CardStrip> strips, std::size_t texels, unsigned threads,
-                                             const ScalpCards& scalp, float scalp_share) {
-  Cards cards{std::move(wisps), std::move(strips), {}, {}};
-  const std::size_t above_scalp = cards.wisps.size();
-  std::vector<CardSize> sizes = sizes_of(cards.wisps);
-  const std::vector<CardSize> on_scalp = scalp_card_sizes(scalp, sizes, scalp_share);
-  sizes.insert(sizes.end(), on_scalp.begin(), on_scalp.end());
-  add_scalp_cards(scalp, cards);
-  cards.plan = plan_atlas(sizes, texels);
-  if (cards.plan.places.empty()) {
-    return file_failure(ToolError::Kind::kOverBudget, groom.path,
-                        "{} cards do not fit into {} texels; allow more texels, or fewer triangles", cards.wisps.size(),
-                        texels);
-  }
-  cards.textures.resize(cards.wisps.size());
-  parallel_for(cards.wisps.size(), threads, [&](std::size_t i) {
-    const AtlasPlace& place = cards.plan.places[i];
-    cards.textures[i] =
-        i < above_scalp
-            ? draw_on_card(groom, shape.is_reversed, cards.wisps[i], shape.strands.width, place.width, place.height)
-            : draw_scalp_card(scalp, i - above_scalp, shape.strands.width, place.width, place.height);
-  });
-  return cards;
+tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape, ChosenCards cards,
+                                             std::size_t texels, unsigned threads) {
+  std::vector<ChosenLevel> level(1);
+  level[0].cards = std::move(cards);
+  auto drawn = draw_levels(groom, shape, std::move(level), {.texels = texels, .caps = 0}, threads);
+  if (!drawn) return tl::unexpected(drawn.error());
+  return std::move(drawn->front());
 }
 
-tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
-                                          unsigned threads) {
+tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
+                                                             const CardsBudget& budget, unsigned threads) {
   if (budget.triangles < 2 || budget.texels < kFewestTexels) {
     return file_failure(ToolError::Kind::kOverBudget, groom.path,
                         "cards need 2 triangles and {} texels at least; allow them more", kFewestTexels);
   }
-  const auto for_scalp = std::size_t(budget.caps * float(budget.triangles));
-  const ScalpCards scalp = find_scalp_cards(groom, shape.is_reversed, shape.strands, for_scalp, threads);
-  const std::size_t triangles = budget.triangles - triangles_of(scalp.strips);
-  ChosenCards chosen = choose_cards(shape.strands, triangles, threads);
-  auto cards = texture_cards(groom, shape, std::move(chosen.wisps), std::move(chosen.strips), budget.texels, threads,
-                             scalp, budget.caps);
-  if (cards) fit_opacity(groom, shape.strands.width, budget.rounds, *cards, threads);
-  return cards;
+  std::vector<ChosenLevel> levels;
+  for (std::size_t k = 0; k < std::max<std::size_t>(budget.levels, 1); ++k) {
+    const auto triangles = std::size_t(double(budget.triangles) * std::pow(budget.level_ratio, double(k)));
+    if (triangles < 2) break;
+    levels.push_back(choose_level(groom, shape, triangles, budget.caps, threads));
+  }
+  auto drawn = draw_levels(groom, shape, std::move(levels), budget, threads);
+  if (!drawn) return tl::unexpected(drawn.error());
+  FitTarget target(groom, shape.strands.width);
+  for (Cards& cards : *drawn) fit_opacity(target, budget.rounds, cards, threads);
+  return drawn;
+}
+
+tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape, const CardsBudget& budget,
+                                          unsigned threads) {
+  CardsBudget one = budget;
+  one.levels = 1;
+  auto made = make_card_levels(groom, shape, one, threads);
+  if (!made) return tl::unexpected(made.error());
+  return std::move(made->front());
 }
 
 CardSurface surface_of(const Cards& cards) {

@@ -5,6 +5,7 @@
 #include "cards/card_strip.h"
 #include "cards/card_surface.h"
 #include "cards/card_texture.h"
+#include "cards/choose_cards.h"
 #include "cards/even_strands.h"
 #include "cards/scalp_cards.h"
 #include "cards/wisps.h"
@@ -27,6 +28,8 @@ struct CardsBudget {
       0;  ///< Metres, of strands whose groom says none; 0: so wide that they cover a head of their size as hair does.
   float caps =
       0.04f;  ///< Share of triangles and texels, at most, of cards that lie on the scalp (scalp_cards.h), 0..0.5.
+  std::size_t levels = 1;    ///< Of detail, of make_card_levels().
+  double level_ratio = 0.5;  ///< Triangles of a level, against the next finer one.
 };
 
 /// A groom as cards are made from it.
@@ -45,17 +48,20 @@ struct Cards {
   std::vector<CardTexture> textures;
 };
 
-/// Textures for cards that are there, and behind them those of a scalp, which have a share of the texels. kOverBudget where
-/// the texels are too few for them.
+/// Textures for cards that are there. kOverBudget where the texels are too few for them.
 [[nodiscard]] tl::expected<Cards, ToolError> texture_cards(const Groom& groom, const GroomShape& shape,
-                                                           std::vector<Wisp> wisps, std::vector<CardStrip> strips,
-                                                           std::size_t texels, unsigned threads,
-                                                           const ScalpCards& scalp = {}, float scalp_share = 0);
+                                                           ChosenCards cards, std::size_t texels, unsigned threads);
 
-/// Cards in place of the strands. Repeats for equal input, whatever `threads` is. kOverBudget where the budget is too small for the
-/// fewest cards that hold the hair.
+/// Cards in place of the strands, of one level of detail. Repeats for equal input, whatever `threads` is. kOverBudget where the budget
+/// is too small for the fewest cards that hold the hair.
 [[nodiscard]] tl::expected<Cards, ToolError> make_cards(const Groom& groom, const GroomShape& shape,
                                                         const CardsBudget& budget, unsigned threads);
+
+/// The same for as many levels of detail as the budget says, the finest first, each made from the strands. They share the texels, in
+/// one atlas: a level is for pictures in which hair is so much smaller as it has fewer triangles, and has texels for these. Levels end
+/// before one that would have no triangles.
+[[nodiscard]] tl::expected<std::vector<Cards>, ToolError> make_card_levels(const Groom& groom, const GroomShape& shape,
+                                                                           const CardsBudget& budget, unsigned threads);
 
 /// As they are drawn, strip by strip, two vertices at each of its stations.
 [[nodiscard]] CardSurface surface_of(const Cards& cards);

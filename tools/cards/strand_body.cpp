@@ -191,6 +191,7 @@ void add_body(SourceModel body, SourceModel& cards) {
       node.parent = head;
   }
   for (SourceMesh& mesh : cards.meshes) mesh.node += nodes;
+  for (SourceLevel& level : cards.coarser) level.mesh.node += nodes;
   body.nodes.insert(body.nodes.end(), cards.nodes.begin(), cards.nodes.end());
   cards.nodes = std::move(body.nodes);
   cards.head_node = body.head_node != kNoIndex ? body.head_node : head;

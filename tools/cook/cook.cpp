@@ -6,6 +6,8 @@
 #include "cook/dynamics/bake_limits.h"
 #include "cook/dynamics/bake_links.h"
 #include "cook/dynamics/settle_model.h"
+#include "cook/lods/card_levels.h"
+#include "cook/lods/make_lods.h"
 #include "cook/rig/fit_chains.h"
 #include "cook/select/mesh_topology.h"
 #include "cook/select/select_hair.h"
@@ -150,9 +152,7 @@ const Pass kPasses[] = {
        return {};
      }},
     {"limits",
-     [](Cooking& c) {
-       return keep(bake_limits(c.source, c.rig.skeleton, c.recipe, c.report), c.contents.limits);
-     },
+     [](Cooking& c) { return keep(bake_limits(c.source, c.rig.skeleton, c.recipe, c.report), c.contents.limits); },
      [](const Cooking& c) { return !c.source.springs.empty() || !c.recipe.limits.empty(); }},
     {"links",
      [](Cooking& c) {
@@ -189,7 +189,13 @@ const Pass kPasses[] = {
      [](const Cooking& c) { return c.moves && !c.settings.draft; }},
 
     // What it looks like, near and far.
-    {"head order", [](Cooking& c) { return keep(sort_patches(c.hair, c.head.center), c.order); }},
+    // Before textures, which keep what some triangle shows.
+    {"card levels",
+     [](Cooking& c) {
+       const LodSettings settings = lod_settings(c.recipe, c.settings.threads);
+       return keep(card_levels(c.source, c.hair, c.rig, c.head, settings, c.report), c.levels);
+     },
+     [](const Cooking& c) { return has_card_levels(c.source, c.hair); }},
     {"textures",
      [](Cooking& c) { return keep(bake_textures(c.color, c.hair, c.recipe, c.settings, c.report), c.textures); }},
     {"tips",
@@ -198,14 +204,18 @@ const Pass kPasses[] = {
        opaque.threshold = c.textures.transparency.opaque_threshold;
        (void)find_blunt_ends(c.hair, c.head, opaque, c.settings.threads, c.report);
        return {};
-     }},
+     },
+     // Cards end as their strands do.
+     [](const Cooking& c) { return !c.source.made_from_strands; }},
     {"lods",
      [](Cooking& c) -> Done {
        const AlphaTest alpha = alpha_test(c.color, c.textures.transparency, c.recipe);
-       c.levels = make_lods(c.hair, c.rig, c.head, alpha, lod_settings(c.recipe, c.settings.threads), c.report);
+       const LodSettings settings = lod_settings(c.recipe, c.settings.threads);
+       if (c.levels.empty()) c.levels = make_lods(c.hair, c.rig, c.head, alpha, settings, c.report);
        leave_out_levels(c.recipe, c.levels, c.report);
        return {};
      }},
+    {"head order", [](Cooking& c) { return keep(sort_patches(c.hair, c.head.center), c.order); }},
     {"pack",
      [](Cooking& c) -> Done {
        pack_parts(c);

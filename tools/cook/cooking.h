@@ -4,7 +4,7 @@
 #include "cook/dynamics/bake_dynamics.h"
 #include "cook/dynamics/choose_model.h"
 #include "cook/dynamics/settle_dynamics.h"
-#include "cook/lods/make_lods.h"
+#include "cook/lods/detail_level.h"
 #include "cook/order/choose_order.h"
 #include "cook/rig/body_colliders.h"
 #include "cook/rig/skeleton.h"

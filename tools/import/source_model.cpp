@@ -66,6 +66,22 @@ std::string mesh_fault(const SourceModel& model, const SourceMesh& mesh) {
   return influences_fault(mesh, model.nodes.size());
 }
 
+std::string level_fault(const SourceModel& model, const SourceLevel& level) {
+  if (std::string fault = mesh_fault(model, level.mesh); !fault.empty()) return fault;
+  const std::size_t vertices = level.mesh.positions.size(), triangles = level.mesh.triangles.size() / 3;
+  if (level.along.size() != vertices || level.place.size() != vertices) return "strands of another size than positions";
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (!(std::abs(level.along[v].norm() - 1.0f) < kUnitLengthTolerance)) return "strand not of unit length";
+    if (!(level.place[v] >= 0 && level.place[v] <= 1)) return "place outside 0..1";
+  }
+  if (level.strip_of.size() != triangles) return "strips of another size than triangles";
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const std::uint32_t before = t == 0 ? 0 : level.strip_of[t - 1];
+    if (level.strip_of[t] < before || level.strip_of[t] > before + (t == 0 ? 0 : 1)) return "strips not ascending";
+  }
+  return {};
+}
+
 bool is_unit(const Eigen::Vector3d& direction) {
   return std::abs(direction.norm() - 1.0) < double{kUnitLengthTolerance};
 }
@@ -73,7 +89,8 @@ bool is_unit(const Eigen::Vector3d& direction) {
 bool is_length(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string material_fault(const SourceModel& model, const SourceMaterial& material) {
-  for (const std::uint32_t image : {material.base_texture.image, material.normal_texture.image, material.strand_texture.image}) {
+  for (const std::uint32_t image :
+       {material.base_texture.image, material.normal_texture.image, material.strand_texture.image}) {
     if (image != kNoIndex && image >= model.images.size()) return "absent image";
   }
   if (!material.base_color.allFinite()) return "colour not finite";
@@ -158,6 +175,10 @@ std::string find_model_fault(const SourceModel& model) {
   for (const SourceMesh& mesh : model.meshes) {
     const std::string fault = mesh_fault(model, mesh);
     if (!fault.empty()) return fmt::format("mesh '{}': {}", mesh.name, fault);
+  }
+  for (std::size_t k = 0; k < model.coarser.size(); ++k) {
+    const std::string fault = level_fault(model, model.coarser[k]);
+    if (!fault.empty()) return fmt::format("level {}: {}", k + 1, fault);
   }
   for (const SourceMaterial& material : model.materials) {
     const std::string fault = material_fault(model, material);

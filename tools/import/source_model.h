@@ -114,6 +114,15 @@ struct SourceImage {
   std::vector<std::uint8_t> bytes;
 };
 
+/// Fewer cards that stand for the same strands as the hair's own mesh: what a level of detail draws instead of it, with its material.
+/// Sizes of meshes, and no influences.
+struct SourceLevel {
+  SourceMesh mesh;
+  std::vector<Eigen::Vector3f> along;   ///< Per vertex, unit, root to tip.
+  std::vector<float> place;             ///< Per vertex, 0 root .. 1 tip.
+  std::vector<std::uint32_t> strip_of;  ///< Per triangle, ascending from 0.
+};
+
 /// Which way a model looks: along +Z, or -Z as VRM 0.x does. kUnknown: the file does not say.
 enum class Facing { kUnknown, kForwards, kBackwards };
 
@@ -151,6 +160,7 @@ struct SourceModel {
   Facing facing = Facing::kUnknown;
   /// Cards that stand for strands: these grow along V of the texture, which is as large as it should be.
   bool made_from_strands = false;
+  std::vector<SourceLevel> coarser;  ///< Each of fewer triangles than the one before; cards alone have them.
   double scalp_radius = 0;  ///< Of the sphere that the strands' roots lie on, metres; 0 where that is not known.
   SourceSpace space;
   std::vector<std::string> warnings;  ///< What was repaired or dropped, one sentence each.

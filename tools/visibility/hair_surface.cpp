@@ -74,8 +74,8 @@ float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f&
   return nearest;
 }
 
-HairSurface::HairSurface(const Asset& asset) : alpha(asset) {
-  const auto patches = asset.lod_patches(0);
+HairSurface::HairSurface(const Asset& asset, std::uint32_t lod) : alpha(asset) {
+  const auto patches = asset.lod_patches(lod);
   patch_count = std::uint32_t(patches.size());
   for (std::uint32_t p = 0; p < patch_count; ++p) {
     const auto indices = asset.indices().subspan(patches[p].first_index, patches[p].index_count);

@@ -46,14 +46,14 @@ class AlphaTexture {
 [[nodiscard]] float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f& origin,
                                 const Eigen::Vector3f& along);
 
-/// What pictures of an asset's finest level of detail have in common, whatever its pose.
+/// What pictures of a level of detail of an asset have in common, whatever its pose.
 struct HairSurface {
   struct Triangle {
     std::uint32_t vertex[3];
-    std::uint32_t patch;  ///< Of Asset::lod_patches(0).
+    std::uint32_t patch;  ///< Of Asset::lod_patches(lod).
   };
 
-  explicit HairSurface(const Asset& asset);  ///< One with a mesh; keeps nothing of it.
+  explicit HairSurface(const Asset& asset, std::uint32_t lod = 0);  ///< One with a mesh; keeps nothing of it.
 
   std::vector<Triangle> triangles;   ///< In stored order.
   std::vector<Eigen::Vector2f> uvs;  ///< Per vertex.

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "cook/lods/collapse_patch.h"
+#include "cook/lods/detail_level.h"
 #include "cook/rig/skeleton.h"
 #include "cook/select/head.h"
 #include "cook/select/triangle_distance.h"
 #include "cook/texture/hair_views.h"
 
-#include <string>
+#include <vector>
 
 namespace coif {
 
@@ -63,43 +64,11 @@ class SimplifiedPatches {
   std::vector<Patch> patches_;
 };
 
-/// One level of detail: what it draws of each patch, and the bones that move on their own.
-struct DetailLevel {
-  std::vector<std::vector<std::uint32_t>> triangles_of;  ///< Per patch, three vertices each; empty: it is not drawn.
-  float error = 0;                                       ///< As LodRecord::error.
-  float screen_size = 0;                                 ///< As LodRecord::screen_size.
-  std::vector<bool> simulated;                           ///< Per bone.
-
-  [[nodiscard]] std::size_t triangle_count() const;
-  [[nodiscard]] std::size_t patch_count() const;
-};
-
-struct LodSettings {
-  std::uint32_t levels = 3;
-  double ratio = 0.5;        ///< Triangles of a level, against the next finer one.
-  double max_error = 0.01;   ///< Metres.
-  double pixel_error = 1;    ///< Pixels that the error may be on a screen of kScreenLines lines.
-  double still_pixels = 24;  ///< Hair that hangs free for less than this on such a screen is rigid.
-  unsigned threads = 1;      ///< The result does not depend on it.
-};
-
-[[nodiscard]] LodSettings lod_settings(const Recipe& recipe, unsigned threads);
-
-inline constexpr double kScreenLines = 1080;
-
 /// The finest level and coarser ones, until there are as many as wanted or one would save little. Each has, as far as its
 /// error stays below the limit, `ratio` times the triangles of the one before: first patches are simplified, everywhere up
 /// to the same error; where that is not enough patches that hardly show are dropped.
-///
-/// A level fits from that size on at which the next coarser one's error is `pixel_error` pixels:
-/// screen_size = height of the head * pixel_error / (kScreenLines * error of the next level).
 [[nodiscard]] std::vector<DetailLevel> make_lods(const HairStrips& hair, const HairRig& rig, const FittedHead& head,
                                                  const AlphaTest& alpha, const LodSettings& settings,
                                                  Findings& findings);
-
-/// Leaves levels out that are too fine or too coarse for every size at which the recipe's scene shows the head. One always
-/// stays. The finest that stays simulates every bone and is what errors are measured from: those of the others grow by its
-/// own at most, and are given so.
-void leave_out_levels(const Recipe& recipe, std::vector<DetailLevel>& levels, Findings& findings);
 
 }  // namespace coif

@@ -10,13 +10,15 @@ namespace coif {
 namespace {
 
 /// For each patch how many others begin before it in the file. Patches that were cut are numbered after all others, so
-/// their numbers do not tell.
+/// their numbers do not tell. Those of coarser levels are where the ones are that they stand for.
 std::vector<std::uint32_t> places_in_file(const PatchSet& patches) {
   std::vector<std::uint32_t> place(patches.count, kNoIndex);
   std::uint32_t next = 0;
   for (const std::uint32_t patch : patches.patch_of) {
     if (place[patch] == kNoIndex) place[patch] = next++;
   }
+  const std::size_t finest = patches.count - patches.stands_for.size();
+  for (std::size_t p = finest; p < place.size(); ++p) place[p] = place[patches.stands_for[p - finest]];
   return place;
 }
 

@@ -29,10 +29,10 @@ constexpr float kFewestLines = 8;
 
 /// Where light is gathered.
 struct Receiver {
-  Vector3f point;    ///< Of the vertex.
-  Vector3f outside;  ///< The same, out of the head if it was inside.
-  Vector3f normal;   ///< Of the triangles around it; 0 for a vertex without any.
-  std::uint32_t patch = kNone;
+  Vector3f point;               ///< Of the vertex.
+  Vector3f outside;             ///< The same, out of the head if it was inside.
+  Vector3f normal;              ///< Of the triangles around it; 0 for a vertex without any.
+  std::uint32_t patch = kNone;  ///< kNone: it is in no triangle.
 };
 
 /// Normals of vertices are often painted for soft shading; these are the surface's own.
@@ -143,7 +143,7 @@ float choose_spacing(const HairSurface& hair, std::span<const Vector3f> position
 }
 
 struct Gathered {
-  std::vector<double> shares;  ///< Of the light for each receiver, 0..1.
+  std::vector<double> shares;  ///< Of the light for each vertex, 0..1; -1 for one that is in no triangle.
   bool is_coarse = false;      ///< By fewer lines than were wanted.
 };
 
@@ -163,7 +163,7 @@ Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, un
     const LitSide lit(hair, positions, {towards, spacing, spacing}, margin);
     for (const Receiver& receiver : receivers) {
       const bool outside_only = !hair.double_sided && receiver.normal.dot(towards) <= 0;
-      reaching[cell].push_back(outside_only ? -1 : lit.reaching(receiver));
+      reaching[cell].push_back(receiver.patch == kNone || outside_only ? -1 : lit.reaching(receiver));
     }
   });
   Gathered gathered;
@@ -176,9 +176,29 @@ Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, un
       light += width * double(reaching[cell][i]);
       all += width;
     }
-    gathered.shares.push_back(all > 0 ? light / all : 1);
+    gathered.shares.push_back(receivers[i].patch == kNone ? -1 : all > 0 ? light / all : 1);
   }
   return gathered;
+}
+
+/// What has been written so far.
+struct Written {
+  std::vector<bool> is_lit;  ///< Per vertex.
+  double sum = 0, least = 1;
+  std::size_t count = 0;
+};
+
+/// Vertices that a finer level has already keep what they have there.
+void write_level(const Gathered& gathered, double strength, std::vector<VertexRecord>& vertices, Written& written) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (written.is_lit[i] || gathered.shares[i] < 0) continue;
+    written.is_lit[i] = true;
+    const double kept = 1 - strength * (1 - gathered.shares[i]);
+    vertices[i].normal[3] = std::int16_t(std::lround(std::clamp(kept, 0.0, 1.0) * 32767));
+    written.sum += kept;
+    written.least = std::min(written.least, kept);
+    ++written.count;
+  }
 }
 
 }  // namespace
@@ -186,20 +206,23 @@ Gathered gather(const HairSurface& hair, std::span<const Vector3f> positions, un
 void bake_occlusion(const Recipe& recipe, unsigned threads, AssetContents& contents, Findings& findings) {
   if (contents.vertices.empty() || recipe.occlusion_strength <= 0) return;
   const OpenedAsset opened(contents);
-  if (!opened.asset().is_open()) return;
-  const auto [shares, is_coarse] =
-      gather(HairSurface(opened.asset()), posed_positions(opened.asset(), {}), threads);
-  if (is_coarse) findings.note("occlusion: by fewer lines than usual, since the triangles are nearly as large as the hair");
-  double sum = 0, least = 1;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const double kept = 1 - recipe.occlusion_strength * (1 - shares[i]);
-    contents.vertices[i].normal[3] = std::int16_t(std::lround(std::clamp(kept, 0.0, 1.0) * 32767));
-    sum += kept;
-    least = std::min(least, kept);
+  const Asset& asset = opened.asset();
+  if (!asset.is_open()) return;
+  const std::vector<Vector3f> positions = posed_positions(asset, {});
+  Written written{std::vector<bool>(positions.size(), false)};
+  bool is_coarse = false;
+  for (std::uint32_t lod = 0; lod < asset.lod_count(); ++lod) {
+    if (std::ranges::all_of(asset.lod_indices(lod), [&](std::uint32_t v) { return bool(written.is_lit[v]); })) continue;
+    const Gathered gathered = gather(HairSurface(asset, lod), positions, threads);
+    is_coarse = is_coarse || gathered.is_coarse;
+    write_level(gathered, recipe.occlusion_strength, contents.vertices, written);
   }
+  if (written.count == 0) return;
+  if (is_coarse)
+    findings.note("occlusion: by fewer lines than usual, since the triangles are nearly as large as the hair");
   findings.note(
       fmt::format("occlusion: {:.0f} % of the light from everywhere reaches the hair, {:.0f} % its darkest vertex",
-                  100 * sum / double(shares.size()), 100 * least));
+                  100 * written.sum / double(written.count), 100 * written.least));
 }
 
 }  // namespace coif

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cook/lods/make_lods.h"
+#include "cook/lods/detail_level.h"
 #include "cook/order/choose_order.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"

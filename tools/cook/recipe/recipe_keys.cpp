@@ -176,13 +176,13 @@ const RecipeKey kCookKeys[] = {
    " \"normal\", \"inside\", \"hair\": bones that may touch it}; in the model at rest, metres, Y up"},
 
   {"lods", "levels", &R::lod_levels, "3", 1, 8, nullptr, "levels",
-   "levels of detail at most, the finest included; fewer where a coarser one would save little"},
+   "levels of detail at most, the finest included; fewer where a coarser one would save little; of strands each has its own cards"},
   {"lods", "ratio", &R::lod_ratio, "0.5", 0.05, 0.95, nullptr, "",
    "triangles of a level, as a share of the next finer one's"},
   {"lods", "max_error", &R::lod_max_error, "0.01", 0, 10, nullptr, "m",
    "simplified hair stays this close to the finest, and dropped hair lies this close to other hair that stays"},
   {"lods", "pixel_error", &R::lod_pixel_error, "1", 0.01, 1000, nullptr, "pixels",
-   "largest error on a screen of 1080 lines; decides from which size on a level is drawn"},
+   "largest error on a screen of 1080 lines, of cards its root mean square; decides from which size on a level is drawn"},
   {"lods", "still_pixels", &R::lod_still_pixels, "24", 0, 10000, nullptr, "pixels",
    "on such a screen hair of a coarser level that hangs free for less than this is rigid"},
 

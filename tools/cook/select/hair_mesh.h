@@ -58,6 +58,9 @@ struct PatchSet {
   std::vector<std::uint32_t> patch_of;
   std::uint32_t count = 0;
   std::vector<std::uint32_t> first_number{};  ///< Per patch, see number_of(); empty: each has its own index.
+  /// The last patches are those that only coarser levels of detail draw: for each of them which of the finest it is drawn in the
+  /// place of.
+  std::vector<std::uint32_t> stands_for{};
 
   /// What a patch is known by to people: its index before any was left out or cut.
   [[nodiscard]] std::uint32_t number_of(std::uint32_t patch) const {

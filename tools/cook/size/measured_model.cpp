@@ -87,6 +87,11 @@ void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& r
     for (Eigen::Vector3f& position : mesh.positions) position = move * position;
     for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal).normalized();
   }
+  for (SourceLevel& level : model.coarser) {
+    for (Eigen::Vector3f& position : level.mesh.positions) position = move * position;
+    for (Eigen::Vector3f& normal : level.mesh.normals) normal = (turn * normal).normalized();
+    for (Eigen::Vector3f& along : level.along) along = (turn * along).normalized();
+  }
   model.scalp_radius *= factor;
   for (SourceCollider& collider : model.colliders) {
     collider.center = change * collider.center;

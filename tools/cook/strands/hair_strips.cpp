@@ -82,6 +82,7 @@ void HairStrips::drop(const std::vector<bool>& dropped) {
     kept.mesh_of_triangle.push_back(mesh.mesh_of_triangle[t]);
     for (std::size_t k = 0; k < 3; ++k) kept.triangles.push_back(new_index[mesh.triangles[3 * t + k]]);
   }
+  is_part = true;
   mesh = std::move(kept);
   welded = std::move(new_welded);
   patches = std::move(left);

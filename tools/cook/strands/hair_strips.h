@@ -35,6 +35,7 @@ struct HairStrips {
   PatchSet patches;                   ///< Of the mesh's triangles.
   StrandField strands;
   PatchOverrides overridden_by{};
+  bool is_part = false;  ///< Patches were left out.
 
   /// Every patch's triangles and vertices.
   [[nodiscard]] std::vector<PatchView> views() const;

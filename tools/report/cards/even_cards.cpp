@@ -17,7 +17,7 @@ tl::expected<EvenCards, ToolError> cut_evenly(const Groom& groom, const GroomSha
   std::vector<Wisp> wisps = find_wisps(shape.strands, budget.triangles / (2 * segments), threads);
   std::vector<CardStrip> strips;
   for (std::uint32_t i = 0; i < wisps.size(); ++i) strips.push_back(even_strip(i, segments));
-  auto cards = texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
+  auto cards = texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
   if (!cards) return tl::unexpected(cards.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   return EvenCards{std::move(*cards), segments, taken.count()};

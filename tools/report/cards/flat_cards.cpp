@@ -67,7 +67,7 @@ tl::expected<Cards, ToolError> make_flat_cards(const Groom& groom, const GroomSh
     wisps[i] = {clusters[i], flat_ribbon_of(groom, shape.strands, clusters[i])};
     strips[i] = even_strip(std::uint32_t(i), 1);
   });
-  return texture_cards(groom, shape, std::move(wisps), std::move(strips), budget.texels, threads);
+  return texture_cards(groom, shape, {std::move(wisps), std::move(strips)}, budget.texels, threads);
 }
 
 }  // namespace coif
