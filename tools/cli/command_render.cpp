@@ -9,6 +9,7 @@
 #include "cli/picture_options.h"
 #include "cook/size/settle_size.h"
 #include "render/body_textures.h"
+#include "payload_hash.h"
 #include "render/picture.h"
 
 #include <algorithm>
@@ -67,15 +68,25 @@ struct Body {
   BodyTextures textures;
 };
 
-tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Messages& messages) {
+/// Whether the asset was cooked from this very file.
+bool is_source_of(const Asset& asset, const std::filesystem::path& file) {
+  const ProvenanceRecord* const made = asset.provenance();
+  const auto bytes = FileBytes::read(file);
+  return made != nullptr && bytes && xxh64(bytes->span()) == made->source_hash;
+}
+
+/// Without meshes where the file has none beside the hair's own.
+tl::expected<Body, ToolError> read_body(const RenderOptions& options, const Asset& asset, const Messages& messages) {
   const auto choice = choose_recipe(options.body, options.recipe, messages);
   if (!choice) return tl::unexpected(choice.error());
   auto model = import_model(options.body, import_settings(choice->recipe, options.roots));
   if (!model) return tl::unexpected(model.error());
   Findings findings;
   if (auto resized = settle_size(*model, choice->recipe, findings).model) *model = std::move(*resized);
-  model = keep_body(std::move(*model), options.body_mesh, choice->recipe);
+  model = keep_body(std::move(*model), options.body_mesh, choice->recipe, is_source_of(asset, options.body));
   if (!model) return tl::unexpected(model.error());
+  if (model->meshes.empty())
+    messages.warning(options.body + ": has nothing but the hair; drawn as without --body");
   BodyTextures textures = read_body_textures(*model, findings);
   for (const std::string& warning : findings.warnings) messages.warning(options.body + ": " + warning);
   return Body{std::move(*model), std::move(textures)};
@@ -151,9 +162,9 @@ tl::expected<Exit, ToolError> run_render(const RenderOptions& options, const Mes
   }
   tl::expected<Body, ToolError> body;
   if (!options.body.empty()) {
-    body = read_body(options, messages);
+    body = read_body(options, file->asset(), messages);
     if (!body) return tl::unexpected(body.error());
-    settings.body = &body->model;
+    if (!body->model.meshes.empty()) settings.body = &body->model;
     settings.body_textures = body->textures;
   }
   const auto picture = render_picture(file->asset(), settings);

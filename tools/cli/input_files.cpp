@@ -109,15 +109,21 @@ bool leaves_something(const HairChoice& hair, const SourceModel& model) {
 
 }  // namespace
 
-tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe) {
+tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe,
+                                               bool is_hairs_own) {
   std::vector<std::string> names;
   for (const SourceMesh& mesh : model.meshes) names.push_back(fmt::format("'{}'", mesh.name));
   if (pattern.empty()) {
     Findings unsaid;
     const auto hair = choose_hair(model, recipe, unsaid);
     if (!hair) return tl::unexpected(hair.error());
-    // A model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
-    if (leaves_something(*hair, model)) remove_hair(*hair, model);
+    const bool leaves_body = leaves_something(*hair, model);
+    if (!leaves_body && is_hairs_own) {
+      model.meshes.clear();
+      return model;
+    }
+    // Another model without a sign of hair is taken for hair as a whole; who gives it as a body knows better.
+    if (leaves_body) remove_hair(*hair, model);
   }
   std::erase_if(model.meshes, [&](const SourceMesh& mesh) {
     return mesh.triangles.empty() || !(pattern.empty() || matches(mesh.name, pattern));

@@ -62,8 +62,10 @@ void choose_body(const std::filesystem::path& body, RecipeChoice& choice);
 [[nodiscard]] ImportSettings import_settings(const Recipe& recipe, std::vector<std::filesystem::path> roots);
 
 /// Leaves the body alone, so that hair is not drawn twice. `pattern`: with * and ?, of the meshes to keep; empty:
-/// everything that a cook with this recipe would not take for hair. Errors: kBadInput where nothing is left, with the names
-/// that there are; those of choose_hair().
-tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe);
+/// everything that a cook with this recipe would not take for hair. `is_hairs_own`: the hair was cooked from this model, which is
+/// left without meshes where it has nothing else. Errors: kBadInput where nothing is left, with the names that there are; those of
+/// choose_hair().
+tl::expected<SourceModel, ToolError> keep_body(SourceModel model, const std::string& pattern, const Recipe& recipe,
+                                               bool is_hairs_own);
 
 }  // namespace coif

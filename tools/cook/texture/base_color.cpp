@@ -178,12 +178,19 @@ bool is_colourless(const BaseColor& color) {
   return !color.image && rgb.maxCoeff() - rgb.minCoeff() < 0.05f * rgb.maxCoeff() && rgb.minCoeff() > 0.1f;
 }
 
+/// glTF's default, where a file says no colour; whoever paints hair white stays below it.
+bool is_plain_white(const BaseColor& color) { return color.factor.head<3>().minCoeff() > 0.999f; }
+
+bool names_color(const Recipe& recipe) {
+  return std::ranges::any_of(std::span(recipe.base_color).first<3>(), [](double c) { return c != 1; });
+}
+
 /// Hair that says nothing of its colour is shown as hair rather than as paper.
 void dye(BaseColor& color, Findings& findings) {
   color.factor.head<3>() = Eigen::Vector3f(0.13f, 0.07f, 0.035f);  // linear, a middle brown
   findings.note(
       "neither a texture nor a colour was found for the hair: it is brown; set \"textures.base_color\" or "
-      "\"material.base_color\", which multiplies it");
+      "\"material.base_color\"");
 }
 
 /// The recipe's map instead of the source's.
@@ -221,7 +228,8 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   } else {
     SourceImages images(source);
     color = from_materials(source, images, recipe, hair, findings);
-    if (is_colourless(color) && !says_what_it_lacks(source)) dye(color, findings);
+    const bool says_nothing = is_colourless(color) && (is_plain_white(color) || !says_what_it_lacks(source));
+    if (says_nothing && !names_color(recipe)) dye(color, findings);
     findings.append(images.findings());
     color.files = images.files();
     color.questions = images.questions();
