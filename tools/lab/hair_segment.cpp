@@ -84,8 +84,8 @@ SolidContact nearest_to_balls(const SolidShape& solid, const HairSegment& segmen
 /// surface.
 SolidContact nearest_to_ellipsoid(const SolidShape& solid, const HairSegment& segment) {
   const Vector3d radii = solid.radii.array() + segment.radius;
-  const Vector3d from = (solid.to_own_axes * (segment.start - solid.center)).cwiseQuotient(radii);
-  const Vector3d way = (solid.to_own_axes * segment.direction).cwiseQuotient(radii);
+  const Vector3d from = turned(solid.to_own_axes, segment.start - solid.center).cwiseQuotient(radii);
+  const Vector3d way = turned(solid.to_own_axes, segment.direction).cwiseQuotient(radii);
   const bool starts_inside = from.norm() < 1 - kStartsInside;
   const double beside = -from.dot(way) / way.squaredNorm();
   const double along = starts_inside ? segment.length : std::clamp(beside, 0.0, segment.length);
@@ -94,7 +94,7 @@ SolidContact nearest_to_ellipsoid(const SolidShape& solid, const HairSegment& se
   if (distance < kNoDirection) return {-solid.size, segment.direction.unitOrthogonal(), along};
   const Vector3d gradient = (unit / distance).cwiseQuotient(radii);
   const double slope = gradient.norm();
-  return {(distance - 1) / slope, solid.to_own_axes.conjugate() * (gradient / slope), along};
+  return {(distance - 1) / slope, turned(solid.to_own_axes.conjugate(), gradient / slope), along};
 }
 
 SolidContact nearest_to_plane(const SolidShape& solid, const HairSegment& segment) {

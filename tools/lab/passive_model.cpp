@@ -152,7 +152,7 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
 void PassiveModel::keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states) {
   BoneMotion joint;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    bends_[i].direction = motions[i].frame * bones_[i].rest_direction;
+    bends_[i].direction = turned(motions[i].frame, bones_[i].rest_direction);
     links_[i] = {mass_of(bones_[i]) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
   }
   for (std::size_t i = bones_.size(); i-- > 0;) {
@@ -177,11 +177,11 @@ double PassiveModel::energy(const SolverScene& scene, const HeadState& head, std
     const RigBone& bone = bones_[i];
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
     motions[i].frame = states[i].frame;
-    const Vector3d direction = states[i].frame * bone.rest_direction;
+    const Vector3d direction = turned(states[i].frame, bone.rest_direction);
     motions[i].end = parent.end + bone.length * direction;
     motions[i].velocity = parent.velocity + bone.length * states[i].turning;
-    const double cosine = bone.parent_share * direction.dot(parent.frame * bone.pull_direction()) +
-                          (1 - bone.parent_share) * direction.dot(head.rotation * bone.pull_direction());
+    const double cosine = bone.parent_share * direction.dot(turned(parent.frame, bone.pull_direction())) +
+                          (1 - bone.parent_share) * direction.dot(turned(head.rotation, bone.pull_direction()));
     sum += mass_of(bone) *
            (0.5 * motions[i].velocity.squaredNorm() - bone.gravity_scale * scene.gravity.dot(motions[i].end));
     sum += bone.stiffness * carried_[i].inertia * (1 - cosine);

@@ -75,12 +75,12 @@ PlacedSolid::PlacedSolid(const ColliderRecord& record, const Eigen::Isometry3d& 
   // The axis of a record is in head space already.
   const Quaterniond own = rotation_of(record.rotation);
   to_own_axes = (Quaterniond(moved.rotation()) * own).conjugate();
-  axis = own.conjugate() * axis;
+  axis = turned(own.conjugate(), axis);
   size = size_of(*this);
 }
 
 double PlacedSolid::gap(const Vector3d& point) const {
-  const Vector3d offset = to_own_axes * (point - center);
+  const Vector3d offset = turned(to_own_axes, point - center);
   switch (shape) {
     case ColliderShape::kSphere: return offset.norm() - radius;
     case ColliderShape::kPlane: return offset.dot(axis);

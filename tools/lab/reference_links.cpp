@@ -30,7 +30,7 @@ ReferenceLinks::ReferenceLinks(std::vector<RigLink> links, std::span<const RigBo
 void ReferenceLinks::turn(std::size_t i, const Vector3d& way, const Level& level) const {
   const RigBone& bone = bones_[i];
   BoneState& state = level.states[i];
-  const Vector3d before = state.frame * bone.rest_direction;
+  const Vector3d before = turned(state.frame, bone.rest_direction);
   const double most = kMostWay * bone.length, size = way.norm();
   const Vector3d direction = (before + way * (size > most ? most / size : 1.0) / bone.length).normalized();
   state.frame = shortest_arc(before, direction) * state.frame;
@@ -42,7 +42,7 @@ void ReferenceLinks::push(std::size_t i, const Vector3d& velocity, const Level& 
   const RigBone& bone = bones_[i];
   BoneState& state = level.states[i];
   const BoneMotion& start = starts_[i];
-  const Vector3d direction = state.frame * bone.rest_direction;
+  const Vector3d direction = turned(state.frame, bone.rest_direction);
   state.turning += across(velocity, direction) / bone.length;
   level.motions[i].end = start.end + bone.length * direction;
   level.motions[i].velocity = start.velocity + bone.length * state.turning;
@@ -59,7 +59,7 @@ double ReferenceLinks::shorten(const RigLink& link, const Level& level) const {
   double yields = 0;
   for (const int k : {0, 1}) {
     const std::size_t i = k == 0 ? link.bone : link.to;
-    const Vector3d direction = level.states[i].frame * bones_[i].rest_direction;
+    const Vector3d direction = turned(level.states[i].frame, bones_[i].rest_direction);
     sides[k] = across(towards, direction);
     if (sides[k].norm() < kNoLever) sides[k] = direction.unitOrthogonal();
     yields += mobility_[i] * sides[k].squaredNorm();
@@ -79,8 +79,8 @@ double ReferenceLinks::slow(const RigLink& link, const Level& level) const {
   const bool is_long = size >= link.longest * (1 - kTaut) && growing > 0;
   const bool is_short = size <= link.shortest * (1 + kTaut) && growing < 0;
   if (!is_long && !is_short) return 0;
-  const Vector3d side = across(towards, level.states[link.bone].frame * bones_[link.bone].rest_direction);
-  const Vector3d to_side = across(towards, level.states[link.to].frame * bones_[link.to].rest_direction);
+  const Vector3d side = across(towards, turned(level.states[link.bone].frame, bones_[link.bone].rest_direction));
+  const Vector3d to_side = across(towards, turned(level.states[link.to].frame, bones_[link.to].rest_direction));
   const double yields = mobility_[link.bone] * side.squaredNorm() + mobility_[link.to] * to_side.squaredNorm();
   if (!(yields > kNoLever * kNoLever * (mobility_[link.bone] + mobility_[link.to]))) return 0;
   push(link.bone, side * (growing / yields * mobility_[link.bone]), level);

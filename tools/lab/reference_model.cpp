@@ -18,9 +18,9 @@ double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Ve
 
 /// About the bone's own direction, 1/s, where its frame is the shortest arc from its parent's: the derivative of
 /// shortest_arc() with both ends moving. Without bound where the bone folds over, as the arc flips there.
-double spin_of_arc(const RigBone& bone, const BoneMotion& parent, const Vector3d& direction, const Vector3d& turning) {
+/// `arm`: the rest direction as the parent turns it.
+double spin_of_arc(const BoneMotion& parent, const Vector3d& arm, const Vector3d& direction, const Vector3d& turning) {
   constexpr double kLeastUnfolded = 1.0e-7;  // As the runtime's.
-  const Vector3d arm = parent.frame * bone.rest_direction;
   const Vector3d swing = direction.cross(turning);
   const double along = (arm + direction).dot(parent.angular_velocity) - arm.dot(swing);
   return along / std::max(1 + arm.dot(direction), kLeastUnfolded);
@@ -32,7 +32,7 @@ double spin_of_twist(const RigBone& bone, const BoneMotion& parent, const Quater
   const double carried = parent.angular_velocity.dot(direction);
   if (bone.torsion == 0) return carried;
   const Quaterniond to_parent = parent.frame.conjugate();
-  const Vector3d in_parent = to_parent * direction;
+  const Vector3d in_parent = turned(to_parent, direction);
   // Weakened where the bone folds over: there the shortest arc turns with every small movement.
   const double unfolded = 0.5 * (1 + bone.rest_direction.dot(in_parent));
   return carried - bone.torsion * unfolded * sine_of_twist(bone, to_parent * frame, in_parent);
@@ -46,19 +46,42 @@ Vector3d load_on(const RigBone& bone, const SolverScene& scene, const HeadState&
          bone.length * (bone.stiffness * (direction - target.direction) + bone.damping * (turning - target.turning));
 }
 
+/// angular_velocity_of() a bone that points along `direction`.
+Vector3d angular_velocity(const RigBone& bone, const BoneMotion& parent, const BoneState& state, const Vector3d& arm,
+                          const Vector3d& direction) {
+  const double spin = never_twists(bone) ? spin_of_arc(parent, arm, direction, state.turning)
+                                         : spin_of_twist(bone, parent, state.frame, direction);
+  return direction.cross(state.turning) + direction * spin;
+}
+
+/// target_of() a bone that its parent pulls along `with_parent`.
+BoneTarget target_from(const RigBone& bone, const Vector3d& unbent, const Vector3d& with_parent,
+                       const BoneMotion& parent, const HeadState& head) {
+  BoneTarget target{with_parent, parent.angular_velocity.cross(with_parent)};
+  if (const double share = bone.parent_share; share != 1) {
+    const Vector3d with_head = turned(head.rotation, unbent);
+    target.direction = share * target.direction + (1 - share) * with_head;
+    target.turning = share * target.turning + (1 - share) * head.angular_velocity.cross(with_head);
+  }
+  return target;
+}
+
 BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const HeadState& head, const BoneState& state,
                    const BoneMotion& parent, BoneMotion& motion) {
   motion.frame = state.frame.normalized();
-  const Vector3d direction = motion.frame * bone.rest_direction;
+  const Vector3d direction = turned(motion.frame, bone.rest_direction);
+  const Vector3d arm = turned(parent.frame, bone.rest_direction);
   const Vector3d turning = across(state.turning, direction);
-  const BoneTarget target = target_of(bone, parent, head);
+  const bool leans = !bone.leaning.isZero();
+  const Vector3d with_parent = leans ? turned(parent.frame, bone.leaning) : arm;
+  const BoneTarget target = target_from(bone, bone.pull_direction(), with_parent, parent, head);
   const Vector3d load = load_on(bone, scene, head, target, direction, turning, parent.velocity);
   const Vector3d turning_rate =
       across((load - parent.acceleration) / bone.length, direction) - direction * turning.squaredNorm();
   motion.end = parent.end + bone.length * direction;
   motion.velocity = parent.velocity + bone.length * turning;
   motion.acceleration = parent.acceleration + bone.length * turning_rate;
-  motion.angular_velocity = angular_velocity_of(bone, parent, {motion.frame, turning});
+  motion.angular_velocity = angular_velocity(bone, parent, {motion.frame, turning}, arm, direction);
   const Vector3d half = 0.5 * motion.angular_velocity;
   return {(Quaterniond(0, half.x(), half.y(), half.z()) * state.frame).coeffs(), turning_rate};
 }
@@ -76,7 +99,7 @@ Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to) {
 }
 
 BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
-  const Vector3d arm = head.rotation * joint;
+  const Vector3d arm = turned(head.rotation, joint);
   const Vector3d swing = head.angular_velocity.cross(arm);
   return {arm, head.velocity + swing,
           head.acceleration + head.angular_acceleration.cross(arm) + head.angular_velocity.cross(swing),
@@ -88,25 +111,16 @@ BoneTarget target_of(const RigBone& bone, const BoneMotion& parent, const HeadSt
 }
 
 BoneTarget target_of(const RigBone& bone, const Vector3d& unbent, const BoneMotion& parent, const HeadState& head) {
-  const Vector3d with_parent = parent.frame * unbent;
-  BoneTarget target{with_parent, parent.angular_velocity.cross(with_parent)};
-  if (const double share = bone.parent_share; share != 1) {
-    const Vector3d with_head = head.rotation * unbent;
-    target.direction = share * target.direction + (1 - share) * with_head;
-    target.turning = share * target.turning + (1 - share) * head.angular_velocity.cross(with_head);
-  }
-  return target;
+  return target_from(bone, unbent, turned(parent.frame, unbent), parent, head);
 }
 
 Vector3d angular_velocity_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
-  const Vector3d direction = state.frame * bone.rest_direction;
-  const double spin = never_twists(bone) ? spin_of_arc(bone, parent, direction, state.turning)
-                                         : spin_of_twist(bone, parent, state.frame, direction);
-  return direction.cross(state.turning) + direction * spin;
+  const Vector3d direction = turned(state.frame, bone.rest_direction);
+  return angular_velocity(bone, parent, state, turned(parent.frame, bone.rest_direction), direction);
 }
 
 Quaterniond frame_of_arc(const RigBone& bone, const Quaterniond& parent_frame, const Vector3d& direction) {
-  return shortest_arc(parent_frame * bone.rest_direction, direction) * parent_frame;
+  return shortest_arc(turned(parent_frame, bone.rest_direction), direction) * parent_frame;
 }
 
 void free_rates(std::span<const RigBone> bones, const SolverScene& scene, const HeadState& head,
@@ -126,7 +140,7 @@ BoundedBone bounded(const RigBone& bone, const Eigen::Quaterniond& parent_frame,
   BoundedBone out{parent_frame, {direction}};
   if (bone.limit.kind == LimitKind::kUnlimited) return out;
   out.axes = parent_frame * Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
-  out.at = bounded(bone.limit, out.axes.conjugate() * direction);
+  out.at = bounded(bone.limit, turned(out.axes.conjugate(), direction));
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 // The continuous model that `coif` solves and reports measure against (runtime/docs/MODEL.md), as equations of motion.
 
+#include "base/geometry.h"
 #include "lab/bounded_direction.h"
 #include "lab/hair_segment.h"
 #include "lab/rig.h"

@@ -21,19 +21,19 @@ constexpr double kFastestTorsion = 5000;  // 1/s
 constexpr double kSameDirection = 1.0e-9;
 
 void turn_to(const Vector3d& direction, const RigBone& bone, BoneState& state) {
-  state.frame = shortest_arc(state.frame * bone.rest_direction, direction) * state.frame;
+  state.frame = shortest_arc(turned(state.frame, bone.rest_direction), direction) * state.frame;
   state.turning = across(state.turning, direction);
 }
 
 /// A bone that never twists has the frame that its direction and its parent's frame say; whatever else turned it is gone.
 void untwist(const RigBone& bone, const Quaterniond& parent_frame, BoneState& state) {
-  if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, state.frame * bone.rest_direction);
+  if (never_twists(bone)) state.frame = frame_of_arc(bone, parent_frame, turned(state.frame, bone.rest_direction));
 }
 
 BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneState& state) {
   BoneMotion motion;
   motion.frame = state.frame;
-  motion.end = parent.end + bone.length * (state.frame * bone.rest_direction);
+  motion.end = parent.end + bone.length * turned(state.frame, bone.rest_direction);
   motion.velocity = parent.velocity + bone.length * state.turning;
   motion.angular_velocity = angular_velocity_of(bone, parent, state);
   return motion;
@@ -45,7 +45,7 @@ BoneMotion motion_of(const RigBone& bone, const BoneMotion& parent, const BoneSt
 void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMotion& free_parent, const HeadState& head,
                    const Vector3d& direction_before, bool is_cascade, BoneState& state) {
   const Vector3d shift = (parent.end - free_parent.end) / bone.length;
-  const Vector3d way = state.frame * bone.rest_direction - shift;
+  const Vector3d way = turned(state.frame, bone.rest_direction) - shift;
   if (!(way.norm() > kSameDirection)) return;
   const Vector3d target_shift =
       shift + target_of(bone, parent, head).direction - target_of(bone, free_parent, head).direction;
@@ -63,7 +63,7 @@ void follow_parent(const RigBone& bone, const BoneMotion& parent, const BoneMoti
 /// back their parents.
 void stop_inwards(const Vector3d& normal, double along, const BoneMotion& parent, const HeadState& head,
                   const RigBone& bone, BoneState& state) {
-  const Vector3d direction = state.frame * bone.rest_direction;
+  const Vector3d direction = turned(state.frame, bone.rest_direction);
   const Vector3d side = across(normal, direction);
   const double slope = side.norm();
   if (slope < kSameDirection) return;
@@ -108,13 +108,13 @@ ReferenceTree::~ReferenceTree() = default;
 
 void ReferenceTree::reset(const HeadState& head) {
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    const Vector3d direction = head.rotation * bones_[i].rest_direction;
+    const Vector3d direction = turned(head.rotation, bones_[i].rest_direction);
     states_[i] = {head.rotation, head.angular_velocity.cross(direction)};
   }
 }
 
 void ReferenceTree::jump(const Quaterniond& turn) {
-  for (BoneState& state : states_) state = {turn * state.frame, turn * state.turning};
+  for (BoneState& state : states_) state = {turn * state.frame, turned(turn, state.turning)};
 }
 
 void ReferenceTree::step(const HeadStep& step) {
@@ -132,7 +132,7 @@ void ReferenceTree::find_rates(const HeadState& head, const std::vector<BoneStat
 }
 
 void ReferenceTree::integrate(const HeadStep& step) {
-  for (std::size_t i = 0; i < states_.size(); ++i) before_[i] = states_[i].frame * bones_[i].rest_direction;
+  for (std::size_t i = 0; i < states_.size(); ++i) before_[i] = turned(states_[i].frame, bones_[i].rest_direction);
   const auto try_after = [&](const std::vector<BoneRates>& rates, double dt) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       trial_[i].frame.coeffs() = states_[i].frame.coeffs() + dt * rates[i].frame;
@@ -154,7 +154,7 @@ void ReferenceTree::integrate(const HeadStep& step) {
     state.frame.coeffs() += step.dt / 6 * mean([](const BoneRates& r) { return r.frame; });
     state.frame.normalize();
     state.turning += step.dt / 6 * mean([](const BoneRates& r) { return r.turning; });
-    state.turning = across(state.turning, state.frame * bones_[i].rest_direction);
+    state.turning = across(state.turning, turned(state.frame, bones_[i].rest_direction));
   }
   untwist_all(step.end.rotation);
 }
@@ -223,7 +223,7 @@ bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, co
   if (!(size > kSameDirection)) return false;
   const Vector3d axis = target.direction / size;
   const Vector3d axis_turning = across(target.turning / size, axis);
-  const Vector3d direction = state.frame * bone.rest_direction;
+  const Vector3d direction = turned(state.frame, bone.rest_direction);
   if (std::acos(std::clamp(direction.dot(axis), -1.0, 1.0)) <= bone.angle_limit) return false;
 
   Vector3d aside = across(direction, axis);
@@ -241,13 +241,13 @@ bool ReferenceTree::hold_limit(const RigBone& bone, const BoneMotion& parent, co
 }
 
 bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, BoneState& state) const {
-  const BoundedBone held = bounded(bone, parent.frame, state.frame * bone.rest_direction);
+  const BoundedBone held = bounded(bone, parent.frame, turned(state.frame, bone.rest_direction));
   if (held.at.beyond <= 0) return false;
-  const Vector3d direction = held.axes * held.at.direction;
+  const Vector3d direction = turned(held.axes, held.at.direction);
   const Vector3d with_frame = parent.angular_velocity.cross(direction);
   turn_to(direction, bone, state);
-  const Vector3d turning = held.axes.conjugate() * across(state.turning - with_frame, direction);
-  state.turning = across(held.axes * stopped(held.at, turning) + with_frame, direction);
+  const Vector3d turning = turned(held.axes.conjugate(), across(state.turning - with_frame, direction));
+  state.turning = across(turned(held.axes, stopped(held.at, turning)) + with_frame, direction);
   return true;
 }
 
@@ -256,8 +256,8 @@ bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent
   constexpr int kRounds = 8;  // Where colliders overlap, leaving one may enter another.
   if (bone.colliders == 0) return false;
   const Quaterniond to_head = head.rotation.conjugate();
-  HairSegment segment{to_head * parent.end, to_head * (state.frame * bone.rest_direction), bone.length,
-                      bone.hit_radius};
+  HairSegment segment{turned(to_head, parent.end), turned(to_head, turned(state.frame, bone.rest_direction)),
+                      bone.length, bone.hit_radius};
   bool touched = false, touches = true;
   for (int round = 0; round < kRounds && touches; ++round) {
     touches = false;
@@ -265,8 +265,8 @@ bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent
       SolidContact contact;
       if (!turn_clear(solids_[std::size_t(std::countr_zero(left))], segment, contact)) continue;
       touched = touches = true;
-      turn_to(head.rotation * segment.direction, bone, state);
-      stop_inwards(head.rotation * contact.normal, contact.along, parent, head, bone, state);
+      turn_to(turned(head.rotation, segment.direction), bone, state);
+      stop_inwards(turned(head.rotation, contact.normal), contact.along, parent, head, bone, state);
     }
   }
   return touched;
@@ -277,7 +277,7 @@ void ReferenceTree::bone_ends(const Quaterniond& head_rotation, std::span<Vector
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     const RigBone& bone = bones_[i];
     const Vector3d start = bone.parent < 0 ? bone.joint : ends[std::size_t(bone.parent)];
-    ends[i] = start + bone.length * (to_head * (states_[i].frame * bone.rest_direction));
+    ends[i] = start + bone.length * turned(to_head, turned(states_[i].frame, bone.rest_direction));
   }
 }
 

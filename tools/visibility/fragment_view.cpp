@@ -18,6 +18,13 @@ constexpr int kSteps = 256;
 std::int64_t first_line(std::int64_t low) { return (low + kSteps - 1) / kSteps; }
 std::int64_t last_line(std::int64_t high) { return high / kSteps; }
 
+/// Rounded, which std::llround() does by a call.
+std::int64_t nearest_step(float value) {
+  const double above = double(value) + 0.5;
+  const auto whole = std::int64_t(above);
+  return whole - (above < double(whole) ? 1 : 0);
+}
+
 }  // namespace
 
 struct FragmentView::Placed {
@@ -51,6 +58,7 @@ class FragmentView::Rasteriser {
       std::swap(vertex_[1], vertex_[2]);
     }
     area_ = std::abs(area);
+    per_area_ = 1 / float(area_);
     is_met_ = false;
     visit_lines(out);
   }
@@ -81,8 +89,8 @@ class FragmentView::Rasteriser {
 
   [[nodiscard]] Corner corner_of(const Eigen::Vector3f& p) const {
     const float to_steps = kSteps / view_.spacing_;
-    return {std::llround((p.dot(view_.right_) - view_.left_) * to_steps),
-            std::llround((p.dot(view_.up_) - view_.bottom_) * to_steps)};
+    return {nearest_step((p.dot(view_.right_) - view_.left_) * to_steps),
+            nearest_step((p.dot(view_.up_) - view_.bottom_) * to_steps)};
   }
 
   /// Texture coordinates are linear in the picture, so their change from pixel to pixel is the same all over a triangle.
@@ -124,7 +132,7 @@ class FragmentView::Rasteriser {
   /// A line that meets the triangle. `inside`: twice the areas that it makes with the edges.
   void visit(std::int64_t column, std::int64_t row, const std::int64_t (&inside)[3], std::vector<Placed>& out) {
     Eigen::Vector3f share;
-    for (int k = 0; k < 3; ++k) share[k] = float(inside[k]) / float(area_);
+    for (int k = 0; k < 3; ++k) share[k] = float(inside[k]) * per_area_;
     meet();
     Placed placed{std::uint32_t(row) * std::uint32_t(view_.columns_) + std::uint32_t(column), base_};
     const Eigen::Vector3f point = share[0] * point_[0] + share[1] * point_[1] + share[2] * point_[2];
@@ -149,6 +157,7 @@ class FragmentView::Rasteriser {
   Corner corner_[3];
   Eigen::Vector2f uv_[3];
   std::int64_t area_ = 1;
+  float per_area_ = 1;
   Fragment base_;
   MipChoice mip_;
 };

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,12 +20,26 @@ struct Neighbours {
   float share;
 };
 
+/// std::floor() of what fits a whole number, which on processors without an instruction for it is a call; others stay.
+float floor_of(float value) {
+  if (!(std::abs(value) < 1.0e9f)) return value;
+  const int below = int(value);
+  return float(below - (value < float(below) ? 1 : 0));
+}
+
 Neighbours neighbours(float place, int size) {
-  const float texel = (place - std::floor(place)) * float(size) - 0.5f;
-  const float first = std::floor(texel);
+  const float texel = (place - floor_of(place)) * float(size) - 0.5f;
+  const float first = floor_of(texel);
   const int index = first < 0 ? size - 1 : int(first);
   return {index, index + 1 == size ? 0 : index + 1, texel - first};
 }
+
+/// Of stored values.
+constexpr auto kAlphaOf = [] {
+  std::array<float, 256> alpha{};
+  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = float(i) / 255.0f;
+  return alpha;
+}();
 
 }  // namespace
 
@@ -35,7 +50,7 @@ AlphaTexture::AlphaTexture(const Asset& asset) {
   for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
     Level level{int(std::max(1u, texture->width >> mip)), int(std::max(1u, texture->height >> mip)), {}};
     const auto texels = asset.texels(*texture, mip);
-    for (std::size_t i = 3; i < texels.size(); i += 4) level.alpha.push_back(float(texels[i]) / 255.0f);
+    for (std::size_t i = 3; i < texels.size(); i += 4) level.alpha.push_back(std::uint8_t(texels[i]));
     levels_.push_back(std::move(level));
   }
 }
@@ -61,8 +76,9 @@ float AlphaTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
 float AlphaTexture::filtered(const Level& level, const Eigen::Vector2f& uv) {
   const Neighbours column = neighbours(uv.x(), level.width), row = neighbours(uv.y(), level.height);
   const auto in_row = [&](int y) {
-    const float* texels = &level.alpha[std::size_t(y) * std::size_t(level.width)];
-    return texels[column.first] + column.share * (texels[column.second] - texels[column.first]);
+    const std::uint8_t* const texels = &level.alpha[std::size_t(y) * std::size_t(level.width)];
+    const float first = kAlphaOf[texels[column.first]];
+    return first + column.share * (kAlphaOf[texels[column.second]] - first);
   };
   const float upper = in_row(row.first);
   return upper + row.share * (in_row(row.second) - upper);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,7 @@ class AlphaTexture {
   struct Level {
     int width = 0;
     int height = 0;
-    std::vector<float> alpha;
+    std::vector<std::uint8_t> alpha;  ///< As stored: a quarter of the memory that is read.
   };
   [[nodiscard]] static float filtered(const Level& level, const Eigen::Vector2f& uv);
 

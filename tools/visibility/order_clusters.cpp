@@ -16,6 +16,7 @@ class Clustering {
   /// Lloyd's iteration.
   CellOrders refine(CellOrders found) {
     result_ = std::move(found);
+    improved_for_.clear();
     for (int round = 0; round < kMostRounds && (assign() || round == 0); ++round) improve();
     assign();
     drop_unused();
@@ -85,11 +86,21 @@ class Clustering {
     return changed;
   }
 
+  /// An order whose cells are still the same is as good for them as it gets.
   void improve() {
+    const auto has_changed = [&](std::size_t k) {
+      if (improved_for_.empty()) return true;
+      for (std::size_t cell = 0; cell < kViewCells; ++cell) {
+        if ((improved_for_[cell] == k) != (result_.order_of[cell] == k)) return true;
+      }
+      return false;
+    };
     parallel_for(result_.orders.size(), threads_, [&](std::size_t k) {
       const bool is_used = std::ranges::find(result_.order_of, std::uint8_t(k)) != result_.order_of.end();
-      if (is_used) result_.orders[k] = improve_order(result_.votes_on(k, cells_), std::move(result_.orders[k]));
+      if (!is_used || !has_changed(k)) return;
+      result_.orders[k] = improve_order(result_.votes_on(k, cells_), std::move(result_.orders[k]));
     });
+    improved_for_.assign(result_.order_of.begin(), result_.order_of.end());
   }
 
   void drop_unused() {
@@ -108,6 +119,7 @@ class Clustering {
   const CellVotes& cells_;
   unsigned threads_;
   CellOrders result_;
+  std::vector<std::uint8_t> improved_for_;  ///< CellOrders::order_of when the orders were improved last; empty: never.
 };
 
 }  // namespace

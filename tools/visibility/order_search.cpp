@@ -136,7 +136,11 @@ class OrderSearch {
     start();
     const std::vector<DrawRule> tried = rules(from);
     const std::vector<CellVotes> votes = cell_votes(tried);
-    for (std::size_t i = 0; i < tried.size(); ++i) consider(tried[i], votes[i], from);
+    std::vector<FoundOrders> candidates;
+    for (std::size_t i = 0; i < tried.size(); ++i) candidates.push_back(with_single(tried[i], votes[i], from));
+    // The rule under which one order does better is the one under which several do.
+    const auto better = std::ranges::max_element(candidates, {}, [](const FoundOrders& c) { return c.single.psnr; });
+    consider(std::move(*better), votes[std::size_t(better - candidates.begin())], from);
     best_.limit = judge_.best_psnr(best_.rule);
     return std::move(best_);
   }
@@ -163,9 +167,11 @@ class OrderSearch {
     return judge_.judge(single_order(patches, patch_of_), rule);
   }
 
-  void consider(const DrawRule& rule, const CellVotes& cells, const FoundOrders* from) {
+  /// With the best order of patches, and no others yet.
+  [[nodiscard]] FoundOrders with_single(const DrawRule& rule, const CellVotes& cells, const FoundOrders* from) const {
     FoundOrders candidate;
     candidate.rule = rule;
+    candidate.head = best_.head;
     candidate.patches = best_single(cells, from != nullptr ? from->patches : head_);
     candidate.single = judge_single(candidate.patches, rule);
     const OrderQuality of_head = judge_single(head_, rule);
@@ -174,11 +180,13 @@ class OrderSearch {
       candidate.single = of_head;
     }
     candidate.found = candidate.single;
+    return candidate;
+  }
+
+  void consider(FoundOrders candidate, const CellVotes& cells, const FoundOrders* from) {
     const bool has_views = from == nullptr ? settings_.max_orders > 1 : !from->by_view.orders.empty();
     if (has_views) add_views(cells, clusters(cells, candidate, from), candidate);
-    if (candidate.found.psnr <= best_.found.psnr) return;
-    candidate.head = best_.head;
-    best_ = std::move(candidate);
+    if (candidate.found.psnr > best_.found.psnr) best_ = std::move(candidate);
   }
 
   /// Of triangles, for each rule. Only votes are kept of a view: of fine hair they take a hundredth of its layers' memory.

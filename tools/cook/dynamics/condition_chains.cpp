@@ -25,9 +25,9 @@ struct Conditioning {
 
 /// From little to much. Damping alone helps short chains; friction takes the energy out of long ones; and only a share of the
 /// pull that does not follow the parent bounds the gain of very long ones.
-constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},     {3, 0, 1},
-                                        {1, 0.5, 0.8}, {1, 0.7, 0.6}, {2, 0.7, 0.8}, {2, 1, 0.6}, {2, 1, 0.4},
-                                        {2, 1.4, 0.3}, {3, 2, 0.2},   {4, 3, 0.1},   {4, 4, 0}};
+constexpr Conditioning kCandidates[] = {{0.5, 0, 1},   {1, 0, 1},     {2, 0, 1},   {3, 0, 1},   {1, 0.5, 0.8},
+                                        {1, 0.7, 0.6}, {2, 0.7, 0.8}, {2, 1, 0.6}, {2, 1, 0.4}, {2, 1.4, 0.3},
+                                        {3, 2, 0.2},   {4, 3, 0.1},   {4, 4, 0}};
 /// What comes after so many that are good changes more. Chains of many bones take long to compute.
 std::size_t enough_good(std::uint32_t bones) { return bones <= 16 ? 3 : 1; }
 
@@ -37,7 +37,7 @@ constexpr int kArtistIterations = 8;
 
 struct Outcome {
   std::size_t candidate = 0;
-  double difference = 0;          ///< From what the artist asked for, share of the length, RMS over the motions.
+  double difference = 0;  ///< From what the artist asked for, share of the length, RMS over the motions.
   bool is_good = true;
 };
 
@@ -88,42 +88,58 @@ struct AskedMotions {
 };
 
 /// The chain's motions as it is, where there are any.
-AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain) {
+AskedMotions artists_motions(const AssetContents& contents, std::uint32_t chain, unsigned threads) {
   const AssetContents alone = chains_alone(contents, std::array{chain});
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   const bool may_exist = !grows_beyond_hope(alone);
-  std::vector<ReferenceRun> runs;
-  for (const Motion motion : kTrialMotions) {
-    if (may_exist) runs.push_back(solve_trial(rig, motion));
-    if (may_exist && runs.back().self_difference_pct() <= kMostSelfDifferenceOfArtistPct) continue;
-    if (may_exist) runs.pop_back();
-    runs.push_back(run_by_steps(opened, rig, motion));
-  }
+  std::vector<ReferenceRun> runs(std::size(kTrialMotions));
+  parallel_for(runs.size(), threads, [&](std::size_t m) {
+    if (may_exist) runs[m] = solve_trial(rig, kTrialMotions[m]);
+    if (may_exist && runs[m].self_difference_pct() <= kMostSelfDifferenceOfArtistPct) return;
+    runs[m] = run_by_steps(opened, rig, kTrialMotions[m]);
+  });
   return {rig, std::move(runs)};
 }
 
-/// Of the candidates under which every telling chain is good, the one that changes its motion least.
-Outcome search(const AssetContents& contents, const ChainGroup& group) {
-  Outcome outcome;
+/// What a candidate makes of the telling chains of a group.
+struct Examined {
+  bool is_good = true;
+  double difference = 0;  ///< As Outcome::difference, of the chain that it changes most.
+};
+
+Examined examine_group(const AssetContents& contents, const ChainGroup& group, std::span<const AskedMotions> asked,
+                       const Conditioning& candidate) {
+  Examined examined;
+  for (std::size_t k = 0; k < group.telling.size() && examined.is_good; ++k) {
+    const ChainTrial trial = examine(contents, group.telling[k], candidate);
+    examined.is_good = trial.finding.is_good;
+    if (!examined.is_good) break;
+    examined.difference = std::max(examined.difference, rms_apart(asked[k].rig, trial.runs, asked[k].runs));
+  }
+  return examined;
+}
+
+/// Of the candidates under which every telling chain is good, the one that changes its motion least. Each thread examines a
+/// candidate, and what they find counts in the order of the candidates: it does not depend on how many there are.
+Outcome search(const AssetContents& contents, const ChainGroup& group, unsigned threads) {
   std::vector<AskedMotions> asked;
-  for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain));
+  for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));
+  Outcome outcome;
   std::size_t good = 0;
   const std::size_t enough = enough_good(contents.chains[group.telling[0]].bone_count);
-  for (std::size_t c = 0; c < std::size(kCandidates) && good < enough; ++c) {
-    double farthest = 0;
-    bool is_good = true;
-    for (std::size_t k = 0; k < group.telling.size() && is_good; ++k) {
-      const ChainTrial trial = examine(contents, group.telling[k], kCandidates[c]);
-      is_good = trial.finding.is_good;
-      if (is_good) farthest = std::max(farthest, rms_apart(asked[k].rig, trial.runs, asked[k].runs));
+  for (std::size_t first = 0; first < std::size(kCandidates) && good < enough; first += threads) {
+    std::vector<Examined> batch(std::min<std::size_t>(threads, std::size(kCandidates) - first));
+    parallel_for(batch.size(), threads,
+                 [&](std::size_t i) { batch[i] = examine_group(contents, group, asked, kCandidates[first + i]); });
+    for (std::size_t i = 0; i < batch.size() && good < enough; ++i) {
+      if (!batch[i].is_good) continue;
+      if (good == 0 || batch[i].difference < outcome.difference) {
+        outcome.candidate = first + i;
+        outcome.difference = batch[i].difference;
+      }
+      ++good;
     }
-    if (!is_good) continue;
-    if (good == 0 || farthest < outcome.difference) {
-      outcome.candidate = c;
-      outcome.difference = farthest;
-    }
-    ++good;
   }
   outcome.is_good = good > 0;
   if (!outcome.is_good) outcome.candidate = std::size(kCandidates) - 1;
@@ -155,7 +171,9 @@ bool can_be_run(const AssetContents& contents) {
 std::vector<DynamicsRecord> condition_chains(const AssetContents& contents, std::span<const IllPosedChains> ill_posed,
                                              unsigned threads, Findings& findings) {
   std::vector<Outcome> outcomes(ill_posed.size());
-  parallel_for(ill_posed.size(), threads, [&](std::size_t g) { outcomes[g] = search(contents, ill_posed[g].group); });
+  const unsigned of_group = std::max(1u, threads / unsigned(std::max<std::size_t>(ill_posed.size(), 1)));
+  parallel_for(ill_posed.size(), threads,
+               [&](std::size_t g) { outcomes[g] = search(contents, ill_posed[g].group, of_group); });
   AssetContents conditioned = contents;
   for (std::size_t g = 0; g < ill_posed.size(); ++g) {
     const Conditioning& chosen = kCandidates[outcomes[g].candidate];

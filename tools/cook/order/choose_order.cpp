@@ -26,11 +26,11 @@ constexpr float kSameThreshold = 0.005f;
 constexpr double kGainPerLayer = 0.5;
 constexpr double kEnough = 50;  ///< dB: pictures that are nearer to the exact one are not worth more.
 constexpr std::size_t kTrianglesPerView = 150;
-constexpr std::size_t kFewestViews = 2, kMostViews = 16;
+constexpr std::size_t kFewestViews = 2, kMostViews = 8;
 constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
 /// More are not searched unasked: it would take minutes, for hair that no game draws.
 constexpr std::size_t kMostTriangles = 250'000;
-constexpr std::size_t kQuickViews = 8, kQuickJudgeViews = 1;
+constexpr std::size_t kQuickViews = 4, kQuickJudgeViews = 1;
 constexpr std::size_t kQuickLines = 3000;
 /// Lines that the triangles of the views of a cell may be tried against: what limits time and memory where all triangles are
 /// as large as the hair. Of hair that artists made, the most that is known is three quarters of it.
