@@ -36,19 +36,30 @@ struct FragmentView::Placed {
 class FragmentView::Rasteriser {
  public:
   Rasteriser(const FragmentView& view, const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-             const ViewGrid& grid)
+             const Projected& projected, const ViewGrid& grid)
       : view_(view),
         hair_(hair),
         positions_(positions),
         grid_(grid),
         covered_from_(view.columns_ * view.rows_, std::numeric_limits<float>::infinity()) {
-    corners_.reserve(positions.size());
-    for (const Eigen::Vector3f& p : positions) corners_.push_back(corner_of(p));
+    corners_.reserve(projected.size());
+    for (const Eigen::Array3f& p : projected) corners_.push_back(corner_of(p));
+  }
+
+  /// Those around which there is a line: of fine hair few.
+  [[nodiscard]] std::vector<std::uint32_t> triangles() {
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t t = 0; t < hair_.triangles.size(); ++t) {
+      take_corners(hair_.triangles[t]);
+      if (find_box()) met.push_back(t);
+    }
+    return met;
   }
 
   void draw(std::uint32_t index, std::vector<Placed>& out) {
     const HairSurface::Triangle& triangle = hair_.triangles[index];
-    for (int k = 0; k < 3; ++k) corner_[k] = corners_[triangle.vertex[k]];
+    take_corners(triangle);
+    find_box();
     const std::int64_t area = edge(corner_[0], corner_[1], corner_[2]);
     if (area == 0 || (area < 0 && !hair_.double_sided)) return;
     base_ = {0, 0, index, triangle.patch, area > 0};
@@ -76,6 +87,21 @@ class FragmentView::Rasteriser {
   /// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
   static bool owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
 
+  void take_corners(const HairSurface::Triangle& triangle) {
+    for (int k = 0; k < 3; ++k) corner_[k] = corners_[triangle.vertex[k]];
+  }
+
+  /// Of the lines that the triangle may meet; false where there is none.
+  bool find_box() {
+    const Corner &a = corner_[0], &b = corner_[1], &c = corner_[2];
+    first_column_ = first_line(std::min(std::min(a.x, b.x), c.x));
+    last_column_ = last_line(std::max(std::max(a.x, b.x), c.x));
+    if (first_column_ > last_column_) return false;
+    first_row_ = first_line(std::min(std::min(a.y, b.y), c.y));
+    last_row_ = last_line(std::max(std::max(a.y, b.y), c.y));
+    return first_row_ <= last_row_;
+  }
+
   /// What only triangles need that a line meets: of fine hair most are met by none.
   void meet() {
     if (is_met_) return;
@@ -87,10 +113,9 @@ class FragmentView::Rasteriser {
     mip_ = mip();
   }
 
-  [[nodiscard]] Corner corner_of(const Eigen::Vector3f& p) const {
+  [[nodiscard]] Corner corner_of(const Eigen::Array3f& p) const {
     const float to_steps = kSteps / view_.spacing_;
-    return {nearest_step((p.dot(view_.right_) - view_.left_) * to_steps),
-            nearest_step((p.dot(view_.up_) - view_.bottom_) * to_steps)};
+    return {nearest_step((p.x() - view_.left_) * to_steps), nearest_step((p.y() - view_.bottom_) * to_steps)};
   }
 
   /// Texture coordinates are linear in the picture, so their change from pixel to pixel is the same all over a triangle.
@@ -105,13 +130,9 @@ class FragmentView::Rasteriser {
   }
 
   void visit_lines(std::vector<Placed>& out) {
-    const auto [low_x, high_x] = std::minmax({corner_[0].x, corner_[1].x, corner_[2].x});
-    const auto [low_y, high_y] = std::minmax({corner_[0].y, corner_[1].y, corner_[2].y});
-    const std::int64_t first_column = first_line(low_x), last_column = last_line(high_x), last_row = last_line(high_y);
-    if (first_column > last_column) return;
     // A line is inside where all three are at least so large; from column to column and row to row they grow evenly.
     std::int64_t inside[3], by_column[3], by_row[3], least[3];
-    const Corner start{first_column * kSteps, first_line(low_y) * kSteps};
+    const Corner start{first_column_ * kSteps, first_row_ * kSteps};
     for (int k = 0; k < 3; ++k) {
       const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
       inside[k] = edge(a, b, start);
@@ -119,9 +140,9 @@ class FragmentView::Rasteriser {
       by_row[k] = (b.x - a.x) * kSteps;
       least[k] = owns_edge(a, b) ? 0 : 1;
     }
-    for (std::int64_t row = first_line(low_y); row <= last_row; ++row) {
+    for (std::int64_t row = first_row_; row <= last_row_; ++row) {
       std::int64_t at[3] = {inside[0], inside[1], inside[2]};
-      for (std::int64_t column = first_column; column <= last_column; ++column) {
+      for (std::int64_t column = first_column_; column <= last_column_; ++column) {
         if (at[0] >= least[0] && at[1] >= least[1] && at[2] >= least[2]) visit(column, row, at, out);
         for (int k = 0; k < 3; ++k) at[k] += by_column[k];
       }
@@ -155,6 +176,7 @@ class FragmentView::Rasteriser {
   bool is_met_ = false;
   Eigen::Vector3f point_[3];
   Corner corner_[3];
+  std::int64_t first_column_ = 0, last_column_ = -1, first_row_ = 0, last_row_ = -1;
   Eigen::Vector2f uv_[3];
   std::int64_t area_ = 1;
   float per_area_ = 1;
@@ -168,45 +190,49 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
                                                                      : Eigen::Vector3f(Eigen::Vector3f::UnitX());
   right_ = upright.cross(towards_eye_).normalized();
   up_ = towards_eye_.cross(right_);
-  set_extent(hair, positions);
+  Projected projected;
+  projected.reserve(positions.size());
+  for (const Eigen::Vector3f& p : positions) projected.emplace_back(p.dot(right_), p.dot(up_), p.dot(towards_eye_));
+  set_extent(hair, projected);
   left_ -= grid.aside;
   bottom_ -= grid.aside;
   std::vector<Placed> placed;
-  Rasteriser rasteriser(*this, hair, positions, grid);
-  for (const std::uint32_t t : near_to_far(hair, positions)) rasteriser.draw(t, placed);
+  Rasteriser rasteriser(*this, hair, positions, projected, grid);
+  for (const std::uint32_t t : near_to_far(rasteriser.triangles(), hair, projected)) rasteriser.draw(t, placed);
   sort_into_lines(placed);
 }
 
 /// So that what is solid comes before most of what it hides: in slices, each in stored order, for which no sorting is needed.
-std::vector<std::uint32_t> FragmentView::near_to_far(const HairSurface& hair,
-                                                     std::span<const Eigen::Vector3f> positions) const {
+std::vector<std::uint32_t> FragmentView::near_to_far(std::span<const std::uint32_t> triangles, const HairSurface& hair,
+                                                     const Projected& projected) {
   constexpr std::uint32_t kSlices = 256;
-  std::vector<float> height(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) height[v] = positions[v].dot(towards_eye_);
-  const auto [low, high] = std::ranges::minmax_element(height);
-  const float to_slices = height.empty() || *high <= *low ? 0 : float(kSlices) / (*high - *low);
-  std::vector<std::uint32_t> slice(hair.triangles.size());
+  float low = std::numeric_limits<float>::max(), high = -low;
+  for (const Eigen::Array3f& p : projected) {
+    low = std::min(low, p.z());
+    high = std::max(high, p.z());
+  }
+  const float to_slices = high <= low ? 0 : float(kSlices) / (high - low);
+  std::vector<std::uint32_t> slice(triangles.size());
   std::array<std::uint32_t, kSlices + 1> begin{};
-  for (std::size_t t = 0; t < slice.size(); ++t) {
-    const auto& v = hair.triangles[t].vertex;
-    const float nearest = std::max({height[v[0]], height[v[1]], height[v[2]]});
-    slice[t] = std::min(kSlices - 1, std::uint32_t((*high - nearest) * to_slices));
-    ++begin[slice[t] + 1];
+  for (std::size_t i = 0; i < slice.size(); ++i) {
+    const auto& v = hair.triangles[triangles[i]].vertex;
+    const float nearest = std::max({projected[v[0]].z(), projected[v[1]].z(), projected[v[2]].z()});
+    slice[i] = std::min(kSlices - 1, std::uint32_t((high - nearest) * to_slices));
+    ++begin[slice[i] + 1];
   }
   for (std::size_t s = 1; s < begin.size(); ++s) begin[s] += begin[s - 1];
   std::vector<std::uint32_t> order(slice.size());
-  for (std::uint32_t t = 0; t < slice.size(); ++t) order[begin[slice[t]]++] = t;
+  for (std::size_t i = 0; i < slice.size(); ++i) order[begin[slice[i]]++] = triangles[i];
   return order;
 }
 
-void FragmentView::set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions) {
+void FragmentView::set_extent(const HairSurface& hair, const Projected& projected) {
   constexpr float kFar = std::numeric_limits<float>::max();
   Eigen::Array2f low(kFar, kFar), high(-kFar, -kFar);
   for (const HairSurface::Triangle& triangle : hair.triangles) {
     for (const std::uint32_t v : triangle.vertex) {
-      const Eigen::Array2f place(positions[v].dot(right_), positions[v].dot(up_));
-      low = low.min(place);
-      high = high.max(place);
+      low = low.min(projected[v].head<2>());
+      high = high.max(projected[v].head<2>());
     }
   }
   if (hair.triangles.empty()) low = high = Eigen::Array2f::Zero();

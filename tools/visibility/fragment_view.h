@@ -68,9 +68,12 @@ class FragmentView {
   struct Placed;
   class Rasteriser;
 
-  [[nodiscard]] std::vector<std::uint32_t> near_to_far(const HairSurface& hair,
-                                                       std::span<const Eigen::Vector3f> positions) const;
-  void set_extent(const HairSurface& hair, std::span<const Eigen::Vector3f> positions);
+  /// Per vertex: along right_, up_ and towards_eye_.
+  using Projected = std::vector<Eigen::Array3f>;
+
+  [[nodiscard]] static std::vector<std::uint32_t> near_to_far(std::span<const std::uint32_t> triangles,
+                                                              const HairSurface& hair, const Projected& projected);
+  void set_extent(const HairSurface& hair, const Projected& projected);
   void sort_into_lines(std::span<const Placed> placed);
 
   Eigen::Vector3f right_, up_, towards_eye_;

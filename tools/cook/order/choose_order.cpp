@@ -26,7 +26,7 @@ constexpr float kSameThreshold = 0.005f;
 constexpr double kGainPerLayer = 0.5;
 constexpr double kEnough = 50;  ///< dB: pictures that are nearer to the exact one are not worth more.
 constexpr std::size_t kTrianglesPerView = 150;
-constexpr std::size_t kFewestViews = 2, kMostViews = 8;
+constexpr std::size_t kFewestViews = 2, kMostViews = 12;
 constexpr std::size_t kMostWork = 320'000;  ///< Triangles times views of a cell.
 /// More are not searched unasked: it would take minutes, for hair that no game draws.
 constexpr std::size_t kMostTriangles = 250'000;
