@@ -19,6 +19,33 @@ namespace coif {
 /// False where hair at rest under the one would move under the other.
 [[nodiscard]] bool rests_under_both(const StepSettings& a, const StepSettings& b);
 
+/// Seconds; below, velocities would not fit a float. Such a step passes for one of no time.
+inline constexpr float kShortestStep = 1e-9f;
+
+/// What an asset says of the parts of a step.
+struct StepPace {
+  float substep_rate = 0;     ///< Sub-steps a second that it was tuned for; 0: one a step.
+  float air_lag = 0;          ///< SkeletonRecord::air_lag.
+  bool has_substeps = false;  ///< Of its solvers; see RowCount.
+};
+[[nodiscard]] StepPace pace_of(const Asset& asset, bool has_substeps);
+
+/// One frame, or several together.
+struct FrameSpan {
+  float dt = 0;      ///< Seconds.
+  float steady = 0;  ///< Without what any of them has beyond kMaxTimeStep: what work is measured by.
+};
+void add_frame(FrameSpan& span, float dt);
+
+/// `settings` have been checked; `span` ends with a frame of settings.dt.
+[[nodiscard]] StepParts parts_of(const StepPace& pace, const StepSettings& settings, const FrameSpan& span);
+
+/// As the solver reads it.
+[[nodiscard]] DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone);
+
+/// True where the two bones of the asset have the same coefficients.
+[[nodiscard]] bool move_alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b);
+
 /// Chooses the blocks to step and computes what they have in common. `settings` have been checked.
 void begin_step(CrowdState& crowd, const StepSettings& settings);
 
@@ -52,7 +79,9 @@ void take_up_interval(CrowdState& crowd, std::uint32_t instance);
 void fill_blocks(CrowdState& crowd);
 
 /// What HairDesc and Detail may ask for: 1, 2 or 4, which are 2 to the power 0, 1 and 2.
-[[nodiscard]] inline bool is_interval(std::uint32_t interval) { return interval == 1 || interval == 2 || interval == 4; }
+[[nodiscard]] inline bool is_interval(std::uint32_t interval) {
+  return interval == 1 || interval == 2 || interval == 4;
+}
 [[nodiscard]] inline std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }
 
 /// Ends the sleep of an instance: it has to be at rest for the whole time again before the next.
