@@ -96,18 +96,6 @@ StepParts parts_of(const StepPace& pace, const StepSettings& settings, const Fra
   return parts;
 }
 
-DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone) {
-  DynamicsRecord dynamics = asset.dynamics()[bone];
-  if (solver.reads_asked && !asset.asked().empty()) dynamics.friction = asset.asked()[bone].friction;
-  return dynamics;
-}
-
-bool move_alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b) {
-  const DynamicsRecord one = dynamics_for(solver, asset, a), other = dynamics_for(solver, asset, b);
-  return one.stiffness == other.stiffness && one.damping == other.damping && one.friction == other.friction &&
-         one.gravity_scale == other.gravity_scale && asset.bones()[a].length == asset.bones()[b].length;
-}
-
 namespace {
 
 /// One bone of a row, all lanes. Neighbours often move alike, and then are computed once.

@@ -40,11 +40,19 @@ void add_frame(FrameSpan& span, float dt);
 /// `settings` have been checked; `span` ends with a frame of settings.dt.
 [[nodiscard]] StepParts parts_of(const StepPace& pace, const StepSettings& settings, const FrameSpan& span);
 
-/// As the solver reads it.
-[[nodiscard]] DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone);
+/// As the solver reads it. Inline, as this and the next are asked for each bone when the time step changes.
+[[nodiscard]] inline DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone) {
+  DynamicsRecord dynamics = asset.dynamics()[bone];
+  if (solver.reads_asked && !asset.asked().empty()) dynamics.friction = asset.asked()[bone].friction;
+  return dynamics;
+}
 
 /// True where the two bones of the asset have the same coefficients.
-[[nodiscard]] bool move_alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b);
+[[nodiscard]] inline bool move_alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b) {
+  const DynamicsRecord one = dynamics_for(solver, asset, a), other = dynamics_for(solver, asset, b);
+  return one.stiffness == other.stiffness && one.damping == other.damping && one.friction == other.friction &&
+         one.gravity_scale == other.gravity_scale && asset.bones()[a].length == asset.bones()[b].length;
+}
 
 /// Chooses the blocks to step and computes what they have in common. `settings` have been checked.
 void begin_step(CrowdState& crowd, const StepSettings& settings);

@@ -1,8 +1,6 @@
-#include "world/world.h"
+#include "world.h"
 
-#include "memory_carver.h"
-
-#include <array>
+#include "../memory_carver.h"
 
 namespace coif {
 namespace {
@@ -54,7 +52,11 @@ struct LaneArray {
   std::size_t bytes = 0;
 };
 
-std::array<LaneArray, 5> arrays_of(const ChainShape& shape, const Bundle& bundle) {
+struct LaneArrays {
+  LaneArray all[5];
+};
+
+LaneArrays arrays_of(const ChainShape& shape, const Bundle& bundle) {
   const std::size_t bones = shape.bones.size();
   return {{{bundle.constants, bones * sizeof(BoneLanes)},
            {bundle.coefficients, bones * shape.solver->coefficient_bytes},
@@ -65,15 +67,16 @@ std::array<LaneArray, 5> arrays_of(const ChainShape& shape, const Bundle& bundle
 
 /// Lanes that nobody uses compute along: numbers that are none would be slow.
 void repeat_first_lane(const ChainShape& shape, const Bundle& bundle) {
-  for (const LaneArray& array : arrays_of(shape, bundle)) {
+  const LaneArrays arrays = arrays_of(shape, bundle);
+  for (const LaneArray& array : arrays.all) {
     for (std::uint32_t i = 1; i < kLanes; ++i) copy_lane(array.begin, 0, array.begin, i, array.bytes);
   }
 }
 
 void move_lane(const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
-  const auto source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
-  for (std::size_t k = 0; k < source.size(); ++k) {
-    copy_lane(source[k].begin, from.lane, goal[k].begin, to.lane, source[k].bytes);
+  const LaneArrays source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
+  for (const LaneArray& array : source.all) {
+    copy_lane(array.begin, from.lane, goal.all[&array - source.all].begin, to.lane, array.bytes);
   }
   to.part->head[to.lane] = from.part->head[from.lane];
   to.part->chain[to.lane] = from.part->chain[from.lane];

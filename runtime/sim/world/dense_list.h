@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lanes/lane_layout.h"
+#include "../lanes/lane_layout.h"
 
 #include <cstdint>
 #include <cstring>

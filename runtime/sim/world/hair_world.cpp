@@ -1,9 +1,9 @@
 #include <coif/hair_world.h>
 
-#include "float_environment.h"
-#include "head_lanes.h"
-#include "memory_carver.h"
-#include "world/world.h"
+#include "../float_environment.h"
+#include "../head_lanes.h"
+#include "../memory_carver.h"
+#include "world.h"
 
 #include <cstdint>
 

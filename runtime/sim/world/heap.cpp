@@ -1,4 +1,4 @@
-#include "world/heap.h"
+#include "heap.h"
 
 #include <new>
 

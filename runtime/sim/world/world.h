@@ -146,16 +146,30 @@ struct WorldState {
   return generation + 1 == 0 ? 1 : generation + 1;
 }
 
+// shared_colliders.cpp
+
+/// Gives the asset's colliders places in a table, those of another asset where that has the same; false where there is no memory.
+[[nodiscard]] bool join_colliders(WorldState& world, WornAsset& worn);
+void leave_colliders(WorldState& world, WornAsset& worn);
+
+// shapes.cpp
+
+/// Finds or makes the shape of each chain of an asset that knows its pace and colliders; false where there is no memory.
+[[nodiscard]] bool join_shapes(WorldState& world, WornAsset& worn);
+void leave_shape(WorldState& world, ChainShape& shape);
+/// What the chains of so many heads take at most.
+[[nodiscard]] std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solver& asked);
+/// Numbers that the chains of one head have to keep.
+[[nodiscard]] std::size_t kept_floats(const Asset& asset, const Solver& asked);
+
 // worn_asset.cpp
 
+/// What an asset and the chains of so many heads take where they share nothing with others; heads come on top.
+[[nodiscard]] std::size_t bytes_alone(const Asset& asset, std::uint32_t heads, const Solver& asked);
 /// False where there is no memory.
 [[nodiscard]] bool put_on(WorldState& world, WornAsset& worn, const Asset& asset);
 /// No head wears it.
 void take_off(WorldState& world, WornAsset& worn);
-/// What an asset and the chains of so many heads take where they share nothing with others; heads come on top.
-[[nodiscard]] std::size_t bytes_alone(const Asset& asset, std::uint32_t heads, const Solver& asked);
-/// Numbers that the chains of one head have to keep.
-[[nodiscard]] std::size_t kept_floats(const Asset& asset, const Solver& asked);
 /// Computes the coefficients of all its motions under its pace's terms.
 void renew_motions(const WorldState& world, WornAsset& worn);
 

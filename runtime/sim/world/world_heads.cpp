@@ -1,7 +1,7 @@
-#include "world/world.h"
+#include "world.h"
 
-#include "head_lanes.h"
-#include "memory_carver.h"
+#include "../head_lanes.h"
+#include "../memory_carver.h"
 
 #include <new>
 

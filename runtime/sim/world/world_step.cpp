@@ -1,8 +1,9 @@
-#include "world/world.h"
+#include "world.h"
 
-#include "head_lanes.h"
+#include "../head_lanes.h"
 
 #include <bit>
+#include <cstring>
 
 namespace coif {
 namespace {
@@ -77,19 +78,37 @@ void share_out(WorldState& world) {
   world.jobs[world.job_count] = steps;
 }
 
-/// The numbers of a head that HeadCode::move reads.
-void gather_head(const WorldBlock& block, std::uint32_t i, HeadLanes& heads, HeadStepLanes& step, std::uint32_t k) {
-  constexpr std::size_t kPath = offsetof(HeadLanes, mean_velocity), kVelocities = offsetof(HeadStepLanes, is_far);
-  copy_lane(&block.heads, i, &heads, k, kPath);
-  heads.per_scale.v[k] = block.heads.per_scale.v[i];
-  copy_lane(&block.step, i, &step, k, kVelocities);
+/// The heads of a bundle's lanes, side by side: what HeadCode::move() reads of them.
+struct LaneHeads {
+  const HeadPace* pace = nullptr;  ///< Null: none have been gathered.
+  std::uint32_t head[kLanes];      ///< Of lanes that are not in use the first one's: they compute along.
+  HeadLanes heads;
+  HeadStepLanes step;
+};
+
+void gather_head(const WorldBlock& block, std::uint32_t i, LaneHeads& to, std::uint32_t k) {
+  const HeadLanes& heads = block.heads;
+  set_lane(to.heads.rotation, k, lane(heads.rotation, i));
+  set_lane(to.heads.next_rotation, k, lane(heads.next_rotation, i));
+  set_lane(to.heads.way, k, lane(heads.way, i));
+  set_lane(to.heads.velocity, k, lane(heads.velocity, i));
+  set_lane(to.heads.angular_velocity, k, lane(heads.angular_velocity, i));
+  to.heads.per_scale.v[k] = heads.per_scale.v[i];
+  set_lane(to.step.turn, k, lane(block.step.turn, i));
+  set_lane(to.step.next_velocity, k, lane(block.step.next_velocity, i));
+  set_lane(to.step.next_angular_velocity, k, lane(block.step.next_angular_velocity, i));
 }
 
-/// Lanes that are not in use compute along, under the first one's head.
-void gather_heads(const WorldState& world, const Bundle& bundle, HeadLanes& heads, HeadStepLanes& step) {
+/// Nothing where they are those of the last bundle: long hair has many on one head.
+void gather_heads(const WorldState& world, const HeadPace& pace, const Bundle& bundle, LaneHeads& lanes) {
+  std::uint32_t head[kLanes];
+  for (std::uint32_t k = 0; k < kLanes; ++k) head[k] = bundle.head[k < bundle.count ? k : 0];
+  if (lanes.pace == &pace && std::memcmp(lanes.head, head, sizeof(head)) == 0) return;
+  lanes.pace = &pace;
   for (std::uint32_t k = 0; k < kLanes; ++k) {
-    const auto& place = world.heads[bundle.head[k < bundle.count ? k : 0]].place;
-    gather_head(*place.part, place.lane, heads, step, k);
+    const auto& place = world.heads[head[k]].place;
+    lanes.head[k] = head[k];
+    gather_head(*place.part, place.lane, lanes, k);
   }
 }
 
@@ -97,12 +116,10 @@ void turn_lanes(const ChainShape& shape, Bundle& bundle, const Lanes4& by) {
   for (std::uint32_t i = 0; i < bundle.count; ++i) shape.solver->turn(chain_lane(shape, {&bundle, i}), lane(by, i));
 }
 
-void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle) {
+void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle, LaneHeads& lanes) {
   refresh(world, shape, bundle);
   const StepParts& parts = shape.pace->parts;
-  HeadLanes heads;
-  HeadStepLanes step;
-  gather_heads(world, bundle, heads, step);
+  gather_heads(world, *shape.pace, bundle, lanes);
   Mat34* palettes[kLanes] = {};
   for (std::uint32_t i = 0; i < bundle.count; ++i) {
     const WornHead& head = world.heads[bundle.head[i]];
@@ -125,7 +142,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   row.colliders = shape.colliders == nullptr ? nullptr : &shape.colliders->placed;
   row.motion = &bundle.motion;
   for (std::uint32_t part = 0; part < parts.count; ++part) {
-    world.code.move(heads, step, parts, part, move, carried);
+    world.code.move(lanes.heads, lanes.step, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_lanes(shape, bundle, carried);
     bundle.motion = Lanes{};
     row.palette = part + 1 == parts.count ? palettes : nullptr;
@@ -182,8 +199,9 @@ void begin_step(WorldState& world, const StepSettings& settings) {
 }
 
 void run_job(const WorldState& world, std::uint32_t job) {
+  LaneHeads lanes;
   for (std::uint32_t i = world.jobs[job]; i < world.jobs[job + 1]; ++i) {
-    step_bundle(world, *world.steps[i].shape, *world.steps[i].bundle);
+    step_bundle(world, *world.steps[i].shape, *world.steps[i].bundle, lanes);
   }
 }
 
