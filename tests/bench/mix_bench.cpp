@@ -21,7 +21,7 @@ namespace coif {
 namespace {
 
 constexpr std::uint32_t kMixedHeads = 40;
-constexpr std::uint32_t kCrowdHeads = 48;  ///< Of a full crowd: no lane of it is idle.
+constexpr std::uint32_t kCrowdHeads = 16;  ///< Of a full crowd: no lane of it is idle.
 
 /// An asset of the mix, opened.
 struct MixedAsset {
@@ -40,34 +40,45 @@ double simulated_bones(const Asset& asset) {
   return bones;
 }
 
-/// A Hair and its heads, which have numbers from `first` on, `apart` from each other.
-class MixedCrowd {
+/// Crowds, each a Hair of its own.
+class MixedHairs {
  public:
-  MixedCrowd(const Asset& asset, std::uint32_t heads, std::uint32_t first, std::uint32_t apart)
-      : heads_(heads),
-        first_(first),
-        apart_(apart),
-        memory_(memory_for(Hair::memory_need(asset, {.instances = heads}))) {
-    is_sane_ = hair_.create(asset, {.instances = heads}, memory_.bytes()) == Status::kOk;
-    for (std::uint32_t i = 0; i < heads; ++i) is_sane_ = hair_.reset(i, pose_of(i, 0)) == Status::kOk && is_sane_;
+  /// Its heads have numbers from `first` on, `apart` from each other.
+  void add(const Asset& asset, std::uint32_t heads, std::uint32_t first, std::uint32_t apart) {
+    const HairDesc desc{.instances = heads};
+    auto crowd = std::make_unique<Crowd>(Hair::memory_need(asset, desc));
+    is_sane_ = crowd->hair.create(asset, desc, crowd->memory.bytes()) == Status::kOk && is_sane_;
+    for (std::uint32_t i = 0; i < heads; ++i) {
+      crowd->numbers.push_back(first + i * apart);
+      is_sane_ = crowd->hair.reset(i, head_pose_at(first + i * apart, 0)) == Status::kOk && is_sane_;
+    }
+    crowd->poses.resize(heads);
+    crowds_.push_back(std::move(crowd));
   }
 
-  void frame(double seconds, const StepSettings& settings) {
-    for (std::uint32_t i = 0; i < heads_; ++i)
-      is_sane_ = hair_.set_head(i, pose_of(i, seconds)) == Status::kOk && is_sane_;
-    is_sane_ = hair_.step(settings) == Status::kOk && is_sane_;
+  void plan(double seconds) {
+    for (const auto& crowd : crowds_) {
+      for (std::size_t i = 0; i < crowd->poses.size(); ++i) crowd->poses[i] = head_pose_at(crowd->numbers[i], seconds);
+    }
+  }
+  void frame(const StepSettings& settings) {
+    for (const auto& crowd : crowds_) {
+      is_sane_ = crowd->hair.set_heads(crowd->poses) == Status::kOk && is_sane_;
+      is_sane_ = crowd->hair.step(settings) == Status::kOk && is_sane_;
+    }
   }
   [[nodiscard]] bool is_sane() const { return is_sane_; }
 
  private:
-  [[nodiscard]] HeadPose pose_of(std::uint32_t i, double seconds) const {
-    return head_pose_at(first_ + i * apart_, seconds);
-  }
-
-  std::uint32_t heads_, first_, apart_;
-  AlignedBytes memory_;
-  Hair hair_;
-  bool is_sane_ = false;
+  struct Crowd {
+    explicit Crowd(const MemoryNeed& need) : memory(std::vector<std::byte>(need.bytes)) {}
+    AlignedBytes memory;
+    Hair hair;
+    std::vector<std::uint32_t> numbers;
+    std::vector<HeadPose> poses;
+  };
+  std::vector<std::unique_ptr<Crowd>> crowds_;
+  bool is_sane_ = true;
 };
 
 /// All heads of the mix, asset after asset in turn.
@@ -80,21 +91,19 @@ class MixedWorld {
     for (std::size_t a = 0; a < mix.size(); ++a)
       is_sane_ = world_.add_asset(mix[a]->asset, assets[a]) == Status::kOk && is_sane_;
     heads_.resize(heads);
+    poses_.resize(heads);
     for (std::uint32_t i = 0; i < heads; ++i) {
       is_sane_ = world_.add_head(assets[i % assets.size()], head_pose_at(i, 0), heads_[i]) == Status::kOk && is_sane_;
     }
   }
 
-  void frame(double seconds, const StepSettings& settings) {
-    for (std::uint32_t i = 0; i < heads_.size(); ++i) {
-      is_sane_ = world_.set_head(heads_[i], head_pose_at(i, seconds)) == Status::kOk && is_sane_;
-    }
-    is_sane_ = world_.step(settings) == Status::kOk && is_sane_;
+  void plan(double seconds) {
+    for (std::uint32_t i = 0; i < poses_.size(); ++i) poses_[i] = head_pose_at(i, seconds);
   }
-  /// One head leaves and comes back.
-  void replace(std::uint32_t i, WorldAsset asset, const HeadPose& pose) {
-    is_sane_ = world_.remove_head(heads_[i]) == Status::kOk && is_sane_;
-    is_sane_ = world_.add_head(asset, pose, heads_[i]) == Status::kOk && is_sane_;
+  void frame(const StepSettings& settings) {
+    for (std::size_t i = 0; i < heads_.size(); ++i)
+      is_sane_ = world_.set_head(heads_[i], poses_[i]) == Status::kOk && is_sane_;
+    is_sane_ = world_.step(settings) == Status::kOk && is_sane_;
   }
   [[nodiscard]] bool is_sane() const { return is_sane_; }
 
@@ -110,73 +119,80 @@ class MixedWorld {
   AlignedBytes memory_;
   HairWorld world_;
   std::vector<WorldHead> heads_;
+  std::vector<HeadPose> poses_;
   bool is_sane_ = false;
 };
 
-/// Median seconds of one frame of each of several things, timed in turns.
-class Turns {
+constexpr int kFramesInTurn = 4;
+
+/// One of the things that are timed in turns: some frames each, after one in which its numbers come back into the near caches.
+template <typename Scene>
+class TimedScene {
  public:
-  explicit Turns(std::size_t count) : times_(count) {}
-  template <typename Work>
-  double time(std::size_t index, const Work& work) {
-    watch_.start();
-    work();
-    const double seconds = watch_.seconds();
-    times_[index].add(seconds);
-    return seconds;
+  explicit TimedScene(Scene& scene) : scene_(scene) {}
+
+  /// Returns the seconds of the timed frames.
+  double take_turn(double& seconds, const StepSettings& settings) {
+    double sum = 0;
+    for (int i = 0; i <= kFramesInTurn; ++i) {
+      scene_.plan(seconds += kFrameSeconds);
+      watch_.start();
+      scene_.frame(settings);
+      const double own = watch_.seconds();
+      if (i == 0) continue;
+      times_.add(own);
+      sum += own;
+    }
+    return sum;
   }
-  double median_seconds(std::size_t index) { return times_[index].median_seconds(); }
+  double median_seconds() { return times_.median_seconds(); }
 
  private:
+  Scene& scene_;
   Stopwatch watch_;
-  std::vector<FrameTimes> times_;
+  FrameTimes times_;
 };
 
 void time_mix(benchmark::State& state, const Mix& mix, std::uint32_t heads, std::uint32_t substeps) {
-  const auto assets = std::uint32_t(mix.size());
+  const auto assets = std::uint32_t(std::min<std::size_t>(mix.size(), heads));
+  const auto heads_of = [&](std::uint32_t a) { return (heads - a + assets - 1) / assets; };
   MixedWorld world(mix, heads);
-  std::vector<std::unique_ptr<MixedCrowd>> alone, full;
+  MixedHairs hairs;
+  std::vector<MixedHairs> crowds(assets);
   double bones = 0;
-  for (std::uint32_t a = 0; a < assets && a < heads; ++a) {
-    const std::uint32_t own = (heads - a + assets - 1) / assets;
-    alone.push_back(std::make_unique<MixedCrowd>(mix[a]->asset, own, a, assets));
-    full.push_back(std::make_unique<MixedCrowd>(mix[a]->asset, kCrowdHeads, a, assets));
-    bones += own * simulated_bones(mix[a]->asset);
+  for (std::uint32_t a = 0; a < assets; ++a) {
+    hairs.add(mix[a]->asset, heads_of(a), a, assets);
+    crowds[a].add(mix[a]->asset, kCrowdHeads, a, assets);
+    bones += heads_of(a) * simulated_bones(mix[a]->asset);
   }
-  StepSettings settings{.dt = float(kFrameSeconds), .substeps = substeps};
-  Turns turns(2 + full.size());
-  int frame = 0;
-  const auto run = [&](Turns& on) {
-    const double seconds = ++frame * kFrameSeconds;
-    const double own = on.time(0, [&] { world.frame(seconds, settings); });
-    on.time(1, [&] {
-      for (const auto& crowd : alone) crowd->frame(seconds, settings);
-    });
-    for (std::size_t a = 0; a < full.size(); ++a) on.time(2 + a, [&] { full[a]->frame(seconds, settings); });
-    return own;
-  };
-  for (Turns warm_up(2 + full.size()); frame < 60;) run(warm_up);
+  TimedScene in_world(world);
+  TimedScene in_hairs(hairs);
+  std::vector<TimedScene<MixedHairs>> in_crowds;
+  for (MixedHairs& crowd : crowds) in_crowds.emplace_back(crowd);
+  const StepSettings settings{.dt = float(kFrameSeconds), .substeps = substeps};
+  std::vector<double> clocks(2 + assets);
   for (auto unused : state) {
     (void)unused;
-    state.SetIterationTime(run(turns));
+    state.SetIterationTime(in_world.take_turn(clocks[0], settings) / kFramesInTurn);
+    in_hairs.take_turn(clocks[1], settings);
+    for (std::uint32_t a = 0; a < assets; ++a) in_crowds[a].take_turn(clocks[2 + a], settings);
   }
-  bool is_sane = world.is_sane();
-  double crowds = 0;
-  for (std::uint32_t a = 0; a < full.size(); ++a) {
-    is_sane = is_sane && alone[a]->is_sane() && full[a]->is_sane();
-    const std::uint32_t own = (heads - a + assets - 1) / assets;
-    crowds += turns.median_seconds(2 + a) * own / kCrowdHeads;
+  double full = 0;
+  bool is_sane = world.is_sane() && hairs.is_sane();
+  for (std::uint32_t a = 0; a < assets; ++a) {
+    is_sane = is_sane && crowds[a].is_sane();
+    full += in_crowds[a].median_seconds() * heads_of(a) / kCrowdHeads;
   }
   if (!is_sane) return state.SkipWithError("the runtime refuses something");
-  const double own = turns.median_seconds(0), hairs = turns.median_seconds(1);
+  const double own = in_world.median_seconds(), apart = in_hairs.median_seconds();
   state.counters["heads"] = heads;
   state.counters["assets"] = assets;
   state.counters["bones"] = bones;
   state.counters["ns_per_bone"] = own * 1e9 / bones;
-  state.counters["hairs_ns_per_bone"] = hairs * 1e9 / bones;
-  state.counters["crowds_ns_per_bone"] = crowds * 1e9 / bones;
-  state.counters["ratio"] = own / crowds;
-  state.counters["hairs_ratio"] = hairs / crowds;
+  state.counters["hairs_ns_per_bone"] = apart * 1e9 / bones;
+  state.counters["crowds_ns_per_bone"] = full * 1e9 / bones;
+  state.counters["ratio"] = own / full;
+  state.counters["hairs_ratio"] = apart / full;
 }
 
 void add_mix(const std::string& name, const std::shared_ptr<Mix>& mix, std::uint32_t heads, std::uint32_t substeps) {

@@ -46,7 +46,8 @@ bool is_like(const RowBone& bone, const RowBone& other) {
 bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& solver, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
   if (shape.solver != &solver || shape.pace != worn.pace || shape.bones.size() != chain.bone_count) return false;
-  if (shape.colliders != (touches_colliders(asset, chain) ? worn.colliders : nullptr)) return false;
+  const bool has_others = shape.touching != 0 && shape.colliders != worn.colliders;
+  if (has_others && touches_colliders(asset, chain)) return false;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
     if (!is_like(shape.bones[i], common_bone(asset, solver, chain, i))) return false;
   }
@@ -89,7 +90,6 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   shape.solver = &solver_for(*world.solver, chain);
   shape.step = shape.solver->row_code(world.set);
   shape.pace = worn.pace;
-  shape.colliders = touches_colliders(asset, chain) ? worn.colliders : nullptr;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
     pattern[i] = common_bone(asset, *shape.solver, chain, i);
   }
@@ -113,6 +113,15 @@ std::size_t chain_bytes(const Asset& asset, const Solver& asked, const ChainReco
   return WorldHeap::rounded(shape_bytes(chain.bone_count)) + bundles * WorldHeap::rounded(bundle);
 }
 
+void leave_shape(WorldState& world, ChainShape& shape, bool touches) {
+  if (touches) --shape.touching;
+  if (--shape.users != 0) return;
+  ChainShape** link = &world.shapes;
+  while (*link != &shape) link = &(*link)->next;
+  *link = shape.next;
+  world.heap.give_back(&shape, shape_bytes(shape.bones.size()));
+}
+
 /// Neighbours are of one shape more often than not.
 ChainShape* join_shape(WorldState& world, WornAsset& worn, std::uint32_t index, ChainShape* last) {
   const ChainRecord& chain = worn.asset.chains()[index];
@@ -120,7 +129,12 @@ ChainShape* join_shape(WorldState& world, WornAsset& worn, std::uint32_t index, 
   ChainShape* shape = last != nullptr && has_shape(*last, worn, solver, chain) ? last : world.shapes;
   while (shape != nullptr && !has_shape(*shape, worn, solver, chain)) shape = shape->next;
   if (shape == nullptr) shape = make_shape(world, worn, chain);
-  if (shape != nullptr) ++shape->users;
+  if (shape == nullptr) return nullptr;
+  ++shape->users;
+  if (touches_colliders(worn.asset, chain)) {
+    shape->colliders = worn.colliders;
+    ++shape->touching;
+  }
   return shape;
 }
 
@@ -135,12 +149,10 @@ bool join_shapes(WorldState& world, WornAsset& worn) {
   return true;
 }
 
-void leave_shape(WorldState& world, ChainShape& shape) {
-  if (--shape.users != 0) return;
-  ChainShape** link = &world.shapes;
-  while (*link != &shape) link = &(*link)->next;
-  *link = shape.next;
-  world.heap.give_back(&shape, shape_bytes(shape.bones.size()));
+void leave_shapes(WorldState& world, const WornAsset& worn) {
+  for (std::size_t c = 0; c < worn.shapes.size() && worn.shapes[c] != nullptr; ++c) {
+    leave_shape(world, *worn.shapes[c], touches_colliders(worn.asset, worn.asset.chains()[c]));
+  }
 }
 
 std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solver& asked) {

@@ -72,9 +72,10 @@ struct ChainShape {
   const Solver* solver = nullptr;
   RowFunction* step = nullptr;
   HeadPace* pace = nullptr;
-  const ColliderTable* colliders = nullptr;  ///< Null where no bone touches any.
+  const ColliderTable* colliders = nullptr;  ///< Of those that touch any.
   bool twists = false, is_bounded = false;
-  std::uint32_t users = 0;  ///< Chains of assets.
+  std::uint32_t users = 0;     ///< Chains of assets,
+  std::uint32_t touching = 0;  ///< and those of them that touch colliders.
   std::span<const RowBone>
       bones;  ///< As they are with no lane: parents, slots, and what all lanes must have in common.
   DenseList<Bundle> bundles;
@@ -156,7 +157,8 @@ void leave_colliders(WorldState& world, WornAsset& worn);
 
 /// Finds or makes the shape of each chain of an asset that knows its pace and colliders; false where there is no memory.
 [[nodiscard]] bool join_shapes(WorldState& world, WornAsset& worn);
-void leave_shape(WorldState& world, ChainShape& shape);
+/// Of those chains that have joined one.
+void leave_shapes(WorldState& world, const WornAsset& worn);
 /// What the chains of so many heads take at most.
 [[nodiscard]] std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solver& asked);
 /// Numbers that the chains of one head have to keep.

@@ -120,7 +120,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   refresh(world, shape, bundle);
   const StepParts& parts = shape.pace->parts;
   gather_heads(world, *shape.pace, bundle, lanes);
-  Mat34* palettes[kLanes] = {};
+  Mat34* palettes[kLanes];  // of lanes in use
   for (std::uint32_t i = 0; i < bundle.count; ++i) {
     const WornHead& head = world.heads[bundle.head[i]];
     palettes[i] = &head.palette[world.assets[head.asset].asset.chains()[bundle.chain[i]].first_bone];
@@ -139,7 +139,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   row.lanes = bundle.count;
   row.move = &move;
   row.dt = parts.part_dt();
-  row.colliders = shape.colliders == nullptr ? nullptr : &shape.colliders->placed;
+  row.colliders = shape.touching == 0 ? nullptr : &shape.colliders->placed;
   row.motion = &bundle.motion;
   for (std::uint32_t part = 0; part < parts.count; ++part) {
     world.code.move(lanes.heads, lanes.step, parts, part, move, carried);

@@ -104,9 +104,7 @@ bool put_on(WorldState& world, WornAsset& worn, const Asset& asset) {
 }
 
 void take_off(WorldState& world, WornAsset& worn) {
-  for (ChainShape* const shape : worn.shapes) {
-    if (shape != nullptr) leave_shape(world, *shape);
-  }
+  leave_shapes(world, worn);
   leave_colliders(world, worn);
   --worn.pace->users;
   world.heap.give_back(worn.memory.data(), worn.memory.size());
