@@ -107,8 +107,11 @@ Status HairWorld::create(const WorldDesc& desc, std::span<std::byte> memory) {
   world.heap = WorldHeap(carve(carver, desc, world));
   world.solver = desc.solver;
   world.set = desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set;
+  const bool has_narrower = world.set == InstructionSet::kAvx512 && can_run(InstructionSet::kAvx2);
+  world.set_for_few = has_narrower ? InstructionSet::kAvx2 : world.set;
   world.code = head_code(world.set);
   world.keep_in_limit = limit_code(world.set);
+  world.keep_few_in_limit = limit_code(world.set_for_few);
   for (WorldBlock& block : world.beds) {
     stand_upright(block.heads);
     world.asleep.append(&block);

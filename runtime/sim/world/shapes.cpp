@@ -89,6 +89,7 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   ChainShape& shape = made[0];
   shape.solver = &solver_for(*world.solver, chain);
   shape.step = shape.solver->row_code(world.set);
+  shape.step_few = shape.solver->row_code(world.set_for_few);
   shape.pace = worn.pace;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
     pattern[i] = common_bone(asset, *shape.solver, chain, i);

@@ -66,11 +66,15 @@ struct Bundle {
   Lanes motion{};                ///< See RowStep; of the last part of the step.
 };
 
+/// So many lanes fit the vectors of AVX2, which then takes two thirds of the time of AVX-512; the bits are the same.
+inline constexpr std::uint32_t kFewLanes = 8;
+
 /// Chains that may stand side by side.
 struct ChainShape {
   ChainShape* next = nullptr;
   const Solver* solver = nullptr;
   RowFunction* step = nullptr;
+  RowFunction* step_few = nullptr;  ///< The same for up to kFewLanes.
   HeadPace* pace = nullptr;
   const ColliderTable* colliders = nullptr;  ///< Of those that touch any.
   bool twists = false, is_bounded = false;
@@ -123,8 +127,10 @@ struct BundleStep {
 struct WorldState {
   const Solver* solver = nullptr;
   InstructionSet set = InstructionSet::kScalar;
+  InstructionSet set_for_few = InstructionSet::kScalar;  ///< For up to kFewLanes.
   HeadCode code;
   LimitFunction* keep_in_limit = nullptr;
+  LimitFunction* keep_few_in_limit = nullptr;
   WorldHeap heap;
   std::span<WornAsset> assets;
   std::span<HeadPace> paces;
