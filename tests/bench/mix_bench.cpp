@@ -87,13 +87,13 @@ class MixedWorld {
   MixedWorld(const Mix& mix, std::uint32_t heads)
       : desc_(desc_of(mix, heads)), memory_(memory_for(HairWorld::memory_need(desc_))) {
     is_sane_ = world_.create(desc_, memory_.bytes()) == Status::kOk;
-    std::vector<WorldAsset> assets(mix.size());
+    assets_.resize(mix.size());
     for (std::size_t a = 0; a < mix.size(); ++a)
-      is_sane_ = world_.add_asset(mix[a]->asset, assets[a]) == Status::kOk && is_sane_;
+      is_sane_ = world_.add_asset(mix[a]->asset, assets_[a]) == Status::kOk && is_sane_;
     heads_.resize(heads);
     poses_.resize(heads);
     for (std::uint32_t i = 0; i < heads; ++i) {
-      is_sane_ = world_.add_head(assets[i % assets.size()], head_pose_at(i, 0), heads_[i]) == Status::kOk && is_sane_;
+      is_sane_ = world_.add_head(assets_[i % assets_.size()], head_pose_at(i, 0), heads_[i]) == Status::kOk && is_sane_;
     }
   }
 
@@ -104,6 +104,13 @@ class MixedWorld {
     for (std::size_t i = 0; i < heads_.size(); ++i)
       is_sane_ = world_.set_head(heads_[i], poses_[i]) == Status::kOk && is_sane_;
     is_sane_ = world_.step(settings) == Status::kOk && is_sane_;
+  }
+  /// Seconds in which a head leaves and another of its asset comes.
+  double replace(std::uint32_t i, Stopwatch& watch) {
+    watch.start();
+    is_sane_ = world_.remove_head(heads_[i]) == Status::kOk && is_sane_;
+    is_sane_ = world_.add_head(assets_[i % assets_.size()], poses_[i], heads_[i]) == Status::kOk && is_sane_;
+    return watch.seconds();
   }
   [[nodiscard]] bool is_sane() const { return is_sane_; }
 
@@ -118,6 +125,7 @@ class MixedWorld {
   WorldDesc desc_;
   AlignedBytes memory_;
   HairWorld world_;
+  std::vector<WorldAsset> assets_;
   std::vector<WorldHead> heads_;
   std::vector<HeadPose> poses_;
   bool is_sane_ = false;
@@ -153,6 +161,24 @@ class TimedScene {
   FrameTimes times_;
 };
 
+/// Median times of a mix, seconds.
+struct MixTimes {
+  double world = 0;    ///< Of a frame in one HairWorld,
+  double hairs = 0;    ///< with a Hair for each asset,
+  double crowds = 0;   ///< and if each head lived in a full crowd of its asset.
+  double replace = 0;  ///< A head leaves and another comes.
+};
+
+void report(benchmark::State& state, const MixTimes& times, double bones) {
+  state.counters["bones"] = bones;
+  state.counters["ns_per_bone"] = times.world * 1e9 / bones;
+  state.counters["hairs_ns_per_bone"] = times.hairs * 1e9 / bones;
+  state.counters["crowds_ns_per_bone"] = times.crowds * 1e9 / bones;
+  state.counters["ratio"] = times.world / times.crowds;
+  state.counters["hairs_ratio"] = times.hairs / times.crowds;
+  state.counters["replace_us"] = times.replace * 1e6;
+}
+
 void time_mix(benchmark::State& state, const Mix& mix, std::uint32_t heads, std::uint32_t substeps) {
   const auto assets = std::uint32_t(std::min<std::size_t>(mix.size(), heads));
   const auto heads_of = [&](std::uint32_t a) { return (heads - a + assets - 1) / assets; };
@@ -177,22 +203,20 @@ void time_mix(benchmark::State& state, const Mix& mix, std::uint32_t heads, std:
     in_hairs.take_turn(clocks[1], settings);
     for (std::uint32_t a = 0; a < assets; ++a) in_crowds[a].take_turn(clocks[2 + a], settings);
   }
-  double full = 0;
+  MixTimes times{.world = in_world.median_seconds(), .hairs = in_hairs.median_seconds()};
+  Stopwatch watch;
+  FrameTimes replacements;
+  for (std::uint32_t i = 0; i < heads; ++i) replacements.add(world.replace(i, watch));
+  times.replace = replacements.median_seconds();
   bool is_sane = world.is_sane() && hairs.is_sane();
   for (std::uint32_t a = 0; a < assets; ++a) {
     is_sane = is_sane && crowds[a].is_sane();
-    full += in_crowds[a].median_seconds() * heads_of(a) / kCrowdHeads;
+    times.crowds += in_crowds[a].median_seconds() * heads_of(a) / kCrowdHeads;
   }
   if (!is_sane) return state.SkipWithError("the runtime refuses something");
-  const double own = in_world.median_seconds(), apart = in_hairs.median_seconds();
   state.counters["heads"] = heads;
   state.counters["assets"] = assets;
-  state.counters["bones"] = bones;
-  state.counters["ns_per_bone"] = own * 1e9 / bones;
-  state.counters["hairs_ns_per_bone"] = apart * 1e9 / bones;
-  state.counters["crowds_ns_per_bone"] = full * 1e9 / bones;
-  state.counters["ratio"] = own / full;
-  state.counters["hairs_ratio"] = apart / full;
+  report(state, times, bones);
 }
 
 void add_mix(const std::string& name, const std::shared_ptr<Mix>& mix, std::uint32_t heads, std::uint32_t substeps) {

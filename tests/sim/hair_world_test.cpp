@@ -1,171 +1,12 @@
 // Heads of many assets that come and go: each has the bits that it has alone.
 
-#include "models/playback.h"
-
-#include <coif/hair_world.h>
+#include "sim/hair_town.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstring>
-#include <limits>
-#include <memory>
 #include <random>
-#include <vector>
 
 namespace coif::hair_world_test {
-
-TestRig passive_strands(std::uint32_t strands, int bones, float substep_rate) {
-  TestRig rig;
-  rig.model = ChainModel::kPassive;
-  rig.substep_rate = substep_rate;
-  for (std::uint32_t i = 0; i < strands; ++i) {
-    rig.add_strand(bones, {.joint = {0.02f * float(i), 0, -0.09f},
-                           .rest_direction = {0, -0.8f, -0.6f},
-                           .length = 0.3f / float(bones),
-                           .friction = 0.4f * float(i % 3),
-                           .hit_radius = 0.004f,
-                           .stiffness = 60 + 20 * float(i),
-                           .damping = 5,
-                           .torsion = kShortestArc});
-  }
-  return rig;
-}
-
-/// Hair of every kind: both models, twisting and not, bounded and not, with few and with many colliders, tuned for several rates, without any
-/// chain. Several have chains of one shape.
-std::vector<AssetContents> many_kinds() {
-  std::vector<AssetContents> kinds;
-  kinds.push_back(feature_rig().contents());
-  TestRig tuned = feature_rig();
-  tuned.levels.clear();
-  tuned.substep_rate = 90;
-  kinds.push_back(tuned.contents());
-  kinds.push_back(nine_bone_rig().contents());
-  TestRig other = nine_bone_rig();
-  other.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.04f);
-  for (DynamicsRecord& bone : other.dynamics) bone.friction = 1.5f;
-  kinds.push_back(other.contents());
-  TestRig limited = passive_strands(3, 3, 0);
-  limited.add_sphere({0, 0, 0}, 0.1f);
-  for (std::uint32_t bone = 1; bone < limited.bones.size(); ++bone) {
-    limited.limit(bone, LimitKind::kCone, 0.2f + 0.05f * float(bone));
-  }
-  kinds.push_back(limited.contents());
-  TestRig soft = passive_strands(5, 3, 90);
-  soft.add_sphere({0, 0, 0}, 0.1f);
-  soft.add_plane({0, -0.3f, 0}, {0, 1, 0});
-  kinds.push_back(soft.contents());
-  kinds.push_back(passive_strands(2, 12, 90).contents());
-  AssetContents mixed = passive_strands(4, 3, 0).contents();
-  mixed.chains[1].model = mixed.chains[2].model = ChainModel::kCascade;
-  mixed.skeleton.air_lag = 0.5f;
-  kinds.push_back(mixed);
-  TestRig crowded = nine_bone_rig();
-  while (crowded.colliders.size() < kMaxColliders - 3) {
-    const float place = 0.02f * float(crowded.colliders.size());
-    crowded.add_sphere({0.3f - place, -0.1f - 0.3f * place, -0.1f}, 0.03f);
-  }
-  for (BoneRecord& bone : crowded.bones) bone.colliders = bone.chain == kNone ? 0 : 0x1FFFFFFF;
-  kinds.push_back(crowded.contents());
-  kinds.push_back(TestRig().contents());
-  return kinds;
-}
-
-/// An asset, opened.
-struct Kind {
-  explicit Kind(const AssetContents& contents) : file(write_asset(contents)) { EXPECT_TRUE(asset.open(file.bytes())); }
-  AlignedBytes file;
-  Asset asset;
-};
-
-AlignedBytes memory_of(std::size_t bytes) { return AlignedBytes(std::vector<std::byte>(bytes, std::byte{0xFF})); }
-
-/// The same head in a crowd of its own.
-struct Twin {
-  Twin(const Asset& asset, const Solver& solver, const HeadPose& pose)
-      : memory(memory_of(Hair::memory_need(asset, {.solver = &solver}).bytes)) {
-    EXPECT_EQ(hair.create(asset, {.solver = &solver}, memory.bytes()), Status::kOk);
-    EXPECT_EQ(hair.reset(0, pose), Status::kOk);
-  }
-  AlignedBytes memory;
-  Hair hair;
-};
-
-struct Resident {
-  std::size_t kind = 0;
-  WorldHead head;
-  std::unique_ptr<Twin> twin;
-};
-
-/// A world, and each of its heads once more alone.
-class Town {
- public:
-  Town(const std::vector<std::unique_ptr<Kind>>& kinds, const WorldDesc& desc)
-      : kinds_(kinds),
-        solver_(*desc.solver),
-        memory_(memory_of(HairWorld::memory_need(desc).bytes)),
-        names_(kinds.size()) {
-    EXPECT_EQ(world.create(desc, memory_.bytes()), Status::kOk);
-  }
-
-  bool is_here(std::size_t kind) const { return world.has(names_[kind]); }
-  std::size_t heads_of(std::size_t kind) const {
-    return std::size_t(std::ranges::count(residents, kind, [](const Resident& one) { return one.kind; }));
-  }
-  Status come(std::size_t kind) { return world.add_asset(kinds_[kind]->asset, names_[kind]); }
-  Status leave(std::size_t kind) { return world.remove_asset(names_[kind]); }
-
-  Status move_in(std::size_t kind, const HeadPose& pose) {
-    Resident one{kind, {}, nullptr};
-    const Status status = world.add_head(names_[kind], pose, one.head);
-    if (status != Status::kOk) return status;
-    one.twin = std::make_unique<Twin>(kinds_[kind]->asset, solver_, pose);
-    residents.push_back(std::move(one));
-    return Status::kOk;
-  }
-  void move_out(std::size_t index) {
-    EXPECT_EQ(world.remove_head(residents[index].head), Status::kOk);
-    EXPECT_FALSE(world.has(residents[index].head));
-    EXPECT_EQ(world.remove_head(residents[index].head), Status::kBadIndex);
-    residents.erase(residents.begin() + std::ptrdiff_t(index));
-  }
-
-  void step(const StepSettings& settings, bool backwards) {
-    ASSERT_EQ(world.begin_step(settings), Status::kOk);
-    const std::uint32_t jobs = world.job_count();
-    for (std::uint32_t job = 0; job < jobs; ++job) world.run_job(backwards ? jobs - 1 - job : job);
-    world.finish_step();
-    for (const Resident& one : residents) ASSERT_EQ(one.twin->hair.step(settings), Status::kOk);
-  }
-
-  /// Heads that are not to the bit as they are alone.
-  [[nodiscard]] int strangers() const {
-    int count = 0;
-    for (const Resident& one : residents) {
-      const auto here = world.palette(one.head), alone = one.twin->hair.palette(0);
-      const bool is_same =
-          here.size() == alone.size() && std::memcmp(here.data(), alone.data(), here.size_bytes()) == 0;
-      count += is_same && world.is_asleep(one.head) == one.twin->hair.is_asleep(0) ? 0 : 1;
-    }
-    return count;
-  }
-
-  HairWorld world;
-  std::vector<Resident> residents;
-
- private:
-  const std::vector<std::unique_ptr<Kind>>& kinds_;
-  const Solver& solver_;
-  AlignedBytes memory_;
-  std::vector<WorldAsset> names_;
-};
-
-std::vector<std::unique_ptr<Kind>> opened(const std::vector<AssetContents>& contents) {
-  std::vector<std::unique_ptr<Kind>> kinds;
-  for (const AssetContents& one : contents) kinds.push_back(std::make_unique<Kind>(one));
-  return kinds;
-}
 
 /// Frames of all lengths, none and too long among them; wind and stiffness change now and then.
 StepSettings settings_of(int frame, Violence& random) {
@@ -241,6 +82,7 @@ void live(const Solver& solver, InstructionSet set, int frames, std::uint32_t se
                     .instruction_set = set});
   Violence random(seed);
   std::mt19937 lot(seed);
+  constexpr JobOrder kOrders[] = {JobOrder::kAscending, JobOrder::kDescending, JobOrder::kTwoThreads};
   int asleep = 0, awake = 0;
   for (int frame = 0; frame < frames; ++frame) {
     move_about(town, kinds.size(), frame, lot);
@@ -248,7 +90,7 @@ void live(const Solver& solver, InstructionSet set, int frames, std::uint32_t se
       const Resident& one = town.residents[i];
       give(order_of(one.head.index, frame, random), town.world, one.head, one.twin->hair);
     }
-    town.step(settings_of(frame, random), frame % 2 == 1);
+    town.step(settings_of(frame, random), kOrders[frame % 3]);
     ASSERT_EQ(town.strangers(), 0) << "frame " << frame << " of " << town.residents.size() << " heads";
     for (const Resident& one : town.residents) (town.world.is_asleep(one.head) ? asleep : awake) += 1;
   }
@@ -264,5 +106,7 @@ TEST(HairWorld, SoItHasUnderTheOtherSolvers) {
   live(kCascadeSolver, InstructionSet::kBest, 100, 6);
   live(kPassiveSolver, InstructionSet::kBest, 60, 7);
 }
+
+TEST(HairWorld, SoItHasInALongLife) { live(kCoifSolver, InstructionSet::kBest, 600, 8); }
 
 }  // namespace coif::hair_world_test

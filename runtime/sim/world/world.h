@@ -5,7 +5,10 @@
 // they are of; a bundle is stepped as a row is (row.h). Heads lie in blocks of sixteen by their *pace*: what their assets say of
 // how a step is made. A head that sleeps leaves its block and bundles, and keeps its numbers itself.
 
-#include "../crowd_step.h"
+#include "../placed_colliders.h"
+#include "../rows.h"
+#include "../solver.h"
+#include "../step_settings.h"
 #include "dense_list.h"
 #include "heap.h"
 

@@ -79,8 +79,8 @@ void number_motions(const Solver& asked, WornAsset& worn) {
 }  // namespace
 
 std::size_t bytes_alone(const Asset& asset, std::uint32_t heads, const Solver& asked) {
-  return WorldHeap::rounded(worn_bytes(asset, asked)) + WorldHeap::rounded(sizeof(ColliderTable)) +
-         bytes_of_chains(asset, heads, asked);
+  const std::size_t table = asset.colliders().empty() ? 0 : WorldHeap::rounded(sizeof(ColliderTable));
+  return WorldHeap::rounded(worn_bytes(asset, asked)) + table + bytes_of_chains(asset, heads, asked);
 }
 
 bool put_on(WorldState& world, WornAsset& worn, const Asset& asset) {
