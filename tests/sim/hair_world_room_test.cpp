@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace coif::hair_world_test {
@@ -156,6 +156,7 @@ TEST(HairWorldRoom, RefusesWhatItCannotBe) {
   EXPECT_EQ(HairWorld::memory_need({.assets = 0}).bytes, 0u);
   EXPECT_EQ(HairWorld::memory_need({.assets = kMaxWorldAssets + 1}).bytes, 0u);
   EXPECT_EQ(HairWorld::memory_need({.heads = 0}).bytes, 0u);
+  EXPECT_EQ(HairWorld::memory_need({.hair_bytes = SIZE_MAX}).bytes, 0u);
   EXPECT_EQ(HairWorld::memory_need({.heads = kMaxInstances + 1}).bytes, 0u);
   for (const Solver* const solver : {static_cast<const Solver*>(nullptr), &kThesisSolver, &kCharacterSolver}) {
     EXPECT_EQ(HairWorld::memory_need({.solver = solver}).bytes, 0u);

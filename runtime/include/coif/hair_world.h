@@ -27,7 +27,7 @@ struct WorldHead {
 struct WorldDesc {
   std::uint32_t assets = 32;  ///< Most that are there at once, 1..kMaxWorldAssets.
   std::uint32_t heads = 128;  ///< The same of heads, of all assets together, 1..kMaxInstances.
-  /// For what assets and heads bring along. HairWorld::bytes_for() says how much that is; where assets of many sizes come and go
+  /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where assets of many sizes come and go
   /// all the time, give a fourth more than their sum, as free memory falls into pieces.
   std::size_t hair_bytes = std::size_t{4} << 20;
   const Solver* solver = &kCoifSolver;  ///< Of all heads: kCoifSolver, kCascadeSolver or kPassiveSolver.

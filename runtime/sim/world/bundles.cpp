@@ -2,6 +2,8 @@
 
 #include "../memory_carver.h"
 
+#include <iterator>
+
 namespace coif {
 namespace {
 
@@ -75,8 +77,8 @@ void repeat_first_lane(const ChainShape& shape, const Bundle& bundle) {
 
 void move_lane(const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
   const LaneArrays source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
-  for (const LaneArray& array : source.all) {
-    copy_lane(array.begin, from.lane, goal.all[&array - source.all].begin, to.lane, array.bytes);
+  for (std::size_t k = 0; k < std::size(source.all); ++k) {
+    copy_lane(source.all[k].begin, from.lane, goal.all[k].begin, to.lane, source.all[k].bytes);
   }
   to.part->head[to.lane] = from.part->head[from.lane];
   to.part->chain[to.lane] = from.part->chain[from.lane];

@@ -10,6 +10,9 @@
 namespace coif {
 namespace {
 
+/// What surrounds them still fits an address.
+constexpr std::size_t kMostHairBytes = SIZE_MAX / 4;
+
 /// A world knows no character and no solver whose bones stretch.
 bool is_known(const Solver* solver) {
   return solver != nullptr && solver->character == nullptr && !solver->keeps_places;
@@ -19,6 +22,7 @@ Status check_desc(const WorldDesc& desc) {
   if (desc.assets < 1 || desc.assets > kMaxWorldAssets || desc.heads < 1 || desc.heads > kMaxInstances) {
     return Status::kBadArgument;
   }
+  if (desc.hair_bytes > kMostHairBytes) return Status::kBadArgument;
   return is_known(desc.solver) && can_run(desc.instruction_set) ? Status::kOk : Status::kBadArgument;
 }
 
@@ -31,7 +35,7 @@ std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, WorldSta
   world.assets = carver.take<WornAsset>(desc.assets);
   world.paces = carver.take<HeadPace>(desc.assets);
   world.heads = carver.take<WornHead>(desc.heads);
-  world.beds = carver.take<WorldBlock>((desc.heads + kLanes - 1) / kLanes);
+  world.sleeping = carver.take<WorldBlock>((desc.heads + kLanes - 1) / kLanes);
   world.steps = carver.take<BundleStep>(bundles);
   world.jobs = carver.take<std::uint32_t>(bundles + 1);
   return carver.take_raw(desc.hair_bytes);
@@ -112,7 +116,7 @@ Status HairWorld::create(const WorldDesc& desc, std::span<std::byte> memory) {
   world.code = head_code(world.set);
   world.keep_in_limit = limit_code(world.set);
   world.keep_few_in_limit = limit_code(world.set_for_few);
-  for (WorldBlock& block : world.beds) {
+  for (WorldBlock& block : world.sleeping) {
     stand_upright(block.heads);
     world.asleep.append(&block);
   }
@@ -126,7 +130,7 @@ Status HairWorld::add_asset(const Asset& asset, WorldAsset& added) {
   if (!asset.is_open()) return Status::kAssetLacksData;
   const FloatEnvironment plain;
   WornAsset* const worn = free_asset(*world_);
-  if (worn == nullptr || !put_on(*world_, *worn, asset)) return Status::kMemoryTooSmall;
+  if (worn == nullptr || !coif::add_asset(*world_, *worn, asset)) return Status::kMemoryTooSmall;
   added = {std::uint32_t(worn - world_->assets.data()), worn->generation};
   return Status::kOk;
 }
@@ -135,7 +139,7 @@ Status HairWorld::remove_asset(WorldAsset asset) {
   WornAsset* const worn = find(world_, asset);
   if (worn == nullptr) return missing(world_);
   if (worn->heads != 0) return Status::kBadArgument;
-  take_off(*world_, *worn);
+  coif::remove_asset(*world_, *worn);
   worn->generation = next_generation(worn->generation);
   return Status::kOk;
 }
@@ -149,7 +153,7 @@ Status HairWorld::add_head(WorldAsset asset, const HeadPose& pose, WorldHead& ad
   if (index == kNone) return Status::kMemoryTooSmall;
   WornHead& head = world_->heads[index];
   const std::uint32_t next = head.next_free;
-  if (!come_in(*world_, asset.index, index, unit)) return Status::kMemoryTooSmall;
+  if (!coif::add_head(*world_, asset.index, index, unit)) return Status::kMemoryTooSmall;
   world_->first_free_head = next;
   head.told = pose;
   added = {index, head.generation};
@@ -159,7 +163,7 @@ Status HairWorld::add_head(WorldAsset asset, const HeadPose& pose, WorldHead& ad
 Status HairWorld::remove_head(WorldHead head) {
   WornHead* const worn = find(world_, head);
   if (worn == nullptr) return missing(world_);
-  go_out(*world_, head.index);
+  coif::remove_head(*world_, head.index);
   worn->generation = next_generation(head.generation);
   worn->next_free = world_->first_free_head;
   world_->first_free_head = head.index;

@@ -27,7 +27,8 @@ std::uint32_t common_features(const Asset& asset, const Solver& solver, const Ch
 
 bool touches_colliders(const Asset& asset, const ChainRecord& chain) {
   const auto bones = asset.bones().subspan(chain.first_bone, chain.bone_count);
-  return std::ranges::any_of(bones, [](const BoneRecord& bone) { return bone.colliders != 0; });
+  return !asset.colliders().empty() &&
+         std::ranges::any_of(bones, [](const BoneRecord& bone) { return bone.colliders != 0; });
 }
 
 /// Bone `i` of the chain, as far as chains have to be alike.
@@ -91,9 +92,7 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   shape.step = shape.solver->row_code(world.set);
   shape.step_few = shape.solver->row_code(world.set_for_few);
   shape.pace = worn.pace;
-  for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
-    pattern[i] = common_bone(asset, *shape.solver, chain, i);
-  }
+  for (std::uint32_t i = 0; i < chain.bone_count; ++i) pattern[i] = common_bone(asset, *shape.solver, chain, i);
   const std::uint32_t features = common_features(asset, *shape.solver, chain);
   shape.twists = (features & kRowTwists) != 0;
   shape.is_bounded = (features & kRowIsBounded) != 0;

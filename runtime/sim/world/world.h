@@ -81,10 +81,9 @@ struct ChainShape {
   HeadPace* pace = nullptr;
   const ColliderTable* colliders = nullptr;  ///< Of those that touch any.
   bool twists = false, is_bounded = false;
-  std::uint32_t users = 0;     ///< Chains of assets,
-  std::uint32_t touching = 0;  ///< and those of them that touch colliders.
-  std::span<const RowBone>
-      bones;  ///< As they are with no lane: parents, slots, and what all lanes must have in common.
+  std::uint32_t users = 0;         ///< Chains of assets,
+  std::uint32_t touching = 0;      ///< and those of them that touch colliders.
+  std::span<const RowBone> bones;  ///< Without any lane: parents, slots, what all lanes have in common.
   DenseList<Bundle> bundles;
 };
 
@@ -138,7 +137,7 @@ struct WorldState {
   std::span<WornAsset> assets;
   std::span<HeadPace> paces;
   std::span<WornHead> heads;
-  std::span<WorldBlock> beds;  ///< Of `asleep`: room for all heads.
+  std::span<WorldBlock> sleeping;  ///< The parts of `asleep`: room for all heads.
   DenseList<WorldBlock> asleep;
   ChainShape* shapes = nullptr;
   ColliderTable* colliders = nullptr;
@@ -178,9 +177,9 @@ void leave_shapes(WorldState& world, const WornAsset& worn);
 /// What an asset and the chains of so many heads take where they share nothing with others; heads come on top.
 [[nodiscard]] std::size_t bytes_alone(const Asset& asset, std::uint32_t heads, const Solver& asked);
 /// False where there is no memory.
-[[nodiscard]] bool put_on(WorldState& world, WornAsset& worn, const Asset& asset);
+[[nodiscard]] bool add_asset(WorldState& world, WornAsset& worn, const Asset& asset);
 /// No head wears it.
-void take_off(WorldState& world, WornAsset& worn);
+void remove_asset(WorldState& world, WornAsset& worn);
 /// Computes the coefficients of all its motions under its pace's terms.
 void renew_motions(const WorldState& world, WornAsset& worn);
 
@@ -204,8 +203,8 @@ void refresh(const WorldState& world, const ChainShape& shape, Bundle& bundle);
 /// What so many heads of one pace take besides their chains' lanes.
 [[nodiscard]] std::size_t head_bytes(const Asset& asset, std::uint32_t heads, const Solver& asked);
 /// False where there is no memory.
-[[nodiscard]] bool come_in(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit);
-void go_out(WorldState& world, std::uint32_t head);
+[[nodiscard]] bool add_head(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit);
+void remove_head(WorldState& world, std::uint32_t head);
 /// Puts the head at its next pose and the hair into its rest pose there, at rest, and renews its matrices.
 void put_to_rest(WorldState& world, WornHead& head);
 void fall_asleep(WorldState& world, std::uint32_t head);
@@ -213,7 +212,7 @@ void wake(WorldState& world, std::uint32_t head);
 /// The hair turned by `by` as if it were rigid.
 void turn_hair(WorldState& world, WornHead& head, const Quat& by);
 
-/// Calls visit(solver, ChainLane) for each chain of a head that is awake.
+/// Calls visit(shape, ChainLane) for each chain of a head that is awake.
 template <typename Visit>
 void for_each_chain(const WorldState& world, const WornHead& head, const Visit& visit) {
   const auto shapes = world.assets[head.asset].shapes;

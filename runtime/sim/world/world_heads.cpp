@@ -128,7 +128,7 @@ std::size_t head_bytes(const Asset& asset, std::uint32_t heads, const Solver& as
          heads * WorldHeap::rounded(own_bytes(asset, kept_floats(asset, asked)));
 }
 
-bool come_in(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit) {
+bool add_head(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit) {
   WornAsset& worn = world.assets[asset];
   const std::size_t bytes = own_bytes(worn.asset, worn.kept_floats);
   std::byte* const memory = world.heap.take(bytes);
@@ -137,23 +137,23 @@ bool come_in(WorldState& world, std::uint32_t asset, std::uint32_t head, const H
     world.heap.give_back(memory, bytes);
     return false;
   }
-  WornHead& come = world.heads[head];
-  come.asset = asset;
-  come.is_asleep = false;
-  come.memory = {memory, bytes};
+  WornHead& added = world.heads[head];
+  added.asset = asset;
+  added.is_asleep = false;
+  added.memory = {memory, bytes};
   MemoryCarver carver(memory);
-  carve(carver, worn.asset, worn.kept_floats, come);
-  come.place = worn.pace->blocks.push();
-  WorldBlock& block = *come.place.part;
-  block.head[come.place.lane] = head;
-  (void)aim_head(block.heads, come.place.lane, unit);  // however far: it is there
+  carve(carver, worn.asset, worn.kept_floats, added);
+  added.place = worn.pace->blocks.push();
+  WorldBlock& block = *added.place.part;
+  block.head[added.place.lane] = head;
+  (void)aim_head(block.heads, added.place.lane, unit);  // however far: it is there
   push_chains(world, head);
-  put_to_rest(world, come);
+  put_to_rest(world, added);
   ++worn.heads;
   return true;
 }
 
-void go_out(WorldState& world, std::uint32_t head) {
+void remove_head(WorldState& world, std::uint32_t head) {
   WornHead& gone = world.heads[head];
   WornAsset& worn = world.assets[gone.asset];
   if (!gone.is_asleep) pop_chains(world, head);

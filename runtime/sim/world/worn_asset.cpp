@@ -83,7 +83,7 @@ std::size_t bytes_alone(const Asset& asset, std::uint32_t heads, const Solver& a
   return WorldHeap::rounded(worn_bytes(asset, asked)) + table + bytes_of_chains(asset, heads, asked);
 }
 
-bool put_on(WorldState& world, WornAsset& worn, const Asset& asset) {
+bool add_asset(WorldState& world, WornAsset& worn, const Asset& asset) {
   const std::size_t bytes = worn_bytes(asset, *world.solver);
   std::byte* const memory = world.heap.take(bytes);
   if (memory == nullptr) return false;
@@ -99,11 +99,11 @@ bool put_on(WorldState& world, WornAsset& worn, const Asset& asset) {
   worn.kept_floats = kept_floats(asset, *world.solver);
   worn.pace = &join_pace(world, asset);
   const bool is_on = join_colliders(world, worn) && join_shapes(world, worn);
-  if (!is_on) take_off(world, worn);
+  if (!is_on) remove_asset(world, worn);
   return is_on;
 }
 
-void take_off(WorldState& world, WornAsset& worn) {
+void remove_asset(WorldState& world, WornAsset& worn) {
   leave_shapes(world, worn);
   leave_colliders(world, worn);
   --worn.pace->users;
