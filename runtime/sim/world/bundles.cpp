@@ -2,8 +2,6 @@
 
 #include "../memory_carver.h"
 
-#include <iterator>
-
 namespace coif {
 namespace {
 
@@ -54,8 +52,9 @@ struct LaneArray {
   std::size_t bytes = 0;
 };
 
+constexpr std::size_t kArrays = 5;
 struct LaneArrays {
-  LaneArray all[5];
+  LaneArray all[kArrays];
 };
 
 LaneArrays arrays_of(const ChainShape& shape, const Bundle& bundle) {
@@ -77,7 +76,7 @@ void repeat_first_lane(const ChainShape& shape, const Bundle& bundle) {
 
 void move_lane(const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
   const LaneArrays source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
-  for (std::size_t k = 0; k < std::size(source.all); ++k) {
+  for (std::size_t k = 0; k < kArrays; ++k) {
     copy_lane(source.all[k].begin, from.lane, goal.all[k].begin, to.lane, source.all[k].bytes);
   }
   to.part->head[to.lane] = from.part->head[from.lane];

@@ -41,6 +41,18 @@ std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, WorldSta
   return carver.take_raw(desc.hair_bytes);
 }
 
+/// `narrower` where the processor has it, else `set`.
+InstructionSet narrowed(InstructionSet set, InstructionSet narrower) { return can_run(narrower) ? narrower : set; }
+
+void choose_code(WorldState& world, InstructionSet set) {
+  using enum InstructionSet;
+  world.sets[2] = set;
+  world.sets[1] = set == kAvx512 ? narrowed(set, kAvx2) : set;
+  world.sets[0] = set == kAvx512 || set == kAvx2 ? narrowed(world.sets[1], kSse4) : set;
+  world.code = head_code(set);
+  for (std::uint32_t w = 0; w < kWidths; ++w) world.keep_in_limit[w] = limit_code(world.sets[w]);
+}
+
 /// A free place to come to; null where there is none.
 WornAsset* free_asset(WorldState& world) {
   for (WornAsset& worn : world.assets) {
@@ -110,12 +122,7 @@ Status HairWorld::create(const WorldDesc& desc, std::span<std::byte> memory) {
   WorldState& world = carver.take<WorldState>(1)[0];
   world.heap = WorldHeap(carve(carver, desc, world));
   world.solver = desc.solver;
-  world.set = desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set;
-  const bool has_narrower = world.set == InstructionSet::kAvx512 && can_run(InstructionSet::kAvx2);
-  world.set_for_few = has_narrower ? InstructionSet::kAvx2 : world.set;
-  world.code = head_code(world.set);
-  world.keep_in_limit = limit_code(world.set);
-  world.keep_few_in_limit = limit_code(world.set_for_few);
+  choose_code(world, desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set);
   for (WorldBlock& block : world.sleeping) {
     stand_upright(block.heads);
     world.asleep.append(&block);

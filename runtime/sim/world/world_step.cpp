@@ -127,12 +127,12 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   }
   MoveLanes move;
   Lanes4 carried;
-  const bool has_few = bundle.count <= kFewLanes;
+  const std::uint32_t width = width_for(bundle.count);
   RowStep row;
   row.bones = {bundle.bones, shape.bones.size()};
   row.constants = bundle.constants;
   row.limits = bundle.limits;
-  row.keep_in_limit = has_few ? world.keep_few_in_limit : world.keep_in_limit;
+  row.keep_in_limit = world.keep_in_limit[width];
   row.coefficients = bundle.coefficients;
   row.state = bundle.state;
   row.twist = bundle.twist;
@@ -142,13 +142,12 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   row.dt = parts.part_dt();
   row.colliders = shape.touching == 0 ? nullptr : &shape.colliders->placed;
   row.motion = &bundle.motion;
-  RowFunction* const step_row = has_few ? shape.step_few : shape.step;
   for (std::uint32_t part = 0; part < parts.count; ++part) {
     world.code.move(lanes.heads, lanes.step, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_lanes(shape, bundle, carried);
     bundle.motion = Lanes{};
     row.palette = part + 1 == parts.count ? palettes : nullptr;
-    step_row(row);
+    shape.steps[width](row);
   }
 }
 
