@@ -107,6 +107,26 @@ TEST(HairWorld, SoItHasUnderTheOtherSolvers) {
   live(kPassiveSolver, InstructionSet::kBest, 60, 7);
 }
 
+TEST(HairWorld, SoItHasWhereAChainMovesBeforeItsFirstStep) {
+  // More heads than a bundle has lanes; the last one, of an asset that has not been stepped yet, takes the place of one that leaves.
+  std::vector<AssetContents> contents;
+  for (const float stiffness : {50.0f, 90.0f}) {
+    TestRig rig;
+    rig.add_strand(3, {.rest_direction = {0, -0.8f, -0.6f}, .length = 0.1f, .stiffness = stiffness, .damping = 4});
+    contents.push_back(rig.contents());
+  }
+  const auto kinds = opened(contents);
+  Town town(kinds, {.assets = 2, .heads = 20});
+  ASSERT_EQ(town.come(0), Status::kOk);
+  for (int i = 0; i < 17; ++i) ASSERT_EQ(town.move_in(0, {}), Status::kOk);
+  town.step({});
+  ASSERT_EQ(town.come(1), Status::kOk);
+  ASSERT_EQ(town.move_in(1, {}), Status::kOk);
+  town.move_out(0);
+  for (int frame = 0; frame < 3; ++frame) town.step({});
+  EXPECT_EQ(town.strangers(), 0);
+}
+
 TEST(HairWorld, SoItHasInALongLife) { live(kCoifSolver, InstructionSet::kBest, 600, 8); }
 
 }  // namespace coif::hair_world_test
