@@ -3,7 +3,6 @@
 #include "../head_lanes.h"
 
 #include <bit>
-#include <cstring>
 
 namespace coif {
 namespace {
@@ -80,8 +79,11 @@ void share_out(WorldState& world) {
 
 /// The heads of a bundle's lanes, side by side: what HeadCode::move() reads of them.
 struct LaneHeads {
-  const HeadPace* pace = nullptr;  ///< Null: none have been gathered.
-  std::uint32_t head[kLanes];      ///< Of lanes that are not in use the first one's: they compute along.
+  LaneHeads() {
+    for (std::uint32_t& none : head) none = kNone;
+  }
+
+  std::uint32_t head[kLanes];
   HeadLanes heads;
   HeadStepLanes step;
 };
@@ -99,15 +101,15 @@ void gather_head(const WorldBlock& block, std::uint32_t i, LaneHeads& to, std::u
   set_lane(to.step.next_angular_velocity, k, lane(block.step.next_angular_velocity, i));
 }
 
-/// Nothing where they are those of the last bundle: long hair has many on one head.
-void gather_heads(const WorldState& world, const HeadPace& pace, const Bundle& bundle, LaneHeads& lanes) {
-  std::uint32_t head[kLanes];
-  for (std::uint32_t k = 0; k < kLanes; ++k) head[k] = bundle.head[k < bundle.count ? k : 0];
-  if (lanes.pace == &pace && std::memcmp(lanes.head, head, sizeof(head)) == 0) return;
-  lanes.pace = &pace;
+/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those that are not in use compute along with any.
+void gather_heads(const WorldState& world, const Bundle& bundle, LaneHeads& lanes) {
   for (std::uint32_t k = 0; k < kLanes; ++k) {
-    const auto& place = world.heads[head[k]].place;
-    lanes.head[k] = head[k];
+    const bool is_used = k < bundle.count;
+    if (!is_used && lanes.head[k] != kNone) continue;
+    const std::uint32_t head = bundle.head[is_used ? k : 0];
+    if (head == lanes.head[k]) continue;
+    lanes.head[k] = head;
+    const auto& place = world.heads[head].place;
     gather_head(*place.part, place.lane, lanes, k);
   }
 }
@@ -119,7 +121,7 @@ void turn_lanes(const ChainShape& shape, Bundle& bundle, const Lanes4& by) {
 void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle, LaneHeads& lanes) {
   refresh(world, shape, bundle);
   const StepParts& parts = shape.pace->parts;
-  gather_heads(world, *shape.pace, bundle, lanes);
+  gather_heads(world, bundle, lanes);
   Mat34* palettes[kLanes];  // of lanes in use
   for (std::uint32_t i = 0; i < bundle.count; ++i) {
     const WornHead& head = world.heads[bundle.head[i]];
