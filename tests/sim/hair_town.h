@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace coif::hair_world_test {
+namespace coif::hair_town {
 
 inline TestRig passive_strands(std::uint32_t strands, int bones, float substep_rate) {
   TestRig rig;
@@ -183,4 +183,4 @@ inline std::vector<std::unique_ptr<Kind>> opened(const std::vector<AssetContents
   return kinds;
 }
 
-}  // namespace coif::hair_world_test
+}  // namespace coif::hair_town

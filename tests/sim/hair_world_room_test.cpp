@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace coif::hair_world_test {
+namespace coif::hair_world_room_test {
+
+using namespace hair_town;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -189,4 +191,4 @@ TEST(HairWorldRoom, AnEmptyWorldTakesSteps) {
   EXPECT_EQ(world.step({}), Status::kNotCreated);
 }
 
-}  // namespace coif::hair_world_test
+}  // namespace coif::hair_world_room_test

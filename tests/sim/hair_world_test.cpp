@@ -8,6 +8,8 @@
 
 namespace coif::hair_world_test {
 
+using namespace hair_town;
+
 /// Frames of all lengths, none and too long among them; wind and stiffness change now and then.
 StepSettings settings_of(int frame, Violence& random) {
   StepSettings settings{.dt = float(random.between(0.012, 0.04))};

@@ -27,24 +27,25 @@ struct WorldHead {
 struct WorldDesc {
   std::uint32_t assets = 32;  ///< Most that are there at once, 1..kMaxWorldAssets.
   std::uint32_t heads = 128;  ///< The same of heads, of all assets together, 1..kMaxInstances.
-  /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where assets of many sizes come and go
-  /// all the time, give a fourth more than their sum, as free memory falls into pieces.
+  /// For what assets and heads bring along, up to SIZE_MAX / 4. HairWorld::bytes_for() says how much that is; where assets of many sizes come
+  /// and go all the time, free memory falls into pieces: give more than their sum, and be ready for kMemoryTooSmall.
   std::size_t hair_bytes = std::size_t{4} << 20;
   const Solver* solver = &kCoifSolver;  ///< Of all heads: kCoifSolver, kCascadeSolver or kPassiveSolver.
-  InstructionSet instruction_set = InstructionSet::kBest;  ///< As HairDesc's.
+  InstructionSet instruction_set = InstructionSet::kBest;  ///< As HairDesc's; few lanes are stepped by narrower ones.
 };
 
 struct WorldState;
 
 /// Heads with hair of many assets, which come and go while a game runs, stepped together: chains of equal shape stand side by side
-/// whatever asset and head they are of, so forty heads of twenty assets cost about as much as forty of one. Where there are many heads of one
-/// asset and no other, a Hair costs less.
+/// whatever asset and head they are of. Forty heads of fifteen assets take about half of the time of a Hair for each asset (tests/bench); many
+/// heads of one asset take less in a Hair.
 ///
 /// Each head has the same bits, in every step, as it has in a Hair of its asset alone that is told the same: whatever else is
 /// there, comes and goes, on every instruction set, and in every order of jobs.
 ///
-/// Allocates nothing: the caller gives memory once. Not thread safe but for run_job(). What Hair has and this has not: characters,
-/// links, levels of detail and intervals, gusts, air of single heads, pushes, sets of dynamics, settling, saved states.
+/// Allocates nothing: the caller gives memory once. Not thread safe but for run_job(). What Hair has and this has not: kThesisSolver,
+/// characters, links, levels of detail and intervals, gusts, air of single heads, pushes, sets of dynamics, settling, saved states, bone
+/// ends. It has no functions in C.
 class COIF_API HairWorld {
  public:
   HairWorld() = default;

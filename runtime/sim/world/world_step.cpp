@@ -118,38 +118,44 @@ void turn_lanes(const ChainShape& shape, Bundle& bundle, const Lanes4& by) {
   for (std::uint32_t i = 0; i < bundle.count; ++i) shape.solver->turn(chain_lane(shape, {&bundle, i}), lane(by, i));
 }
 
-void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle, LaneHeads& lanes) {
-  refresh(world, shape, bundle);
-  const StepParts& parts = shape.pace->parts;
-  gather_heads(world, bundle, lanes);
-  Mat34* palettes[kLanes];  // of lanes in use
-  for (std::uint32_t i = 0; i < bundle.count; ++i) {
-    const WornHead& head = world.heads[bundle.head[i]];
-    palettes[i] = &head.palette[world.assets[head.asset].asset.chains()[bundle.chain[i]].first_bone];
-  }
-  MoveLanes move;
-  Lanes4 carried;
-  const std::uint32_t width = width_for(bundle.count);
+/// All of it but where matrices go, and whose.
+RowStep row_step(const WorldState& world, const ChainShape& shape, Bundle& bundle, const MoveLanes& move) {
   RowStep row;
   row.bones = {bundle.bones, shape.bones.size()};
   row.constants = bundle.constants;
   row.limits = bundle.limits;
-  row.keep_in_limit = world.keep_in_limit[width];
+  row.keep_in_limit = world.keep_in_limit[width_for(bundle.count)];
   row.coefficients = bundle.coefficients;
   row.state = bundle.state;
   row.twist = bundle.twist;
   row.scratch = bundle.scratch;
   row.lanes = bundle.count;
   row.move = &move;
-  row.dt = parts.part_dt();
+  row.dt = shape.pace->parts.part_dt();
   row.colliders = shape.touching == 0 ? nullptr : &shape.colliders->placed;
   row.motion = &bundle.motion;
+  return row;
+}
+
+void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle, LaneHeads& lanes) {
+  refresh(world, shape, bundle);
+  gather_heads(world, bundle, lanes);
+  Mat34* palettes[kLanes];  // of lanes in use
+  for (std::uint32_t i = 0; i < bundle.count; ++i) {
+    const WornHead& head = world.heads[bundle.head[i]];
+    palettes[i] = &head.palette[world.assets[head.asset].asset.chains()[bundle.chain[i]].first_bone];
+  }
+  const StepParts& parts = shape.pace->parts;
+  RowFunction* const step = shape.steps[width_for(bundle.count)];
+  MoveLanes move;
+  Lanes4 carried;
+  RowStep row = row_step(world, shape, bundle, move);
   for (std::uint32_t part = 0; part < parts.count; ++part) {
     world.code.move(lanes.heads, lanes.step, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_lanes(shape, bundle, carried);
     bundle.motion = Lanes{};
     row.palette = part + 1 == parts.count ? palettes : nullptr;
-    shape.steps[width](row);
+    step(row);
   }
 }
 
