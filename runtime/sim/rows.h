@@ -51,6 +51,11 @@ void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::s
 /// Fills BoneLanes::carried of one lane, for those that ask for it: the passive model, and links.
 void find_carried(std::span<const RowBone> bones, std::uint32_t lane, BoneLanes* constants);
 
+/// By a LimitRecord.
+[[nodiscard]] inline bool is_bounded(const Asset& asset, std::uint32_t bone) {
+  return !asset.limits().empty() && asset.limits()[bone].kind != LimitKind::kUnlimited;
+}
+
 /// Of a bone in its chain; -1 for one that hangs from a rigid bone.
 [[nodiscard]] std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecord& chain,
                                            std::uint32_t i);

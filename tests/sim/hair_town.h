@@ -68,6 +68,13 @@ inline std::vector<AssetContents> many_kinds() {
   }
   for (BoneRecord& bone : crowded.bones) bone.colliders = bone.chain == kNone ? 0 : 0x1FFFFFFF;
   kinds.push_back(crowded.contents());
+  TestRig half = passive_strands(4, 2, 0);  // some chains have limits, and all hang in gaps between colliders
+  half.model = ChainModel::kCascade;
+  for (const std::uint32_t bone : {1u, 2u, 5u}) half.limit(bone, LimitKind::kCone, 0.1f);
+  for (int i = 0; i < 6; ++i)
+    half.add_sphere({0.02f * float(i) - 0.03f, -0.08f - 0.02f * float(i), -0.2f + 0.03f * float(i % 3)}, 0.06f);
+  for (DynamicsRecord& bone : half.dynamics) bone.hit_radius = 0.02f;
+  kinds.push_back(half.contents());
   kinds.push_back(TestRig().contents());
   return kinds;
 }

@@ -7,15 +7,13 @@
 namespace coif {
 namespace {
 
-/// Of RowFeature: what all chains of a bundle have in common, since a lane computes other bits beside one that has them. (A bone without
-/// a limit meets its colliders in fewer rounds.)
+/// Of RowFeature: what all chains of a bundle have in common, since a lane computes other bits beside one that has them; see rows.cpp.
 constexpr std::uint32_t kInCommon = kRowTwists | kRowIsBounded;
 
 std::uint32_t common_features(const Asset& asset, const Solver& solver, std::uint32_t bone) {
   std::uint32_t features = features_of(asset.bones()[bone], asset.dynamics()[bone]) & kRowTwists;
   if (!solver.carries_frames) features = 0;
-  const bool is_bounded = !asset.limits().empty() && asset.limits()[bone].kind != LimitKind::kUnlimited;
-  return is_bounded ? features | kRowIsBounded : features;
+  return is_bounded(asset, bone) ? features | kRowIsBounded : features;
 }
 
 /// Of any of its bones.
