@@ -32,50 +32,77 @@ inline TestRig passive_strands(std::uint32_t strands, int bones, float substep_r
   return rig;
 }
 
+inline TestRig limited_strands() {
+  TestRig rig = passive_strands(3, 3, 0);
+  rig.add_sphere({0, 0, 0}, 0.1f);
+  for (std::uint32_t bone = 1; bone < rig.bones.size(); ++bone) {
+    rig.limit(bone, LimitKind::kCone, 0.2f + 0.05f * float(bone));
+  }
+  return rig;
+}
+
+/// Some chains have limits, and all hang in gaps between colliders.
+inline TestRig half_limited_strands() {
+  TestRig rig = passive_strands(4, 2, 0);
+  rig.model = ChainModel::kCascade;
+  for (const std::uint32_t bone : {1u, 2u, 5u}) rig.limit(bone, LimitKind::kCone, 0.1f);
+  for (int i = 0; i < 6; ++i) {
+    rig.add_sphere({0.02f * float(i) - 0.03f, -0.08f - 0.02f * float(i), -0.2f + 0.03f * float(i % 3)}, 0.06f);
+  }
+  for (DynamicsRecord& bone : rig.dynamics) bone.hit_radius = 0.02f;
+  return rig;
+}
+
+/// With a capsule and air that rubs, where nine_bone_rig() has a sphere alone.
+inline TestRig other_nine_bones() {
+  TestRig rig = nine_bone_rig();
+  rig.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.04f);
+  for (DynamicsRecord& bone : rig.dynamics) bone.friction = 1.5f;
+  return rig;
+}
+
+inline TestRig soft_strands() {
+  TestRig rig = passive_strands(5, 3, 90);
+  rig.add_sphere({0, 0, 0}, 0.1f);
+  rig.add_plane({0, -0.3f, 0}, {0, 1, 0});
+  return rig;
+}
+
+/// So many colliders that those of hardly another asset fit beside them.
+inline TestRig crowded_nine_bones() {
+  TestRig rig = nine_bone_rig();
+  while (rig.colliders.size() < kMaxColliders - 3) {
+    const float place = 0.02f * float(rig.colliders.size());
+    rig.add_sphere({0.3f - place, -0.1f - 0.3f * place, -0.1f}, 0.03f);
+  }
+  for (BoneRecord& bone : rig.bones) bone.colliders = bone.chain == kNone ? 0 : 0x1FFFFFFF;
+  return rig;
+}
+
+inline TestRig tuned_features() {
+  TestRig rig = feature_rig();
+  rig.levels.clear();
+  rig.substep_rate = 90;
+  return rig;
+}
+
+inline AssetContents mixed_strands() {
+  AssetContents mixed = passive_strands(4, 3, 0).contents();
+  mixed.chains[1].model = mixed.chains[2].model = ChainModel::kCascade;
+  mixed.skeleton.air_lag = 0.5f;
+  return mixed;
+}
+
 /// Hair of every kind: both models, twisting and not, bounded and not, with few and with many colliders, tuned for several rates, without any
 /// chain. Several have chains of one shape.
 inline std::vector<AssetContents> many_kinds() {
   std::vector<AssetContents> kinds;
-  kinds.push_back(feature_rig().contents());
-  TestRig tuned = feature_rig();
-  tuned.levels.clear();
-  tuned.substep_rate = 90;
-  kinds.push_back(tuned.contents());
-  kinds.push_back(nine_bone_rig().contents());
-  TestRig other = nine_bone_rig();
-  other.add_capsule({-0.1f, -0.2f, -0.1f}, {0.1f, -0.2f, -0.1f}, 0.04f);
-  for (DynamicsRecord& bone : other.dynamics) bone.friction = 1.5f;
-  kinds.push_back(other.contents());
-  TestRig limited = passive_strands(3, 3, 0);
-  limited.add_sphere({0, 0, 0}, 0.1f);
-  for (std::uint32_t bone = 1; bone < limited.bones.size(); ++bone) {
-    limited.limit(bone, LimitKind::kCone, 0.2f + 0.05f * float(bone));
+  for (const TestRig& rig :
+       {feature_rig(), tuned_features(), nine_bone_rig(), other_nine_bones(), crowded_nine_bones(), limited_strands(),
+        half_limited_strands(), soft_strands(), passive_strands(2, 12, 90), TestRig()}) {
+    kinds.push_back(rig.contents());
   }
-  kinds.push_back(limited.contents());
-  TestRig soft = passive_strands(5, 3, 90);
-  soft.add_sphere({0, 0, 0}, 0.1f);
-  soft.add_plane({0, -0.3f, 0}, {0, 1, 0});
-  kinds.push_back(soft.contents());
-  kinds.push_back(passive_strands(2, 12, 90).contents());
-  AssetContents mixed = passive_strands(4, 3, 0).contents();
-  mixed.chains[1].model = mixed.chains[2].model = ChainModel::kCascade;
-  mixed.skeleton.air_lag = 0.5f;
-  kinds.push_back(mixed);
-  TestRig crowded = nine_bone_rig();
-  while (crowded.colliders.size() < kMaxColliders - 3) {
-    const float place = 0.02f * float(crowded.colliders.size());
-    crowded.add_sphere({0.3f - place, -0.1f - 0.3f * place, -0.1f}, 0.03f);
-  }
-  for (BoneRecord& bone : crowded.bones) bone.colliders = bone.chain == kNone ? 0 : 0x1FFFFFFF;
-  kinds.push_back(crowded.contents());
-  TestRig half = passive_strands(4, 2, 0);  // some chains have limits, and all hang in gaps between colliders
-  half.model = ChainModel::kCascade;
-  for (const std::uint32_t bone : {1u, 2u, 5u}) half.limit(bone, LimitKind::kCone, 0.1f);
-  for (int i = 0; i < 6; ++i)
-    half.add_sphere({0.02f * float(i) - 0.03f, -0.08f - 0.02f * float(i), -0.2f + 0.03f * float(i % 3)}, 0.06f);
-  for (DynamicsRecord& bone : half.dynamics) bone.hit_radius = 0.02f;
-  kinds.push_back(half.contents());
-  kinds.push_back(TestRig().contents());
+  kinds.push_back(mixed_strands());
   return kinds;
 }
 
