@@ -1,28 +1,10 @@
 #include "crowd_step.h"
-#include "vector_math.h"
+#include "head_lanes.h"
 
 #include <bit>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace coif {
-namespace {
-
-bool is_within(float value, float low, float high) { return value >= low && value <= high; }
-
-Status check_environment(const Environment& environment) {
-  if (!is_finite(environment.gravity) || !is_finite(environment.wind)) return Status::kBadArgument;
-  return is_within(environment.air_follow, 0.0f, 1.0f) ? Status::kOk : Status::kBadArgument;
-}
-
-}  // namespace
-
-bool rests_under_both(const StepSettings& a, const StepSettings& b) {
-  return a.environment.gravity == b.environment.gravity && a.environment.wind == b.environment.wind &&
-         same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
-}
-
 namespace {
 
 void wake_all(CrowdState& crowd) {
@@ -41,75 +23,11 @@ void take_up_intervals(CrowdState& crowd) {
   }
 }
 
-/// Seconds; below, velocities would not fit a float. Such a step passes for one of no time.
-constexpr float kShortestStep = 1e-9f;
-
-/// A frame that is longer by rounding is not worth another part.
-float parts_of_tuning(const Asset& asset, float dt) {
-  return asset.tuning() != nullptr ? std::ceil(dt * asset.tuning()->substep_rate - 1e-3f) : 0.0f;
-}
-
-float smaller(float a, float b) { return b < a ? b : a; }
-
-std::uint32_t in_range(float parts) {
-  return parts < 1.0f ? 1 : parts < float(kMaxSubsteps) ? std::uint32_t(parts) : kMaxSubsteps;
-}
-
 /// The last frames together.
-struct Span {
-  float dt = 0;      ///< Seconds.
-  float steady = 0;  ///< Without what any of them has beyond kMaxTimeStep: what work is measured by.
-};
-
-Span last_frames(const CrowdState& crowd, std::uint32_t count) {
-  Span span;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    span.dt += crowd.last_dts[i];
-    span.steady += smaller(crowd.last_dts[i], kMaxTimeStep);
-  }
+FrameSpan last_frames(const CrowdState& crowd, std::uint32_t count) {
+  FrameSpan span;
+  for (std::uint32_t i = 0; i < count; ++i) add_frame(span, crowd.last_dts[i]);
   return span;
-}
-
-/// A frame that stalled has no more parts than one of kMaxTimeStep, or games that are late would become later.
-std::uint32_t substeps_for(const CrowdState& crowd, const StepSettings& settings, const Span& span) {
-  // What several frames make up, or one that stalled, may be longer than may be computed at once.
-  const float least = std::ceil(smaller(span.dt, kLongestStep) / kMaxTimeStep - 1e-3f);
-  if (!crowd.has_substeps) return span.steady < span.dt ? in_range(least) : 1;
-  float parts = parts_of_tuning(crowd.asset, span.steady);
-  if (settings.substeps != 0) {
-    parts = float(settings.substeps) * std::ceil(span.steady / smaller(settings.dt, kMaxTimeStep) - 1e-3f);
-  }
-  return in_range(parts < least ? least : parts);
-}
-
-StepParts parts_of(const CrowdState& crowd, const StepSettings& settings, const Span& span) {
-  const Environment& environment = settings.environment;
-  StepParts parts;
-  parts.dt = smaller(span.dt, kLongestStep);
-  parts.carried = span.dt > kLongestStep ? 1.0f - kLongestStep / span.dt : 0.0f;
-  parts.has_stalled = span.steady < span.dt;
-  parts.count = substeps_for(crowd, settings, span);
-  parts.gravity = environment.gravity;
-  parts.wind = environment.wind;
-  parts.air_follow = environment.air_follow * (1.0f - crowd.asset.skeleton().air_lag);
-  parts.inertia = settings.inertia;
-  parts.teleport_distance2 = settings.teleport_distance * settings.teleport_distance;
-  parts.teleport_angle2 = settings.teleport_angle * settings.teleport_angle;
-  return parts;
-}
-
-/// As the solver reads it.
-DynamicsRecord dynamics_for(const Solver& solver, const Asset& asset, std::uint32_t bone) {
-  DynamicsRecord dynamics = asset.dynamics()[bone];
-  if (solver.reads_asked && !asset.asked().empty()) dynamics.friction = asset.asked()[bone].friction;
-  return dynamics;
-}
-
-/// True where the two bones of the asset move alike.
-bool alike(const Solver& solver, const Asset& asset, std::uint32_t a, std::uint32_t b) {
-  const DynamicsRecord one = dynamics_for(solver, asset, a), other = dynamics_for(solver, asset, b);
-  return one.stiffness == other.stiffness && one.damping == other.damping && one.friction == other.friction &&
-         one.gravity_scale == other.gravity_scale && asset.bones()[a].length == asset.bones()[b].length;
 }
 
 /// One bone of a row, all lanes. Neighbours often move alike, and then are computed once.
@@ -121,7 +39,7 @@ void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, c
     to.begin = lane;
     to.end = lane + 1;
     const auto is_alike = [&](std::uint32_t other) {
-      return alike(*row.solver, crowd.asset, bone, bone_in_lane(crowd.asset, row, i, other));
+      return move_alike(*row.solver, crowd.asset, bone, bone_in_lane(crowd.asset, row, i, other));
     };
     while (to.end < kLanes && is_alike(to.end)) ++to.end;
     const DynamicsRecord dynamics = dynamics_for(*row.solver, crowd.asset, bone);
@@ -132,7 +50,7 @@ void set_bone_coefficients(CrowdState& crowd, const Row& row, std::uint32_t i, c
 /// True where bone `i` of both rows, which one solver moves, moves alike in every lane.
 bool alike(const Asset& asset, const Row& a, const Row& b, std::uint32_t i) {
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    if (!alike(*a.solver, asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
+    if (!move_alike(*a.solver, asset, bone_in_lane(asset, a, i, lane), bone_in_lane(asset, b, i, lane))) return false;
   }
   return true;
 }
@@ -175,15 +93,12 @@ DynamicsScale scale_of(const CrowdState& crowd, std::uint32_t set, const Dynamic
 void renew_interval(CrowdState& crowd, std::uint32_t power, const StepSettings& settings) {
   IntervalStep& interval = crowd.intervals[power];
   if (interval.due_sets == 0) return;
-  interval.parts = parts_of(crowd, settings, last_frames(crowd, 1u << power));
+  const StepPace pace = pace_of(crowd.asset, crowd.has_substeps);
+  interval.parts = parts_of(pace, settings, last_frames(crowd, 1u << power));
   for (std::uint32_t left = interval.due_sets; left != 0; left &= left - 1) {
     const auto set = std::uint32_t(std::countr_zero(left));
     renew_coefficients(crowd, power, set, scale_of(crowd, set, settings.dynamics));
   }
-}
-
-bool is_still(const HeadLanes& heads, std::uint32_t i) {
-  return lane(heads.way, i) == Vec3{} && lane(heads.rotation, i) == lane(heads.next_rotation, i);
 }
 
 /// In no time nothing moves: a head with another pose than before was put there.
@@ -208,25 +123,6 @@ void choose_blocks(CrowdState& crowd) {
 }
 
 }  // namespace
-
-bool fits(const DynamicsScale& scale) {
-  return is_within(scale.stiffness, 0.0f, kMostScale) && is_within(scale.damping, 0.0f, kMostScale) &&
-         is_within(scale.friction, 0.0f, kMostScale);
-}
-
-Status check_settings(const StepSettings& settings) {
-  if (!is_within(settings.dt, 0.0f, std::numeric_limits<float>::max())) return Status::kBadTimeStep;
-  if (settings.iterations < 1 || settings.iterations > kMaxIterations) return Status::kBadArgument;
-  if (settings.substeps > kMaxSubsteps) return Status::kBadArgument;
-  if (!fits(settings.dynamics) || !is_within(settings.inertia, 0.0f, 1.0f)) return Status::kBadArgument;
-  if (!(settings.teleport_distance >= 0.0f && settings.teleport_angle >= 0.0f)) return Status::kBadArgument;
-  if (!(settings.sleep_after >= 0.0f && settings.sleep_speed >= 0.0f)) return Status::kBadArgument;
-  return check_environment(settings.environment);
-}
-
-std::uint32_t tuned_substeps(const Asset& asset, float dt) {
-  return in_range(parts_of_tuning(asset, smaller(dt, kMaxTimeStep)));
-}
 
 void begin_step(CrowdState& crowd, const StepSettings& settings) {
   if (crowd.step_index != 0 && !rests_under_both(crowd.settings, settings)) wake_all(crowd);

@@ -22,8 +22,10 @@ struct Hanging {
   }
 };
 
-/// Fills BoneLanes::carried of a lane, from the tips upwards. On the way no more sums are open than bones are on the way down.
-void find_carried_of(std::span<const RowBone> bones, std::uint32_t lane, std::span<BoneLanes> constants) {
+}  // namespace
+
+/// From the tips upwards. On the way no more sums are open than bones are on the way down.
+void find_carried(std::span<const RowBone> bones, std::uint32_t lane, BoneLanes* constants) {
   Hanging from_start[kMaxOpenBones];
   for (std::size_t i = bones.size(); i-- > 0;) {
     const RowBone& bone = bones[i];
@@ -46,12 +48,6 @@ void find_carried_of(std::span<const RowBone> bones, std::uint32_t lane, std::sp
     const Vec3 above = coif::lane(constants[std::size_t(bone.parent)].joint, lane);
     from_start[bone.parent_slot].add(all, start, above);
   }
-}
-
-}  // namespace
-
-void find_carried(std::span<const RowBone> bones, std::span<BoneLanes> constants) {
-  for (std::uint32_t lane = 0; lane < kLanes; ++lane) find_carried_of(bones, lane, constants);
 }
 
 }  // namespace coif

@@ -44,9 +44,9 @@ void carve(MemoryCarver& carver, const Asset& asset, std::uint32_t rows, std::ui
 void number_row(CrowdState& crowd, std::uint32_t r) {
   const Row& row = crowd.rows[r];
   crowd.links.row_places[r] = crowd.links.row_count++;
-  if (row.solver->complete_row != nullptr) return;  // which has done it
-  find_carried(crowd.row_bones.subspan(row.first_bone, row.bone_count),
-               crowd.constants.subspan(row.first_bone, row.bone_count));
+  if (row.solver->complete_lane != nullptr) return;  // which has done it
+  const auto bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) find_carried(bones, lane, &crowd.constants[row.first_bone]);
 }
 
 /// Rows and chains in the order of the rows.

@@ -12,14 +12,16 @@ const Solver kPassive{.state_bytes = sizeof(PassiveState),
                       .has_substeps = true,
                       .character = &kCharacterCode,
                       .row_code = &character_passive_code,
-                      .complete_row = &find_carried,
+                      .complete_lane = &find_carried,
                       .set_coefficients = &passive::set_coefficients,
                       .put_to_rest = &passive::put_to_rest,
                       .turn = &passive::turn,
                       .calm = &passive::calm,
                       .tails = &tails_of_palette};
 
-const Solver* solver_of(ChainModel model) { return model == ChainModel::kPassive ? &kPassive : &kCharacterCascadeSolver; }
+const Solver* solver_of(ChainModel model) {
+  return model == ChainModel::kPassive ? &kPassive : &kCharacterCascadeSolver;
+}
 
 }  // namespace
 

@@ -1,21 +1,12 @@
 #include "crowd.h"
 
-#include "vector_math.h"
+#include "head_lanes.h"
 
 namespace coif {
 
 void stand_still(CrowdState& crowd, std::uint32_t slot) {
   if (crowd.character.code != nullptr) crowd.character.code->appear(crowd, slot);
-  HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
-  const std::uint32_t i = slot % kLanes;
-  set_lane(heads.rotation, i, lane(heads.next_rotation, i));
-  for (Lanes3* const vector :
-       {&heads.way, &heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
-    set_lane(*vector, i, Vec3{});
-  }
-  heads.is_told.v[i] = 0.0f;
-  heads.last_dt.v[i] = 0.0f;
-  heads.quiet.v[i] = 0.0f;
+  stop_head(crowd.blocks[slot / kLanes].heads, slot % kLanes);
 }
 
 void put_to_rest(CrowdState& crowd, std::uint32_t slot) {
@@ -54,19 +45,7 @@ void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) {
 }
 
 void jump(CrowdState& crowd, std::uint32_t slot, float dt) {
-  HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
-  const std::uint32_t i = slot % kLanes;
-  const Quat now = lane(heads.rotation, i);
-  const Quat expected = rotation_by(lane(heads.angular_velocity, i) * dt) * now;
-  const Quat turn = renormalised(lane(heads.next_rotation, i) * conjugate(expected));
-  const auto turn_lane = [&](Lanes3& velocity) { set_lane(velocity, i, rotate(turn, lane(velocity, i))); };
-  for (Lanes3* const velocity : {&heads.velocity, &heads.angular_velocity}) turn_lane(*velocity);
-  if (heads.is_told.v[i] == 0.0f) {
-    for (Lanes3* const velocity : {&heads.mean_velocity, &heads.mean_angular_velocity}) turn_lane(*velocity);
-  }
-  set_lane(heads.rotation, i, renormalised(turn * now));
-  set_lane(heads.way, i, lane(heads.velocity, i) * dt);
-  turn_hair(crowd, slot, turn);
+  turn_hair(crowd, slot, jump_head(crowd.blocks[slot / kLanes].heads, slot % kLanes, dt));
 }
 
 }  // namespace coif

@@ -3,21 +3,9 @@
 // no idle lanes and no branches between its lanes.
 
 #include "crowd.h"
+#include "step_settings.h"
 
 namespace coif {
-
-/// kOk where a step may be made with these, whatever the asset; else kBadTimeStep or kBadArgument.
-[[nodiscard]] Status check_settings(const StepSettings& settings);
-
-/// Whether all factors are in their range.
-[[nodiscard]] bool fits(const DynamicsScale& scale);
-
-[[nodiscard]] inline bool same(const DynamicsScale& a, const DynamicsScale& b) {
-  return a.stiffness == b.stiffness && a.damping == b.damping && a.friction == b.friction;
-}
-
-/// False where hair at rest under the one would move under the other.
-[[nodiscard]] bool rests_under_both(const StepSettings& a, const StepSettings& b);
 
 /// Chooses the blocks to step and computes what they have in common. `settings` have been checked.
 void begin_step(CrowdState& crowd, const StepSettings& settings);
@@ -52,7 +40,9 @@ void take_up_interval(CrowdState& crowd, std::uint32_t instance);
 void fill_blocks(CrowdState& crowd);
 
 /// What HairDesc and Detail may ask for: 1, 2 or 4, which are 2 to the power 0, 1 and 2.
-[[nodiscard]] inline bool is_interval(std::uint32_t interval) { return interval == 1 || interval == 2 || interval == 4; }
+[[nodiscard]] inline bool is_interval(std::uint32_t interval) {
+  return interval == 1 || interval == 2 || interval == 4;
+}
 [[nodiscard]] inline std::uint32_t power_of(std::uint32_t interval) { return interval / 2; }
 
 /// Ends the sleep of an instance: it has to be at rest for the whole time again before the next.

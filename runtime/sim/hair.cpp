@@ -2,8 +2,8 @@
 
 #include "crowd_step.h"
 #include "float_environment.h"
+#include "head_lanes.h"
 #include "memory_carver.h"
-#include "vector_math.h"
 
 #include <cstdint>
 
@@ -115,11 +115,7 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
     if (!crowd.links.chains.empty()) crowd.links.code = desc.links;
   }
   fill_blocks(crowd);
-  for (Block& block : crowd.blocks) {
-    for (float& w : block.heads.rotation.w.v) w = 1.0f;
-    for (float& w : block.heads.next_rotation.w.v) w = 1.0f;
-    for (float& per_scale : block.heads.per_scale.v) per_scale = 1.0f;
-  }
+  for (Block& block : crowd.blocks) stand_upright(block.heads);
   for (const std::uint32_t slot : crowd.slots) put_to_rest(crowd, slot);
   put_idle_lanes_to_rest(crowd);
   crowd_ = &crowd;

@@ -13,6 +13,8 @@ void set_angle(float radians, float widest, float widest_cosine, std::uint32_t l
   sine.v[lane] = is_none ? 1.0f + widest_cosine : float(angle.sine);
 }
 
+}  // namespace
+
 /// A hinge is a spherical limit whose second angle is 0, and so is a cone that leaves nothing: only locks stop both ways.
 void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) {
   const float first = limit.kind == LimitKind::kUnlimited ? kNoAngleLimit : limit.angles[0];
@@ -25,8 +27,6 @@ void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes) 
   set_lane(lanes.axes.y, lane, axes.y);
   set_lane(lanes.axes.z, lane, axes.z);
 }
-
-}  // namespace
 
 void set_limits(const Asset& asset, std::span<const Row> rows, std::span<RowBone> bones, std::span<LimitLanes> limits) {
   for (const Row& row : rows) {

@@ -29,6 +29,14 @@ class MemoryCarver {
     return {first, std::size_t(count)};
   }
 
+  /// Bytes that are not touched; empty while counting.
+  std::span<std::byte> take_raw(std::uint64_t bytes) {
+    used_ = (used_ + kAlignment - 1) / kAlignment * kAlignment;
+    const std::uint64_t begin = used_;
+    used_ += bytes;
+    return base_ == nullptr ? std::span<std::byte>{} : std::span(base_ + begin, std::size_t(bytes));
+  }
+
   /// Bytes taken, padding between arrays included.
   [[nodiscard]] std::uint64_t used() const { return used_; }
 

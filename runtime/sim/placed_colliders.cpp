@@ -42,7 +42,7 @@ void bound(PlacedCollider& placed) {
   placed.farthest = is_endless ? 3e18f : (length(placed.bound_center) + placed.bound_radius) * kBoundMargin;
 }
 
-PlacedCollider place(const ColliderRecord& record) {
+PlacedCollider placed(const ColliderRecord& record) {
   PlacedCollider placed;
   placed.shape = record.shape;
   placed.keeps_inside = (record.flags & kColliderKeepsInside) != 0;
@@ -70,10 +70,12 @@ void complete(PlacedCollider& placed) {
 }
 
 PlacedColliders::PlacedColliders(std::span<const ColliderRecord> colliders) {
-  for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {
-    ::new (static_cast<void*>(&placed_[i])) PlacedCollider(place(colliders[i]));
-    existing_ |= 1u << i;
-  }
+  for (std::uint32_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) place(i, colliders[i]);
+}
+
+void PlacedColliders::place(std::uint32_t i, const ColliderRecord& collider) {
+  ::new (static_cast<void*>(&placed_[i])) PlacedCollider(placed(collider));
+  existing_ |= 1u << i;
 }
 
 }  // namespace coif

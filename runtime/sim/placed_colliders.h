@@ -58,7 +58,10 @@ class PlacedColliders {
   /// At most kMaxColliders.
   explicit PlacedColliders(std::span<const ColliderRecord> colliders);
 
-  /// `i` below the number given.
+  /// Puts a collider at place `i`, below kMaxColliders.
+  void place(std::uint32_t i, const ColliderRecord& collider);
+
+  /// `i` of one that has been placed.
   const PlacedCollider& operator[](std::uint32_t i) const { return placed_[i]; }
 
   /// Metres from the head's position within which each of `set` lies, whatever way the head is turned; infinite for

@@ -6,21 +6,27 @@
 namespace coif {
 namespace {
 
-/// Of a bone in its chain; -1 for one that hangs from a rigid bone.
+bool twists(const DynamicsRecord& dynamics) { return dynamics.torsion < kShortestArc; }
+
+}  // namespace
+
 std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecord& chain, std::uint32_t i) {
   const std::uint32_t parent = bones[chain.first_bone + i].parent;
   return parent >= chain.first_bone && parent != kNone ? std::int32_t(parent - chain.first_bone) : -1;
 }
 
-bool twists(const DynamicsRecord& dynamics) { return dynamics.torsion < kShortestArc; }
+namespace {
 
-/// Of one solver and the same bones, which either twist in both or in neither: a bone that has no twist computes other bits
-/// beside one that has. All other features compute zeros where they are not wanted.
+/// Of one solver and the same bones, each of which in both twists or in neither, and in both is bounded or in neither: a bone that has no
+/// twist computes other bits beside one that has, and one without a limit meets its colliders in fewer rounds. All other features compute
+/// zeros where they are not wanted.
 bool fit_in_one_row(const Asset& asset, const Solver& solver, const ChainRecord& a, const ChainRecord& b) {
   if (a.bone_count != b.bone_count || &solver_for(solver, a) != &solver_for(solver, b)) return false;
   for (std::uint32_t i = 0; i < a.bone_count; ++i) {
+    const std::uint32_t one = a.first_bone + i, other = b.first_bone + i;
     if (parent_in_chain(asset.bones(), a, i) != parent_in_chain(asset.bones(), b, i)) return false;
-    if (twists(asset.dynamics()[a.first_bone + i]) != twists(asset.dynamics()[b.first_bone + i])) return false;
+    if (twists(asset.dynamics()[one]) != twists(asset.dynamics()[other])) return false;
+    if (is_bounded(asset, one) != is_bounded(asset, other)) return false;
   }
   return true;
 }
@@ -40,6 +46,8 @@ void for_each_row(const Asset& asset, const Solver& solver, LaneOrder order, con
     first += count;
   }
 }
+
+}  // namespace
 
 /// Gives each bone with children the first slot that no bone with children still to come holds. Sixteen suffice: open()
 /// has checked it.
@@ -72,6 +80,8 @@ std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics
   if (dynamics.lean[0] != 0.0f || dynamics.lean[1] != 0.0f) features |= kRowLeans;
   return features;
 }
+
+namespace {
 
 std::uint32_t existing_colliders(const Asset& asset) {
   const std::size_t count = asset.colliders().size();
@@ -106,6 +116,19 @@ void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, B
   lanes.levels[lane] = levels_of(asset, bone);
 }
 
+}  // namespace
+
+void add_bone(const Asset& asset, std::uint32_t bone, std::uint32_t lane, RowBone& shape, BoneLanes& constants) {
+  const std::uint8_t levels = levels_of(asset, bone);
+  set_constants(asset, bone, lane, constants);
+  shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
+  shape.colliders |= constants.colliders[lane];
+  if (levels < shape.fewest_levels) shape.fewest_levels = levels;
+  if (levels > shape.most_levels) shape.most_levels = levels;
+}
+
+namespace {
+
 /// One bone of a row. Lanes without a chain repeat the first: they compute along and are not stored.
 void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& shape, BoneLanes& constants) {
   shape = RowBone{};
@@ -113,13 +136,7 @@ void make_bone(const Asset& asset, const Row& row, std::uint32_t i, RowBone& sha
   if (shape.parent < 0) shape.features |= kRowHangsFromHead;
   shape.fewest_levels = kMaxLods;
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    const std::uint32_t bone = bone_in_lane(asset, row, i, lane);
-    const std::uint8_t levels = levels_of(asset, bone);
-    set_constants(asset, bone, lane, constants);
-    shape.features |= features_of(asset.bones()[bone], asset.dynamics()[bone]);
-    shape.colliders |= constants.colliders[lane];
-    if (levels < shape.fewest_levels) shape.fewest_levels = levels;
-    if (levels > shape.most_levels) shape.most_levels = levels;
+    add_bone(asset, bone_in_lane(asset, row, i, lane), lane, shape, constants);
   }
   if (shape.colliders == 0) shape.features &= ~std::uint32_t(kRowCollides);
 }
@@ -164,7 +181,9 @@ void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::s
     }
     const auto of_row = bones.subspan(next_bone, row.bone_count);
     assign_slots(of_row);
-    if (row.solver->complete_row != nullptr) row.solver->complete_row(of_row, constants.subspan(next_bone, row.bone_count));
+    for (std::uint32_t lane = 0; row.solver->complete_lane != nullptr && lane < kLanes; ++lane) {
+      row.solver->complete_lane(of_row, lane, &constants[next_bone]);
+    }
     next_bone += row.bone_count;
   });
 }

@@ -48,8 +48,29 @@ struct RowCount {
 void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::span<Row> rows, std::span<RowBone> bones,
                std::span<BoneLanes> constants);
 
-/// Fills BoneLanes::carried of a row, for those that ask for it: the passive model, and links.
-void find_carried(std::span<const RowBone> bones, std::span<BoneLanes> constants);
+/// Fills BoneLanes::carried of one lane, for those that ask for it: the passive model, and links.
+void find_carried(std::span<const RowBone> bones, std::uint32_t lane, BoneLanes* constants);
+
+/// By a LimitRecord.
+[[nodiscard]] inline bool is_bounded(const Asset& asset, std::uint32_t bone) {
+  return !asset.limits().empty() && asset.limits()[bone].kind != LimitKind::kUnlimited;
+}
+
+/// Of a bone in its chain; -1 for one that hangs from a rigid bone.
+[[nodiscard]] std::int32_t parent_in_chain(std::span<const BoneRecord> bones, const ChainRecord& chain,
+                                           std::uint32_t i);
+
+/// What bones leave for their children, and where; RowBone::parent is known.
+void assign_slots(std::span<RowBone> bones);
+
+/// Writes a bone of the asset into a lane of a row, and adds what it asks for to `shape`.
+void add_bone(const Asset& asset, std::uint32_t bone, std::uint32_t lane, RowBone& shape, BoneLanes& constants);
+
+/// What a bone asks of its row; of RowFeature, without those that follow from its place in the chain.
+[[nodiscard]] std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics);
+
+/// Writes what bounds a bone into a lane.
+void set_limit(const LimitRecord& limit, std::uint32_t lane, LimitLanes& lanes);
 
 /// Fills LimitLanes, which lie as `bones`, and says which of these are bounded. `asset` has limits.
 void set_limits(const Asset& asset, std::span<const Row> rows, std::span<RowBone> bones, std::span<LimitLanes> limits);

@@ -86,8 +86,8 @@ struct Solver {
   bool reads_asked = false;  ///< Friction as the artist asked for, whatever the chain was given to have one motion.
 
   RowFunction* (*row_code)(InstructionSet set) = nullptr;
-  /// Fills what only this solver asks of a row's constants; null: nothing.
-  void (*complete_row)(std::span<const RowBone> bones, std::span<BoneLanes> constants) = nullptr;
+  /// Fills what only this solver asks of a lane of a row's constants; null: nothing.
+  void (*complete_lane)(std::span<const RowBone> bones, std::uint32_t lane, BoneLanes* constants) = nullptr;
   void (*set_coefficients)(const StepTerms& terms, const DynamicsRecord& dynamics, float length,
                            const CoefficientLanes& to) = nullptr;
   /// The rest pose under a head with this rotation, at rest.

@@ -1,11 +1,8 @@
 #include "crowd_step.h"
-#include "vector_math.h"
+#include "head_lanes.h"
 
 namespace coif {
 namespace {
-
-/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
-constexpr float kFastest2 = 9e16f;
 
 /// One block on its way through a step.
 struct BlockStep {
@@ -19,14 +16,9 @@ struct BlockStep {
   Lanes motion;           ///< See RowStep; of each head.
 };
 
-/// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by
-/// with the hair as it is.
+/// Through what comes before what is simulated.
 void carry_along(BlockStep& step, std::uint32_t i) {
-  HeadLanes& heads = step.block.heads;
-  const float share = step.interval.parts.carried;
-  const Quat by = rotation_by(lane(step.heads.turn, i) * share);
-  set_lane(heads.rotation, i, renormalised(by * lane(heads.rotation, i)));
-  set_lane(heads.way, i, lane(heads.way, i) * (1.0f - share));
+  const Quat by = carry_head(step.block.heads, i, step.interval.parts.carried, lane(step.heads.turn, i));
   turn_hair(step.crowd, step.index * kLanes + i, by);
 }
 
@@ -161,20 +153,6 @@ void run_parts(BlockStep& step) {
   }
 }
 
-/// How long a head and its hair have been at rest.
-void watch_rest(BlockStep& step, std::uint32_t i, float motion) {
-  const StepSettings& settings = step.crowd.settings;
-  HeadLanes& heads = step.block.heads;
-  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
-  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i],
-             turning = lane(heads.mean_angular_velocity, i);
-  const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
-  const float still2 = settings.sleep_speed * settings.sleep_speed;
-  const bool is_quiet = motion <= still2 && head <= still2;
-  heads.quiet.v[i] = is_quiet ? heads.quiet.v[i] + step.interval.parts.dt : 0.0f;
-  if (heads.quiet.v[i] >= settings.sleep_after) step.block.may_sleep |= std::uint16_t(1u << i);
-}
-
 }  // namespace
 
 void step_block(CrowdState& crowd, std::uint32_t index) {
@@ -195,8 +173,8 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
     const bool is_lost = ((block.is_lost >> i) & 1u) != 0;
     if (is_lost || !(motion < kFastest2)) {
       put_to_rest(crowd, index * kLanes + i);
-    } else {
-      watch_rest(step, i, motion);
+    } else if (watch_rest(block.heads, i, motion, step.interval.parts.dt, crowd.settings)) {
+      block.may_sleep = std::uint16_t(block.may_sleep | 1u << i);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <string>
 
 namespace coif {
@@ -56,6 +57,8 @@ int main(int argc, char** argv) {
   coif::add_varying_frames();
   coif::add_crowd_sizes();
   coif::add_sleep_benchmark(10'000);
+  const char* const cooked = std::getenv("BENCH_ASSETS");
+  coif::add_mix_benchmarks(cooked != nullptr ? cooked : COIF_BENCH_SAMPLES);
   coif::add_load_benchmarks(COIF_BENCH_SAMPLES);
   coif::add_skin_benchmarks();
   coif::add_renderer_benchmarks();

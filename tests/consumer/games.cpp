@@ -42,6 +42,19 @@ int main() {
   return hair.create(asset, desc, {}) == coif::Status::kAssetLacksData && hair.step({}) != coif::Status::kOk ? 0 : 1;
 }
 
+#elif defined GAME_step_world
+// A game with many hair styles, a few heads of each.
+#include <coif/hair_world.h>
+
+int main() {
+  coif::HairWorld world;
+  const coif::WorldDesc desc{.heads = 0, .solver = &coif::kCascadeSolver};
+  coif::WorldAsset none;
+  const bool is_refused = world.create(desc, {}) == coif::Status::kBadArgument;
+  const bool has_none = world.add_asset(coif::Asset(), none) != coif::Status::kOk;
+  return is_refused && has_none && world.step({}) != coif::Status::kOk ? 0 : 1;
+}
+
 #elif defined GAME_step_character
 // A game whose hair, all of one model, is on characters.
 #include <coif/hair.h>

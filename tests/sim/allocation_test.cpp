@@ -3,6 +3,8 @@
 #include "models/counted_allocations.h"
 #include "models/test_rig.h"
 
+#include <coif/hair_world.h>
+
 #include <gtest/gtest.h>
 
 
@@ -58,6 +60,28 @@ TEST(Allocation, HairNeverAllocates) {
       EXPECT_TRUE(ok);
     }
   }
+}
+
+TEST(Allocation, HairWorldNeverAllocates) {
+  AlignedBytes file(write_asset(nine_bone_rig().contents()));
+  AlignedBytes memory{std::vector<std::byte>(8 << 20)};
+  const std::size_t before = allocations;
+  Asset asset;
+  HairWorld world;
+  WorldAsset worn;
+  WorldHead heads[20];
+  bool ok = bool(asset.open(file.bytes())) && world.create({.assets = 2, .heads = 20}, memory.bytes()) == Status::kOk;
+  ok = ok && world.add_asset(asset, worn) == Status::kOk;
+  for (std::uint32_t frame = 0; frame < 400; ++frame) {
+    WorldHead& head = heads[frame % 20];
+    if (world.has(head)) ok = ok && world.remove_head(head) == Status::kOk;
+    ok = ok && world.add_head(worn, {}, head) == Status::kOk;
+    const HeadPose pose{{0, 1.7, 0.1 * frame}, {}};
+    for (const WorldHead one : heads) ok = ok && (!world.has(one) || world.set_head(one, pose) == Status::kOk);
+    ok = ok && world.step({.sleep_after = 0.1f, .sleep_speed = 0.1f}) == Status::kOk;
+  }
+  EXPECT_EQ(allocations, before);
+  EXPECT_TRUE(ok);
 }
 
 }  // namespace coif::allocation_test

@@ -135,4 +135,31 @@ TEST(LimitsAmongOthers, DoNotBindTheThesisSolver) {
   EXPECT_TRUE(same_bits(violent_ends(rig, {.solver = &kThesisSolver}), violent_ends(free, {.solver = &kThesisSolver})));
 }
 
+TEST(LimitsAmongOthers, ChangeNothingOfChainsBesideThemThatHaveNone) {
+  // Bones in a gap between colliders, where a bone with a limit gets more rounds to agree with all of them.
+  TestRig rig;
+  for (int i = 0; i < 4; ++i) {
+    rig.add_strand(2, {.joint = {0.02f * float(i), 0, -0.09f},
+                       .rest_direction = {0, -0.8f, -0.6f},
+                       .length = 0.15f,
+                       .hit_radius = 0.02f,
+                       .stiffness = 60 + 20 * float(i),
+                       .damping = 5,
+                       .torsion = kShortestArc});
+  }
+  for (int i = 0; i < 6; ++i) {
+    rig.add_sphere({0.02f * float(i) - 0.03f, -0.08f - 0.02f * float(i), -0.2f + 0.03f * float(i % 3)}, 0.06f);
+  }
+  for (const std::uint32_t bone : {1u, 2u, 5u}) rig.limit(bone, LimitKind::kCone, 0.1f);
+  TestHair alone(rig, 1), among(rig, 20);  // rows of all chains of a head, and of one chain of many heads
+  for (int frame = 0; frame < 60; ++frame) {
+    for (TestHair* const test : {&alone, &among}) {
+      ASSERT_EQ(test->hair.set_head(0, wander(frame / 20.0)), Status::kOk);
+      ASSERT_EQ(test->hair.step(at_rate(60)), Status::kOk);
+    }
+    const auto one = alone.hair.palette(0), other = among.hair.palette(0);
+    ASSERT_EQ(std::memcmp(one.data(), other.data(), one.size_bytes()), 0) << frame;
+  }
+}
+
 }  // namespace coif::limits_test

@@ -1,0 +1,121 @@
+#pragma once
+// What happens to one head of a block of sixteen, whoever keeps the blocks: a crowd of one asset, or a world of many.
+
+#include "lanes/lane_layout.h"
+#include "vector_math.h"
+
+#include <coif/bit_cast.h>
+#include <coif/hair.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace coif {
+
+/// A head that stands is told where it stands in every frame, and most of a crowd may stand: what was told before is known
+/// by its bits, before anything is computed.
+inline bool is_told_again(const HeadPose* poses, const HeadPose* told, std::size_t count) {
+  return std::memcmp(poses, told, count * sizeof(HeadPose)) == 0;
+}
+
+/// What was told came with a velocity: the same pose without one says something else. The bits are no host's.
+inline void forget_told(HeadPose& told) { told.position[0] = bit_cast<double>(std::uint64_t{0x7FF8'C01F'C01F'C01F}); }
+
+/// Heads at the identity pose, at rest. `heads` are zeros.
+inline void stand_upright(HeadLanes& heads) {
+  for (float& w : heads.rotation.w.v) w = 1.0f;
+  for (float& w : heads.next_rotation.w.v) w = 1.0f;
+  for (float& per_scale : heads.per_scale.v) per_scale = 1.0f;
+}
+
+/// What has been set replaces what was set before; the way is counted from where the last step left the head. False where it
+/// is too far for single precision.
+inline bool aim_head(HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
+  HeadPose from;
+  for (int axis = 0; axis < 3; ++axis) from.position[axis] = heads.next_position[axis][i];
+  Vec3 way;
+  const bool is_near = displacement(from, unit, way);
+  set_lane(heads.way, i, lane(heads.way, i) + way);
+  set_lane(heads.next_rotation, i, unit.rotation);
+  heads.per_scale.v[i] = 1.0f / unit.scale;
+  for (int axis = 0; axis < 3; ++axis) heads.next_position[axis][i] = unit.position[axis];
+  return is_near;
+}
+
+/// True where the head is at this pose and was told nothing else.
+inline bool stays(const HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
+  return lane(heads.rotation, i) == unit.rotation && heads.per_scale.v[i] == 1.0f / unit.scale &&
+         heads.next_position[0][i] == unit.position[0] && heads.next_position[1][i] == unit.position[1] &&
+         heads.next_position[2][i] == unit.position[2];
+}
+
+/// `velocity` may be null: nothing is told.
+inline void tell_velocity(HeadLanes& heads, std::uint32_t i, const HeadVelocity* velocity) {
+  // Who takes back what was told finds the mean before gone.
+  if (velocity == nullptr && heads.is_told.v[i] != 0.0f) heads.last_dt.v[i] = 0.0f;
+  heads.is_told.v[i] = velocity != nullptr ? 1.0f : 0.0f;
+  if (velocity == nullptr) return;
+  set_lane(heads.mean_velocity, i, velocity->linear);
+  set_lane(heads.mean_angular_velocity, i, velocity->angular);
+}
+
+/// The head is at its next pose, at rest.
+inline void stop_head(HeadLanes& heads, std::uint32_t i) {
+  set_lane(heads.rotation, i, lane(heads.next_rotation, i));
+  for (Lanes3* const vector :
+       {&heads.way, &heads.velocity, &heads.angular_velocity, &heads.mean_velocity, &heads.mean_angular_velocity}) {
+    set_lane(*vector, i, Vec3{});
+  }
+  heads.is_told.v[i] = 0.0f;
+  heads.last_dt.v[i] = 0.0f;
+  heads.quiet.v[i] = 0.0f;
+}
+
+/// Puts the head, without a way there, where it has to be to arrive at its next pose in `dt` seconds if it goes on as it did, in its
+/// own new directions. Returns by what its hair has to be turned.
+inline Quat jump_head(HeadLanes& heads, std::uint32_t i, float dt) {
+  const Quat now = lane(heads.rotation, i);
+  const Quat expected = rotation_by(lane(heads.angular_velocity, i) * dt) * now;
+  const Quat turn = renormalised(lane(heads.next_rotation, i) * conjugate(expected));
+  const auto turn_lane = [&](Lanes3& velocity) { set_lane(velocity, i, rotate(turn, lane(velocity, i))); };
+  for (Lanes3* const velocity : {&heads.velocity, &heads.angular_velocity}) turn_lane(*velocity);
+  if (heads.is_told.v[i] == 0.0f) {
+    for (Lanes3* const velocity : {&heads.mean_velocity, &heads.mean_angular_velocity}) turn_lane(*velocity);
+  }
+  set_lane(heads.rotation, i, renormalised(turn * now));
+  set_lane(heads.way, i, lane(heads.velocity, i) * dt);
+  return turn;
+}
+
+/// A frame took longer than is simulated. The head does not stop for it: the share of its way that comes before goes by
+/// with the hair as it is. `turn` is that of the whole step. Returns by what the hair has to be turned.
+inline Quat carry_head(HeadLanes& heads, std::uint32_t i, float share, const Vec3& turn) {
+  const Quat by = rotation_by(turn * share);
+  set_lane(heads.rotation, i, renormalised(by * lane(heads.rotation, i)));
+  set_lane(heads.way, i, lane(heads.way, i) * (1.0f - share));
+  return by;
+}
+
+/// False for a head that moves, though no step has seen it yet.
+inline bool is_still(const HeadLanes& heads, std::uint32_t i) {
+  return lane(heads.way, i) == Vec3{} && lane(heads.rotation, i) == lane(heads.next_rotation, i);
+}
+
+/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
+inline constexpr float kFastest2 = 9e16f;
+
+/// After a step of `dt` seconds in which the hair's tips moved by `motion`, (m/s)^2: counts how long head and hair have been at rest.
+/// Returns whether that is long enough to sleep.
+inline bool watch_rest(HeadLanes& heads, std::uint32_t i, float motion, float dt, const StepSettings& settings) {
+  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
+  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i],
+             turning = lane(heads.mean_angular_velocity, i);
+  const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
+  const float still2 = settings.sleep_speed * settings.sleep_speed;
+  const bool is_quiet = motion <= still2 && head <= still2;
+  heads.quiet.v[i] = is_quiet ? heads.quiet.v[i] + dt : 0.0f;
+  return heads.quiet.v[i] >= settings.sleep_after;
+}
+
+}  // namespace coif

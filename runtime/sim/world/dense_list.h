@@ -1,0 +1,78 @@
+#pragma once
+
+#include "../lanes/lane_layout.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace coif {
+
+/// Parts of sixteen lanes in a chain, of which the first lanes are in use, without a hole. There is room for all members, of
+/// which some may be elsewhere (asleep): to come back costs no memory. `Part` has `previous`, `next` and `count`.
+template <typename Part>
+struct DenseList {
+  struct Place {
+    Part* part = nullptr;
+    std::uint32_t lane = 0;
+  };
+
+  /// The next free lane, which is in use from now on. There is room.
+  Place push() {
+    if (tip == nullptr) {
+      tip = first;
+    } else if (tip->count == kLanes) {
+      tip = tip->next;
+    }
+    return {tip, tip->count++};
+  }
+  /// The last lane in use.
+  [[nodiscard]] Place back() const { return {tip, tip->count - 1}; }
+  void pop() {
+    if (--tip->count == 0) tip = tip->previous;
+  }
+  [[nodiscard]] bool is_used() const { return tip != nullptr; }
+
+  /// True where one more member needs one more part.
+  [[nodiscard]] bool is_full() const { return members == parts * kLanes; }
+  void append(Part* part) {
+    part->previous = last;
+    part->next = nullptr;
+    (last != nullptr ? last->next : first) = part;
+    last = part;
+    ++parts;
+  }
+  /// The last part, taken out of the list, where the members have room without it; it is not in use. Else null.
+  Part* take_spare() {
+    if (parts == 0 || members > (parts - 1) * kLanes) return nullptr;
+    Part* const spare = last;
+    last = spare->previous;
+    (last != nullptr ? last->next : first) = nullptr;
+    --parts;
+    return spare;
+  }
+
+  Part* first = nullptr;
+  Part* last = nullptr;
+  Part* tip = nullptr;  ///< The last part in use.
+  std::uint32_t parts = 0;
+  std::uint32_t members = 0;
+};
+
+/// Copies a lane of `bytes` bytes of numbers that lie sixteen side by side, whatever they are.
+inline void copy_lane(const void* from, std::uint32_t i, void* to, std::uint32_t k, std::size_t bytes) {
+  const auto* const source = static_cast<const unsigned char*>(from) + i * sizeof(float);
+  auto* const goal = static_cast<unsigned char*>(to) + k * sizeof(float);
+  for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(goal + at, source + at, sizeof(float));
+}
+
+/// The same to a plain array, a number for every sixteen, and back.
+inline void copy_lane_out(const void* from, std::uint32_t i, float* to, std::size_t bytes) {
+  const auto* const source = static_cast<const unsigned char*>(from) + i * sizeof(float);
+  for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(to++, source + at, sizeof(float));
+}
+inline void copy_lane_in(const float* from, void* to, std::uint32_t k, std::size_t bytes) {
+  auto* const goal = static_cast<unsigned char*>(to) + k * sizeof(float);
+  for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) std::memcpy(goal + at, from++, sizeof(float));
+}
+
+}  // namespace coif
