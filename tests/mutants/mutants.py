@@ -84,6 +84,9 @@ def failed_tests(work, tests, number):
 
 
 def main():
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        print(__doc__)
+        return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
     work = pathlib.Path(sys.argv[1]).resolve()
     here = pathlib.Path(__file__).resolve()
     project = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else here.parents[2]
