@@ -20,7 +20,7 @@ draw() { # NAME FILE, then what else is asked of `coif render`
   "$coif" render "$work/$name.coif" "$@" --size 360x400 --view 35,5 -o "$work/$name.png"
 }
 draw bob hair/mh_bob01/bob01.obj
-draw ponytail hair/mh_ponytail01/ponytail01_skinned.glb
+draw ponytail hair/mh_ponytail01/ponytail01.obj
 draw braid hair/mh_braid01/braid01.obj
 draw strands groom/amd_ponytail/ponytail_lines.obj
 draw low_poly hair/quaternius_witch/Witch.glb --body "$assets/hair/quaternius_witch/Witch.glb"

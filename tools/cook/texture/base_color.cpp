@@ -178,9 +178,6 @@ bool is_colourless(const BaseColor& color) {
   return !color.image && rgb.maxCoeff() - rgb.minCoeff() < 0.05f * rgb.maxCoeff() && rgb.minCoeff() > 0.1f;
 }
 
-/// glTF's default, where a file says no colour; whoever paints hair white stays below it.
-bool is_plain_white(const BaseColor& color) { return color.factor.head<3>().minCoeff() > 0.999f; }
-
 bool names_color(const Recipe& recipe) {
   return std::ranges::any_of(std::span(recipe.base_color).first<3>(), [](double c) { return c != 1; });
 }
@@ -228,8 +225,7 @@ tl::expected<BaseColor, ToolError> find_base_color(const SourceModel& source, Ha
   } else {
     SourceImages images(source);
     color = from_materials(source, images, recipe, hair, findings);
-    const bool says_nothing = is_colourless(color) && (is_plain_white(color) || !says_what_it_lacks(source));
-    if (says_nothing && !names_color(recipe)) dye(color, findings);
+    if (is_colourless(color) && !says_what_it_lacks(source) && !names_color(recipe)) dye(color, findings);
     findings.append(images.findings());
     color.files = images.files();
     color.questions = images.questions();
