@@ -2,8 +2,6 @@
 
 #include "../memory_carver.h"
 
-#include <algorithm>
-
 namespace coif {
 namespace {
 
@@ -24,9 +22,9 @@ std::uint32_t common_features(const Asset& asset, const Solver& solver, const Ch
 }
 
 bool touches_colliders(const Asset& asset, const ChainRecord& chain) {
-  const auto bones = asset.bones().subspan(chain.first_bone, chain.bone_count);
-  return !asset.colliders().empty() &&
-         std::ranges::any_of(bones, [](const BoneRecord& bone) { return bone.colliders != 0; });
+  std::uint32_t colliders = 0;
+  for (const BoneRecord& bone : asset.bones().subspan(chain.first_bone, chain.bone_count)) colliders |= bone.colliders;
+  return colliders != 0 && !asset.colliders().empty();
 }
 
 /// Bone `i` of the chain, as far as chains have to be alike.
