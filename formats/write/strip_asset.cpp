@@ -75,12 +75,22 @@ class Stripper {
         break;
       case chunk::kPatches: out.resize(loses(chunk::kLods) ? asset_.lod_patches(0).size_bytes() : out.size()); break;
       case chunk::kIndices: out.resize(loses(chunk::kLods) ? asset_.lod_indices(0).size_bytes() : out.size()); break;
+      case chunk::kVertices:
+        out.resize(loses(chunk::kLods) ? finest_vertices() * sizeof(VertexRecord) : out.size());
+        break;
+      case chunk::kSkin: out.resize(loses(chunk::kLods) ? finest_vertices() * sizeof(SkinRecord) : out.size()); break;
       case chunk::kOrders:
         if (loses(chunk::kLods)) keep_finest_level(out);
         break;
       default: break;
     }
     return out;
+  }
+
+  /// How many there are up to the last that the level draws: a cook puts those that only coarser levels draw behind them.
+  [[nodiscard]] std::size_t finest_vertices() const {
+    const auto indices = asset_.lod_indices(0);
+    return indices.empty() ? asset_.vertices().size() : std::size_t(std::ranges::max(indices)) + 1;
   }
 
   /// The level's part of each draw order.

@@ -131,6 +131,16 @@ TEST(Strip, OnlyTheFinestLevelOfDetailIsLeft) {
   EXPECT_TRUE(std::ranges::equal(left.asset.orders(), std::vector<std::uint32_t>{1, 0, 0, 1}));
 }
 
+TEST(Strip, VerticesThatOnlyCoarserLevelsDrawGoWithThem) {
+  OpenFile whole(write_asset(small_asset()));
+  OpenFile left(whole.without({chunk::kLods}).file);
+  ASSERT_TRUE(left.status);
+  const std::size_t drawn = std::size_t(std::ranges::max(whole.asset.lod_indices(0))) + 1;
+  ASSERT_LT(drawn, whole.asset.vertices().size());
+  EXPECT_EQ(left.asset.vertices().size(), drawn);
+  EXPECT_EQ(left.asset.skin().size(), drawn);
+}
+
 TEST(Strip, WithoutMotionEveryBoneIsRigidWhereItWas) {
   OpenFile whole(write_asset(small_asset()));
   for (const std::uint32_t id : {chunk::kDynamics, chunk::kChains}) {

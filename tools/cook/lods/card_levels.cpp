@@ -143,8 +143,7 @@ struct Distances {
 /// How far one level's vertices are from another's cards.
 void add_distances(const HairMesh& mesh, const DetailLevel& of, const DetailLevel& from, double reach, unsigned threads,
                    Distances& distances) {
-  std::vector<std::uint32_t> triangles;
-  for (const auto& patch : from.triangles_of) triangles.insert(triangles.end(), patch.begin(), patch.end());
+  const std::vector<std::uint32_t> triangles = indices_of(from);
   const TriangleGrid grid(mesh.positions, triangles, reach);
   const std::vector<std::uint32_t> vertices = vertices_of(of);
   std::vector<double> far(vertices.size());

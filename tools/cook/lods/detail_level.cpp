@@ -77,9 +77,14 @@ std::size_t DetailLevel::patch_count() const {
   return std::size_t(std::ranges::count_if(triangles_of, [](const auto& patch) { return !patch.empty(); }));
 }
 
+std::vector<std::uint32_t> indices_of(const DetailLevel& level) {
+  std::vector<std::uint32_t> indices;
+  for (const auto& patch : level.triangles_of) indices.insert(indices.end(), patch.begin(), patch.end());
+  return indices;
+}
+
 std::vector<std::uint32_t> vertices_of(const DetailLevel& level) {
-  std::vector<std::uint32_t> vertices;
-  for (const auto& triangles : level.triangles_of) vertices.insert(vertices.end(), triangles.begin(), triangles.end());
+  std::vector<std::uint32_t> vertices = indices_of(level);
   std::ranges::sort(vertices);
   vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
   return vertices;

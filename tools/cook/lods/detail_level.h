@@ -24,7 +24,9 @@ struct DetailLevel {
   [[nodiscard]] std::size_t patch_count() const;
 };
 
-/// That it draws, ascending.
+/// Of all its triangles, patch by patch.
+[[nodiscard]] std::vector<std::uint32_t> indices_of(const DetailLevel& level);
+/// Each once, ascending.
 [[nodiscard]] std::vector<std::uint32_t> vertices_of(const DetailLevel& level);
 
 struct LodSettings {

@@ -92,8 +92,7 @@ DetailLevel LevelMaker::make(std::size_t target) {
 /// Of hair that was dropped from what this level draws.
 double LevelMaker::dropped_distance(const DetailLevel& level) const {
   if (std::ranges::all_of(drawn_, [](bool drawn) { return drawn; })) return 0;
-  std::vector<std::uint32_t> triangles;
-  for (const auto& patch : level.triangles_of) triangles.insert(triangles.end(), patch.begin(), patch.end());
+  const std::vector<std::uint32_t> triangles = indices_of(level);
   const HairMesh& mesh = hair_.mesh;
   const TriangleGrid grid(mesh.positions, triangles, 2 * settings_.max_error);
   double worst = 0;
