@@ -4,6 +4,7 @@
 #include <coif/math.h>
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -57,6 +58,11 @@ class PlacedColliders {
 
   /// At most kMaxColliders.
   explicit PlacedColliders(std::span<const ColliderRecord> colliders);
+
+  /// A bit for each of the first so many.
+  [[nodiscard]] static std::uint32_t first(std::size_t count) {
+    return count >= kMaxColliders ? 0xFFFFFFFFu : (1u << count) - 1u;
+  }
 
   /// Puts a collider at place `i`, below kMaxColliders.
   void place(std::uint32_t i, const ColliderRecord& collider);

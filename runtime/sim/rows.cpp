@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include "placed_colliders.h"
 #include "solver.h"
 #include "vector_math.h"
 
@@ -83,11 +84,6 @@ std::uint32_t features_of(const BoneRecord& bone, const DynamicsRecord& dynamics
 
 namespace {
 
-std::uint32_t existing_colliders(const Asset& asset) {
-  const std::size_t count = asset.colliders().size();
-  return count >= kMaxColliders ? 0xFFFFFFFFu : (1u << count) - 1u;
-}
-
 /// For an asset with levels of detail, in how many of them the bone moves; else always.
 std::uint8_t levels_of(const Asset& asset, std::uint32_t bone) {
   return asset.lod_bones().empty() ? std::uint8_t(kMaxLods) : asset.lod_bones()[bone];
@@ -112,7 +108,7 @@ void set_constants(const Asset& asset, std::uint32_t bone, std::uint32_t lane, B
   lanes.parent_share.v[lane] = dynamics.parent_share;
   lanes.torsion.v[lane] = dynamics.torsion;
   lanes.resistance.v[lane] = dynamics.resistance;
-  lanes.colliders[lane] = record.colliders & existing_colliders(asset);
+  lanes.colliders[lane] = record.colliders & PlacedColliders::first(asset.colliders().size());
   lanes.levels[lane] = levels_of(asset, bone);
 }
 

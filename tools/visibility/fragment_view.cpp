@@ -46,20 +46,10 @@ class FragmentView::Rasteriser {
     for (const Eigen::Array3f& p : projected) corners_.push_back(corner_of(p));
   }
 
-  /// Those around which there is a line: of fine hair few.
-  [[nodiscard]] std::vector<std::uint32_t> triangles() {
-    std::vector<std::uint32_t> met;
-    for (std::uint32_t t = 0; t < hair_.triangles.size(); ++t) {
-      take_corners(hair_.triangles[t]);
-      if (find_box()) met.push_back(t);
-    }
-    return met;
-  }
-
   void draw(std::uint32_t index, std::vector<Placed>& out) {
     const HairSurface::Triangle& triangle = hair_.triangles[index];
-    take_corners(triangle);
-    find_box();
+    for (int k = 0; k < 3; ++k) corner_[k] = corners_[triangle.vertex[k]];
+    if (!find_box()) return;
     const std::int64_t area = edge(corner_[0], corner_[1], corner_[2]);
     if (area == 0 || (area < 0 && !hair_.double_sided)) return;
     base_ = {0, 0, index, triangle.patch, area > 0};
@@ -87,11 +77,7 @@ class FragmentView::Rasteriser {
   /// A line on the edge itself belongs to one of the two triangles that share it: the edge runs the other way in the other.
   static bool owns_edge(const Corner& a, const Corner& b) { return b.y != a.y ? b.y > a.y : b.x < a.x; }
 
-  void take_corners(const HairSurface::Triangle& triangle) {
-    for (int k = 0; k < 3; ++k) corner_[k] = corners_[triangle.vertex[k]];
-  }
-
-  /// Of the lines that the triangle may meet; false where there is none.
+  /// Of the lines that the triangle may meet; false where there is none, as for most of fine hair.
   bool find_box() {
     const Corner &a = corner_[0], &b = corner_[1], &c = corner_[2];
     first_column_ = first_line(std::min(std::min(a.x, b.x), c.x));
@@ -198,13 +184,12 @@ FragmentView::FragmentView(const HairSurface& hair, std::span<const Eigen::Vecto
   bottom_ -= grid.aside;
   std::vector<Placed> placed;
   Rasteriser rasteriser(*this, hair, positions, projected, grid);
-  for (const std::uint32_t t : near_to_far(rasteriser.triangles(), hair, projected)) rasteriser.draw(t, placed);
+  for (const std::uint32_t t : near_to_far(hair, projected)) rasteriser.draw(t, placed);
   sort_into_lines(placed);
 }
 
 /// So that what is solid comes before most of what it hides: in slices, each in stored order, for which no sorting is needed.
-std::vector<std::uint32_t> FragmentView::near_to_far(std::span<const std::uint32_t> triangles, const HairSurface& hair,
-                                                     const Projected& projected) {
+std::vector<std::uint32_t> FragmentView::near_to_far(const HairSurface& hair, const Projected& projected) {
   constexpr std::uint32_t kSlices = 256;
   float low = std::numeric_limits<float>::max(), high = -low;
   for (const Eigen::Array3f& p : projected) {
@@ -212,17 +197,17 @@ std::vector<std::uint32_t> FragmentView::near_to_far(std::span<const std::uint32
     high = std::max(high, p.z());
   }
   const float to_slices = high <= low ? 0 : float(kSlices) / (high - low);
-  std::vector<std::uint32_t> slice(triangles.size());
+  std::vector<std::uint32_t> slice(hair.triangles.size());
   std::array<std::uint32_t, kSlices + 1> begin{};
-  for (std::size_t i = 0; i < slice.size(); ++i) {
-    const auto& v = hair.triangles[triangles[i]].vertex;
+  for (std::size_t t = 0; t < slice.size(); ++t) {
+    const auto& v = hair.triangles[t].vertex;
     const float nearest = std::max({projected[v[0]].z(), projected[v[1]].z(), projected[v[2]].z()});
-    slice[i] = std::min(kSlices - 1, std::uint32_t((high - nearest) * to_slices));
-    ++begin[slice[i] + 1];
+    slice[t] = std::min(kSlices - 1, std::uint32_t((high - nearest) * to_slices));
+    ++begin[slice[t] + 1];
   }
   for (std::size_t s = 1; s < begin.size(); ++s) begin[s] += begin[s - 1];
   std::vector<std::uint32_t> order(slice.size());
-  for (std::size_t i = 0; i < slice.size(); ++i) order[begin[slice[i]]++] = triangles[i];
+  for (std::uint32_t t = 0; t < slice.size(); ++t) order[begin[slice[t]]++] = t;
   return order;
 }
 

@@ -71,8 +71,7 @@ class FragmentView {
   /// Per vertex: along right_, up_ and towards_eye_.
   using Projected = std::vector<Eigen::Array3f>;
 
-  [[nodiscard]] static std::vector<std::uint32_t> near_to_far(std::span<const std::uint32_t> triangles,
-                                                              const HairSurface& hair, const Projected& projected);
+  [[nodiscard]] static std::vector<std::uint32_t> near_to_far(const HairSurface& hair, const Projected& projected);
   void set_extent(const HairSurface& hair, const Projected& projected);
   void sort_into_lines(std::span<const Placed> placed);
 

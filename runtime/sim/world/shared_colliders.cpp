@@ -6,9 +6,9 @@
 namespace coif {
 namespace {
 
-std::uint32_t bits(std::size_t count) { return count >= kMaxColliders ? 0xFFFFFFFFu : (1u << count) - 1u; }
-
-std::uint32_t taken_by(const WornAsset& worn) { return bits(worn.asset.colliders().size()) << worn.first_collider; }
+std::uint32_t taken_by(const WornAsset& worn) {
+  return PlacedColliders::first(worn.asset.colliders().size()) << worn.first_collider;
+}
 
 bool has_same_colliders(const Asset& a, const Asset& b) {
   const auto one = a.colliders(), other = b.colliders();
@@ -18,7 +18,7 @@ bool has_same_colliders(const Asset& a, const Asset& b) {
 /// Where so many colliders fit side by side; kMaxColliders: nowhere.
 std::uint32_t room_in(const ColliderTable& table, std::size_t count) {
   for (std::uint32_t first = 0; first + count <= kMaxColliders; ++first) {
-    if ((table.taken & (bits(count) << first)) == 0) return first;
+    if ((table.taken & (PlacedColliders::first(count) << first)) == 0) return first;
   }
   return kMaxColliders;
 }

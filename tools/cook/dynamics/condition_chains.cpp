@@ -111,10 +111,9 @@ struct Examined {
 Examined examine_group(const AssetContents& contents, const ChainGroup& group, std::span<const AskedMotions> asked,
                        const Conditioning& candidate) {
   Examined examined;
-  for (std::size_t k = 0; k < group.telling.size() && examined.is_good; ++k) {
+  for (std::size_t k = 0; k < group.telling.size(); ++k) {
     const ChainTrial trial = examine(contents, group.telling[k], candidate);
-    examined.is_good = trial.finding.is_good;
-    if (!examined.is_good) break;
+    if (!trial.finding.is_good) return {false};
     examined.difference = std::max(examined.difference, rms_apart(asked[k].rig, trial.runs, asked[k].runs));
   }
   return examined;

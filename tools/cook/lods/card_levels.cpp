@@ -4,11 +4,8 @@
 #include "base/parallel_for.h"
 #include "cook/select/triangle_distance.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 namespace coif {
@@ -41,7 +38,7 @@ class FinestCards {
     for (const NearestPoints::Found& one : found) {
       const double share = 1 / (double(one.squared) + double(found.front().squared) + 1.0e-12);
       sum += share;
-      for (const BoneWeight& weight : weights_[one.point]) add(weight.bone, share * weight.weight, followed.weights);
+      for (const BoneWeight& of : weights_[one.point]) add_weight(followed.weights, of.bone, share * of.weight);
     }
     for (BoneWeight& weight : followed.weights) weight.weight /= sum;
     std::erase_if(followed.weights, [](const BoneWeight& weight) { return weight.weight < kLeastWeight; });
@@ -49,15 +46,6 @@ class FinestCards {
   }
 
  private:
-  static void add(std::uint32_t bone, double weight, std::vector<BoneWeight>& weights) {
-    const auto same = std::ranges::find(weights, bone, &BoneWeight::bone);
-    if (same == weights.end()) {
-      weights.push_back({bone, weight});
-    } else {
-      same->weight += weight;
-    }
-  }
-
   std::vector<Eigen::Vector3f> positions_;
   SkinWeights weights_;
   NearestPoints nearest_;
@@ -127,12 +115,7 @@ DetailLevel append_level(const SourceLevel& level, const FinestCards& finest, un
   append_vertices(level, hair);
   append_patches(level, first_vertex, patches_met(level, followed), hair);
   for (FinestCards::Followed& vertex : followed) rig.weights.push_back(std::move(vertex.weights));
-  DetailLevel drawn;
-  drawn.triangles_of.resize(hair.patches.count);
-  for (std::size_t i = 3 * first_triangle; i < hair.mesh.triangles.size(); ++i) {
-    drawn.triangles_of[hair.patches.patch_of[i / 3]].push_back(hair.mesh.triangles[i]);
-  }
-  return drawn;
+  return level_from(hair, first_triangle);
 }
 
 struct Distances {

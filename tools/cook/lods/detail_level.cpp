@@ -39,12 +39,18 @@ std::string describe(std::size_t k, const DetailLevel& level, const DetailLevel&
       std::ranges::count(level.simulated, true), 1000 * level.error, shown, level.screen_size);
 }
 
+/// Without vertices.
+std::uint64_t bytes_of(const DetailLevel& level) {
+  return 3 * sizeof(std::uint32_t) * level.triangle_count() + sizeof(PatchRecord) * level.patch_count() +
+         sizeof(LodRecord);
+}
+
 /// What coarser levels take beside the finest: their own vertices, too.
 std::string cost_in_bytes(std::span<const DetailLevel> levels) {
-  std::size_t bytes = levels.size() * sizeof(LodRecord) + levels[0].simulated.size();
+  std::uint64_t bytes = sizeof(LodRecord) + levels[0].simulated.size();
   std::vector<std::uint32_t> before = vertices_of(levels[0]), all;
   for (const DetailLevel& level : levels.subspan(1)) {
-    bytes += level.triangle_count() * 3 * sizeof(std::uint32_t) + level.patch_count() * sizeof(PatchRecord);
+    bytes += bytes_of(level);
     const std::vector<std::uint32_t> own = vertices_of(level);
     all.clear();
     std::ranges::set_union(before, own, std::back_inserter(all));
@@ -90,12 +96,17 @@ std::vector<std::uint32_t> vertices_of(const DetailLevel& level) {
   return vertices;
 }
 
-DetailLevel finest_level(const HairStrips& hair, const Skeleton& skeleton) {
+DetailLevel level_from(const HairStrips& hair, std::size_t first_triangle) {
   DetailLevel level;
   level.triangles_of.resize(hair.patches.count);
-  for (std::size_t i = 0; i < hair.mesh.triangles.size(); ++i) {
+  for (std::size_t i = 3 * first_triangle; i < hair.mesh.triangles.size(); ++i) {
     level.triangles_of[hair.patches.patch_of[i / 3]].push_back(hair.mesh.triangles[i]);
   }
+  return level;
+}
+
+DetailLevel finest_level(const HairStrips& hair, const Skeleton& skeleton) {
+  DetailLevel level = level_from(hair, 0);
   level.simulated = moving_bones(skeleton, 0);
   return level;
 }
@@ -118,11 +129,6 @@ void describe_levels(std::span<const DetailLevel> levels, Findings& findings) {
 }
 
 namespace {
-
-std::uint64_t bytes_of(const DetailLevel& level) {
-  return 3 * sizeof(std::uint32_t) * level.triangle_count() + sizeof(PatchRecord) * level.patch_count() +
-         sizeof(LodRecord);
-}
 
 /// The first level that is ever drawn: coarser ones are not yet right at the largest size.
 std::size_t first_used(const std::vector<DetailLevel>& levels, double largest) {

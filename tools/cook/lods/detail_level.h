@@ -42,7 +42,10 @@ struct LodSettings {
 
 inline constexpr double kScreenLines = 1080;
 
-/// What the hair's own triangles draw, all of them.
+/// What the hair's triangles draw from the one with this number on.
+[[nodiscard]] DetailLevel level_from(const HairStrips& hair, std::size_t first_triangle);
+
+/// What the hair's own triangles draw, all of them, with all bones.
 [[nodiscard]] DetailLevel finest_level(const HairStrips& hair, const Skeleton& skeleton);
 
 /// Screen sizes of all levels, and the bones of the coarser ones, which follow from the largest size each is used at.

@@ -99,16 +99,6 @@ void keep_two(LockShares& shares) {
   }
 }
 
-void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double weight) {
-  if (weight <= 0) return;
-  const auto same = std::ranges::find(weights, bone, &BoneWeight::bone);
-  if (same != weights.end()) {
-    same->weight += weight;
-  } else {
-    weights.push_back({bone, weight});
-  }
-}
-
 /// Each bone has all weight at its middle, and its neighbour takes over towards the next one's middle; the head, at the
 /// scalp.
 void add_lock(const HairLock& lock, double depth, double share, std::vector<BoneWeight>& weights) {

@@ -41,17 +41,21 @@ SkinRecord quantize(const std::vector<BoneWeight>& bones) {
 
 }  // namespace
 
+void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double weight) {
+  if (weight <= 0) return;
+  const auto same = std::ranges::find(weights, bone, &BoneWeight::bone);
+  if (same != weights.end()) {
+    same->weight += weight;
+  } else {
+    weights.push_back({bone, weight});
+  }
+}
+
 SkinWeights weights_of_source(const HairMesh& mesh, const Skeleton& skeleton) {
   SkinWeights weights(mesh.positions.size());
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     for (const SourceInfluence& influence : mesh.influences_of(v)) {
-      const std::uint32_t bone = skeleton.bone_of_node[influence.node];
-      const auto same = std::ranges::find(weights[v], bone, &BoneWeight::bone);
-      if (same != weights[v].end()) {
-        same->weight += influence.weight;
-      } else {
-        weights[v].push_back({bone, influence.weight});
-      }
+      add_weight(weights[v], skeleton.bone_of_node[influence.node], influence.weight);
     }
   }
   return weights;

@@ -71,6 +71,9 @@ struct BoneWeight {
   double weight = 0;  ///< > 0.
 };
 
+/// Adds to what a bone has already; nothing where there is no weight.
+void add_weight(std::vector<BoneWeight>& weights, std::uint32_t bone, double weight);
+
 /// What carries each vertex: bones of the asset, however many. A vertex without any follows the head.
 using SkinWeights = std::vector<std::vector<BoneWeight>>;
 
@@ -107,11 +110,12 @@ tl::expected<HairRig, ToolError> rig_of_file(const SourceModel& source, const Ha
 
 /// For each chain what the recipe says of the motion of patches that are more than half of the hair that it carries, by
 /// weight and area; empty where nothing is said. Warns of what is said in vain.
-[[nodiscard]] std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig, const Recipe& recipe,
-                                                         Findings& findings);
+[[nodiscard]] std::vector<PatchOverride> chain_overrides(const HairStrips& hair, const HairRig& rig,
+                                                         const Recipe& recipe, Findings& findings);
 
 /// For each patch, by its number below `count`, the chain that carries most of it; kNone: the head.
-[[nodiscard]] std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRig& rig, std::size_t count);
+[[nodiscard]] std::vector<std::uint32_t> chain_of_patches(const HairStrips& hair, const HairRig& rig,
+                                                          std::size_t count);
 
 /// The rig as the asset has it: the head alone for a scene that does not simulate, else with its bones in order_bones().
 void settle_rig(const Recipe& recipe, HairRig& rig, Findings& findings);

@@ -83,13 +83,13 @@ void transform_model(SourceModel& model, double factor, const Eigen::Matrix3d& r
   change.linear() = factor * rotation;
   const Eigen::Matrix3f turn = rotation.cast<float>(), move = change.linear().cast<float>();
   for (SourceNode& node : model.nodes) node.model_from_node = change * node.model_from_node;
-  for (SourceMesh& mesh : model.meshes) {
+  const auto change_mesh = [&](SourceMesh& mesh) {
     for (Eigen::Vector3f& position : mesh.positions) position = move * position;
     for (Eigen::Vector3f& normal : mesh.normals) normal = (turn * normal).normalized();
-  }
+  };
+  for (SourceMesh& mesh : model.meshes) change_mesh(mesh);
   for (SourceLevel& level : model.coarser) {
-    for (Eigen::Vector3f& position : level.mesh.positions) position = move * position;
-    for (Eigen::Vector3f& normal : level.mesh.normals) normal = (turn * normal).normalized();
+    change_mesh(level.mesh);
     for (Eigen::Vector3f& along : level.along) along = (turn * along).normalized();
   }
   model.scalp_radius *= factor;
