@@ -178,6 +178,23 @@ TEST(OrderClusters, CellsThatWantTheSameShareAnOrder) {
   EXPECT_EQ(cluster_orders(cells, counted(2), 1, 1).orders.size(), 1u);
 }
 
+TEST(OrderClusters, PairsThatNothingWasSeenOfEndByTheirDepth) {
+  const AssetContents contents = card_contents(stack(4));
+  const OpenedAsset opened(contents);
+  const HairSurface hair(opened.asset());
+  CellVotes cells;  // of every cell, a single one against the depth seen from +Z
+  for (std::vector<Vote>& votes : cells) votes = {{2, 6, 1.0f}};
+  CellOrders found{{counted(8), counted(8)}, {}};
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell)
+    found.order_of[cell] = direction_in_cell(cell, 0).z() > 0 ? 0 : 1;
+  const CellOrders refined = refine_from_depth(hair, posed_positions(opened.asset(), {}), cells, found, 2);
+  ASSERT_FALSE(refined.orders.empty());
+  const std::vector<std::uint32_t> place = places_in(refined.orders[0], 8);
+  EXPECT_LT(place[2], place[6]) << "as the vote says";
+  EXPECT_GT(place[0], place[4]) << "the nearest card after the third";
+  EXPECT_GT(place[1], place[7]);
+}
+
 TEST(OrderClusters, NeverLoseMoreThanTheirStartAndLessWithMoreOrders) {
   CellVotes cells;
   std::uint32_t seed = 1;

@@ -1,8 +1,10 @@
 #include "visibility/linear_order.h"
 
 #include "base/parallel_for.h"
+#include "visibility/fragment_view.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace coif {
 namespace {
@@ -17,10 +19,17 @@ class Clustering {
   CellOrders refine(CellOrders found) {
     result_ = std::move(found);
     improved_for_.clear();
-    for (int round = 0; round < kMostRounds && (assign() || round == 0); ++round) improve();
     assign();
-    drop_unused();
-    return std::move(result_);
+    improve();
+    return go_on();
+  }
+
+  /// The same, with orders for the cells that they have.
+  CellOrders refine_as_assigned(CellOrders found) {
+    result_ = std::move(found);
+    improved_for_.clear();
+    improve();
+    return go_on();
   }
 
   [[nodiscard]] CellOrders found_clusters(const UnitOrder& start, std::size_t count) const {
@@ -68,6 +77,13 @@ class Clustering {
       if (saved > most) most = saved, best = candidate;
     }
     return best;
+  }
+
+  CellOrders go_on() {
+    for (int round = 1; round < kMostRounds && assign(); ++round) improve();
+    assign();
+    drop_unused();
+    return std::move(result_);
   }
 
   /// False where every cell keeps its order.
@@ -139,6 +155,43 @@ CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::s
 
 CellOrders refine_clusters(const CellVotes& cells, CellOrders found, unsigned threads) {
   return Clustering(cells, threads).refine(std::move(found));
+}
+
+namespace {
+
+/// From the middle of what an order is drawn for towards the eye; not unit.
+Eigen::Vector3f mean_direction(const CellOrders& found, std::size_t order) {
+  constexpr std::uint32_t kDirections = 4;  // of a cell: their mean is near its middle
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
+    if (found.order_of[cell] != order) continue;
+    for (std::uint32_t i = 0; i < kDirections; ++i) sum += direction_in_cell(cell, i);
+  }
+  return sum;
+}
+
+UnitOrder by_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+                   const Eigen::Vector3f& towards_eye) {
+  std::vector<float> nearness;
+  nearness.reserve(hair.triangles.size());
+  for (const HairSurface::Triangle& triangle : hair.triangles) {
+    const auto& v = triangle.vertex;
+    nearness.push_back((positions[v[0]] + positions[v[1]] + positions[v[2]]).dot(towards_eye));
+  }
+  UnitOrder order(hair.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t t) { return nearness[t]; });
+  return order;
+}
+
+}  // namespace
+
+CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+                             const CellVotes& cells, CellOrders found, unsigned threads) {
+  for (std::size_t k = 0; k < found.orders.size(); ++k) {
+    found.orders[k] = by_depth(hair, positions, mean_direction(found, k));
+  }
+  return Clustering(cells, threads).refine_as_assigned(std::move(found));
 }
 
 }  // namespace coif

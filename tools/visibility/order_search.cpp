@@ -4,6 +4,7 @@
 #include "visibility/linear_order.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -85,6 +86,7 @@ double OrderJudge::blended(const DrawRule& rule) const {
 namespace {
 
 constexpr double kUnseenPsnr = 59;          ///< dB: rounding colours to eight bits errs as much.
+constexpr double kPlainGain = 1;            ///< dB.
 constexpr double kMostLostToCache = 0.2;    ///< dB.
 constexpr std::uint32_t kJudgeSeed = 1000;  ///< Far from those that orders are found from.
 
@@ -134,13 +136,8 @@ class OrderSearch {
   /// `from`: null, or what to refine.
   FoundOrders run(const FoundOrders* from) {
     start();
-    const std::vector<DrawRule> tried = rules(from);
-    const std::vector<CellVotes> votes = cell_votes(tried);
-    std::vector<FoundOrders> candidates;
-    for (std::size_t i = 0; i < tried.size(); ++i) candidates.push_back(with_single(tried[i], votes[i], from));
-    // The rule under which one order does better is the one under which several do.
-    const auto better = std::ranges::max_element(candidates, {}, [](const FoundOrders& c) { return c.single.psnr; });
-    consider(std::move(*better), votes[std::size_t(better - candidates.begin())], from);
+    consider(rules(from), from);
+    if (from != nullptr && faces_limit()) consider({rule_of(hair_, settings_, true)}, from);
     best_.limit = judge_.best_psnr(best_.rule);
     return std::move(best_);
   }
@@ -154,6 +151,23 @@ class OrderSearch {
     if (!together || !*together) rules.push_back(rule_of(hair_, settings_, false));
     if (!together || *together) rules.push_back(rule_of(hair_, settings_, true));
     return rules;
+  }
+
+  /// What was found with faces apart is nearly as good as it could be, and with faces together could be better.
+  [[nodiscard]] bool faces_limit() const {
+    if (best_.rule.faces_together || settings_.faces_together || !hair_.surface.double_sided) return false;
+    const double apart = judge_.best_psnr(rule_of(hair_, settings_, false));
+    const double together = judge_.best_psnr(rule_of(hair_, settings_, true));
+    return best_.found.psnr > apart - kPlainGain && together > apart + kPlainGain;
+  }
+
+  void consider(const std::vector<DrawRule>& tried, const FoundOrders* from) {
+    const std::vector<CellVotes> votes = cell_votes(tried);
+    std::vector<FoundOrders> candidates;
+    for (std::size_t i = 0; i < tried.size(); ++i) candidates.push_back(with_single(tried[i], votes[i], from));
+    // The rule under which one order does better is mostly the one under which several do.
+    const auto better = std::ranges::max_element(candidates, {}, [](const FoundOrders& c) { return c.single.psnr; });
+    consider(std::move(*better), votes[std::size_t(better - candidates.begin())], from);
   }
 
   /// The thesis's order, to be beaten.
@@ -218,11 +232,10 @@ class OrderSearch {
 
   [[nodiscard]] CellOrders clusters(const CellVotes& cells, const FoundOrders& candidate,
                                     const FoundOrders* from) const {
-    if (from != nullptr) {
-      return refine_clusters(cells, from->by_view, settings_.threads);
-    }
-    return cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_), settings_.max_orders - 1,
-                          settings_.threads);
+    CellOrders found = from != nullptr ? refine_clusters(cells, from->by_view, settings_.threads)
+                                       : cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_),
+                                                        settings_.max_orders - 1, settings_.threads);
+    return refine_from_depth(hair_.surface, poses_.front(), cells, std::move(found), settings_.threads);
   }
 
   void add_views(const CellVotes& cells, CellOrders clusters, FoundOrders& candidate) const {
@@ -267,6 +280,13 @@ FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> p
 FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
                           const FoundOrders& found, const OrderSearchSettings& settings) {
   return OrderSearch(hair, poses, by_head_distance, settings).run(&found);
+}
+
+double share_of_order(const SeenHair& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
+                      const OrderSearchSettings& settings) {
+  const OrderJudge judge(hair, poses, judged_samples(settings));
+  const DrawRule rule = rule_of(hair, settings, orders.rule.faces_together);
+  return 1 - std::pow(10.0, (judge.judge(orders.by_view, rule).psnr - judge.best_psnr(rule)) / 10);
 }
 
 OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses, const FoundOrders& orders,

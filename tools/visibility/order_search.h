@@ -86,6 +86,10 @@ struct FoundOrders {
                                         const UnitOrder& by_head_distance, const FoundOrders& found,
                                         const OrderSearchSettings& settings);
 
+/// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order would not have.
+[[nodiscard]] double share_of_order(const SeenHair& hair, std::span<const HairPositions> poses,
+                                    const FoundOrders& orders, const OrderSearchSettings& settings);
+
 /// How good orders are that were found with another threshold, by the views that the search judges by.
 [[nodiscard]] OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses,
                                         const FoundOrders& orders, const OrderSearchSettings& settings);

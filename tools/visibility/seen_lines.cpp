@@ -168,9 +168,8 @@ class PictureError {
 
  private:
   [[nodiscard]] std::uint64_t key_of(const SeenLayer& layer) const {
-    if (rank_.empty()) return 0;
     const bool later = !rule_.faces_together && layer.is_front != 0;
-    return std::uint64_t(later) << 32 | rank_[layer.triangle];
+    return std::uint64_t(later) << 32 | (rank_.empty() ? 0 : rank_[layer.triangle]);
   }
 
   /// `unseen`: plus the squared differences of shares, whatever the colours.
