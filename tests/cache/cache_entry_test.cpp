@@ -25,6 +25,8 @@ TEST(CacheEntry, ComesBackAsItWas) {
   EXPECT_EQ(back->report.left_out[0].ns_per_frame, 3.5);
   EXPECT_EQ(back->report.triangles, 7u);
   EXPECT_EQ(back->report.simulated_bones, 9u);
+  EXPECT_EQ(back->report.order.added, 5u);
+  EXPECT_EQ(back->report.order.cut_gain, 0.25);
   EXPECT_EQ(back->asset, small_entry().asset);
 }
 

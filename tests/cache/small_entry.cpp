@@ -13,6 +13,7 @@ CacheEntry small_entry() {
   entry.report.left_out = {{"twist", "not needed", 1, 2, 3.5}};
   entry.report.triangles = 7;
   entry.report.simulated_bones = 9;
+  entry.report.order = {8, 45.5, 46, 40, 44, 12, 3, 5, 0.25};
   entry.asset = {std::byte{1}, std::byte{2}, std::byte{3}};
   return entry;
 }

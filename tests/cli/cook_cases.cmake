@@ -62,8 +62,11 @@ coif_cli_case(cook_text EXIT 0 WRITES out.coif
   TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif -v)
 coif_cli_case(cook_json EXIT 0 WRITES out.coif report.json
   JSON passes,0,name passes,0,ms warnings triangles patches patches_by_index patches_by_position chains bones
-       simulated_bones left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame
+       simulated_bones draw_order,orders draw_order,worst_psnr_db draw_order,cuts draw_order,triangles_added
+       left_out,0,what left_out,0,why left_out,0,bytes left_out,0,bytes_per_head left_out,0,ns_per_frame
   TEXT r.json "{${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --report report.json --format json)
+coif_cli_case(cook_cuts_out_of_range EXIT 3 STDERR "order.cut_budget.* wants a number from 0 to 1, found 2"
+  TEXT r.json "{\"order\": {\"cut_budget\": 2}}" ARGS cook ${sample} --recipe r.json -o out.coif)
 coif_cli_case(cook_for_a_scene EXIT 0 WRITES out.coif
   STDOUT "left out: 12 bones, 9 of them simulated: \"scene.simulate\" is false [(][0-9]+ bytes, [0-9]+ ns a frame[)].*left out: bone names: \"scene.names\" is false [(][0-9]+ bytes[)]"
   TEXT r.json "{\"scene\": {\"simulate\": false, \"names\": false}, ${head_order}}" ARGS cook ${sample} --recipe r.json -o out.coif --verbose)

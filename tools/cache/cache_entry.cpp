@@ -53,9 +53,24 @@ static void from_json(const json& in, LeftOut& l) {
   in.at(4).get_to(l.ns_per_frame);
 }
 
+static void to_json(json& out, const OrderFigures& o) {
+  out = {o.orders, o.psnr, o.median, o.worst, o.moving, o.crossings, o.cuts, o.added, o.cut_gain};
+}
+
+static void from_json(const json& in, OrderFigures& o) {
+  std::uint32_t* const counts[] = {&o.orders, &o.crossings, &o.cuts, &o.added};
+  constexpr std::size_t kPlaces[] = {0, 5, 6, 7};
+  for (std::size_t i = 0; i < std::size(counts); ++i) *counts[i] = whole<std::uint32_t>(in.at(kPlaces[i]));
+  in.at(1).get_to(o.psnr);
+  in.at(2).get_to(o.median);
+  in.at(3).get_to(o.worst);
+  in.at(4).get_to(o.moving);
+  in.at(8).get_to(o.cut_gain);
+}
+
 namespace {
 
-constexpr char kMagic[] = "coifent2";
+constexpr char kMagic[] = "coifent3";
 constexpr std::size_t kWord = 8;
 constexpr std::size_t kHeader = 3 * kWord;  // magic, hash, length of the document
 
@@ -66,7 +81,8 @@ json report_document(const CookReport& r) {
           {"left_out", r.left_out},
           {"figures",
            {r.triangles, r.vertices, r.patches, r.patches_by_index, r.patches_by_position, r.chains, r.bones,
-            r.simulated_bones}}};
+            r.simulated_bones}},
+          {"order", r.order}};
 }
 
 CookReport report_from(const json& in) {
@@ -78,6 +94,7 @@ CookReport report_from(const json& in) {
   std::uint32_t* const figures[] = {&r.triangles,           &r.vertices, &r.patches, &r.patches_by_index,
                                     &r.patches_by_position, &r.chains,   &r.bones,   &r.simulated_bones};
   for (std::size_t i = 0; i < std::size(figures); ++i) *figures[i] = whole<std::uint32_t>(in.at("figures").at(i));
+  in.at("order").get_to(r.order);
   return r;
 }
 

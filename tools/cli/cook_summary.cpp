@@ -26,6 +26,13 @@ std::string next_step(const CookSummary& summary) {
   return fmt::format("coif render {} -o picture.png", summary.output);
 }
 
+/// Decibels are those that are expected.
+nlohmann::ordered_json draw_order_json(const OrderFigures& order) {
+  return {{"orders", order.orders},       {"psnr_db", order.psnr},          {"median_psnr_db", order.median},
+          {"worst_psnr_db", order.worst}, {"moving_psnr_db", order.moving}, {"crossings", order.crossings},
+          {"cuts", order.cuts},           {"triangles_added", order.added}, {"cut_gain_db", order.cut_gain}};
+}
+
 nlohmann::ordered_json left_out_json(const CookReport& report) {
   auto list = nlohmann::ordered_json::array();
   for (const LeftOut& left_out : report.left_out) {
@@ -47,7 +54,8 @@ std::string details(const CookSummary& summary) {
   for (const PassTime& pass : report.passes) text += fmt::format("  {:>9.1f} ms  {}\n", pass.ms, pass.name);
   for (const std::filesystem::path& file : summary.files) {
     std::error_code error;
-    text += fmt::format("  {}: {}\n", std::filesystem::exists(file, error) ? "read" : "looked for in vain", file.string());
+    text +=
+        fmt::format("  {}: {}\n", std::filesystem::exists(file, error) ? "read" : "looked for in vain", file.string());
   }
   return text;
 }
@@ -78,6 +86,7 @@ std::string cook_json(const CookSummary& summary) {
                     {"chains", report.chains},
                     {"bones", report.bones},
                     {"simulated_bones", report.simulated_bones},
+                    {"draw_order", draw_order_json(report.order)},
                     {"notes", report.notes},
                     {"left_out", left_out_json(report)}});
 }

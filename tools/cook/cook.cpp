@@ -228,7 +228,9 @@ const Pass kPasses[] = {
      },
      [](const Cooking& c) { return c.recipe.scene_draw; }},
     {"draw order",
-     [](Cooking& c) { return choose_order(c.recipe, c.textures.used, c.settings.threads, c.contents, c.report); }},
+     [](Cooking& c) {
+       return keep(choose_order(c.recipe, c.textures.used, c.settings.threads, c.contents, c.report), c.report.order);
+     }},
     // Last, since the threshold in use decides how much alpha the mips need.
     {"mips",
      [](Cooking& c) -> Done {

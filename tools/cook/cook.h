@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/order/order_figures.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/strands/choose_patches.h"
@@ -41,11 +42,12 @@ struct CookReport : Findings {
   std::uint32_t chains = 0;
   std::uint32_t bones = 0;
   std::uint32_t simulated_bones = 0;
+  OrderFigures order;
 };
 
 /// The patches as people know them: by numbers that do not depend on what else is said in the recipe.
 struct ListedPatches {
-  std::vector<PatchListing> patches;          ///< By number.
+  std::vector<PatchListing> patches;           ///< By number.
   std::vector<std::uint32_t> number_of_place;  ///< For each PatchRecord::file_place of the asset.
 };
 

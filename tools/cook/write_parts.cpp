@@ -38,7 +38,7 @@ tl::expected<void, ToolError> write_parts(Cooking& c) {
 void fill_figures(Cooking& c) {
   CookReport& report = c.report;
   const bool is_drawn = !c.contents.vertices.empty();
-  report.triangles = is_drawn ? std::uint32_t(c.levels[0].triangle_count()) : 0;
+  report.triangles = is_drawn ? std::uint32_t(c.levels[0].triangle_count() + report.order.added) : 0;
   report.vertices = std::uint32_t(c.contents.vertices.size());
   report.patches = is_drawn ? std::uint32_t(c.levels[0].patch_count()) : 0;
   report.patches_by_index = c.extracted.by_index;

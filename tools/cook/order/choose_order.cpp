@@ -1,9 +1,11 @@
 #include "cook/order/choose_order.h"
 
 #include "base/geometry.h"
+#include "cook/cuts/cut_hair.h"
+#include "cook/order/order_notes.h"
+#include "cook/order/order_poses.h"
 #include "cook/texture/alpha.h"
 #include "lab/rig.h"
-#include "motion/head_path.h"
 #include "visibility/order_search.h"
 
 #include <fmt/format.h>
@@ -11,8 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <ranges>
-#include <string_view>
 
 namespace coif {
 namespace {
@@ -21,9 +23,6 @@ namespace {
 constexpr float kThresholds[] = {0.5f, 0.55f, 0.6f, 0.65f, 0.7f, 0.75f, 0.8f, 0.85f, 0.9f, 0.95f, 0.97f, 0.99f};
 constexpr float kSameThreshold = 0.005f;
 
-/// dB that each further layer of a pixel must gain that is blended instead of drawn solid: it is shaded and written once more,
-/// where a solid one hides what is behind it.
-constexpr double kGainPerLayer = 0.5;
 constexpr double kEnough = 50;  ///< dB: pictures that are nearer to the exact one are not worth more.
 constexpr std::size_t kTrianglesPerView = 150;
 constexpr std::size_t kFewestViews = 2, kMostViews = 12;
@@ -37,41 +36,8 @@ constexpr std::size_t kQuickLines = 3000;
 constexpr double kMostTriesOfACell = 9.0e6;
 constexpr std::size_t kFewestLinesOfAView = 200;
 
-struct Moment {
-  Motion motion;
-  double seconds;
-};
-
-/// Besides rest: hair thrown to both sides and back, and hair blown back.
-constexpr Moment kMoments[] = {
-    {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
-
 bool is_blended(const AssetContents& contents) {
   return !contents.material.empty() && !contents.patches.empty() && blends(contents.material.front());
-}
-
-/// By its name in a recipe.
-const Solver& solver_named(std::string_view name) {
-  if (name == "cascade") return kCascadeSolver;
-  if (name == "passive") return kPassiveSolver;
-  return name == "thesis" ? kThesisSolver : kCoifSolver;
-}
-
-tl::expected<std::vector<HairPositions>, ToolError> find_poses(const Asset& asset, const Solver& solver) {
-  std::vector<HairPositions> poses;
-  const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
-    const auto pose = simulate_pose(asset, path, seconds, {}, &solver);
-    if (!pose) return tl::unexpected(pose.error());
-    poses.push_back(posed_positions(asset, pose->palette));
-    return {};
-  };
-  if (auto rest = add(nullptr, 0); !rest) return tl::unexpected(rest.error());
-  if (asset.dynamics().empty()) return poses;
-  for (const Moment& moment : kMoments) {
-    const auto path = path_of(moment.motion);
-    if (auto moving = add(path.get(), moment.seconds); !moving) return tl::unexpected(moving.error());
-  }
-  return poses;
 }
 
 UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
@@ -116,15 +82,54 @@ class OrderChoice {
     limit_work();
   }
 
-  FoundOrders run() {
-    const FoundOrders quick = quick_search();
-    settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
-    const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
-    FoundOrders found = refine_orders(hair.hair, poses_, head_, quick, settings_);
-    if (settings_.opaque_threshold == usual_threshold_) return found;  // which was compared with it
+  /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
+  [[nodiscard]] FoundOrders quick_search() const {
+    OrderSearchSettings quick = settings_;
+    quick.opaque_threshold =
+        recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, std::ranges::max(kThresholds)) : usual_threshold_;
+    quick.min_gain = 0;
+    quick.judge_views_per_cell = kQuickJudgeViews;
+    quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
+    quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
+    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
+    return search_orders(hair.hair, poses_, head_, quick);
+  }
+
+  /// The recipe's, or what those orders look best with.
+  [[nodiscard]] float threshold_for(const FoundOrders& quick) const {
+    return recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
+  }
+
+  /// `quick`: by quick_search(), of this hair or of the same before it was cut.
+  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold) const {
+    OrderSearchSettings settings = settings_;
+    settings.opaque_threshold = threshold;
+    const ThresholdHair hair(contents_, used_, threshold);
+    FoundOrders found = refine_orders(hair.hair, poses_, head_, quick, settings);
+    if (threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
     return found.found.psnr > head.head.psnr ? std::move(found) : head;
+  }
+
+  /// Where triangles cross, seen by as many views as the quick search has.
+  [[nodiscard]] Crossings find_crossings(const FoundOrders& quick, float threshold) const {
+    if (recipe_.order_cut_budget == 0 || quick.by_view.orders.empty()) return {};
+    const ThresholdHair hair(contents_, used_, threshold);
+    FoundOrders drawn = quick;
+    drawn.rule.opaque_threshold = threshold;
+    SampleSettings samples;
+    samples.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
+    samples.lines = settings_.lines_per_view;
+    samples.threads = settings_.threads;
+    const auto share_of_order = [&] {
+      OrderSearchSettings settings = settings_;
+      settings.opaque_threshold = threshold;
+      settings.judge_views_per_cell = kQuickJudgeViews;
+      return coif::share_of_order(hair.hair, poses_, quick, settings);
+    };
+    return cut_where_crossing(contents_, hair.hair.surface, poses_.front(), drawn, most_added(quick), samples,
+                              share_of_order);
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
@@ -152,17 +157,12 @@ class OrderChoice {
     return std::min<std::size_t>(recipe_.order_max, 1 + recipe_.order_max_bytes / bytes_of_order);
   }
 
-  /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
-  [[nodiscard]] FoundOrders quick_search() const {
-    OrderSearchSettings quick = settings_;
-    quick.opaque_threshold =
-        recipe_.opaque_threshold == 0 ? std::max(usual_threshold_, std::ranges::max(kThresholds)) : usual_threshold_;
-    quick.min_gain = 0;
-    quick.judge_views_per_cell = kQuickJudgeViews;
-    quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
-    quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
-    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
-    return search_orders(hair.hair, poses_, head_, quick);
+  /// Triangles that cutting may add: all orders have them, too.
+  [[nodiscard]] std::size_t most_added(const FoundOrders& quick) const {
+    const std::size_t triangles = contents_.indices.size() / 3;
+    const std::size_t room = recipe_.order_max_bytes / (sizeof(std::uint32_t) * quick.by_view.orders.size());
+    const double wanted = recipe_.order_cut_budget * double(finest_triangle_count(contents_));
+    return std::min(std::size_t(wanted), room - std::min(room, triangles));
   }
 
   [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
@@ -224,32 +224,10 @@ class OrderChoice {
   double share_of_lines_ = 1;
 };
 
-std::string quality_text(const OrderQuality& quality) {
-  return fmt::format("{:.1f} dB (median {:.1f}, worst {:.1f}, moving {:.1f})", quality.psnr, quality.median,
-                     quality.worst, quality.moving);
-}
-
-void report(const FoundOrders& found, float usual_threshold, Findings& findings) {
-  const std::size_t count = found.by_view.orders.size();
-  const std::string what = count > 0 ? fmt::format("{} orders of triangles by direction", count)
-                                     : std::string("one order of patches for all directions");
-  findings.note(
-      fmt::format("draw order: {}, faces {}; expected against exact order {}; by distance from the head {}, the best "
-                  "single order of patches {}",
-                  what, found.rule.faces_together ? "together" : "apart", quality_text(found.found),
-                  quality_text(found.head), quality_text(found.single)));
-  if (found.rule.opaque_threshold != usual_threshold) {
-    findings.note(fmt::format(
-        "opaque threshold {:.2f}, not {:.2f}: hair drawn in its orders looks most like the exact picture for what "
-        "it costs, {:.1f} dB for each layer of a pixel that is blended; {:.1f} are, and the best order has {:.1f} dB",
-        found.rule.opaque_threshold, usual_threshold, kGainPerLayer, found.found.blended, found.limit));
-  }
-}
-
 }  // namespace
 
-tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
-                                           AssetContents& contents, Findings& findings) {
+tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
+                                                   AssetContents& contents, Findings& findings) {
   if (!recipe.scene_draw || recipe.order_method == "head" || !is_blended(contents)) return {};
   const std::size_t triangles = contents.indices.size() / 3;
   if (recipe.order_method == "auto" && triangles > kMostTriangles) {
@@ -261,19 +239,30 @@ tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const
   }
   const OpenedAsset opened(contents);
   if (!opened.asset().is_open()) return {};  // the cooker says why where it opens what it wrote
-  const auto poses = find_poses(opened.asset(), solver_named(recipe.order_solver));
+  auto poses = find_order_poses(opened.asset(), recipe.order_solver);
   if (!poses) return tl::unexpected(poses.error());
-  OrderChoice choice(recipe, used, threads, contents, *poses);
-  const FoundOrders found = choice.run();
+  std::optional<OrderChoice> choice(std::in_place, recipe, used, threads, contents, *poses);
+  FoundOrders quick = choice->quick_search();
+  const float threshold = choice->threshold_for(quick);
+  Crossings crossings = choice->find_crossings(quick, threshold);
+  note_crossings(crossings, finest_triangle_count(contents), findings);
+  if (crossings.cut) {
+    contents = std::move(crossings.cut->contents);
+    quick = std::move(crossings.cut->orders);
+    poses = find_order_poses(OpenedAsset(contents).asset(), recipe.order_solver);
+    if (!poses) return tl::unexpected(poses.error());
+    choice.emplace(recipe, used, threads, contents, *poses);
+  }
+  const FoundOrders found = choice->refine(quick, threshold);
   apply_orders(found, contents);
-  report(found, choice.usual_threshold(), findings);
-  if (choice.share_of_lines() < 1) {
+  note_orders(found, choice->usual_threshold(), findings);
+  if (choice->share_of_lines() < 1) {
     findings.note(
         fmt::format("draw order: searched with {:.1f} % of the usual lines of sight, since the triangles are nearly as "
                     "large as the hair",
-                    100 * choice.share_of_lines()));
+                    100 * choice->share_of_lines()));
   }
-  return {};
+  return figures_of(found, crossings);
 }
 
 }  // namespace coif

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/tool_error.h"
+#include "cook/order/order_figures.h"
 #include "cook/recipe/findings.h"
 #include "cook/recipe/recipe.h"
 #include "cook/strands/hair_strips.h"
@@ -34,10 +35,11 @@ void apply_orders(const FoundOrders& found, AssetContents& contents);
 /// Looks for the orders in which the packed hair is best drawn (search_orders()), at rest and in motion, and writes them, and
 /// the opaque threshold where the recipe leaves it open. What is drawn is never worse, as far as the search can tell, than by
 /// distance from the head, which is kept where nothing is blended. Mips must have their own alpha yet: each threshold is
-/// tried with those that keep_coverage() would make for it with `used`. Notes what was chosen, with figures. Errors:
-/// kBadInput for hair that the runtime cannot simulate.
-tl::expected<void, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
-                                           AssetContents& contents, Findings& findings);
+/// tried with those that keep_coverage() would make for it with `used`. Before that, cuts triangles of the finest level where they
+/// cross (cook/cuts), as far as "order.cut_budget" allows. Notes what was chosen, with figures. Errors: kBadInput for hair that the
+/// runtime cannot simulate.
+tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::span<const Image> used, unsigned threads,
+                                                   AssetContents& contents, Findings& findings);
 
 /// Writes into each vertex which share of the light from everywhere reaches it in the rest pose
 /// (VertexRecord::normal[3]): over the 96 directions of view_cells.h, each as wide as its cell, the mean of what the

@@ -118,6 +118,7 @@ struct Recipe : HairStyle {
   std::uint32_t order_max = 0;
   std::uint32_t order_max_bytes = 0;
   double order_min_gain = 0;  ///< dB.
+  double order_cut_budget = 0;  ///< Share of the triangles.
   std::string order_solver;   ///< "coif", "cascade", "passive" or "thesis".
   // textures
   std::string base_color_texture;  ///< Path beside the recipe; "": the source's.

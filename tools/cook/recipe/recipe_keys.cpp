@@ -191,10 +191,12 @@ const RecipeKey kCookKeys[] = {
    " directions to look from; auto: what comes closest to the exact picture, but by distance above 250000 triangles"},
   {"order", "max_orders", &R::order_max, "8", 1, 32, nullptr, "orders",
    "most draw orders, the one for all directions included"},
-  {"order", "max_bytes", &R::order_max_bytes, "524288", 0, 4294967295.0, nullptr, "bytes",
+  {"order", "max_bytes", &R::order_max_bytes, "786432", 0, 4294967295.0, nullptr, "bytes",
    "most that further orders take in the asset, 4 bytes for each triangle and order; fewer orders where they would take more"},
   {"order", "min_gain", &R::order_min_gain, "0.5", 0, 100, nullptr, "dB",
    "with method auto orders for directions must be better by this than the best single one"},
+  {"order", "cut_budget", &R::order_cut_budget, "0.1", 0, 1, nullptr, "",
+   "most triangles that cutting those of soft hair where they cross may add, as a share of all; 0: none is cut"},
   {"order", "solver", &R::order_solver, "\"coif\"", 0, 0, "coif|cascade|passive|thesis", "",
    "which of the runtime's solvers moves the hair in the poses that orders are searched in: the one that the game will run"},
 

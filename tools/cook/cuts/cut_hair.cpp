@@ -1,0 +1,54 @@
+#include "cook/cuts/cut_hair.h"
+
+#include "cook/cuts/cut_crossings.h"
+#include "cook/cuts/seen_crossings.h"
+#include "cook/cuts/split_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace coif {
+namespace {
+
+constexpr double kLeastGain = 0.1;              ///< dB, of all cuts together.
+constexpr double kLeastGainOfHundredth = 0.01;  ///< dB that each further hundredth of triangles must gain.
+
+/// dB, where a picture's squared error falls by this share.
+double gain_of(double share) { return -10 * std::log10(1 - std::min(share, 0.99)); }
+
+Crossings figures_of(const SeenCrossings& seen) {
+  return {seen.pairs, seen.lost > 0 ? seen.unavoidable / seen.lost : 0, std::nullopt};
+}
+
+}  // namespace
+
+Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& hair,
+                             std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
+                             std::size_t most_added, const SampleSettings& settings,
+                             const std::function<double()>& share_of_order) {
+  // A glance tells most hair from that where crossings matter.
+  SampleSettings glance = settings;
+  glance.views_per_cell = 1;
+  Crossings result = figures_of(find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, glance));
+  if (gain_of(result.share) < kLeastGain) return result;
+  const SeenCrossings seen = find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, settings);
+  result = figures_of(seen);
+  const double of_order = share_of_order();
+  if (gain_of(of_order * result.share) < kLeastGain) return result;
+  CutSettings cutting;
+  cutting.most_added = most_added;
+  cutting.shortest_edge = line_spacing(positions, settings.lines);
+  cutting.least_gain = kLeastGainOfHundredth / gain_of(of_order / 100) * seen.lost / double(hair.triangles.size());
+  SplitMesh mesh(contents);
+  const CutResult cut = cut_crossings(seen, cutting, mesh);
+  const double gain = gain_of(of_order * cut.gained / seen.lost);
+  if (gain < kLeastGain) return result;
+  CutHair made{contents, drawn, cut.cuts, cut.added, gain};
+  const std::vector<std::uint32_t> origin = mesh.write_to(made.contents);
+  for (UnitOrder& order : made.orders.by_view.orders) order = triangles_in_order(order, origin);
+  result.cut = std::move(made);
+  return result;
+}
+
+}  // namespace coif

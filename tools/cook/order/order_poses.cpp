@@ -1,0 +1,44 @@
+#include "cook/order/order_poses.h"
+
+#include "lab/rig.h"
+#include "motion/head_path.h"
+
+namespace coif {
+namespace {
+
+struct Moment {
+  Motion motion;
+  double seconds;
+};
+
+/// Besides rest: hair thrown to both sides and back, and hair blown back.
+constexpr Moment kMoments[] = {
+    {Motion::kTurn, 0.15}, {Motion::kTurn, 0.35}, {Motion::kTurn, 0.6}, {Motion::kCharge, 0.2}, {Motion::kCharge, 0.5}};
+
+/// By its name in a recipe.
+const Solver& solver_named(std::string_view name) {
+  if (name == "cascade") return kCascadeSolver;
+  if (name == "passive") return kPassiveSolver;
+  return name == "thesis" ? kThesisSolver : kCoifSolver;
+}
+
+}  // namespace
+
+tl::expected<std::vector<HairPositions>, ToolError> find_order_poses(const Asset& asset, std::string_view solver) {
+  std::vector<HairPositions> poses;
+  const auto add = [&](const HeadPath* path, double seconds) -> tl::expected<void, ToolError> {
+    const auto pose = simulate_pose(asset, path, seconds, {}, &solver_named(solver));
+    if (!pose) return tl::unexpected(pose.error());
+    poses.push_back(posed_positions(asset, pose->palette));
+    return {};
+  };
+  if (auto rest = add(nullptr, 0); !rest) return tl::unexpected(rest.error());
+  if (asset.dynamics().empty()) return poses;
+  for (const Moment& moment : kMoments) {
+    const auto path = path_of(moment.motion);
+    if (auto moving = add(path.get(), moment.seconds); !moving) return tl::unexpected(moving.error());
+  }
+  return poses;
+}
+
+}  // namespace coif
