@@ -1,6 +1,8 @@
 #include "crowd_step.h"
 #include "head_lanes.h"
 
+#include <bit>
+
 namespace coif {
 namespace {
 
@@ -25,8 +27,9 @@ void carry_along(BlockStep& step, std::uint32_t i) {
 /// Puts heads that appear somewhere else there, and ends with all ways known.
 void look_ahead(BlockStep& step) {
   CrowdState& crowd = step.crowd;
-  crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  const bool some_are_far = crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
   const bool carries = step.interval.parts.carried > 0.0f;
+  if (!some_are_far && !carries && step.block.teleports == 0) return;
   bool moved = false;
   for (std::uint32_t i = 0; i < step.block.count; ++i) {
     const bool is_put = ((step.block.teleports >> i) & 1u) != 0 || step.heads.is_far.v[i] != 0.0f;
@@ -37,7 +40,7 @@ void look_ahead(BlockStep& step) {
     moved = true;
   }
   step.block.teleports = 0;
-  if (moved) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  if (moved) (void)crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
 }
 
 RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move,
@@ -82,12 +85,13 @@ void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
   set_up_character(step, -1, part, character);
-  Mat34* palettes[kLanes] = {};
+  Mat34 *first[kLanes], *palettes[kLanes];  // of lanes in use
+  for (std::uint32_t i = 0; i < step.block.count; ++i) first[i] = crowd.palette(step.block.instance[i]).data();
   Lanes unused{};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
     const Row& row = crowd.rows[r];
     const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
-    for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
+    for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = first[i] + bone;
     RowStep job = row_step(step, row, step.index * kLanes, move, character);
     job.lanes = step.block.count;
     job.palette = is_last ? palettes : nullptr;
@@ -167,15 +171,12 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
   if (character != nullptr) character->begin(crowd, index, step.heads, step.put, step.interval.parts);
   run_parts(step);
   if (character != nullptr) character->finish(crowd, index);
-  crowd.heads.finish(block.heads, step.heads);
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    const float motion = step.motion.v[i];
-    const bool is_lost = ((block.is_lost >> i) & 1u) != 0;
-    if (is_lost || !(motion < kFastest2)) {
-      put_to_rest(crowd, index * kLanes + i);
-    } else if (watch_rest(block.heads, i, motion, step.interval.parts.dt, crowd.settings)) {
-      block.may_sleep = std::uint16_t(block.may_sleep | 1u << i);
-    }
+  const RestWatch watch = rest_watch(crowd.settings, step.interval.parts.dt);
+  const RestingHeads resting = crowd.heads.finish(block.heads, step.heads, step.motion, watch);
+  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
+  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  for (std::uint32_t left = ended; left != 0; left &= left - 1) {
+    put_to_rest(crowd, index * kLanes + std::uint32_t(std::countr_zero(left)));
   }
 }
 

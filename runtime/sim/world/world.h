@@ -204,6 +204,8 @@ void refresh(const WorldState& world, const ChainShape& shape, Bundle& bundle);
 /// False where there is no memory.
 [[nodiscard]] bool add_head(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit);
 void remove_head(WorldState& world, std::uint32_t head);
+/// `velocity` may be null. In a plain FloatEnvironment.
+Status move_head(WorldState& world, std::uint32_t head, const HeadPose& pose, const HeadVelocity* velocity);
 /// Puts the head at its next pose and the hair into its rest pose there, at rest, and renews its matrices.
 void put_to_rest(WorldState& world, WornHead& head);
 void fall_asleep(WorldState& world, std::uint32_t head);

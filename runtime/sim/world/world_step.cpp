@@ -32,7 +32,8 @@ void put_moved_heads(WorldBlock& block) {
 /// Puts heads that appear somewhere else there, and ends with all ways known.
 void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   const StepParts& parts = pace.parts;
-  world.code.look_ahead(block.heads, parts, block.step);
+  const bool some_are_far = world.code.look_ahead(block.heads, parts, block.step);
+  if (!some_are_far && !(parts.carried > 0.0f) && block.teleports == 0) return;
   bool moved = false;
   for (std::uint32_t i = 0; i < block.count; ++i) {
     const bool is_put = ((block.teleports >> i) & 1u) != 0 || block.step.is_far.v[i] != 0.0f;
@@ -43,7 +44,7 @@ void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
     moved = true;
   }
   block.teleports = 0;
-  if (moved) world.code.look_ahead(block.heads, parts, block.step);
+  if (moved) (void)world.code.look_ahead(block.heads, parts, block.step);
 }
 
 void begin_pace(WorldState& world, HeadPace& pace) {
@@ -167,15 +168,14 @@ float motion_of(const WornHead& head) {
 }
 
 void finish_block(WorldState& world, const HeadPace& pace, WorldBlock& block) {
-  world.code.finish(block.heads, block.step);
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    WornHead& head = world.heads[block.head[i]];
-    const float motion = motion_of(head);
-    if (((block.is_lost >> i) & 1u) != 0 || !(motion < kFastest2)) {
-      put_to_rest(world, head);
-    } else if (watch_rest(block.heads, i, motion, pace.parts.dt, world.settings)) {
-      block.may_sleep = std::uint16_t(block.may_sleep | 1u << i);
-    }
+  Lanes motion{};
+  for (std::uint32_t i = 0; i < block.count; ++i) motion.v[i] = motion_of(world.heads[block.head[i]]);
+  const RestWatch watch = rest_watch(world.settings, pace.parts.dt);
+  const RestingHeads resting = world.code.finish(block.heads, block.step, motion, watch);
+  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
+  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  for (std::uint32_t left = ended; left != 0; left &= left - 1) {
+    put_to_rest(world, world.heads[block.head[std::countr_zero(left)]]);
   }
 }
 
