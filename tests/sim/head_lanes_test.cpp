@@ -53,20 +53,20 @@ class HeadOnItsWay {
     parts.count = count;
     parts.teleport_distance2 = parts.teleport_angle2 = std::numeric_limits<float>::infinity();
     HeadStepLanes step{};
-    code_.look_ahead(heads_, parts, step);
-    code_.begin(heads_, parts, step);
+    code_.look_ahead(heads_, kLanes, parts, step);
+    code_.begin(heads_, kLanes, parts, step);
     std::vector<Part> made;
     MoveLanes move{};
     Lanes4 carried{};
     const double part = (to - from) / count;
     for (std::uint32_t i = 0; i < count; ++i) {
-      code_.move(heads_, step, parts, i, move, carried);
+      code_.move(heads_, kLanes, step, parts, i, move, carried);
       made.push_back({{lane(move.rotation_before, kLane), lane(move.rotation, kLane), lane(move.way, kLane),
                        lane(move.velocity, kLane), lane(move.angular_velocity, kLane)},
                       from + i * part,
                       from + (i + 1) * part});
     }
-    code_.finish(heads_, step, Lanes{}, {});
+    code_.finish(heads_, kLanes, step, Lanes{}, {});
     return made;
   }
 
@@ -236,7 +236,7 @@ double measured(InstructionSet set, const Vec3& axis, double radians) {
   set_lane(heads.rotation, kLane, Quat{});
   set_lane(heads.next_rotation, kLane, turned_about(axis, radians));
   HeadStepLanes step{};
-  head_code(set).look_ahead(heads, {}, step);
+  head_code(set).look_ahead(heads, kLanes, {}, step);
   return distance(lane(step.turn, kLane), {});
 }
 
@@ -260,7 +260,7 @@ TEST(HeadLanes, IsFarBeyondTheLimitsOfAMovement) {
     set_lane(heads.next_rotation, kLane, turned_about({0, 1, 0}, radians));
     set_lane(heads.way, kLane, way);
     HeadStepLanes step{};
-    const bool some_are_far = head_code(best_instruction_set()).look_ahead(heads, parts, step);
+    const bool some_are_far = head_code(best_instruction_set()).look_ahead(heads, kLanes, parts, step);
     EXPECT_EQ(some_are_far, step.is_far.v[kLane] == 1.0f);
     return some_are_far;
   };
@@ -306,7 +306,7 @@ TEST(HeadLanes, OnlyThoseAtRestForLongEnoughMaySleep) {
       Lanes motion;
       HeadLanes heads = heads_that_may_rest(motion);
       const RestWatch watch{0.005f, 0.0001f, sleep_after};  // a centimetre a second
-      const RestingHeads resting = head_code(set).finish(heads, HeadStepLanes{}, motion, watch);
+      const RestingHeads resting = head_code(set).finish(heads, kLanes, HeadStepLanes{}, motion, watch);
       EXPECT_EQ(resting.may_sleep, sleep_after < 0.5f ? 1u : 0u) << name_of(set);
       EXPECT_EQ(resting.flies, 0xFF00u) << name_of(set);
       for (std::uint32_t i = 0; i < kLanes; ++i)
@@ -323,7 +323,7 @@ TEST(HeadLanes, RestIsInMetresOfTheHair) {
     set_lane(heads.mean_velocity, i, {0, 0, 0.0022f});
   }
   const RestingHeads resting =
-      head_code(best_instruction_set()).finish(heads, HeadStepLanes{}, motion, {0.1f, 1e-4f, 0.1f});
+      head_code(best_instruction_set()).finish(heads, kLanes, HeadStepLanes{}, motion, {0.1f, 1e-4f, 0.1f});
   EXPECT_EQ(resting.may_sleep, 0x1Fu);  // four times as fast as in the world, not six times
 }
 

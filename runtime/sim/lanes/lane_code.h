@@ -30,17 +30,19 @@ struct RestingHeads {
   std::uint32_t flies = 0;  ///< Its hair is faster than light, or nowhere.
 };
 
-/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish.
+/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish. Of as many vectors as
+/// hold the first `lanes` lanes; what is in others stays as it is.
 struct HeadCode {
   /// Returns whether some head, perhaps of a lane that is not in use, moves further than it can have moved.
-  bool (*look_ahead)(const HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) = nullptr;
-  void (*begin)(HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) = nullptr;
+  bool (*look_ahead)(const HeadLanes& heads, std::uint32_t lanes, const StepParts& parts,
+                     HeadStepLanes& step) = nullptr;
+  void (*begin)(HeadLanes& heads, std::uint32_t lanes, const StepParts& parts, HeadStepLanes& step) = nullptr;
   /// `move` holds the last part's on entry. Returns by `carried` how the hair has to be turned before the part, where
   /// parts.inertia is below 1.
-  void (*move)(const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts, std::uint32_t part,
-               MoveLanes& move, Lanes4& carried) = nullptr;
+  void (*move)(const HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const StepParts& parts,
+               std::uint32_t part, MoveLanes& move, Lanes4& carried) = nullptr;
   /// `motion`: the squared speed of each head's tips, (m/s)^2.
-  RestingHeads (*finish)(HeadLanes& heads, const HeadStepLanes& step, const Lanes& motion,
+  RestingHeads (*finish)(HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const Lanes& motion,
                          const RestWatch& watch) = nullptr;
   /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
   void (*spread)(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) = nullptr;

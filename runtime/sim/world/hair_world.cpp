@@ -41,16 +41,13 @@ std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, WorldSta
   return carver.take_raw(desc.hair_bytes);
 }
 
-/// `narrower` where the processor has it, else `set`.
-InstructionSet narrowed(InstructionSet set, InstructionSet narrower) { return can_run(narrower) ? narrower : set; }
-
 void choose_code(WorldState& world, InstructionSet set) {
-  using enum InstructionSet;
-  world.sets[2] = set;
-  world.sets[1] = set == kAvx512 ? narrowed(set, kAvx2) : set;
-  world.sets[0] = set == kAvx512 || set == kAvx2 ? narrowed(world.sets[1], kSse4) : set;
-  world.code = head_code(set);
-  for (std::uint32_t w = 0; w < kWidths; ++w) world.keep_in_limit[w] = limit_code(world.sets[w]);
+  world.widest = set;
+  const WidthSets sets(set);
+  for (std::uint32_t w = 0; w < kWidths; ++w) {
+    world.head_codes[w] = head_code(sets.set[w]);
+    world.keep_in_limit[w] = limit_code(sets.set[w]);
+  }
 }
 
 /// A free place to come to; null where there is none.
