@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <ranges>
 #include <string_view>
 
@@ -82,19 +83,11 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 }
 
 /// The hair as it is drawn with some opaque threshold.
-struct ThresholdHair {
-  ThresholdHair(const AssetContents& contents, std::span<const Image> used, float threshold)
-      : opened(with_threshold(contents, used, threshold)), hair(opened.asset()) {}
-
-  static AssetContents with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
-    contents.material.front().opaque_threshold = threshold;
-    keep_coverage(used, contents);
-    return contents;
-  }
-
-  OpenedAsset opened;
-  SeenHair hair;
-};
+HairSurface with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
+  contents.material.front().opaque_threshold = threshold;
+  keep_coverage(used, contents);
+  return HairSurface(OpenedAsset(contents).asset());
+}
 
 class OrderChoice {
  public:
@@ -114,13 +107,14 @@ class OrderChoice {
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
     limit_work();
+    judged_.emplace(judged_hair(SeenHair(OpenedAsset(contents).asset()), poses, settings_));
   }
 
   FoundOrders run() {
     const FoundOrders quick = quick_search();
     settings_.opaque_threshold = recipe_.opaque_threshold == 0 ? best_threshold(quick) : usual_threshold_;
-    const ThresholdHair hair(contents_, used_, settings_.opaque_threshold);
-    FoundOrders found = refine_orders(hair.hair, poses_, head_, quick, settings_);
+    const HairSurface hair = with_threshold(contents_, used_, settings_.opaque_threshold);
+    FoundOrders found = refine_orders(hair, *judged_, poses_, head_, quick, settings_);
     if (settings_.opaque_threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
@@ -161,16 +155,15 @@ class OrderChoice {
     quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
-    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
-    return search_orders(hair.hair, poses_, head_, quick);
+    const HairSurface hair = with_threshold(contents_, used_, quick.opaque_threshold);
+    return search_orders(hair, *judged_, poses_, head_, quick);
   }
 
   [[nodiscard]] OrderQuality judge(const FoundOrders& orders, float threshold, std::size_t views_per_cell) const {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
     settings.judge_views_per_cell = views_per_cell;
-    const ThresholdHair hair(contents_, used_, threshold);
-    return judge_orders(hair.hair, poses_, orders, settings);
+    return judge_orders(with_threshold(contents_, used_, threshold), *judged_, orders, settings);
   }
 
   /// The thesis's way, with the usual threshold.
@@ -221,6 +214,7 @@ class OrderChoice {
   UnitOrder head_;
   float usual_threshold_;
   OrderSearchSettings settings_;
+  std::optional<JudgedHair> judged_;  ///< Its mips have their own alpha yet.
   double share_of_lines_ = 1;
 };
 
