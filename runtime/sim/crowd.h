@@ -79,8 +79,8 @@ struct CrowdState {
   Asset asset;                                         ///< A view.
   std::size_t state_bytes = 0, coefficient_bytes = 0;  ///< As RowCount has them.
   bool has_substeps = false;
-  HeadCode heads;
-  LimitFunction* keep_in_limit = nullptr;
+  HeadCode heads[kWidths];
+  LimitFunction* keep_in_limit[kWidths] = {};
   LaneOrder order = LaneOrder::kHeads;
   PlacedColliders colliders;
   std::uint32_t interval_count = 1;

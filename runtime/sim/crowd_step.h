@@ -7,6 +7,12 @@
 
 namespace coif {
 
+/// `velocity` may be null. In a plain FloatEnvironment.
+Status move_head(CrowdState& crowd, std::uint32_t instance, const HeadPose& pose, const HeadVelocity* velocity);
+
+/// Of the instances from `first` on, but those that are told again what they were told; the first bad status, if any.
+Status move_heads(CrowdState& crowd, std::uint32_t first, std::span<const HeadPose> poses);
+
 /// Chooses the blocks to step and computes what they have in common. `settings` have been checked.
 void begin_step(CrowdState& crowd, const StepSettings& settings);
 

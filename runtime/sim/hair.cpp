@@ -101,14 +101,17 @@ Status Hair::create(const Asset& asset, const HairDesc& desc, std::span<std::byt
   const InstructionSet set =
       desc.instruction_set == InstructionSet::kBest ? best_instruction_set() : desc.instruction_set;
   crowd.asset = asset;
-  crowd.heads = head_code(set);
+  const WidthSets sets(set);
+  for (std::uint32_t w = 0; w < kWidths; ++w) crowd.heads[w] = head_code(sets.set[w]);
   crowd.colliders = PlacedColliders(asset.colliders());
   make_rows(asset, *desc.solver, crowd.order, crowd.rows, crowd.row_bones, crowd.constants);
   if (!crowd.limits.empty()) {
     set_limits(asset, crowd.rows, crowd.row_bones, crowd.limits);
-    crowd.keep_in_limit = limit_code(set);
+    for (std::uint32_t w = 0; w < kWidths; ++w) crowd.keep_in_limit[w] = limit_code(sets.set[w]);
   }
-  for (Row& row : crowd.rows) row.step = row.solver->row_code(set);
+  for (Row& row : crowd.rows) {
+    for (std::uint32_t w = 0; w < kWidths; ++w) row.steps[w] = row.solver->row_code(sets.set[w]);
+  }
   if (desc.solver->character != nullptr) desc.solver->character->create(crowd);
   if (desc.links != nullptr) {
     desc.links->create(crowd);

@@ -1,6 +1,8 @@
 #pragma once
 // What happens to one head of a block of sixteen, whoever keeps the blocks: a crowd of one asset, or a world of many.
 
+#include "head_pose.h"
+#include "lanes/lane_code.h"
 #include "lanes/lane_layout.h"
 #include "vector_math.h"
 
@@ -32,11 +34,10 @@ inline void stand_upright(HeadLanes& heads) {
 /// What has been set replaces what was set before; the way is counted from where the last step left the head. False where it
 /// is too far for single precision.
 inline bool aim_head(HeadLanes& heads, std::uint32_t i, const HeadPose& unit) {
-  HeadPose from;
-  for (int axis = 0; axis < 3; ++axis) from.position[axis] = heads.next_position[axis][i];
+  const double from[3] = {heads.next_position[0][i], heads.next_position[1][i], heads.next_position[2][i]};
   Vec3 way;
-  const bool is_near = displacement(from, unit, way);
-  set_lane(heads.way, i, lane(heads.way, i) + way);
+  const bool is_near = displacement(from, unit.position, way);
+  if (is_near) set_lane(heads.way, i, lane(heads.way, i) + way);
   set_lane(heads.next_rotation, i, unit.rotation);
   heads.per_scale.v[i] = 1.0f / unit.scale;
   for (int axis = 0; axis < 3; ++axis) heads.next_position[axis][i] = unit.position[axis];
@@ -102,20 +103,9 @@ inline bool is_still(const HeadLanes& heads, std::uint32_t i) {
   return lane(heads.way, i) == Vec3{} && lane(heads.rotation, i) == lane(heads.next_rotation, i);
 }
 
-/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
-inline constexpr float kFastest2 = 9e16f;
-
-/// After a step of `dt` seconds in which the hair's tips moved by `motion`, (m/s)^2: counts how long head and hair have been at rest.
-/// Returns whether that is long enough to sleep.
-inline bool watch_rest(HeadLanes& heads, std::uint32_t i, float motion, float dt, const StepSettings& settings) {
-  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
-  const Vec3 velocity = lane(heads.mean_velocity, i) * heads.per_scale.v[i],
-             turning = lane(heads.mean_angular_velocity, i);
-  const float head = dot(velocity, velocity) + kArm2 * dot(turning, turning);
-  const float still2 = settings.sleep_speed * settings.sleep_speed;
-  const bool is_quiet = motion <= still2 && head <= still2;
-  heads.quiet.v[i] = is_quiet ? heads.quiet.v[i] + dt : 0.0f;
-  return heads.quiet.v[i] >= settings.sleep_after;
+/// For HeadCode::finish().
+inline RestWatch rest_watch(const StepSettings& settings, float dt) {
+  return {dt, settings.sleep_speed * settings.sleep_speed, settings.sleep_after};
 }
 
 }  // namespace coif

@@ -171,7 +171,7 @@ void make_rows(const Asset& asset, const Solver& solver, LaneOrder order, std::s
   for_each_row(asset, solver, order, [&](std::uint32_t first, std::uint32_t count) {
     const ChainRecord& chain = asset.chains()[first];
     Row& row = rows[next_row++];
-    row = {&solver_for(solver, chain), nullptr, next_bone, chain.bone_count, first, count};
+    row = {&solver_for(solver, chain), {}, next_bone, chain.bone_count, first, count};
     for (std::uint32_t i = 0; i < row.bone_count; ++i) {
       make_bone(asset, row, i, bones[next_bone + i], constants[next_bone + i]);
     }

@@ -3,6 +3,7 @@
 
 #include "lanes/lane_code.h"
 #include "lanes/row.h"
+#include "widths.h"
 
 #include <coif/asset.h>
 
@@ -23,8 +24,8 @@ enum class LaneOrder : std::uint8_t {
 /// One row of every block of heads (kHeads) or of every head (kChains).
 struct Row {
   const Solver* solver = nullptr;
-  RowFunction* step = nullptr;   ///< The solver's, for the processor at hand.
-  std::uint32_t first_bone = 0;  ///< Of the row's bones among those of all rows.
+  RowFunction* steps[kWidths] = {};  ///< The solver's, for the processor at hand.
+  std::uint32_t first_bone = 0;      ///< Of the row's bones among those of all rows.
   std::uint32_t bone_count = 0;
   std::uint32_t first_chain = 0;
   std::uint32_t chain_count = 0;  ///< 1 for kHeads, else the lanes in use.

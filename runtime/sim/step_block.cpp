@@ -1,6 +1,8 @@
 #include "crowd_step.h"
 #include "head_lanes.h"
 
+#include <bit>
+
 namespace coif {
 namespace {
 
@@ -16,6 +18,8 @@ struct BlockStep {
   Lanes motion;           ///< See RowStep; of each head.
 };
 
+const HeadCode& heads_of(const BlockStep& step) { return step.crowd.heads[width_for(step.block.count)]; }
+
 /// Through what comes before what is simulated.
 void carry_along(BlockStep& step, std::uint32_t i) {
   const Quat by = carry_head(step.block.heads, i, step.interval.parts.carried, lane(step.heads.turn, i));
@@ -25,8 +29,10 @@ void carry_along(BlockStep& step, std::uint32_t i) {
 /// Puts heads that appear somewhere else there, and ends with all ways known.
 void look_ahead(BlockStep& step) {
   CrowdState& crowd = step.crowd;
-  crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  const bool some_are_far =
+      heads_of(step).look_ahead(step.block.heads, step.block.count, step.interval.parts, step.heads);
   const bool carries = step.interval.parts.carried > 0.0f;
+  if (!some_are_far && !carries && step.block.teleports == 0) return;
   bool moved = false;
   for (std::uint32_t i = 0; i < step.block.count; ++i) {
     const bool is_put = ((step.block.teleports >> i) & 1u) != 0 || step.heads.is_far.v[i] != 0.0f;
@@ -37,10 +43,11 @@ void look_ahead(BlockStep& step) {
     moved = true;
   }
   step.block.teleports = 0;
-  if (moved) crowd.heads.look_ahead(step.block.heads, step.interval.parts, step.heads);
+  if (moved) (void)heads_of(step).look_ahead(step.block.heads, step.block.count, step.interval.parts, step.heads);
 }
 
-RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, const MoveLanes& move,
+/// Of the first `lanes` lanes.
+RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t lanes, std::uint32_t slot, const MoveLanes& move,
                  RowCharacter& character) {
   const CrowdState& crowd = step.crowd;
   const std::size_t state = crowd.first_state(slot) + row.first_bone;
@@ -48,11 +55,12 @@ RowStep row_step(const BlockStep& step, const Row& row, std::uint32_t slot, cons
   job.bones = crowd.row_bones.subspan(row.first_bone, row.bone_count);
   job.constants = &crowd.constants[row.first_bone];
   job.limits = crowd.limits.data() + (crowd.limits.empty() ? 0 : row.first_bone);
-  job.keep_in_limit = crowd.keep_in_limit;
+  job.keep_in_limit = crowd.keep_in_limit[width_for(lanes)];
   job.coefficients = step.coefficients + row.first_bone * crowd.coefficient_bytes;
   job.state = &crowd.states[state * crowd.state_bytes];
   job.twist = crowd.twists_of(row, state);
   job.scratch = crowd.scratch.data() + step.index * (crowd.scratch.size() / crowd.blocks.size());
+  job.lanes = lanes;
   job.move = &move;
   job.dt = step.interval.parts.part_dt();
   job.iterations = crowd.settings.iterations;
@@ -82,17 +90,17 @@ void step_heads(BlockStep& step, const MoveLanes& move, std::uint32_t part) {
   const bool is_last = part + 1 == step.interval.parts.count;
   RowCharacter character;
   set_up_character(step, -1, part, character);
-  Mat34* palettes[kLanes] = {};
+  Mat34 *first[kLanes], *palettes[kLanes];  // of lanes in use
+  for (std::uint32_t i = 0; i < step.block.count; ++i) first[i] = crowd.palette(step.block.instance[i]).data();
   Lanes unused{};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
     const Row& row = crowd.rows[r];
     const std::uint32_t bone = crowd.asset.chains()[row.first_chain].first_bone;
-    for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = &crowd.palette(step.block.instance[i])[bone];
-    RowStep job = row_step(step, row, step.index * kLanes, move, character);
-    job.lanes = step.block.count;
+    for (std::uint32_t i = 0; i < step.block.count; ++i) palettes[i] = first[i] + bone;
+    RowStep job = row_step(step, row, step.block.count, step.index * kLanes, move, character);
     job.palette = is_last ? palettes : nullptr;
     job.motion = crowd.links.has(row.first_chain) ? &unused : &step.motion;
-    row.step(job);
+    row.steps[width_for(job.lanes)](job);
     if (crowd.links.code != nullptr) crowd.links.code->keep_row(step.crowd, step.index, r, job);
   }
   if (crowd.links.code == nullptr) return;
@@ -109,19 +117,18 @@ void step_chains(BlockStep& step, std::uint32_t head, const MoveLanes& moves, st
   set_up_character(step, std::int32_t(head), part, character);
   const std::span<Mat34> palette = crowd.palette(step.block.instance[head]);
   MoveLanes move;
-  crowd.heads.spread(moves, head, move);
+  heads_of(step).spread(moves, head, move);
   Mat34* palettes[kLanes] = {};
   for (std::size_t r = 0; r < crowd.rows.size(); ++r) {
     const Row& row = crowd.rows[r];
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       palettes[i] = &palette[crowd.asset.chains()[row.first_chain + i].first_bone];
     }
-    RowStep job = row_step(step, row, step.index * kLanes + head, move, character);
-    job.lanes = row.chain_count;
+    RowStep job = row_step(step, row, row.chain_count, step.index * kLanes + head, move, character);
     job.palette = is_last ? palettes : nullptr;
     Lanes motion{};
     job.motion = &motion;
-    row.step(job);
+    row.steps[width_for(job.lanes)](job);
     // In the order of the chains, as for kHeads, and without the lanes that are not in use.
     for (std::uint32_t i = 0; i < row.chain_count; ++i) {
       if (!crowd.links.has(row.first_chain + i)) step.motion.v[head] += motion.v[i];
@@ -141,7 +148,7 @@ void run_parts(BlockStep& step) {
   MoveLanes move;
   Lanes4 carried;
   for (std::uint32_t part = 0; part < parts.count; ++part) {
-    crowd.heads.move(step.block.heads, step.heads, parts, part, move, carried);
+    heads_of(step).move(step.block.heads, step.block.count, step.heads, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_heads(step, carried);
     if (crowd.character.code != nullptr) crowd.character.code->blow(crowd, step.index, parts, part, move);
     step.motion = Lanes{};
@@ -162,20 +169,17 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
   const std::size_t stride = crowd.row_bone_count() * crowd.coefficient_bytes;
   BlockStep step{crowd, index, block, crowd.intervals[power], crowd.coefficients.data() + table * stride, {}, 0, {}};
   look_ahead(step);
-  crowd.heads.begin(block.heads, step.interval.parts, step.heads);
+  heads_of(step).begin(block.heads, block.count, step.interval.parts, step.heads);
   const CharacterCode* const character = crowd.character.code;
   if (character != nullptr) character->begin(crowd, index, step.heads, step.put, step.interval.parts);
   run_parts(step);
   if (character != nullptr) character->finish(crowd, index);
-  crowd.heads.finish(block.heads, step.heads);
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    const float motion = step.motion.v[i];
-    const bool is_lost = ((block.is_lost >> i) & 1u) != 0;
-    if (is_lost || !(motion < kFastest2)) {
-      put_to_rest(crowd, index * kLanes + i);
-    } else if (watch_rest(block.heads, i, motion, step.interval.parts.dt, crowd.settings)) {
-      block.may_sleep = std::uint16_t(block.may_sleep | 1u << i);
-    }
+  const RestWatch watch = rest_watch(crowd.settings, step.interval.parts.dt);
+  const RestingHeads resting = heads_of(step).finish(block.heads, block.count, step.heads, step.motion, watch);
+  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
+  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  for (std::uint32_t left = ended; left != 0; left &= left - 1) {
+    put_to_rest(crowd, index * kLanes + std::uint32_t(std::countr_zero(left)));
   }
 }
 

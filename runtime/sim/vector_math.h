@@ -100,7 +100,4 @@ inline Quat renormalised(const Quat& q) {
 /// Copies `pose` to `unit` with its rotation normalised; kBadPose, with `unit` untouched, where coif/hair.h says so.
 Status normalise_pose(const HeadPose& pose, HeadPose& unit);
 
-/// The way from one position to another, metres. False where it is too far to be a movement in single precision.
-[[nodiscard]] bool displacement(const HeadPose& from, const HeadPose& to, Vec3& way);
-
 }  // namespace coif

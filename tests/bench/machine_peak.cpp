@@ -98,10 +98,18 @@ bool has_width(VectorWidth width) {
 
 double peak_instructions() {
 #if defined(__x86_64__)
-  // Four bytes long, as instructions usually are: more of shorter ones do not fit the cache of decoded instructions.
-  constexpr int kNops = 64;
-  return best_rate(double(kRounds) * kNops, [] {
-    for (int round = 0; round < kRounds; ++round) asm volatile(".rept 64\n nopl 0(%rax)\n .endr");
+  // Of every kind some, as code has them, and none that waits for another. (Of instructions that do nothing, processors decode two as
+  // one.)
+  static constexpr long kInstructions = 6 * 12;
+  return best_rate(double(kRounds) * kInstructions, [] {
+    for (int round = 0; round < kRounds; ++round) {
+      asm volatile(
+          ".rept 12\n add $1, %%eax\n add $1, %%ecx\n pshufd $0, %%xmm0, %%xmm1\n mov (%0), %%rdx\n add $1, %%esi\n"
+          "pshufd $0, %%xmm0, %%xmm2\n .endr"
+          :
+          : "r"(&kInstructions)
+          : "eax", "ecx", "rdx", "esi", "xmm1", "xmm2");
+    }
   });
 #else
   return 0;

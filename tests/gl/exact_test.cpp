@@ -246,7 +246,7 @@ TEST_P(ExactModes, GiveTheSamePicture) {
   }
 }
 
-// Peeling blends layer after layer into the target, which rounds each.
+// Peeling blends layer after layer into the target, which rounds each: by two in Mesa, three on a graphics card of NVIDIA's.
 TEST_P(ExactModes, GiveNearlyTheSameBytes) {
   const DrawnAsset wig(bytes_);
   for (const float turn : kTurns) {
@@ -254,7 +254,7 @@ TEST_P(ExactModes, GiveNearlyTheSameBytes) {
     const auto listed = read_pixels(kSize);
     draw_wig(GetParam(), *wig, turn);
     if (IsSkipped()) return;
-    EXPECT_LE(worst_difference(listed, read_pixels(kSize)), 2) << turn;
+    EXPECT_LE(worst_difference(listed, read_pixels(kSize)), 3) << turn;
     EXPECT_GT(worst_difference(listed, std::vector<std::uint8_t>(listed.size(), listed[0])), 100) << "hair is seen";
   }
 }

@@ -192,7 +192,8 @@ TEST_F(MotionVectors, AreNothingForAStandingHeadUnderAStandingCamera) {
   for (const Vector& vector : vectors(*wig, frame, frame)) {
     if (vector[0] == kUntouched) continue;
     ++drawn;
-    EXPECT_EQ(vector, (Vector{0, 0}));
+    EXPECT_NEAR(vector[0], 0, 1e-7);
+    EXPECT_NEAR(vector[1], 0, 1e-7);
   }
   EXPECT_GT(drawn, 200);
 }
@@ -221,7 +222,8 @@ TEST_F(MotionVectors, AJitterThatBothMatricesHaveStaysOut) {
   for (std::size_t column = 0; column < 4; ++column) frame.clip[4 * column] += 0.01f * frame.clip[4 * column + 3];
   for (const Vector& vector : vectors(*asset, frame, frame)) {
     if (vector[0] == kUntouched) continue;
-    EXPECT_EQ(vector, (Vector{0, 0}));
+    EXPECT_NEAR(vector[0], 0, 1e-7);  // graphics cards divide by way of reciprocals
+    EXPECT_NEAR(vector[1], 0, 1e-7);
   }
 }
 

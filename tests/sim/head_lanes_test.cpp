@@ -53,20 +53,20 @@ class HeadOnItsWay {
     parts.count = count;
     parts.teleport_distance2 = parts.teleport_angle2 = std::numeric_limits<float>::infinity();
     HeadStepLanes step{};
-    code_.look_ahead(heads_, parts, step);
-    code_.begin(heads_, parts, step);
+    code_.look_ahead(heads_, kLanes, parts, step);
+    code_.begin(heads_, kLanes, parts, step);
     std::vector<Part> made;
     MoveLanes move{};
     Lanes4 carried{};
     const double part = (to - from) / count;
     for (std::uint32_t i = 0; i < count; ++i) {
-      code_.move(heads_, step, parts, i, move, carried);
+      code_.move(heads_, kLanes, step, parts, i, move, carried);
       made.push_back({{lane(move.rotation_before, kLane), lane(move.rotation, kLane), lane(move.way, kLane),
                        lane(move.velocity, kLane), lane(move.angular_velocity, kLane)},
                       from + i * part,
                       from + (i + 1) * part});
     }
-    code_.finish(heads_, step);
+    code_.finish(heads_, kLanes, step, Lanes{}, {});
     return made;
   }
 
@@ -236,7 +236,7 @@ double measured(InstructionSet set, const Vec3& axis, double radians) {
   set_lane(heads.rotation, kLane, Quat{});
   set_lane(heads.next_rotation, kLane, turned_about(axis, radians));
   HeadStepLanes step{};
-  head_code(set).look_ahead(heads, {}, step);
+  head_code(set).look_ahead(heads, kLanes, {}, step);
   return distance(lane(step.turn, kLane), {});
 }
 
@@ -260,8 +260,9 @@ TEST(HeadLanes, IsFarBeyondTheLimitsOfAMovement) {
     set_lane(heads.next_rotation, kLane, turned_about({0, 1, 0}, radians));
     set_lane(heads.way, kLane, way);
     HeadStepLanes step{};
-    head_code(best_instruction_set()).look_ahead(heads, parts, step);
-    return step.is_far.v[kLane] == 1.0f;
+    const bool some_are_far = head_code(best_instruction_set()).look_ahead(heads, kLanes, parts, step);
+    EXPECT_EQ(some_are_far, step.is_far.v[kLane] == 1.0f);
+    return some_are_far;
   };
   EXPECT_FALSE(is_far({3, 0, 3.999f}, 0));
   EXPECT_TRUE(is_far({3, 0, 4.001f}, 0));
@@ -283,6 +284,47 @@ TEST(HeadLanes, EveryInstructionSetFindsTheSamePath) {
       }
     }
   }
+}
+
+/// Sixteen heads of which each is still, turns, moves, has hair that moves or flies, in all combinations.
+HeadLanes heads_that_may_rest(Lanes& motion) {
+  HeadLanes heads{};
+  for (std::uint32_t i = 0; i < kLanes; ++i) {
+    heads.per_scale.v[i] = 1;
+    heads.quiet.v[i] = 0.5f;
+    set_lane(heads.mean_velocity, i, {(i & 1u) != 0 ? 0.02f : 0.0f, 0, 0});
+    set_lane(heads.mean_angular_velocity, i, {0, (i & 2u) != 0 ? 0.2f : 0.0f, 0});
+    motion.v[i] = (i & 4u) != 0 ? 0.0002f : 0.0f;
+    if ((i & 8u) != 0) motion.v[i] = (i & 4u) != 0 ? std::numeric_limits<float>::quiet_NaN() : 1e17f;
+  }
+  return heads;
+}
+
+TEST(HeadLanes, OnlyThoseAtRestForLongEnoughMaySleep) {
+  for (const InstructionSet set : runnable_sets()) {
+    for (const float sleep_after : {0.51f, 0.49f}) {
+      Lanes motion;
+      HeadLanes heads = heads_that_may_rest(motion);
+      const RestWatch watch{0.005f, 0.0001f, sleep_after};  // a centimetre a second
+      const RestingHeads resting = head_code(set).finish(heads, kLanes, HeadStepLanes{}, motion, watch);
+      EXPECT_EQ(resting.may_sleep, sleep_after < 0.5f ? 1u : 0u) << name_of(set);
+      EXPECT_EQ(resting.flies, 0xFF00u) << name_of(set);
+      for (std::uint32_t i = 0; i < kLanes; ++i)
+        EXPECT_EQ(heads.quiet.v[i], i == 0 ? 0.505f : 0.0f) << name_of(set) << " " << i;
+    }
+  }
+}
+
+TEST(HeadLanes, RestIsInMetresOfTheHair) {
+  Lanes motion{};
+  HeadLanes heads{};
+  for (std::uint32_t i = 0; i < kLanes; ++i) {
+    heads.per_scale.v[i] = float(i);
+    set_lane(heads.mean_velocity, i, {0, 0, 0.0022f});
+  }
+  const RestingHeads resting =
+      head_code(best_instruction_set()).finish(heads, kLanes, HeadStepLanes{}, motion, {0.1f, 1e-4f, 0.1f});
+  EXPECT_EQ(resting.may_sleep, 0x1Fu);  // four times as fast as in the world, not six times
 }
 
 }  // namespace coif::head_lanes_test

@@ -1,12 +1,13 @@
 // What lies before what along the lines of a view, on cards whose order is known.
 
-#include "models/card_asset.h"
 #include "visibility/fragment_view.h"
+#include "models/card_asset.h"
 
 #include <coif/view_cells.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -198,6 +199,88 @@ TEST(SightLines, WhatSolidFragmentsHideIsNotEvenFound) {
     ASSERT_EQ(cut.line(i).size(), kept);
     for (std::size_t k = 0; k < kept; ++k) EXPECT_EQ(cut.line(i)[k].triangle, all.line(i)[k].triangle);
   }
+}
+
+/// Cards of all sizes and directions around a ball, some of them solid.
+AssetContents thicket() {
+  std::uint32_t seed = 7;
+  const auto chance = [&] {
+    seed = seed * 1664525u + 1013904223u;
+    return float(seed >> 8) / float(1u << 24);
+  };
+  const auto anywhere = [&] { return Eigen::Vector3f(chance() - 0.5f, chance() - 0.5f, chance() - 0.5f); };
+  std::vector<Card> cards;
+  for (int i = 0; i < 300; ++i) {
+    const float side = i % 3 == 0 ? 0.1f : 0.01f;
+    const int alpha = int(40 + 240 * chance());
+    cards.push_back({0.3f * anywhere(), side * anywhere(), 0.3f * side * anywhere(), std::min(alpha, 255)});
+  }
+  AssetContents contents = card_contents(cards);
+  add_ball(contents, {0.02f, 0, 0}, 0.08f);
+  return contents;
+}
+
+TEST(FragmentView, LeavesOutWhatIsHiddenAndNothingElse) {
+  constexpr float kSolid = 0.95f;
+  const OpenedAsset opened(thicket());
+  const HairSurface hair(opened.asset());
+  const auto positions = posed_positions(opened.asset(), {});
+  std::size_t kept = 0, left_out = 0;
+  for (std::uint32_t cell = 0; cell < kViewCells; cell += 5) {
+    ViewGrid grid{.towards_eye = direction_in_cell(cell, 0)};
+    const FragmentView all(hair, positions, grid);
+    grid.solid_alpha = kSolid;
+    grid.past_head = false;
+    const FragmentView cut(hair, positions, grid);
+    ASSERT_EQ(all.line_count(), cut.line_count());
+    for (std::size_t i = 0; i < all.line_count(); ++i) {
+      std::size_t k = 0;
+      for (const Fragment& fragment : all.line(i)) {
+        if (fragment.depth > all.solid_depth(i) - 1.0e-5f) break;
+        ASSERT_LT(k, cut.line(i).size());
+        EXPECT_EQ(cut.line(i)[k].triangle, fragment.triangle);
+        EXPECT_EQ(cut.line(i)[k].depth, fragment.depth);
+        EXPECT_EQ(cut.line(i)[k].alpha, fragment.alpha);
+        ++k;
+        if (fragment.alpha >= kSolid) break;
+      }
+      kept += k;
+      left_out += all.line(i).size() - cut.line(i).size();
+      for (const Fragment& fragment : cut.line(i)) EXPECT_LE(fragment.depth, all.solid_depth(i) + 1.0e-5f);
+    }
+  }
+  EXPECT_GT(kept, 1000u);
+  EXPECT_GT(left_out, 1000u);
+}
+
+TEST(SolidsAlong, AreWhereEachLineFirstMeetsOneOfThem) {
+  std::vector<ColliderRecord> solids(3);
+  solids[0].shape = ColliderShape::kEllipsoid;
+  std::ranges::copy(std::array{0.0f, 0.05f, 0.0f}, solids[0].center);
+  std::ranges::copy(std::array{0.08f, 0.1f, 0.09f}, solids[0].radii);
+  std::ranges::copy(std::array{0.0f, 0.6f, 0.0f, 0.8f}, solids[0].rotation);
+  solids[1].shape = ColliderShape::kCapsule;
+  std::ranges::copy(std::array{0.0f, -0.1f, 0.0f}, solids[1].center);
+  std::ranges::copy(std::array{0.0f, 0.1f, 0.02f}, solids[1].axis);
+  std::ranges::copy(std::array{0.05f, 0.05f, 0.05f}, solids[1].radii);
+  solids[2].shape = ColliderShape::kSphere;
+  std::ranges::copy(std::array{0.07f, 0.0f, 0.0f}, solids[2].center);
+  std::ranges::copy(std::array{0.04f, 0.04f, 0.04f}, solids[2].radii);
+  std::ranges::copy(std::array{0.0f, 0.0f, 0.0f, 1.0f}, solids[2].rotation);
+  std::size_t met = 0;
+  for (std::uint32_t cell = 0; cell < kViewCells; cell += 3) {
+    const Eigen::Vector3f along = direction_in_cell(cell, 0);
+    const SolidsAlong from(solids, along);
+    for (const float x : {-0.06f, 0.0f, 0.03f, 0.09f}) {
+      const Eigen::Vector3f origin(x, 0.5f * x, 0.02f);
+      const float expected = solid_depth(solids, origin, along), depth = from.depth(origin);
+      EXPECT_EQ(std::isfinite(depth), std::isfinite(expected));
+      if (!std::isfinite(expected)) continue;
+      EXPECT_NEAR(depth, expected, 1.0e-4f);
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 50u);
 }
 
 TEST(SampledViews, DirectionsFillTheirCells) {

@@ -28,7 +28,9 @@ struct Searched {
     settings.lines_per_view = 400;
     const OpenedAsset opened(contents);
     const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
-    found = search_orders(SeenHair(opened.asset()), poses, counted(opened.asset().patches().size()), settings);
+    const SeenHair hair(opened.asset());
+    const UnitOrder start = counted(opened.asset().patches().size());
+    found = search_orders(hair.surface, judged_hair(hair, poses, settings), poses, start, settings);
   }
   FoundOrders found;
 };
@@ -125,14 +127,16 @@ TEST(OrderSearch, RefiningKeepsFacesAndDoesNotLose) {
   OrderSearchSettings settings;
   settings.views_per_cell = 1;
   settings.lines_per_view = 200;
-  const FoundOrders quick = search_orders(hair, poses, counted(24), settings);
+  const FoundOrders quick =
+      search_orders(hair.surface, judged_hair(hair, poses, settings), poses, counted(24), settings);
   ASSERT_FALSE(quick.by_view.orders.empty());
   settings.views_per_cell = 4;
   settings.lines_per_view = 400;
-  const FoundOrders refined = refine_orders(hair, poses, counted(24), quick, settings);
+  const JudgedHair judged = judged_hair(hair, poses, settings);
+  const FoundOrders refined = refine_orders(hair.surface, judged, poses, counted(24), quick, settings);
   EXPECT_EQ(refined.rule.faces_together, quick.rule.faces_together);
   EXPECT_LE(refined.by_view.orders.size(), quick.by_view.orders.size());
-  EXPECT_GE(refined.found.psnr, judge_orders(hair, poses, quick, settings).psnr);
+  EXPECT_GE(refined.found.psnr, judge_orders(hair.surface, judged, quick, settings).psnr);
 }
 
 TEST(OrderSearch, JudgesByTheThresholdThatIsAskedFor) {
@@ -142,10 +146,11 @@ TEST(OrderSearch, JudgesByTheThresholdThatIsAskedFor) {
   OrderSearchSettings settings;
   settings.max_orders = 1;
   settings.lines_per_view = 400;
-  const FoundOrders found = search_orders(hair, poses, counted(1), settings);
-  EXPECT_EQ(judge_orders(hair, poses, found, settings).psnr, found.found.psnr);
+  const JudgedHair judged = judged_hair(hair, poses, settings);
+  const FoundOrders found = search_orders(hair.surface, judged, poses, counted(1), settings);
+  EXPECT_EQ(judge_orders(hair.surface, judged, found, settings).psnr, found.found.psnr);
   settings.opaque_threshold = 0.55f;  // less than the card's alpha: it hides what is behind
-  EXPECT_LT(judge_orders(hair, poses, found, settings).psnr, found.found.psnr - 10);
+  EXPECT_LT(judge_orders(hair.surface, judged, found, settings).psnr, found.found.psnr - 10);
 }
 
 TEST(OrderSearch, ThreadsDoNotChangeTheResult) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -103,9 +104,10 @@ TEST(SeenLines, HidingTheBackdropIsWorseThanMixingLayersOfOneColour) {
   OrderSearchSettings settings;
   settings.lines_per_view = 400;
   settings.opaque_threshold = 0.95f;
-  const double blended = judge_orders(hair, poses, one, settings).psnr;
+  const JudgedHair judged = judged_hair(hair, poses, settings);
+  const double blended = judge_orders(hair.surface, judged, one, settings).psnr;
   settings.opaque_threshold = 0.75f;
-  EXPECT_GT(blended, judge_orders(hair, poses, one, settings).psnr + 3);
+  EXPECT_GT(blended, judge_orders(hair.surface, judged, one, settings).psnr + 3);
 }
 
 TEST(SeenLines, LightFallsFromAboveAndDarkHairIsDark) {
@@ -121,6 +123,38 @@ TEST(SeenLines, LightFallsFromAboveAndDarkHairIsDark) {
   EXPECT_GT(mean(Eigen::Vector3f(0, 0.5f, 1).normalized()), 0);
   EXPECT_GT(mean(Eigen::Vector3f(0, -0.9f, 0.3f).normalized()), mean(Eigen::Vector3f(0, 0.9f, 0.3f).normalized()))
       << "the card faces the light that moves with an eye below it";
+}
+
+TEST(SeenLines, HitsShowAllThatSeveralThresholdsMaySee) {
+  // Where mips make a card less solid, what is behind it shows as well.
+  constexpr std::size_t kSolid = 253;
+  AssetContents contents = card_contents(std::vector<Card>{{.center = {0, 0, 0.1f}, .alpha = kSolid}, {.alpha = 150}});
+  const OpenedAsset opened(contents);
+  contents.texels[4 * kSolid + 3] = std::byte{130};
+  const OpenedAsset fainter(contents);
+  const SeenHair hair(opened.asset());
+  const auto positions = posed_positions(opened.asset(), {});
+  const SeenHits hits = see_hits(hair, positions, Eigen::Vector3f::UnitZ(), 0.01f);
+  ASSERT_GT(hits.behind.size(), 100u);
+  EXPECT_EQ(hits.hits.size(), 2 * hits.behind.size());
+  const SeenLines seen = lines_of(hits, HairSurface(fainter.asset()).alpha, 0.95f);
+  EXPECT_EQ(seen.layers.size(), hits.hits.size());
+  EXPECT_NEAR(seen.layers[0].alpha, 130.0f / 255, 1.0e-6f);
+  EXPECT_NEAR(lines_of(hits, hair.surface.alpha, 0.95f).layers[0].alpha, float(kSolid) / 255, 1.0e-6f);
+}
+
+TEST(SeenLines, HitsEndBehindSolidOnesAlone) {
+  const auto hits_of_line = [](int alpha) {
+    std::vector<Card> cards;
+    for (int i = 0; i < 12; ++i) cards.push_back({.center = {0, 0, -0.01f * float(i)}, .alpha = alpha});
+    const OpenedAsset opened(card_contents(cards));
+    const auto positions = posed_positions(opened.asset(), {});
+    const SeenHits hits = see_hits(SeenHair(opened.asset()), positions, Eigen::Vector3f::UnitZ(), 0.01f);
+    return hits.hits.size() / std::max<std::size_t>(hits.behind.size(), 1);
+  };
+  EXPECT_EQ(hits_of_line(230), 12u) << "each is blended, with some thresholds";
+  EXPECT_LT(hits_of_line(255), 9u);
+  EXPECT_GT(hits_of_line(255), 3u) << "mips may make them less solid";
 }
 
 TEST(SeenLines, TheHeadIsSeenThroughHair) {

@@ -25,7 +25,8 @@ inline constexpr double kDegree = std::numbers::pi / 180;  ///< In radians.
 }
 
 /// `v` turned by the unit quaternion `by`: what Eigen's product is, of which compilers leave calls that take longer than it does.
-[[nodiscard]] inline Eigen::Vector3d turned(const Eigen::Quaterniond& by, const Eigen::Vector3d& v) {
+[[nodiscard, gnu::always_inline]] inline Eigen::Vector3d turned(const Eigen::Quaterniond& by,
+                                                                const Eigen::Vector3d& v) {
   const double x = 2 * (by.y() * v.z() - by.z() * v.y()), y = 2 * (by.z() * v.x() - by.x() * v.z()),
                z = 2 * (by.x() * v.y() - by.y() * v.x());
   return {v.x() + by.w() * x + (by.y() * z - by.z() * y), v.y() + by.w() * y + (by.z() * x - by.x() * z),

@@ -19,6 +19,17 @@ double per_fold(double unfolded) {
   return 1 / std::max(unfolded, kLeastUnfolded);
 }
 
+/// Of a positive definite matrix.
+Matrix3d symmetric_inverse(const Matrix3d& m) {
+  const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2), xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2),
+               xz = m(0, 1) * m(1, 2) - m(0, 2) * m(1, 1), yy = m(0, 0) * m(2, 2) - m(0, 2) * m(0, 2),
+               yz = m(0, 1) * m(0, 2) - m(0, 0) * m(1, 2), zz = m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1);
+  const double scale = 1 / (m(0, 0) * xx + m(0, 1) * xy + m(0, 2) * xz);
+  Matrix3d inverse;
+  inverse << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return scale * inverse;
+}
+
 double mass_of(const RigBone& bone) { return bone.length; }
 
 const BoneMotion& carrier(std::span<const RigBone> bones, std::size_t i, const HeadState& head,
@@ -84,7 +95,7 @@ void PassiveModel::load(std::size_t i, const HeadState& head, const BoneMotion& 
 
 void PassiveModel::gather(std::size_t i, double opening) {
   Links& links = links_[i];
-  const Matrix3d inverse = links.mass.inverse();
+  const Matrix3d inverse = symmetric_inverse(links.mass);
   const Vector3d& direction = bends_[i].direction;
   links.by_pull = inverse * direction;
   links.push = inverse * links.push;

@@ -8,10 +8,19 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
+/// shortest_arc(), not made unit.
+Quaterniond arc_between(const Vector3d& from, const Vector3d& to) {
+  const double cosine = from.dot(to);
+  const bool is_opposite = cosine < -1 + 1.0e-14;
+  const Vector3d axis = is_opposite ? from.unitOrthogonal() : from.cross(to);
+  return {is_opposite ? 0 : 1 + cosine, axis.x(), axis.y(), axis.z()};
+}
+
 /// Sine of the angle by which a bone is twisted against the shortest arc from its parent's frame; `direction` is the
 /// bone's in that frame.
 double sine_of_twist(const RigBone& bone, const Quaterniond& in_parent, const Vector3d& direction) {
-  const Quaterniond twist = in_parent * shortest_arc(bone.rest_direction, direction).conjugate();
+  // Of any length: only the ratio of its parts counts.
+  const Quaterniond twist = in_parent * arc_between(bone.rest_direction, direction).conjugate();
   const double sine = twist.vec().dot(direction), cosine = twist.w();
   return 2 * sine * cosine / (sine * sine + cosine * cosine);
 }
@@ -88,15 +97,7 @@ BoneRates rates_of(const RigBone& bone, const SolverScene& scene, const HeadStat
 
 }  // namespace
 
-Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to) {
-  const double cosine = from.dot(to);
-  if (cosine < -1 + 1.0e-14) {
-    const Vector3d axis = from.unitOrthogonal();
-    return {0, axis.x(), axis.y(), axis.z()};
-  }
-  const Vector3d axis = from.cross(to);
-  return Quaterniond(1 + cosine, axis.x(), axis.y(), axis.z()).normalized();
-}
+Quaterniond shortest_arc(const Vector3d& from, const Vector3d& to) { return arc_between(from, to).normalized(); }
 
 BoneMotion motion_of_joint(const Vector3d& joint, const HeadState& head) {
   const Vector3d arm = turned(head.rotation, joint);

@@ -7,8 +7,10 @@
 #include <GLES3/gl3.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace coif {
 namespace {
@@ -19,6 +21,24 @@ EGLConfig choose_config(EGLDisplay display) {
   EGLint found = 0;
   if (eglChooseConfig(display, wanted, &config, 1, &found) == EGL_FALSE || found == 0) return nullptr;
   return config;
+}
+
+/// Those of graphics cards that no window system shows: of servers.
+void add_devices(std::vector<EGLDisplay>& displays) {
+  const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  EGLDeviceEXT devices[16] = {};
+  EGLint count = 0;
+  if (query == nullptr || query(EGLint(std::size(devices)), devices, &count) == EGL_FALSE) return;
+  for (EGLint i = 0; i < count; ++i) {
+    displays.push_back(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+  }
+}
+
+std::vector<EGLDisplay> all_displays() {
+  std::vector<EGLDisplay> displays{eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
+                                   eglGetDisplay(EGL_DEFAULT_DISPLAY)};
+  add_devices(displays);
+  return displays;
 }
 
 void* find_function(const char* name, void*) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
@@ -55,11 +75,7 @@ bool EglContext::open(void* display, Handles& handles) {
 }
 
 tl::expected<EglContext, ToolError> EglContext::create() {
-  const EGLDisplay displays[] = {
-      eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
-      eglGetDisplay(EGL_DEFAULT_DISPLAY),
-  };
-  for (const EGLDisplay display : displays) {
+  for (const EGLDisplay display : all_displays()) {
     Handles handles;
     if (open(display, handles)) return EglContext(handles);
     release(handles);

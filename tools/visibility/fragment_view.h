@@ -19,6 +19,21 @@ struct ViewGrid {
   float solid_alpha = 2;  ///< Fragments behind one of at least this alpha are left out; above 1 all are there.
   std::optional<float> faintest = {};  ///< Instead of the hair's own: fainter fragments are left out.
   float aside = 0;                     ///< Metres by which all lines are moved to the left and down, 0..spacing / 2.
+  bool past_head = true;               ///< False: fragments behind the head are left out, too.
+};
+
+/// Where the lines of a view are: through a plane that faces the eye, a whole number of columns and rows of them.
+struct GridFrame {
+  Eigen::Vector3f right, up, towards_eye;  ///< Unit.
+  float spacing = 1;
+  float left = 0, bottom = 0;  ///< Of the first line, along right and up.
+  std::size_t columns = 0, rows = 0;
+
+  /// A point of a line, head space.
+  [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const {
+    return (left + float(line % columns) * spacing) * right + (bottom + float(line / columns) * spacing) * up -
+           depth * towards_eye;
+  }
 };
 
 /// Where a line meets a triangle of the hair.
@@ -29,6 +44,8 @@ struct Fragment {
   std::uint32_t patch = 0;
   bool is_front = false;  ///< The triangle winds counter-clockwise as seen.
 };
+
+struct PlacedFragment;
 
 /// All fragments of the hair along each line of a grid, nearest first, those that nothing could see included unless the grid
 /// says otherwise: a software
@@ -57,7 +74,7 @@ class FragmentView {
   [[nodiscard]] std::array<LineShare, 4> lines_around(const Eigen::Vector3f& point) const;
 
   /// A point of a line, head space.
-  [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const;
+  [[nodiscard]] Eigen::Vector3f place(std::size_t line, float depth) const { return frame_.place(line, depth); }
 
   /// Share of the light from the eye's side that reaches a point, by the line nearest to it: the product of 1 - alpha of
   /// all fragments more than `margin` metres nearer to the eye than the point, 0 behind the head, 1 outside the grid. A point
@@ -65,23 +82,13 @@ class FragmentView {
   [[nodiscard]] float transmittance(const Eigen::Vector3f& point, float margin) const;
 
  private:
-  struct Placed;
-  class Rasteriser;
+  void sort_into_lines(std::span<const PlacedFragment> placed);
 
-  /// Per vertex: along right_, up_ and towards_eye_.
-  using Projected = std::vector<Eigen::Array3f>;
-
-  [[nodiscard]] static std::vector<std::uint32_t> near_to_far(const HairSurface& hair, const Projected& projected);
-  void set_extent(const HairSurface& hair, const Projected& projected);
-  void sort_into_lines(std::span<const Placed> placed);
-
-  Eigen::Vector3f right_, up_, towards_eye_;
-  float spacing_ = 1;
-  float left_ = 0, bottom_ = 0;  ///< Of the grid's first line, along right_ and up_.
-  std::size_t columns_ = 0, rows_ = 0;
+  GridFrame frame_;
   std::vector<std::uint32_t> begin_ = {0};  ///< Per line and one more: its first fragment.
   std::vector<Fragment> fragments_;
   std::vector<ColliderRecord> solids_;
+  std::vector<float> solid_depth_;  ///< Of lines with fragments, where nothing is wanted past the head; else empty.
 };
 
 /// A fragment as far as drawing order is concerned.

@@ -1,7 +1,6 @@
 #include "visibility/hair_light.h"
 
 #include "base/srgb.h"
-#include "base/studio.h"
 
 #include <Eigen/Geometry>
 
@@ -45,11 +44,6 @@ float smoothstep(float x) {
 
 Eigen::Array3f array_of(const std::array<float, 3>& color) { return Eigen::Map<const Eigen::Array3f>(color.data()); }
 
-Eigen::Vector3f direction(const StudioLight& light, const ViewAxes& view) {
-  const auto& [right, up, back] = light.towards;
-  return (view.right * right + view.up * up + view.back * back).normalized();
-}
-
 float highlight(const Eigen::Vector3f& tangent, const Eigen::Vector3f& half, float exponent) {
   const float along = tangent.dot(half);
   const float across = std::sqrt(std::max(1 - along * along, 0.0f));
@@ -60,11 +54,21 @@ constexpr float kMeanMask = 0.5f;  ///< Of the secondary highlight, where a text
 
 }  // namespace
 
+ViewLights lights_in(const ViewAxes& view) {
+  ViewLights lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const auto& [right, up, back] = kStudioLights[i].towards;
+    const Eigen::Vector3f towards = (view.right * right + view.up * up + view.back * back).normalized();
+    lights[i] = {towards, (view.back + towards).normalized(), array_of(kStudioLights[i].color)};
+  }
+  return lights;
+}
+
 Eigen::Array3f encode_srgb(const Eigen::Array3f& linear) {
   Eigen::Array3f encoded;
   for (int k = 0; k < 3; ++k) {
     const float place = std::sqrt(std::clamp(linear[k], 0.0f, 1.0f)) * float(kEncodedSteps);
-    encoded[k] = encoding()[std::size_t(std::lround(place))];
+    encoded[k] = encoding()[std::size_t(place + 0.5f)];
   }
   return encoded;
 }
@@ -87,7 +91,7 @@ ColorTexture::ColorTexture(const Asset& asset) {
 
 Eigen::Array3f ColorTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
   if (levels_.empty()) return factor_;
-  const Level& level = levels_[std::min(levels_.size() - 1, mip.level + (mip.next > 0.5f ? 1 : 0))];
+  const Level& level = levels_[std::min<std::size_t>(levels_.size() - 1, mip.level + (mip.next > 0.5f ? 1 : 0))];
   const auto split = [](float place, int size) {
     const float texel = (place - std::floor(place)) * float(size) - 0.5f, first = std::floor(texel);
     const int index = (int(first) + size) % size;
@@ -115,7 +119,7 @@ HairLight::HairLight(const Asset& asset) : texture_(asset) {
 }
 
 Eigen::Array3f HairLight::of_hair(const std::uint32_t (&corners)[3], const Eigen::Vector3f& share, bool is_front,
-                                  const Eigen::Array3f& base, const ViewAxes& view) const {
+                                  const Eigen::Array3f& base, const ViewLights& lights) const {
   Vertex point{Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(), 0};
   for (int k = 0; k < 3; ++k) {
     const Vertex& corner = vertices_[corners[k]];
@@ -131,24 +135,23 @@ Eigen::Array3f HairLight::of_hair(const std::uint32_t (&corners)[3], const Eigen
   const Eigen::Array3f primary = Eigen::Map<const Eigen::Array3f>(material_.primary_color);
   const Eigen::Array3f secondary = kMeanMask * Eigen::Map<const Eigen::Array3f>(material_.secondary_color);
   Eigen::Array3f sum = Eigen::Array3f::Zero();
-  for (const StudioLight& light : kStudioLights) {
-    const Eigen::Vector3f towards = direction(light, view);
-    Eigen::Array3f reflected = Eigen::Array3f::Constant(std::clamp(0.5f + 0.5f * normal.dot(towards), 0.0f, 1.0f));
+  for (const ViewLight& light : lights) {
+    const float diffuse = std::clamp(0.5f + 0.5f * normal.dot(light.towards), 0.0f, 1.0f);
+    Eigen::Array3f reflected = Eigen::Array3f::Constant(diffuse);
     if (shines) {
-      const Eigen::Vector3f half = (view.back + towards).normalized();
-      reflected += highlight(first, half, material_.primary_exponent) * primary +
-                   highlight(second, half, material_.secondary_exponent) * secondary;
+      reflected += highlight(first, light.half, material_.primary_exponent) * primary +
+                   highlight(second, light.half, material_.secondary_exponent) * secondary;
     }
-    sum += array_of(light.color) * reflected;
+    sum += light.color * reflected;
   }
   const Eigen::Array3f ambient = point.openness * Eigen::Map<const Eigen::Array3f>(material_.ambient);
   return base * (ambient + (1 - material_.light_cut) * sum);
 }
 
-Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewAxes& view) {
+Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewLights& lights) {
   Eigen::Array3f sum = Eigen::Array3f::Constant(kClayAmbient);
-  for (const StudioLight& light : kStudioLights) {
-    sum += array_of(light.color) * std::max((1 - kClayWrap) * normal.dot(direction(light, view)) + kClayWrap, 0.0f);
+  for (const ViewLight& light : lights) {
+    sum += light.color * std::max((1 - kClayWrap) * normal.dot(light.towards) + kClayWrap, 0.0f);
   }
   return array_of(kClay) * sum;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/studio.h"
 #include "visibility/hair_surface.h"
 
 #include <coif/asset.h>
@@ -7,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,10 +33,19 @@ class ColorTexture {
   Eigen::Array3f factor_{1, 1, 1};
 };
 
-/// Axes of a view, unit, head space; lights move with it.
+/// Axes of a view, unit, head space.
 struct ViewAxes {
   Eigen::Vector3f right, up, back;
 };
+
+/// A light of the studio (base/studio.h) as it stands in a view, with which it moves.
+struct ViewLight {
+  Eigen::Vector3f towards;  ///< Unit, head space.
+  Eigen::Vector3f half;     ///< Unit, between that and the eye.
+  Eigen::Array3f color;
+};
+using ViewLights = std::array<ViewLight, kStudioLights.size()>;
+[[nodiscard]] ViewLights lights_in(const ViewAxes& view);
 
 /// Hair and head in the light of the tools' pictures (base/studio.h): what colours the layers of a pixel have, for judging
 /// how much it matters which of them is seen. Wrapped diffuse light, both highlights of the thesis, and the ambient term, as
@@ -46,7 +57,7 @@ class HairLight {
 
   /// Linear, of a point of a triangle with these corners at these shares, seen from the side of its front or back.
   [[nodiscard]] Eigen::Array3f of_hair(const std::uint32_t (&corners)[3], const Eigen::Vector3f& share, bool is_front,
-                                       const Eigen::Array3f& base, const ViewAxes& view) const;
+                                       const Eigen::Array3f& base, const ViewLights& lights) const;
 
   [[nodiscard]] const ColorTexture& texture() const { return texture_; }
 
@@ -61,7 +72,7 @@ class HairLight {
 };
 
 /// Linear colour of the head where a line of sight meets it: a mannequin's clay.
-[[nodiscard]] Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewAxes& view);
+[[nodiscard]] Eigen::Array3f light_on_head(const Eigen::Vector3f& normal, const ViewLights& lights);
 
 /// Linear, behind all; `height`: 0 at the picture's bottom, 1 at its top.
 [[nodiscard]] Eigen::Array3f backdrop(float height);

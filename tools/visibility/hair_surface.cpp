@@ -8,31 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace coif {
 namespace {
 
-/// The texel below a place and the one after it, around the edge, and how far it is to that one.
-struct Neighbours {
-  int first, second;
-  float share;
-};
-
-/// std::floor() of what fits a whole number, which on processors without an instruction for it is a call; others stay.
-float floor_of(float value) {
-  if (!(std::abs(value) < 1.0e9f)) return value;
-  const int below = int(value);
-  return float(below - (value < float(below) ? 1 : 0));
-}
-
-Neighbours neighbours(float place, int size) {
-  const float texel = (place - floor_of(place)) * float(size) - 0.5f;
-  const float first = floor_of(texel);
-  const int index = first < 0 ? size - 1 : int(first);
-  return {index, index + 1 == size ? 0 : index + 1, texel - first};
-}
+constexpr int kFloatDigits = 23, kFloatBias = 127;
 
 /// Of stored values.
 constexpr auto kAlphaOf = [] {
@@ -59,34 +42,67 @@ MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vecto
   if (levels_.empty()) return {};
   const Eigen::Vector2f size(float(levels_[0].width), float(levels_[0].height));
   const float square = std::max(dx.cwiseProduct(size).squaredNorm(), dy.cwiseProduct(size).squaredNorm());
-  float texels = std::sqrt(square);
+  const float texels = std::sqrt(square);
+  const int octave = int(std::bit_cast<std::uint32_t>(texels) >> kFloatDigits) - kFloatBias;
   MipChoice mip;
-  for (; texels >= 2 && mip.level + 1 < levels_.size(); ++mip.level) texels *= 0.5f;
-  if (mip.level + 1 < levels_.size()) mip.next = std::clamp(texels - 1, 0.0f, 1.0f);
+  mip.level = std::uint32_t(std::clamp(octave, 0, int(levels_.size()) - 1));
+  const float per_level = std::bit_cast<float>((std::uint32_t(kFloatBias) - mip.level) << kFloatDigits);
+  if (mip.level + 1 < levels_.size()) mip.next = std::clamp(texels * per_level - 1, 0.0f, 1.0f);
   return mip;
 }
 
 float AlphaTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
+  using Eigen::Array4f, Eigen::Array4i;
   if (levels_.empty()) return std::min(factor_, 1.0f);
-  float alpha = filtered(levels_[mip.level], uv);
-  if (mip.next > 0) alpha += mip.next * (filtered(levels_[mip.level + 1], uv) - alpha);
-  return std::clamp(alpha * factor_, 0.0f, 1.0f);
-}
-
-float AlphaTexture::filtered(const Level& level, const Eigen::Vector2f& uv) {
-  const Neighbours column = neighbours(uv.x(), level.width), row = neighbours(uv.y(), level.height);
-  const auto in_row = [&](int y) {
-    const std::uint8_t* const texels = &level.alpha[std::size_t(y) * std::size_t(level.width)];
-    const float first = kAlphaOf[texels[column.first]];
-    return first + column.share * (kAlphaOf[texels[column.second]] - first);
+  const Level& near = levels_[mip.level];
+  const Level& next = mip.next > 0 ? levels_[mip.level + 1] : near;
+  // Column and row in the one mip, column and row in the other.
+  const Array4i size(near.width, near.height, next.width, next.height);
+  const Array4f turns(uv.x(), uv.y(), uv.x(), uv.y());
+  const Array4f texel = (turns - turns.floor()) * size.cast<float>() - 0.5f;
+  const Array4f below = texel.floor(), share = texel - below;
+  const Array4i whole = below.cast<int>(), after = whole + 1;
+  const Array4i first = (whole < 0).select(size - 1, whole), second = (after >= size).select(0, after);
+  const auto alpha = [](const Level& level, int x, int y) {
+    return kAlphaOf[level.alpha[std::size_t(y) * std::size_t(level.width) + std::size_t(x)]];
   };
-  const float upper = in_row(row.first);
-  return upper + row.share * (in_row(row.second) - upper);
+  const Array4f left(alpha(near, first[0], first[1]), alpha(near, first[0], second[1]), alpha(next, first[2], first[3]),
+                     alpha(next, first[2], second[3]));
+  const Array4f right(alpha(near, second[0], first[1]), alpha(near, second[0], second[1]),
+                      alpha(next, second[2], first[3]), alpha(next, second[2], second[3]));
+  const Array4f in_row = left + Array4f(share[0], share[0], share[2], share[2]) * (right - left);
+  const float of_near = in_row[0] + share[1] * (in_row[1] - in_row[0]);
+  const float of_next = in_row[2] + share[3] * (in_row[3] - in_row[2]);
+  return std::clamp((of_near + mip.next * (of_next - of_near)) * factor_, 0.0f, 1.0f);
 }
 
 float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {
   float nearest = std::numeric_limits<float>::infinity();
   for (const ColliderRecord& solid : solids) nearest = std::min(nearest, depth_along(solid, origin, along));
+  return nearest;
+}
+
+SolidsAlong::SolidsAlong(std::span<const ColliderRecord> solids, const Eigen::Vector3f& along) : along_(along) {
+  for (const ColliderRecord& solid : solids) {
+    if (solid.shape != ColliderShape::kSphere && solid.shape != ColliderShape::kEllipsoid) {
+      others_.push_back(solid);
+      continue;
+    }
+    const Eigen::Quaternionf turn(solid.rotation[3], solid.rotation[0], solid.rotation[1], solid.rotation[2]);
+    const Eigen::Map<const Eigen::Vector3f> center(solid.center), radii(solid.radii);
+    const Eigen::Matrix3f to_unit = radii.cwiseInverse().asDiagonal() * turn.conjugate().toRotationMatrix();
+    const Eigen::Vector3f way = to_unit * along;
+    balls_.push_back({to_unit, center, way, way.squaredNorm()});
+  }
+}
+
+float SolidsAlong::depth(const Eigen::Vector3f& origin) const {
+  float nearest = solid_depth(others_, origin, along_);
+  for (const Ball& ball : balls_) {
+    const Eigen::Vector3f from = ball.to_unit * (origin - ball.center);
+    const float half = from.dot(ball.along), root = half * half - ball.square * (from.squaredNorm() - 1);
+    if (root >= 0) nearest = std::min(nearest, (-half - std::sqrt(root)) / ball.square);
+  }
   return nearest;
 }
 
@@ -98,6 +114,13 @@ HairSurface::HairSurface(const Asset& asset, std::uint32_t lod) : alpha(asset) {
     for (std::size_t i = 0; i < indices.size(); i += 3) {
       triangles.push_back({{indices[i], indices[i + 1], indices[i + 2]}, p});
     }
+  }
+  std::vector<bool> is_used(asset.vertices().size(), false);
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t v : triangle.vertex) is_used[v] = true;
+  }
+  for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v]) vertices.push_back(v);
   }
   for (const VertexRecord& vertex : asset.vertices()) uvs.emplace_back(vertex.uv[0], vertex.uv[1]);
   if (const MaterialRecord* material = asset.material(); material != nullptr) {

@@ -14,7 +14,7 @@ namespace coif {
 
 /// Which mips of a texture fit a triangle's size in the picture: one, and how far to the next smaller one.
 struct MipChoice {
-  std::size_t level = 0;
+  std::uint32_t level = 0;
   float next = 0;  ///< 0..1.
 };
 
@@ -37,8 +37,6 @@ class AlphaTexture {
     int height = 0;
     std::vector<std::uint8_t> alpha;  ///< As stored: a quarter of the memory that is read.
   };
-  [[nodiscard]] static float filtered(const Level& level, const Eigen::Vector2f& uv);
-
   std::vector<Level> levels_;
   float factor_ = 1;
 };
@@ -46,6 +44,25 @@ class AlphaTexture {
 /// Where a line first meets one of the solids: the smallest depth_along().
 [[nodiscard]] float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f& origin,
                                 const Eigen::Vector3f& along);
+
+/// The same along one direction from many places.
+class SolidsAlong {
+ public:
+  SolidsAlong(std::span<const ColliderRecord> solids, const Eigen::Vector3f& along);
+
+  [[nodiscard]] float depth(const Eigen::Vector3f& origin) const;
+
+ private:
+  /// A sphere or an ellipsoid, made the unit ball.
+  struct Ball {
+    Eigen::Matrix3f to_unit;
+    Eigen::Vector3f center, along;
+    float square;  ///< Of the length of `along`.
+  };
+  std::vector<Ball> balls_;
+  std::vector<ColliderRecord> others_;
+  Eigen::Vector3f along_;
+};
 
 /// What pictures of a level of detail of an asset have in common, whatever its pose.
 struct HairSurface {
@@ -56,8 +73,9 @@ struct HairSurface {
 
   explicit HairSurface(const Asset& asset, std::uint32_t lod = 0);  ///< One with a mesh; keeps nothing of it.
 
-  std::vector<Triangle> triangles;   ///< In stored order.
-  std::vector<Eigen::Vector2f> uvs;  ///< Per vertex.
+  std::vector<Triangle> triangles;      ///< In stored order.
+  std::vector<std::uint32_t> vertices;  ///< That triangles have, ascending.
+  std::vector<Eigen::Vector2f> uvs;     ///< Per vertex.
   AlphaTexture alpha;
   float faintest = 0;  ///< Alphas below are never drawn.
   bool double_sided = true;

@@ -9,17 +9,6 @@
 #include <utility>
 
 namespace coif {
-namespace {
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-}  // namespace
-
 UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                              std::span<const std::uint32_t> unit_of_triangle) {
   const std::vector<std::uint32_t> place = places_in(unit_order, unit_order.size());
@@ -27,60 +16,6 @@ UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
   std::iota(triangles.begin(), triangles.end(), 0u);
   std::ranges::stable_sort(triangles, {}, [&](std::uint32_t t) { return place[unit_of_triangle[t]]; });
   return triangles;
-}
-
-OrderJudge::OrderJudge(const SeenHair& hair, std::span<const HairPositions> poses, const SampleSettings& settings)
-    : threads_(settings.threads) {
-  const float spacing = line_spacing(poses.front(), settings.lines);
-  for (std::uint32_t cell = 0; cell < kViewCells; ++cell) {
-    for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
-      views_.push_back({cell, pose_of_view(cell, i + settings.seed, poses.size()), {}});
-    }
-  }
-  parallel_for(views_.size(), threads_, [&](std::size_t i) {
-    JudgedView& view = views_[i];
-    const auto turn = std::uint32_t(i % settings.views_per_cell) + settings.seed;
-    view.lines = see_lines(hair, poses[view.pose], direction_in_cell(view.cell, turn), spacing, settings.solid_alpha);
-  });
-}
-
-OrderQuality OrderJudge::judge(const CellOrders& orders, const DrawRule& rule) const {
-  std::vector<std::vector<std::uint32_t>> ranks;
-  for (const UnitOrder& order : orders.orders) ranks.push_back(places_in(order, order.size()));
-  std::vector<double> error(views_.size());
-  parallel_for(error.size(), threads_, [&](std::size_t i) {
-    error[i] = picture_error(views_[i].lines, ranks[orders.order_of[views_[i].cell]], rule);
-  });
-  double sum = 0;
-  std::size_t pixels = 0;
-  std::vector<double> rest, moving;
-  for (std::size_t i = 0; i < error.size(); ++i) {
-    const JudgedView& view = views_[i];
-    sum += error[i];
-    pixels += view.lines.size();
-    (view.pose == 0 ? rest : moving).push_back(psnr_db(error[i], view.lines.size()));
-  }
-  const double worst = rest.empty() ? 0 : *std::ranges::min_element(rest);
-  return {psnr_db(sum, pixels), median_of(rest), worst, median_of(moving.empty() ? rest : moving), blended(rule)};
-}
-
-double OrderJudge::best_psnr(const DrawRule& rule) const {
-  double sum = 0;
-  std::size_t pixels = 0;
-  for (const JudgedView& view : views_) {
-    sum += picture_error(view.lines, {}, rule);
-    pixels += view.lines.size();
-  }
-  return psnr_db(sum, pixels);
-}
-
-double OrderJudge::blended(const DrawRule& rule) const {
-  double layers = 0, pixels = 0;
-  for (const JudgedView& view : views_) {
-    layers += blended_layers(view.lines, rule) * double(view.lines.size());
-    pixels += double(view.lines.size());
-  }
-  return pixels > 0 ? layers / pixels : 0;
 }
 
 namespace {
@@ -108,8 +43,12 @@ SampleSettings judged_samples(const OrderSearchSettings& settings) {
   return wanted;
 }
 
-DrawRule rule_of(const SeenHair& hair, const OrderSearchSettings& settings, bool faces_together) {
-  return {settings.opaque_threshold, faces_together, hair.surface.faintest};
+OrderJudge judge_of(const HairSurface& hair, const JudgedHair& judged, const OrderSearchSettings& settings) {
+  return {judged, hair.alpha, {settings.opaque_threshold, settings.judge_views_per_cell, settings.threads}};
+}
+
+DrawRule rule_of(const HairSurface& hair, const OrderSearchSettings& settings, bool faces_together) {
+  return {settings.opaque_threshold, faces_together, hair.faintest};
 }
 
 std::vector<std::uint32_t> patches_of(const HairSurface& hair) {
@@ -124,14 +63,14 @@ CellOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t>
 
 class OrderSearch {
  public:
-  OrderSearch(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& head,
-              const OrderSearchSettings& settings)
+  OrderSearch(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
+              const UnitOrder& head, const OrderSearchSettings& settings)
       : hair_(hair),
         poses_(poses),
         settings_(settings),
         head_(head),
-        judge_(hair, poses, judged_samples(settings)),
-        patch_of_(patches_of(hair.surface)) {}
+        judge_(judge_of(hair, judged, settings)),
+        patch_of_(patches_of(hair)) {}
 
   /// `from`: null, or what to refine.
   FoundOrders run(const FoundOrders* from) {
@@ -145,7 +84,7 @@ class OrderSearch {
  private:
   [[nodiscard]] std::vector<DrawRule> rules(const FoundOrders* from) const {
     std::optional<bool> together = from != nullptr ? from->rule.faces_together : settings_.faces_together;
-    if (!hair_.surface.double_sided) together = false;
+    if (!hair_.double_sided) together = false;
     std::vector<DrawRule> rules;
     rules.reserve(2);
     if (!together || !*together) rules.push_back(rule_of(hair_, settings_, false));
@@ -155,7 +94,7 @@ class OrderSearch {
 
   /// What was found with faces apart is nearly as good as it could be, and with faces together could be better.
   [[nodiscard]] bool faces_limit() const {
-    if (best_.rule.faces_together || settings_.faces_together || !hair_.surface.double_sided) return false;
+    if (best_.rule.faces_together || settings_.faces_together || !hair_.double_sided) return false;
     const double apart = judge_.best_psnr(rule_of(hair_, settings_, false));
     const double together = judge_.best_psnr(rule_of(hair_, settings_, true));
     return best_.found.psnr > apart - kPlainGain && together > apart + kPlainGain;
@@ -210,7 +149,7 @@ class OrderSearch {
     const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
     std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      const std::vector<SampledView> views = sample_cell(hair_.surface, poses_, wanted, std::uint32_t(cell));
+      const std::vector<SampledView> views = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
         std::vector<std::vector<Vote>> of_views;
         for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
@@ -235,7 +174,7 @@ class OrderSearch {
     CellOrders found = from != nullptr ? refine_clusters(cells, from->by_view, settings_.threads)
                                        : cluster_orders(cells, triangles_in_order(candidate.patches, patch_of_),
                                                         settings_.max_orders - 1, settings_.threads);
-    return refine_from_depth(hair_.surface, poses_.front(), cells, std::move(found), settings_.threads);
+    return refine_from_depth(hair_, poses_.front(), cells, std::move(found), settings_.threads);
   }
 
   void add_views(const CellVotes& cells, CellOrders clusters, FoundOrders& candidate) const {
@@ -256,12 +195,12 @@ class OrderSearch {
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
-      shared.orders[k] = order_for_cache(hair_.surface, clusters.votes_on(k, cells), shared.orders[k]);
+      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells), shared.orders[k]);
     });
     return shared;
   }
 
-  const SeenHair& hair_;
+  const HairSurface& hair_;
   std::span<const HairPositions> poses_;
   const OrderSearchSettings& settings_;
   const UnitOrder& head_;
@@ -272,29 +211,35 @@ class OrderSearch {
 
 }  // namespace
 
-FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
-                          const OrderSearchSettings& settings) {
-  return OrderSearch(hair, poses, by_head_distance, settings).run(nullptr);
+JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> poses,
+                       const OrderSearchSettings& settings) {
+  return {hair, poses, judged_samples(settings)};
 }
 
-FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
-                          const FoundOrders& found, const OrderSearchSettings& settings) {
-  return OrderSearch(hair, poses, by_head_distance, settings).run(&found);
+FoundOrders search_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
+                          const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
+  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(nullptr);
 }
 
-double share_of_order(const SeenHair& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
+double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
                       const OrderSearchSettings& settings) {
-  const OrderJudge judge(hair, poses, judged_samples(settings));
+  const OrderJudge judge = judge_of(hair, judged, settings);
   const DrawRule rule = rule_of(hair, settings, orders.rule.faces_together);
   return 1 - std::pow(10.0, (judge.judge(orders.by_view, rule).psnr - judge.best_psnr(rule)) / 10);
 }
 
-OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses, const FoundOrders& orders,
+FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
+                          const UnitOrder& by_head_distance, const FoundOrders& found,
                           const OrderSearchSettings& settings) {
-  const OrderJudge judge(hair, poses, judged_samples(settings));
+  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(&found);
+}
+
+OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
+                          const OrderSearchSettings& settings) {
+  const OrderJudge judge = judge_of(hair, judged, settings);
   const DrawRule rule = rule_of(hair, settings, orders.rule.faces_together);
   if (!orders.by_view.orders.empty()) return judge.judge(orders.by_view, rule);
-  return judge.judge(single_order(orders.patches, patches_of(hair.surface)), rule);
+  return judge.judge(single_order(orders.patches, patches_of(hair)), rule);
 }
 
 }  // namespace coif

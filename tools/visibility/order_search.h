@@ -3,50 +3,16 @@
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
-#include "visibility/seen_lines.h"
+#include "visibility/order_judge.h"
 
 #include <optional>
 #include <vector>
 
 namespace coif {
 
-/// Errors of pictures drawn in some order, as picture_error() says; PSNR over the pixels that hair covers, dB.
-struct OrderQuality {
-  double psnr = 0;     ///< Of all views' pixels.
-  double median = 0;   ///< Over the views at rest.
-  double worst = 0;    ///< Of the views at rest.
-  double moving = 0;   ///< Median over the views in motion; that of those at rest where there are none.
-  double blended = 0;  ///< Layers per pixel that are blended: what drawing costs.
-};
-
 /// All triangles of each unit after those of the unit before it; stored order within.
 [[nodiscard]] UnitOrder triangles_in_order(std::span<const std::uint32_t> unit_order,
                                            std::span<const std::uint32_t> unit_of_triangle);
-
-/// The hair drawn from one side, for judging.
-struct JudgedView {
-  std::uint32_t cell = 0;  ///< That its direction lies in.
-  std::uint32_t pose = 0;
-  SeenLines lines;
-};
-
-/// Judges orders by views that none of them was found from.
-class OrderJudge {
- public:
-  /// Rules that are judged must have no lower opaque threshold than `settings`.
-  OrderJudge(const SeenHair& hair, std::span<const HairPositions> poses, const SampleSettings& settings);
-
-  /// `orders`: of all triangles.
-  [[nodiscard]] OrderQuality judge(const CellOrders& orders, const DrawRule& rule) const;
-  /// The best that any order could do.
-  [[nodiscard]] double best_psnr(const DrawRule& rule) const;
-  /// What is blended per line, on average over the views.
-  [[nodiscard]] double blended(const DrawRule& rule) const;
-
- private:
-  std::vector<JudgedView> views_;
-  unsigned threads_;
-};
 
 struct OrderSearchSettings {
   std::size_t max_orders = 8;  ///< The stored one included; 1: no others.
@@ -55,7 +21,7 @@ struct OrderSearchSettings {
   float opaque_threshold = 0.95f;
   std::optional<bool> faces_together;  ///< None: what is better.
   std::size_t views_per_cell = 32;     ///< That orders are found from; time grows with both, and what is missed falls.
-  std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others.
+  std::size_t judge_views_per_cell = 2;  ///< That orders are judged by: others; no more than the judged hair has.
   std::size_t lines_per_view = 4000;
   unsigned threads = 1;  ///< Without influence on the result.
 };
@@ -71,27 +37,32 @@ struct FoundOrders {
   double limit = 0;     ///< dB that the best conceivable order has.
 };
 
+/// The views that settings say to judge by. For any other settings with as many lines, too.
+[[nodiscard]] JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> poses,
+                                     const OrderSearchSettings& settings);
+
 /// Looks for better orders than `by_head_distance`, which has all patches. `poses`: the first at rest. Orders that are judged
-/// worse than that one are never given back.
+/// worse than that one are never given back. `judged`: the same hair, whatever its mips' alpha.
 ///
 /// Layers vote (votes_of()), orders are improved until no single move helps, cells of directions share a few orders of
 /// triangles (cluster_orders()); all are judged by views of their own. Source of the idea: Chen, Sander, Nehab, Yang and
 /// Hu 2012, "Depth-presorted triangle lists", here for blending, with alphas for weights.
-[[nodiscard]] FoundOrders search_orders(const SeenHair& hair, std::span<const HairPositions> poses,
-                                        const UnitOrder& by_head_distance, const OrderSearchSettings& settings);
+[[nodiscard]] FoundOrders search_orders(const HairSurface& hair, const JudgedHair& judged,
+                                        std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
+                                        const OrderSearchSettings& settings);
 
 /// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a search's
 /// time goes into finding which directions belong together, and few views tell that as well.
-[[nodiscard]] FoundOrders refine_orders(const SeenHair& hair, std::span<const HairPositions> poses,
-                                        const UnitOrder& by_head_distance, const FoundOrders& found,
-                                        const OrderSearchSettings& settings);
+[[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged,
+                                        std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
+                                        const FoundOrders& found, const OrderSearchSettings& settings);
 
 /// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order would not have.
-[[nodiscard]] double share_of_order(const SeenHair& hair, std::span<const HairPositions> poses,
-                                    const FoundOrders& orders, const OrderSearchSettings& settings);
+[[nodiscard]] double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
+                                    const OrderSearchSettings& settings);
 
 /// How good orders are that were found with another threshold, by the views that the search judges by.
-[[nodiscard]] OrderQuality judge_orders(const SeenHair& hair, std::span<const HairPositions> poses,
-                                        const FoundOrders& orders, const OrderSearchSettings& settings);
+[[nodiscard]] OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
+                                        const OrderSearchSettings& settings);
 
 }  // namespace coif

@@ -14,6 +14,9 @@ namespace {
 constexpr float kUnseenShare = 1.0f / 1024;  ///< Share of a pixel.
 constexpr float kFaintestOfAll = 1.0f / 512;
 constexpr float kHidesAll = 0.999f;
+/// What mips of any threshold make of alphas: these stay solid, and of all so much is left. In two cooks, of curly hair and of
+/// 102,070 triangles, no threshold was judged more than 0.04 dB and 0.03 blended layers differently than without.
+constexpr float kSolidInAll = 0.97f, kLeastKept = 0.7f;
 constexpr float kPicturePixels = 160;
 /// Of the hair's width in a picture: its border, and that its middle is further away than its nearest points.
 constexpr float kFrame = 1.2f;
@@ -39,13 +42,13 @@ ViewAxes axes_of(const Eigen::Vector3f& towards_eye) {
   return axes;
 }
 
-/// Finds colours of fragments.
+/// Finds what lines of a view show.
 class LayerLight {
  public:
   LayerLight(const SeenHair& hair, std::span<const Eigen::Vector3f> positions, const ViewAxes& axes, float pixel)
-      : hair_(hair), positions_(positions), axes_(axes), pixel_(pixel) {}
+      : hair_(hair), positions_(positions), axes_(axes), lights_(lights_in(axes)), pixel_(pixel) {}
 
-  [[nodiscard]] Eigen::Array3f color(const Fragment& fragment, const Eigen::Vector3f& point) const {
+  [[nodiscard]] SeenHit hit(const Fragment& fragment, const Eigen::Vector3f& point) const {
     const auto& corners = hair_.surface.triangles[fragment.triangle].vertex;
     const Eigen::Vector2f a = flat(positions_[corners[0]]), e1 = flat(positions_[corners[1]]) - a,
                           e2 = flat(positions_[corners[2]]) - a, p = flat(point) - a;
@@ -60,7 +63,23 @@ class LayerLight {
     const float step = pixel_ * scale;
     const MipChoice mip =
         hair_.surface.alpha.choose_mip((du * e2.y() - dv * e1.y()) * step, (dv * e1.x() - du * e2.x()) * step);
-    return hair_.light.of_hair(corners, share, fragment.is_front, hair_.light.texture().at(uv, mip), axes_);
+    const Eigen::Array3f base = hair_.light.texture().at(uv, mip);
+    const Eigen::Array3f color = hair_.light.of_hair(corners, share, fragment.is_front, base, lights_);
+    return {color.min(1.0f), uv, mip, fragment.triangle & 0x7FFFFFFFu, fragment.is_front ? 1u : 0u};
+  }
+
+  /// What is behind all hair on a line through `origin`; `height`: in the picture, 0..1.
+  [[nodiscard]] Eigen::Array3f behind(const Eigen::Vector3f& origin, float height) const {
+    float nearest = std::numeric_limits<float>::infinity();
+    Eigen::Array3f color = backdrop(height);
+    for (const ColliderRecord& solid : hair_.surface.solids) {
+      const float depth = depth_along(solid, origin, -axes_.back);
+      if (!(depth < nearest)) continue;
+      nearest = depth;
+      const Eigen::Vector3f at = origin - depth * axes_.back;
+      color = light_on_head((at - Eigen::Map<const Eigen::Vector3f>(solid.center)).normalized(), lights_);
+    }
+    return color;
   }
 
  private:
@@ -69,65 +88,84 @@ class LayerLight {
   const SeenHair& hair_;
   std::span<const Eigen::Vector3f> positions_;
   const ViewAxes& axes_;
+  ViewLights lights_;
   float pixel_;
 };
 
-Eigen::Array3f behind_hair(const SeenHair& hair, const Eigen::Vector3f& origin, const ViewAxes& axes, float height) {
-  float nearest = std::numeric_limits<float>::infinity();
-  Eigen::Array3f color = backdrop(height);
-  for (const ColliderRecord& solid : hair.surface.solids) {
-    const float depth = depth_along(solid, origin, -axes.back);
-    if (!(depth < nearest)) continue;
-    nearest = depth;
-    const Eigen::Vector3f at = origin - depth * axes.back;
-    color = light_on_head((at - Eigen::Map<const Eigen::Vector3f>(solid.center)).normalized(), axes);
-  }
-  return color;
-}
-
-void add_layers(std::span<const Fragment> fragments, float end, float opaque_threshold, const LayerLight& light,
-                const FragmentView& view, std::size_t line, SeenLines& seen) {
+/// Hits that some layer may show which is so solid as mips of a hair texture are made at least.
+void add_hits(std::span<const Fragment> fragments, float end, const LayerLight& light, const FragmentView& view,
+              std::size_t line, SeenHits& seen) {
   float passes = 1;
   bool is_hidden = false;
   for (const Fragment& fragment : fragments) {
     if (fragment.depth > end || (is_hidden && passes < kUnseenShare)) break;
-    seen.layers.push_back({light.color(fragment, view.place(line, fragment.depth)).min(1.0f), fragment.alpha,
-                           fragment.triangle & 0x7FFFFFFFu, fragment.is_front ? 1u : 0u});
-    passes *= 1 - fragment.alpha;
-    is_hidden |= fragment.alpha >= opaque_threshold;
-    if (fragment.alpha >= kHidesAll) break;
+    seen.hits.push_back(light.hit(fragment, view.place(line, fragment.depth)));
+    passes *= 1 - kLeastKept * fragment.alpha;
+    is_hidden |= fragment.alpha >= kSolidInAll;
+  }
+}
+
+void add_layers(std::span<const SeenHit> hits, const AlphaTexture& texture, float opaque_threshold, SeenLines& seen) {
+  float passes = 1;
+  bool is_hidden = false;
+  for (const SeenHit& hit : hits) {
+    if (is_hidden && passes < kUnseenShare) break;
+    const float alpha = texture.at(hit.uv, hit.mip);
+    if (alpha < kFaintestOfAll) continue;
+    seen.layers.push_back({hit.color, alpha, hit.triangle, hit.is_front});
+    passes *= 1 - alpha;
+    is_hidden |= alpha >= opaque_threshold;
+    if (alpha >= kHidesAll) break;
   }
 }
 
 }  // namespace
 
-SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
-                    const Eigen::Vector3f& towards_eye, float spacing, float opaque_threshold) {
+SeenHits see_hits(const SeenHair& hair, std::span<const Eigen::Vector3f> positions, const Eigen::Vector3f& towards_eye,
+                  float spacing) {
   const ViewAxes axes = axes_of(towards_eye);
   const float pixel = pixel_of(positions, axes);
   ViewGrid grid;
   grid.towards_eye = towards_eye;
   grid.spacing = spacing;
   grid.pixel = pixel;
-  grid.solid_alpha = kHidesAll;
   grid.faintest = kFaintestOfAll;
+  grid.past_head = false;
   const FragmentView view(hair.surface, positions, grid);
   const LayerLight light(hair, positions, axes, pixel);
   const float high = view.line_count() == 0 ? 0 : view.place(view.line_count() - 1, 0).dot(axes.up);
   const float low = view.line_count() == 0 ? 0 : view.place(0, 0).dot(axes.up);
-  SeenLines seen;
+  SeenHits seen;
   for (std::size_t i = 0; i < view.line_count(); ++i) {
     const auto fragments = view.line(i);
     if (fragments.empty()) continue;
     const float end = view.solid_depth(i);
     if (fragments.front().depth > end) continue;
-    add_layers(fragments, end, opaque_threshold, light, view, i, seen);
+    add_hits(fragments, end, light, view, i, seen);
     const Eigen::Vector3f origin = view.place(i, 0);
     const float height = high > low ? (origin.dot(axes.up) - low) / (high - low) : 0;
-    seen.behind.push_back(behind_hair(hair, origin, axes, height));
+    seen.behind.push_back(light.behind(origin, height));
+    seen.begin.push_back(std::uint32_t(seen.hits.size()));
+  }
+  seen.hits.shrink_to_fit();  // hundreds of views are kept
+  return seen;
+}
+
+SeenLines lines_of(const SeenHits& hits, const AlphaTexture& alpha, float opaque_threshold) {
+  SeenLines seen;
+  for (std::size_t i = 0; i < hits.behind.size(); ++i) {
+    const auto line = std::span(hits.hits).subspan(hits.begin[i], hits.begin[i + 1] - hits.begin[i]);
+    add_layers(line, alpha, opaque_threshold, seen);
+    if (seen.layers.size() == seen.begin.back()) continue;
+    seen.behind.push_back(hits.behind[i]);
     seen.begin.push_back(std::uint32_t(seen.layers.size()));
   }
   return seen;
+}
+
+SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
+                    const Eigen::Vector3f& towards_eye, float spacing, float opaque_threshold) {
+  return lines_of(see_hits(hair, positions, towards_eye, spacing), hair.surface.alpha, opaque_threshold);
 }
 
 namespace {

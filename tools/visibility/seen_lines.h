@@ -39,9 +39,34 @@ struct SeenHair {
   HairLight light;
 };
 
-/// Draws the hair at `positions` as from `towards_eye`, about so many lines, mips as in a picture that the hair fills with
-/// 160 pixels, which is what `coif report order` takes. `opaque_threshold`: the least that lines will be drawn with; what is
+/// Where a line meets the hair, with all that a picture may show of it but the alpha, which depends on the texture's mips.
+struct SeenHit {
+  Eigen::Array3f color;  ///< Linear, lit.
+  Eigen::Vector2f uv;
+  MipChoice mip;
+  std::uint32_t triangle : 31 = 0;
+  std::uint32_t is_front : 1 = 0;
+};
+
+/// Pixels of one view in which hair may be seen, each with its hits, nearest first: what takes long to find, and is the same
+/// whatever the mips' alpha and the threshold.
+struct SeenHits {
+  std::vector<std::uint32_t> begin = {0};  ///< Per line and one more: its first hit.
+  std::vector<SeenHit> hits;
+  std::vector<Eigen::Array3f> behind;  ///< As SeenLines.
+};
+
+/// Looks at the hair at `positions` as from `towards_eye`, along lines so many metres apart, mips as in a picture that the
+/// hair fills with 160 pixels, which is what `coif report order` takes. What so many layers lie before that it is hidden
+/// whatever the mips are made to hide is left out.
+[[nodiscard]] SeenHits see_hits(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
+                                const Eigen::Vector3f& towards_eye, float spacing);
+
+/// What those hits are with this alpha. `opaque_threshold`: the least that lines will be drawn with; what is
 /// behind a layer that hides all in that picture and in the exact one is left out.
+[[nodiscard]] SeenLines lines_of(const SeenHits& hits, const AlphaTexture& alpha, float opaque_threshold);
+
+/// Both at once, with the hair's own alpha.
 [[nodiscard]] SeenLines see_lines(const SeenHair& hair, std::span<const Eigen::Vector3f> positions,
                                   const Eigen::Vector3f& towards_eye, float spacing, float opaque_threshold);
 

@@ -90,6 +90,7 @@ std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const Ha
     grid.spacing = spacing;
     grid.pixel = settings.pixel;
     grid.solid_alpha = settings.solid_alpha;
+    grid.past_head = false;
     const FragmentView view(hair, poses[pose], grid);
     views.push_back({cell, pose, SightLines(view, settings.solid_alpha)});
   }

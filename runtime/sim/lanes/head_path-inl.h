@@ -2,6 +2,7 @@
 // velocity at a new pose is what the host told, or that of the parabola through the last three. Without it a head is a polygon in time: at each
 // frame its velocity jumps, and hair in sub-steps feels every corner. Compiled once per instruction set.
 
+#include "lane_code.h"
 #include "lane_math-inl.h"
 #include "quaternion-inl.h"
 #include "step_parts.h"
@@ -98,14 +99,18 @@ HWY_INLINE V3<D> slope_after_stall(D d, const V3<D>& mean, const V3<D>& mean_bef
 }
 
 /// Looks at the coming step: the rotation vector of the head's turn, and whether it is too far to be a movement.
+/// Returns where.
 template <class D>
-HWY_INLINE void look_ahead(D d, const HeadLanes& heads, const StepParts& parts, std::size_t lane, HeadStepLanes& out) {
+HWY_INLINE hn::Mask<D> look_ahead(D d, const HeadLanes& heads, const StepParts& parts, std::size_t lane,
+                                  HeadStepLanes& out) {
   const Q<D> turn = product(d, load(d, heads.next_rotation, lane), conjugate(load(d, heads.rotation, lane)));
   const V3<D> vector = vector_of(d, turn), way = load(d, heads.way, lane);
   const auto too_far = hn::Gt(dot(d, way, way), hn::Set(d, parts.teleport_distance2));
   const auto too_wide = hn::Gt(dot(d, vector, vector), hn::Set(d, parts.teleport_angle2));
   store(d, vector, out.turn, lane);
-  store(d, hn::IfThenElseZero(hn::Or(too_far, too_wide), hn::Set(d, 1.0f)), out.is_far, lane);
+  const auto is_far = hn::Or(too_far, too_wide);
+  store(d, hn::IfThenElseZero(is_far, hn::Set(d, 1.0f)), out.is_far, lane);
+  return is_far;
 }
 
 template <class D>
@@ -148,6 +153,23 @@ HWY_INLINE void finish_path(D d, HeadLanes& heads, std::size_t lane, const HeadS
   store(d, load(d, step.next_angular_velocity, lane), heads.angular_velocity, lane);
   store(d, V3<D>{zero, zero, zero}, heads.way, lane);
   store(d, zero, heads.is_told, lane);
+}
+
+/// Faster than light, (m/s)^2: an explosion that happened to fit a float, and that damping would take a minute to calm.
+inline constexpr float kFastest2 = 9e16f;
+
+/// Counts for how long head and hair have been at rest. Returns where that is long enough to sleep.
+template <class D>
+HWY_INLINE hn::Mask<D> watch_rest(D d, HeadLanes& heads, std::size_t lane, V<D> motion, const RestWatch& watch) {
+  constexpr float kArm2 = 0.01f;  // (m)^2: what turning moves, at a decimetre from the axis
+  const V3<D> velocity = scale(d, load(d, heads.mean_velocity, lane), load(d, heads.per_scale, lane));
+  const V3<D> turning = load(d, heads.mean_angular_velocity, lane);
+  const auto head = hn::Add(dot(d, velocity, velocity), hn::Mul(hn::Set(d, kArm2), dot(d, turning, turning)));
+  const auto still2 = hn::Set(d, watch.still2);
+  const auto is_quiet = hn::And(hn::Le(motion, still2), hn::Le(head, still2));
+  const auto quiet = hn::IfThenElseZero(is_quiet, hn::Add(load(d, heads.quiet, lane), hn::Set(d, watch.dt)));
+  store(d, quiet, heads.quiet, lane);
+  return hn::Ge(quiet, hn::Set(d, watch.sleep_after));
 }
 
 /// Rate of the rotation vector r for the angular velocity w in the turned frame, and the reverse; both are the first terms

@@ -12,14 +12,18 @@ namespace {
 
 template <class D>
 struct Heads {
-  static void look_ahead(const HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) {
+  static bool look_ahead(const HeadLanes& heads, std::uint32_t lanes, const StepParts& parts, HeadStepLanes& step) {
     const D d;
-    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) HWY_NAMESPACE::look_ahead(d, heads, parts, i, step);
+    bool some = false;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
+      some = !hn::AllFalse(d, HWY_NAMESPACE::look_ahead(d, heads, parts, i, step)) || some;
+    }
+    return some;
   }
 
-  static void begin(HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) {
+  static void begin(HeadLanes& heads, std::uint32_t lanes, const StepParts& parts, HeadStepLanes& step) {
     const D d;
-    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) begin_path(d, heads, parts, i, step);
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) begin_path(d, heads, parts, i, step);
   }
 
   /// A part starts where, and as fast as, the one before ended.
@@ -38,10 +42,10 @@ struct Heads {
     store(d, load(d, move.angular_velocity, i), move.angular_velocity_before, i);
   }
 
-  static void move(const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts, std::uint32_t part,
-                   MoveLanes& move, Lanes4& carried) {
+  static void move(const HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const StepParts& parts,
+                   std::uint32_t part, MoveLanes& move, Lanes4& carried) {
     const D d;
-    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
       go_on(d, heads, parts.inertia, part, i, move);
       follow_path(d, heads, step, parts, part, i, move);
       if (parts.inertia < 1.0f) store(d, share_motion(d, parts.inertia, i, move), carried, i);
@@ -49,9 +53,23 @@ struct Heads {
     }
   }
 
-  static void finish(HeadLanes& heads, const HeadStepLanes& step) {
+  static HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};  // as many as any instruction set writes at least
+    hn::StoreMaskBits(D(), mask, bytes);
+    return std::uint32_t(bytes[0] | bytes[1] << 8);
+  }
+
+  static RestingHeads finish(HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const Lanes& motions,
+                             const RestWatch& watch) {
     const D d;
-    for (std::size_t i = 0; i < kLanes; i += hn::Lanes(d)) finish_path(d, heads, i, step);
+    RestingHeads resting;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
+      finish_path(d, heads, i, step);
+      const auto motion = load(d, motions, i);
+      resting.may_sleep |= bits_of(watch_rest(d, heads, i, motion, watch)) << i;
+      resting.flies |= bits_of(hn::Not(hn::Lt(motion, hn::Set(d, kFastest2)))) << i;
+    }
+    return resting;
   }
 
   static void spread(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) {

@@ -17,15 +17,33 @@ RowFunction* character_cascade_code(InstructionSet set);
 RowFunction* character_passive_code(InstructionSet set);
 LimitFunction* limit_code(InstructionSet set);
 
-/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish.
+/// What rest is, and after how long heads at rest may sleep.
+struct RestWatch {
+  float dt = 0;           ///< Seconds, of the step that ends.
+  float still2 = 0;       ///< (m/s)^2; no faster than this, head and hair are at rest.
+  float sleep_after = 0;  ///< Seconds.
+};
+
+/// A bit for each lane.
+struct RestingHeads {
+  std::uint32_t may_sleep = 0;
+  std::uint32_t flies = 0;  ///< Its hair is faster than light, or nowhere.
+};
+
+/// Follows the heads of one block through a step. In this order: look_ahead, begin, move for each part, finish. Of as many vectors as
+/// hold the first `lanes` lanes; what is in others stays as it is.
 struct HeadCode {
-  void (*look_ahead)(const HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) = nullptr;
-  void (*begin)(HeadLanes& heads, const StepParts& parts, HeadStepLanes& step) = nullptr;
+  /// Returns whether some head, perhaps of a lane that is not in use, moves further than it can have moved.
+  bool (*look_ahead)(const HeadLanes& heads, std::uint32_t lanes, const StepParts& parts,
+                     HeadStepLanes& step) = nullptr;
+  void (*begin)(HeadLanes& heads, std::uint32_t lanes, const StepParts& parts, HeadStepLanes& step) = nullptr;
   /// `move` holds the last part's on entry. Returns by `carried` how the hair has to be turned before the part, where
   /// parts.inertia is below 1.
-  void (*move)(const HeadLanes& heads, const HeadStepLanes& step, const StepParts& parts, std::uint32_t part,
-               MoveLanes& move, Lanes4& carried) = nullptr;
-  void (*finish)(HeadLanes& heads, const HeadStepLanes& step) = nullptr;
+  void (*move)(const HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const StepParts& parts,
+               std::uint32_t part, MoveLanes& move, Lanes4& carried) = nullptr;
+  /// `motion`: the squared speed of each head's tips, (m/s)^2.
+  RestingHeads (*finish)(HeadLanes& heads, std::uint32_t lanes, const HeadStepLanes& step, const Lanes& motion,
+                         const RestWatch& watch) = nullptr;
   /// Copies one head's lane to all sixteen: a head with rows of its own is alone in them.
   void (*spread)(const MoveLanes& from, std::uint32_t lane, MoveLanes& to) = nullptr;
 };

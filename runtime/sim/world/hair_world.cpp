@@ -41,16 +41,13 @@ std::span<std::byte> carve(MemoryCarver& carver, const WorldDesc& desc, WorldSta
   return carver.take_raw(desc.hair_bytes);
 }
 
-/// `narrower` where the processor has it, else `set`.
-InstructionSet narrowed(InstructionSet set, InstructionSet narrower) { return can_run(narrower) ? narrower : set; }
-
 void choose_code(WorldState& world, InstructionSet set) {
-  using enum InstructionSet;
-  world.sets[2] = set;
-  world.sets[1] = set == kAvx512 ? narrowed(set, kAvx2) : set;
-  world.sets[0] = set == kAvx512 || set == kAvx2 ? narrowed(world.sets[1], kSse4) : set;
-  world.code = head_code(set);
-  for (std::uint32_t w = 0; w < kWidths; ++w) world.keep_in_limit[w] = limit_code(world.sets[w]);
+  world.widest = set;
+  const WidthSets sets(set);
+  for (std::uint32_t w = 0; w < kWidths; ++w) {
+    world.head_codes[w] = head_code(sets.set[w]);
+    world.keep_in_limit[w] = limit_code(sets.set[w]);
+  }
 }
 
 /// A free place to come to; null where there is none.
@@ -75,25 +72,6 @@ WornHead* find(WorldState* world, WorldHead head) {
 
 /// Why find() has none.
 Status missing(const WorldState* world) { return world == nullptr ? Status::kNotCreated : Status::kBadIndex; }
-
-/// `velocity` may be null.
-Status move_head(WorldState& world, std::uint32_t index, const HeadPose& pose, const HeadVelocity* velocity) {
-  HeadPose unit;
-  if (const Status status = normalise_pose(pose, unit); status != Status::kOk) return status;
-  if (velocity != nullptr && !(is_finite(velocity->linear) && is_finite(velocity->angular))) return Status::kBadPose;
-  WornHead& head = world.heads[index];
-  head.told = pose;
-  if (velocity != nullptr) forget_told(head.told);
-  if (head.is_asleep) {
-    if (stays(head.place.part->heads, head.place.lane, unit)) return Status::kOk;
-    wake(world, index);
-  }
-  WorldBlock& block = *head.place.part;
-  const std::uint32_t i = head.place.lane;
-  if (!aim_head(block.heads, i, unit)) block.is_lost = std::uint16_t(block.is_lost | 1u << i);
-  tell_velocity(block.heads, i, velocity);
-  return Status::kOk;
-}
 
 }  // namespace
 

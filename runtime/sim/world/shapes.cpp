@@ -85,7 +85,8 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   const Asset& asset = worn.asset;
   ChainShape& shape = made[0];
   shape.solver = &solver_for(*world.solver, chain);
-  for (std::uint32_t w = 0; w < kWidths; ++w) shape.steps[w] = shape.solver->row_code(world.sets[w]);
+  const WidthSets sets(world.widest);
+  for (std::uint32_t w = 0; w < kWidths; ++w) shape.steps[w] = shape.solver->row_code(sets.set[w]);
   shape.pace = worn.pace;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) pattern[i] = common_bone(asset, *shape.solver, chain, i);
   const std::uint32_t features = common_features(asset, *shape.solver, chain);

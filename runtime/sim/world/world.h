@@ -69,11 +69,6 @@ struct Bundle {
   Lanes motion{};                ///< See RowStep; of the last part of the step.
 };
 
-/// A bundle with few lanes in use is stepped by the narrowest vectors that hold them all, which takes down to half the time of the widest.
-/// The bits are the same.
-inline constexpr std::uint32_t kWidths = 3;  ///< Up to 4, 8 and 16 lanes.
-[[nodiscard]] inline std::uint32_t width_for(std::uint32_t lanes) { return lanes <= 4 ? 0 : lanes <= 8 ? 1 : 2; }
-
 /// Chains that may stand side by side.
 struct ChainShape {
   ChainShape* next = nullptr;
@@ -129,8 +124,8 @@ struct BundleStep {
 
 struct WorldState {
   const Solver* solver = nullptr;
-  InstructionSet sets[kWidths] = {};
-  HeadCode code;
+  InstructionSet widest = {};
+  HeadCode head_codes[kWidths];
   LimitFunction* keep_in_limit[kWidths] = {};
   WorldHeap heap;
   std::span<WornAsset> assets;
@@ -204,6 +199,8 @@ void refresh(const WorldState& world, const ChainShape& shape, Bundle& bundle);
 /// False where there is no memory.
 [[nodiscard]] bool add_head(WorldState& world, std::uint32_t asset, std::uint32_t head, const HeadPose& unit);
 void remove_head(WorldState& world, std::uint32_t head);
+/// `velocity` may be null. In a plain FloatEnvironment.
+Status move_head(WorldState& world, std::uint32_t head, const HeadPose& pose, const HeadVelocity* velocity);
 /// Puts the head at its next pose and the hair into its rest pose there, at rest, and renews its matrices.
 void put_to_rest(WorldState& world, WornHead& head);
 void fall_asleep(WorldState& world, std::uint32_t head);

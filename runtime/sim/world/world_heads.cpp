@@ -202,4 +202,22 @@ void wake(WorldState& world, std::uint32_t head) {
   });
 }
 
+Status move_head(WorldState& world, std::uint32_t index, const HeadPose& pose, const HeadVelocity* velocity) {
+  HeadPose unit;
+  if (const Status status = make_unit(pose, unit); status != Status::kOk) return status;
+  if (velocity != nullptr && !(is_finite(velocity->linear) && is_finite(velocity->angular))) return Status::kBadPose;
+  WornHead& head = world.heads[index];
+  head.told = pose;
+  if (velocity != nullptr) forget_told(head.told);
+  if (head.is_asleep) {
+    if (stays(head.place.part->heads, head.place.lane, unit)) return Status::kOk;
+    wake(world, index);
+  }
+  WorldBlock& block = *head.place.part;
+  const std::uint32_t i = head.place.lane;
+  if (!aim_head(block.heads, i, unit)) block.is_lost = std::uint16_t(block.is_lost | 1u << i);
+  tell_velocity(block.heads, i, velocity);
+  return Status::kOk;
+}
+
 }  // namespace coif

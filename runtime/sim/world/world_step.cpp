@@ -22,6 +22,8 @@ void for_each_block(const HeadPace& pace, const Visit& visit) {
   for (WorldBlock* block = pace.blocks.first; block != nullptr && block->count != 0; block = block->next) visit(*block);
 }
 
+const HeadCode& code_for(const WorldState& world, std::uint32_t lanes) { return world.head_codes[width_for(lanes)]; }
+
 /// In no time nothing moves: a head with another pose than before was put there.
 void put_moved_heads(WorldBlock& block) {
   for (std::uint32_t i = 0; i < block.count; ++i) {
@@ -32,7 +34,8 @@ void put_moved_heads(WorldBlock& block) {
 /// Puts heads that appear somewhere else there, and ends with all ways known.
 void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   const StepParts& parts = pace.parts;
-  world.code.look_ahead(block.heads, parts, block.step);
+  const bool some_are_far = code_for(world, block.count).look_ahead(block.heads, block.count, parts, block.step);
+  if (!some_are_far && !(parts.carried > 0.0f) && block.teleports == 0) return;
   bool moved = false;
   for (std::uint32_t i = 0; i < block.count; ++i) {
     const bool is_put = ((block.teleports >> i) & 1u) != 0 || block.step.is_far.v[i] != 0.0f;
@@ -43,7 +46,7 @@ void look_ahead(WorldState& world, const HeadPace& pace, WorldBlock& block) {
     moved = true;
   }
   block.teleports = 0;
-  if (moved) world.code.look_ahead(block.heads, parts, block.step);
+  if (moved) (void)code_for(world, block.count).look_ahead(block.heads, block.count, parts, block.step);
 }
 
 void begin_pace(WorldState& world, HeadPace& pace) {
@@ -57,7 +60,7 @@ void begin_pace(WorldState& world, HeadPace& pace) {
   pace.terms = {dt, settings.dynamics};
   for_each_block(pace, [&](WorldBlock& block) {
     look_ahead(world, pace, block);
-    world.code.begin(block.heads, pace.parts, block.step);
+    code_for(world, block.count).begin(block.heads, block.count, pace.parts, block.step);
   });
 }
 
@@ -101,9 +104,11 @@ void gather_head(const WorldBlock& block, std::uint32_t i, LaneHeads& to, std::u
   set_lane(to.step.next_angular_velocity, k, lane(block.step.next_angular_velocity, i));
 }
 
-/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those that are not in use compute along with any.
+/// Nothing for lanes that have the same head as in the last bundle, as long hair's do. Those of the vectors that are not in use compute
+/// along with any.
 void gather_heads(const WorldState& world, const Bundle& bundle, LaneHeads& lanes) {
-  for (std::uint32_t k = 0; k < kLanes; ++k) {
+  const std::uint32_t width = lanes_of(width_for(bundle.count));
+  for (std::uint32_t k = 0; k < width; ++k) {
     const bool is_used = k < bundle.count;
     if (!is_used && lanes.head[k] != kNone) continue;
     const std::uint32_t head = bundle.head[is_used ? k : 0];
@@ -146,16 +151,17 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
     palettes[i] = &head.palette[world.assets[head.asset].asset.chains()[bundle.chain[i]].first_bone];
   }
   const StepParts& parts = shape.pace->parts;
-  RowFunction* const step = shape.steps[width_for(bundle.count)];
+  const std::uint32_t width = width_for(bundle.count);
+  const HeadCode& heads = world.head_codes[width];
   MoveLanes move;
   Lanes4 carried;
   RowStep row = row_step(world, shape, bundle, move);
   for (std::uint32_t part = 0; part < parts.count; ++part) {
-    world.code.move(lanes.heads, lanes.step, parts, part, move, carried);
+    heads.move(lanes.heads, bundle.count, lanes.step, parts, part, move, carried);
     if (parts.inertia < 1.0f) turn_lanes(shape, bundle, carried);
     bundle.motion = Lanes{};
     row.palette = part + 1 == parts.count ? palettes : nullptr;
-    step(row);
+    shape.steps[width](row);
   }
 }
 
@@ -167,15 +173,14 @@ float motion_of(const WornHead& head) {
 }
 
 void finish_block(WorldState& world, const HeadPace& pace, WorldBlock& block) {
-  world.code.finish(block.heads, block.step);
-  for (std::uint32_t i = 0; i < block.count; ++i) {
-    WornHead& head = world.heads[block.head[i]];
-    const float motion = motion_of(head);
-    if (((block.is_lost >> i) & 1u) != 0 || !(motion < kFastest2)) {
-      put_to_rest(world, head);
-    } else if (watch_rest(block.heads, i, motion, pace.parts.dt, world.settings)) {
-      block.may_sleep = std::uint16_t(block.may_sleep | 1u << i);
-    }
+  Lanes motion{};
+  for (std::uint32_t i = 0; i < block.count; ++i) motion.v[i] = motion_of(world.heads[block.head[i]]);
+  const RestWatch watch = rest_watch(world.settings, pace.parts.dt);
+  const RestingHeads resting = code_for(world, block.count).finish(block.heads, block.count, block.step, motion, watch);
+  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
+  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  for (std::uint32_t left = ended; left != 0; left &= left - 1) {
+    put_to_rest(world, world.heads[block.head[std::countr_zero(left)]]);
   }
 }
 

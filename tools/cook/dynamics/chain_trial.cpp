@@ -1,5 +1,6 @@
 #include "cook/dynamics/chain_trial.h"
 
+#include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
 #include "lab/measure_runtime.h"
 #include "lab/rig.h"
@@ -22,6 +23,7 @@ constexpr double kMostGrowth = 1.0e4;  ///< No need to compute what amplifies a 
 ReferenceSettings trial_settings(double most_steps_per_second = 11520) {
   ReferenceSettings settings;
   settings.sample_times = trial_times();
+  settings.steps_per_second = kCoarsestSteps;
   settings.most_steps_per_second = most_steps_per_second;
   settings.wanted_self_difference_pct = kMostSelfDifferencePct;
   return settings;
@@ -63,20 +65,29 @@ bool grows_beyond_hope(const AssetContents& alone) {
   return alone.chains[0].model == ChainModel::kCascade && chain_growth(alone, 0) > kMostGrowth;
 }
 
-ChainTrial try_chain(const AssetContents& alone) {
-  if (!grows_beyond_hope(alone)) return try_any_chain(alone);
+ChainTrial try_chain(const AssetContents& alone, unsigned threads) {
+  if (!grows_beyond_hope(alone)) return try_any_chain(alone, threads);
   return {{.is_good = false, .growth = chain_growth(alone, 0)}, {}};
 }
 
-ChainTrial try_any_chain(const AssetContents& alone) {
+ChainTrial try_any_chain(const AssetContents& alone, unsigned threads) {
   const OpenedAsset opened(alone);
   const Rig rig = rig_of(opened.asset());
   ChainTrial trial;
-  for (const Motion motion : kTrialMotions) {
-    KnownMotion known{motion, solve_trial(rig, motion)};
-    trial.finding = examine_motion(opened, rig, known);
-    if (!trial.finding.is_good) return trial;
-    trial.runs.push_back(std::move(known.reference));
+  // A few motions at a time: after one that fails none is needed.
+  for (std::size_t first = 0; first < std::size(kTrialMotions); first += threads) {
+    std::vector<KnownMotion> known(std::min<std::size_t>(threads, std::size(kTrialMotions) - first));
+    std::vector<ChainFinding> findings(known.size());
+    parallel_for(known.size(), threads, [&](std::size_t i) {
+      const Motion motion = kTrialMotions[first + i];
+      known[i] = {motion, solve_trial(rig, motion)};
+      findings[i] = examine_motion(opened, rig, known[i]);
+    });
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      trial.finding = findings[i];
+      if (!trial.finding.is_good) return trial;
+      trial.runs.push_back(std::move(known[i].reference));
+    }
   }
   return trial;
 }

@@ -20,6 +20,10 @@ inline constexpr std::uint32_t kTrialRate = 60, kTrialSubsteps = 4;
 inline constexpr Motion kTrialMotions[] = {Motion::kTumble, Motion::kTurn, Motion::kRun, Motion::kCharge,
                                            Motion::kJump};
 
+/// Steps a second that a reference of the cook begins with. Most chains agree with twice as many to a fiftieth of what is
+/// wanted; for the others there are more.
+inline constexpr double kCoarsestSteps = 360;
+
 /// How a chain failed.
 struct ChainFinding {
   bool is_good = true;
@@ -44,10 +48,10 @@ struct ChainTrial {
 /// True where a cascade amplifies rounding into sight: there is no need to compute it.
 [[nodiscard]] bool grows_beyond_hope(const AssetContents& alone);
 
-/// Of contents with one chain (chains_alone()), in the model that they are meant for.
-[[nodiscard]] ChainTrial try_chain(const AssetContents& alone);
+/// Of contents with one chain (chains_alone()), in the model that they are meant for. `threads`: without influence on the result.
+[[nodiscard]] ChainTrial try_chain(const AssetContents& alone, unsigned threads);
 /// The same, however hopeless it is.
-[[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone);
+[[nodiscard]] ChainTrial try_any_chain(const AssetContents& alone, unsigned threads);
 
 /// RMS over all samples of the runs of one chain, share of its length; what was not finite is as far off as can be. `rig` has the
 /// chain's tips, and both have the same motions.

@@ -31,6 +31,11 @@ struct BothModels {
   AssetContents cascade, passive;
 };
 
+/// Where there are fewer things to do than threads.
+unsigned threads_of_each(std::size_t count, unsigned threads) {
+  return std::max(1u, threads / unsigned(std::max<std::size_t>(count, 1)));
+}
+
 AssetContents alone(const AssetContents& contents, std::uint32_t chain) {
   return chains_alone(contents, std::array{chain});
 }
@@ -43,23 +48,25 @@ bool is_too_stiff(const AssetContents& passive, const ChainGroup& group) {
 }
 
 /// Of the first telling chain that has no one motion; empty if each has.
-std::optional<IllPosedChains> try_group(const AssetContents& contents, const ChainGroup& group) {
+std::optional<IllPosedChains> try_group(const AssetContents& contents, const ChainGroup& group, unsigned threads) {
   for (const std::uint32_t chain : group.telling) {
-    const ChainFinding finding = try_chain(alone(contents, chain)).finding;
+    const ChainFinding finding = try_chain(alone(contents, chain), threads).finding;
     if (!finding.is_good) return IllPosedChains{group, chain, finding};
   }
   return std::nullopt;
 }
 
 /// How far apart the models move a chain, over the worst motion; infinite as soon as that is too far.
-double distance_of_models(const BothModels& both, std::uint32_t chain) {
+double distance_of_models(const BothModels& both, std::uint32_t chain, unsigned threads) {
   const AssetContents cascade = alone(both.cascade, chain), passive = alone(both.passive, chain);
   if (chain_growth(cascade, 0) > kMostGrowthAlike) return INFINITY;
   const OpenedAsset opened_cascade(cascade), opened_passive(passive);
   const Rig rig = rig_of(opened_cascade.asset()), other = rig_of(opened_passive.asset());
   double worst = 0;
   for (const Motion motion : kTrialMotions) {
-    const double apart = rms_apart(rig, std::array{solve_trial(rig, motion)}, std::array{solve_trial(other, motion)});
+    std::array<ReferenceRun, 1> runs[2];
+    parallel_for(2, threads, [&](std::size_t i) { runs[i][0] = solve_trial(i == 0 ? rig : other, motion); });
+    const double apart = rms_apart(rig, runs[0], runs[1]);
     if (!(apart <= kAlike)) return INFINITY;
     worst = std::max(worst, apart);
   }
@@ -73,34 +80,36 @@ struct Verdict {
   std::optional<IllPosedChains> ill_posed;
 };
 
-Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be_passive) {
+Verdict judge_given(const BothModels& both, const ChainGroup& group, bool may_be_passive, unsigned threads) {
   Verdict verdict;
-  verdict.ill_posed = try_group(both.cascade, group);
+  verdict.ill_posed = try_group(both.cascade, group, threads);
   if (!verdict.ill_posed || !may_be_passive || is_too_stiff(both.passive, group)) return verdict;
-  if (try_group(both.passive, group)) return verdict;
+  if (try_group(both.passive, group, threads)) return verdict;
   verdict.model = ChainModel::kPassive;
   verdict.why = fmt::format(
-      "{}: moved by the passive model; as a cascade it would have to be damped ({}), and then not swing as it was asked to",
+      "{}: moved by the passive model; as a cascade it would have to be damped ({}), and then not swing as it was "
+      "asked to",
       names_of(both.cascade, group, verdict.ill_posed->chain), what_failed(verdict.ill_posed->finding));
   verdict.ill_posed.reset();
   return verdict;
 }
 
-Verdict judge_preset(const BothModels& both, const ChainGroup& group) {
+Verdict judge_preset(const BothModels& both, const ChainGroup& group, unsigned threads) {
   Verdict verdict{.model = ChainModel::kPassive, .why = {}, .ill_posed = {}};
   const std::string names = names_of(both.cascade, group, group.telling[0]);
   if (is_too_stiff(both.passive, group)) {
-    if (try_group(both.cascade, group)) return verdict;
+    if (try_group(both.cascade, group, threads)) return verdict;
     verdict.model = ChainModel::kCascade;
     verdict.why = fmt::format("{}: moved as a cascade: it is too stiff to swing", names);
     return verdict;
   }
   double apart = 0;
-  for (const std::uint32_t chain : group.telling) apart = std::max(apart, distance_of_models(both, chain));
-  if (!(apart <= kAlike) || try_group(both.cascade, group)) return verdict;
+  for (const std::uint32_t chain : group.telling) apart = std::max(apart, distance_of_models(both, chain, threads));
+  if (!(apart <= kAlike) || try_group(both.cascade, group, threads)) return verdict;
   verdict.model = ChainModel::kCascade;
-  verdict.why = fmt::format("{}: moved as a cascade, which is within {:.2g} % of its length of the passive model and costs less",
-                            names, 100 * apart);
+  verdict.why =
+      fmt::format("{}: moved as a cascade, which is within {:.2g} % of its length of the passive model and costs less",
+                  names, 100 * apart);
   return verdict;
 }
 
@@ -115,10 +124,11 @@ AssetContents settled(const Recipe& recipe, const SaidMotion& said, std::span<co
 
 std::vector<IllPosedChains> find_ill_posed(const AssetContents& contents, unsigned threads) {
   const std::vector<ChainGroup> groups = group_chains(contents);
+  const unsigned of_group = threads_of_each(groups.size(), threads);
   std::vector<std::optional<IllPosedChains>> tried(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) {
     const bool is_cascade = contents.chains[groups[g].chains[0]].model == ChainModel::kCascade;
-    if (is_cascade) tried[g] = try_group(contents, groups[g]);
+    if (is_cascade) tried[g] = try_group(contents, groups[g], of_group);
   });
   std::vector<IllPosedChains> found;
   for (const auto& each : tried) {
@@ -149,11 +159,12 @@ ModelChoice choose_models(const Recipe& recipe, const SaidMotion& said, const As
   if (!can_be_run(by_rule) || !can_be_run(both.cascade) || !can_be_run(both.passive)) return choice;
 
   const std::vector<ChainGroup> groups = group_chains(by_rule);
+  const unsigned of_group = threads_of_each(groups.size(), threads);
   std::vector<Verdict> verdicts(groups.size());
   parallel_for(groups.size(), threads, [&](std::size_t g) {
     const bool by_preset = by_rule.chains[groups[g].chains[0]].model == ChainModel::kPassive;
-    verdicts[g] = by_preset ? judge_preset(both, groups[g])
-                            : judge_given(both, groups[g], recipe.dynamics_model == "auto");
+    verdicts[g] = by_preset ? judge_preset(both, groups[g], of_group)
+                            : judge_given(both, groups[g], recipe.dynamics_model == "auto", of_group);
   });
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const std::uint32_t chain : groups[g].chains) choice.models[chain] = verdicts[g].model;

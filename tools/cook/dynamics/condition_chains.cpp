@@ -59,7 +59,7 @@ ChainTrial examine(const AssetContents& contents, std::uint32_t chain, const Con
   AssetContents alone = chains_alone(contents, std::array{chain});
   apply(candidate, alone, 0);
   const bool is_last = &candidate == std::end(kCandidates) - 1;
-  return is_last ? try_any_chain(alone) : try_chain(alone);
+  return is_last ? try_any_chain(alone, 1) : try_chain(alone, 1);
 }
 
 /// The motion as Algorithm 1 has it at the rate that an artist tunes at; by numbers that it does not know, the runtime's.

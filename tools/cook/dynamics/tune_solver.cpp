@@ -1,5 +1,6 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
+#include "cook/dynamics/chain_trial.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "lab/measure_runtime.h"
 #include "lab/rig.h"
@@ -72,6 +73,7 @@ class Bench {
     }
     ReferenceSettings settings;
     settings.sample_times = frame_times(rates, kSeconds);
+    settings.steps_per_second = kCoarsestSteps;
     settings.most_steps_per_second = 5760;
     settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
     known_.resize(all_motions().size());

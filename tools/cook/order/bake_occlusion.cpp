@@ -76,10 +76,13 @@ Vector3f out_of(std::span<const ColliderRecord> solids, Vector3f point) {
 class LitSide {
  public:
   LitSide(const HairSurface& hair, std::span<const Vector3f> positions, const ViewGrid& grid, float margin)
-      : view_(hair, positions, grid), hair_(hair), towards_(grid.towards_eye), margin_(margin) {}
+      : view_(hair, positions, grid),
+        head_(hair.solids, -grid.towards_eye),
+        towards_(grid.towards_eye),
+        margin_(margin) {}
 
   [[nodiscard]] float reaching(const Receiver& receiver) const {
-    if (solid_depth(hair_.solids, receiver.outside, -towards_) < -margin_) return 0;
+    if (head_.depth(receiver.outside) < -margin_) return 0;
     float light = 0;
     for (const auto& [line, share] : view_.lines_around(receiver.point)) light += share * along(line, receiver);
     return light;
@@ -103,7 +106,7 @@ class LitSide {
   }
 
   FragmentView view_;
-  const HairSurface& hair_;
+  SolidsAlong head_;
   Vector3f towards_;
   float margin_;
 };

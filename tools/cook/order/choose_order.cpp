@@ -48,19 +48,11 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
 }
 
 /// The hair as it is drawn with some opaque threshold.
-struct ThresholdHair {
-  ThresholdHair(const AssetContents& contents, std::span<const Image> used, float threshold)
-      : opened(with_threshold(contents, used, threshold)), hair(opened.asset()) {}
-
-  static AssetContents with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
-    contents.material.front().opaque_threshold = threshold;
-    keep_coverage(used, contents);
-    return contents;
-  }
-
-  OpenedAsset opened;
-  SeenHair hair;
-};
+HairSurface with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
+  contents.material.front().opaque_threshold = threshold;
+  keep_coverage(used, contents);
+  return HairSurface(OpenedAsset(contents).asset());
+}
 
 class OrderChoice {
  public:
@@ -80,6 +72,7 @@ class OrderChoice {
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
     limit_work();
+    judged_.emplace(judged_hair(SeenHair(OpenedAsset(contents).asset()), poses, settings_));
   }
 
   /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
@@ -91,8 +84,8 @@ class OrderChoice {
     quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
-    const ThresholdHair hair(contents_, used_, quick.opaque_threshold);
-    return search_orders(hair.hair, poses_, head_, quick);
+    const HairSurface hair = with_threshold(contents_, used_, quick.opaque_threshold);
+    return search_orders(hair, *judged_, poses_, head_, quick);
   }
 
   /// The recipe's, or what those orders look best with.
@@ -104,8 +97,8 @@ class OrderChoice {
   [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold) const {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
-    const ThresholdHair hair(contents_, used_, threshold);
-    FoundOrders found = refine_orders(hair.hair, poses_, head_, quick, settings);
+    const HairSurface hair = with_threshold(contents_, used_, threshold);
+    FoundOrders found = refine_orders(hair, *judged_, poses_, head_, quick, settings);
     if (threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
@@ -115,7 +108,7 @@ class OrderChoice {
   /// Where triangles cross, seen by as many views as the quick search has.
   [[nodiscard]] Crossings find_crossings(const FoundOrders& quick, float threshold) const {
     if (recipe_.order_cut_budget == 0 || quick.by_view.orders.empty()) return {};
-    const ThresholdHair hair(contents_, used_, threshold);
+    const HairSurface hair = with_threshold(contents_, used_, threshold);
     FoundOrders drawn = quick;
     drawn.rule.opaque_threshold = threshold;
     SampleSettings samples;
@@ -126,10 +119,9 @@ class OrderChoice {
       OrderSearchSettings settings = settings_;
       settings.opaque_threshold = threshold;
       settings.judge_views_per_cell = kQuickJudgeViews;
-      return coif::share_of_order(hair.hair, poses_, quick, settings);
+      return coif::share_of_order(hair, *judged_, quick, settings);
     };
-    return cut_where_crossing(contents_, hair.hair.surface, poses_.front(), drawn, most_added(quick), samples,
-                              share_of_order);
+    return cut_where_crossing(contents_, hair, poses_.front(), drawn, most_added(quick), samples, share_of_order);
   }
 
   [[nodiscard]] float usual_threshold() const { return usual_threshold_; }
@@ -169,8 +161,7 @@ class OrderChoice {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
     settings.judge_views_per_cell = views_per_cell;
-    const ThresholdHair hair(contents_, used_, threshold);
-    return judge_orders(hair.hair, poses_, orders, settings);
+    return judge_orders(with_threshold(contents_, used_, threshold), *judged_, orders, settings);
   }
 
   /// The thesis's way, with the usual threshold.
@@ -221,6 +212,7 @@ class OrderChoice {
   UnitOrder head_;
   float usual_threshold_;
   OrderSearchSettings settings_;
+  std::optional<JudgedHair> judged_;  ///< Its mips have their own alpha yet.
   double share_of_lines_ = 1;
 };
 

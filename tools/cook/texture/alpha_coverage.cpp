@@ -3,31 +3,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace coif {
 namespace {
 
 constexpr double kRounding = 1.0e-3;  ///< Of 255.
-constexpr int kShares = 16;  ///< Of a sample: nine of its texel, three of two neighbours each, one of the third.
+constexpr std::uint16_t kShares =
+    16;                      ///< Of a sample: nine of its texel, three of two neighbours each, one of the third.
 constexpr int kSamples = 4;  ///< Of a texel.
+
+/// Alphas of a row of texels, and of those beside it: the last one before the first, and the first after the last.
+using AlphaRow = std::vector<std::uint16_t>;
+
+AlphaRow alpha_row(const Image& image, std::uint32_t y) {
+  AlphaRow row(image.width + 2);
+  const std::uint8_t* const texels = &image.texels[4 * std::size_t(y) * image.width];
+  for (std::uint32_t x = 0; x < image.width; ++x) row[x + 1] = texels[4 * std::size_t(x) + 3];
+  row.front() = row[image.width];
+  row.back() = row[1];
+  return row;
+}
 
 class Sums {
  public:
   explicit Sums(const AlphaThresholds& thresholds)
-      : opaque_(least_passing(thresholds.opaque)), discard_(least_passing(thresholds.discard)) {}
+      : opaque_(std::uint16_t(least_passing(thresholds.opaque))),
+        discard_(std::uint16_t(least_passing(thresholds.discard))) {}
 
-  void add_texel(int alpha, std::uint64_t weight) {
+  void add_texels(const AlphaRow& row, const std::uint8_t* weights) {
+    std::uint32_t weight = 0, opaque = 0;
+    for (std::size_t x = 0; x + 2 < row.size(); ++x) {
+      weight += weights[x];
+      opaque += row[x + 1] >= opaque_ ? weights[x] : 0u;
+    }
     weight_ += weight;
-    if (alpha >= opaque_) opaque_texels_ += weight;
+    opaque_texels_ += opaque;
   }
 
-  /// `alpha` of kShares times 255.
-  void add_sample(int alpha, std::uint64_t weight) {
-    if (alpha >= opaque_ * kShares) {
-      opaque_samples_ += weight;
-    } else if (alpha >= discard_ * kShares) {
-      blended_ += weight * std::uint64_t(alpha);
-    }
+  /// Samples a quarter of a texel off the texels' middles, towards the row beside and both sides.
+  void add_samples(const AlphaRow& row, const AlphaRow& beside, const std::uint8_t* weights) {
+    add_samples(row, beside, weights, 0);
+    add_samples(row, beside, weights, 2);
   }
 
   [[nodiscard]] AlphaCoverage result() const {
@@ -38,7 +56,28 @@ class Sums {
   }
 
  private:
-  int opaque_, discard_;
+  /// In a plain loop of small numbers, which compilers make vector operations of.
+  void add_samples(const AlphaRow& row, const AlphaRow& beside, const std::uint8_t* weights, std::size_t side) {
+    const auto opaque = std::uint16_t(opaque_ * kShares), discard = std::uint16_t(discard_ * kShares);
+    std::uint32_t opaque_sum = 0;
+    std::uint64_t blended = 0;
+    constexpr std::size_t kBatch = 1024;  // sums of so many fit 32 bits
+    for (std::size_t begin = 0; begin + 2 < row.size(); begin += kBatch) {
+      const std::size_t end = std::min(begin + kBatch, row.size() - 2);
+      std::uint32_t batch = 0;
+      for (std::size_t x = begin; x < end; ++x) {
+        const auto alpha = std::uint16_t(9 * row[x + 1] + 3 * (row[x + side] + beside[x + 1]) + beside[x + side]);
+        const bool is_opaque = alpha >= opaque, is_drawn = alpha >= discard;
+        opaque_sum += is_opaque ? weights[x] : 0u;
+        batch += is_drawn && !is_opaque ? std::uint32_t(weights[x]) * alpha : 0u;
+      }
+      blended += batch;
+    }
+    opaque_samples_ += opaque_sum;
+    blended_ += blended;
+  }
+
+  std::uint16_t opaque_, discard_;
   std::uint64_t weight_ = 0, opaque_texels_ = 0, opaque_samples_ = 0, blended_ = 0;
 };
 
@@ -48,24 +87,16 @@ int least_passing(double threshold) { return int(std::clamp(std::ceil(threshold 
 
 AlphaCoverage alpha_coverage(const Image& image, const Image& used, const AlphaThresholds& thresholds) {
   Sums sums(thresholds);
-  const std::uint32_t width = image.width, height = image.height;
-  const auto alpha = [&](std::uint32_t x, std::uint32_t y) {
-    return int(image.texels[4 * (std::size_t(y) * width + x) + 3]);
-  };
+  const std::uint32_t height = image.height;
+  if (height == 0) return {};
+  AlphaRow above = alpha_row(image, height - 1), row = alpha_row(image, 0);
   for (std::uint32_t y = 0; y < height; ++y) {
-    const std::uint32_t beside_y[] = {y > 0 ? y - 1 : height - 1, y + 1 < height ? y + 1 : 0};
-    for (std::uint32_t x = 0; x < width; ++x) {
-      const std::uint8_t weight = used.texels[std::size_t(y) * width + x];
-      if (weight == 0) continue;
-      const std::uint32_t beside_x[] = {x > 0 ? x - 1 : width - 1, x + 1 < width ? x + 1 : 0};
-      sums.add_texel(alpha(x, y), weight);
-      // A quarter of a texel off its middle, towards each corner.
-      for (const std::uint32_t j : beside_y) {
-        for (const std::uint32_t i : beside_x) {
-          sums.add_sample(9 * alpha(x, y) + 3 * (alpha(i, y) + alpha(x, j)) + alpha(i, j), weight);
-        }
-      }
-    }
+    AlphaRow below = alpha_row(image, (y + 1) % height);
+    const std::uint8_t* const weights = &used.texels[std::size_t(y) * image.width];
+    sums.add_texels(row, weights);
+    sums.add_samples(row, above, weights);
+    sums.add_samples(row, below, weights);
+    above = std::exchange(row, std::move(below));
   }
   return sums.result();
 }

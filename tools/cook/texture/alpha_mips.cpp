@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -107,12 +108,14 @@ class MipAlpha {
   }
 
   void apply() {
+    std::array<std::array<std::uint8_t, 256>, 2> alpha_of{};
+    for (std::size_t alpha = 0; alpha < 256; ++alpha) {
+      const auto scaled = [&](double factor) { return std::floor(double(alpha) * factor + 0.5); };
+      alpha_of[0][alpha] = std::uint8_t(std::min<double>(scaled(blend_factor_), least() - 1));
+      alpha_of[1][alpha] = std::uint8_t(std::clamp<double>(scaled(solid_factor_), least(), 255));
+    }
     for (std::size_t i = 0; i < rank_.size(); ++i) {
-      const double alpha = double(rank_[i] >> 24);
-      const bool solid = rank_[i] >= from_;
-      const double scaled = std::floor(alpha * (solid ? solid_factor_ : blend_factor_) + 0.5);
-      mip_.texels[4 * i + 3] =
-          std::uint8_t(solid ? std::clamp<double>(scaled, least(), 255) : std::min<double>(scaled, least() - 1));
+      mip_.texels[4 * i + 3] = alpha_of[rank_[i] >= from_ ? 1 : 0][rank_[i] >> 24];
     }
   }
 
