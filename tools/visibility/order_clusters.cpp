@@ -188,6 +188,7 @@ UnitOrder by_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> pos
 
 CellOrders refine_from_depth(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
                              const CellVotes& cells, CellOrders found, unsigned threads) {
+  if (found.orders.size() < 2) return found;  // one for all directions: none of them is its own
   for (std::size_t k = 0; k < found.orders.size(); ++k) {
     found.orders[k] = by_depth(hair, positions, mean_direction(found, k));
   }
