@@ -108,4 +108,13 @@ inline RestWatch rest_watch(const StepSettings& settings, float dt) {
   return {dt, settings.sleep_speed * settings.sleep_speed, settings.sleep_after};
 }
 
+/// After HeadCode::finish(), of the first `count` lanes: adds to `may_sleep` who may. Returns those whose hair has to be put to rest,
+/// since it flies or the head is lost.
+inline std::uint32_t sort_out(const RestingHeads& resting, std::uint32_t count, std::uint16_t is_lost,
+                              std::uint16_t& may_sleep) {
+  const std::uint32_t in_use = (1u << count) - 1, ended = (is_lost | resting.flies) & in_use;
+  may_sleep = std::uint16_t(may_sleep | (resting.may_sleep & in_use & ~ended));
+  return ended;
+}
+
 }  // namespace coif

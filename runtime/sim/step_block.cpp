@@ -176,8 +176,7 @@ void step_block(CrowdState& crowd, std::uint32_t index) {
   if (character != nullptr) character->finish(crowd, index);
   const RestWatch watch = rest_watch(crowd.settings, step.interval.parts.dt);
   const RestingHeads resting = heads_of(step).finish(block.heads, block.count, step.heads, step.motion, watch);
-  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
-  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  const std::uint32_t ended = sort_out(resting, block.count, block.is_lost, block.may_sleep);
   for (std::uint32_t left = ended; left != 0; left &= left - 1) {
     put_to_rest(crowd, index * kLanes + std::uint32_t(std::countr_zero(left)));
   }

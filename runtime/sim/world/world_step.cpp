@@ -177,8 +177,7 @@ void finish_block(WorldState& world, const HeadPace& pace, WorldBlock& block) {
   for (std::uint32_t i = 0; i < block.count; ++i) motion.v[i] = motion_of(world.heads[block.head[i]]);
   const RestWatch watch = rest_watch(world.settings, pace.parts.dt);
   const RestingHeads resting = code_for(world, block.count).finish(block.heads, block.count, block.step, motion, watch);
-  const std::uint32_t in_use = (1u << block.count) - 1, ended = (block.is_lost | resting.flies) & in_use;
-  block.may_sleep = std::uint16_t(block.may_sleep | (resting.may_sleep & in_use & ~ended));
+  const std::uint32_t ended = sort_out(resting, block.count, block.is_lost, block.may_sleep);
   for (std::uint32_t left = ended; left != 0; left &= left - 1) {
     put_to_rest(world, world.heads[block.head[std::countr_zero(left)]]);
   }

@@ -1,16 +1,17 @@
 #include "cook/cuts/split_mesh.h"
 
+#include "cook/rig/skeleton.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace coif {
 namespace {
-
-constexpr std::size_t kInfluences = 4;
 
 float mixed(float from, float to, float share) { return from + share * (to - from); }
 
@@ -34,35 +35,12 @@ VertexRecord mixed(VertexRecord from, const VertexRecord& to, float share) {
   return from;
 }
 
-/// The heaviest bones of both, their weights made to add up again.
 SkinRecord mixed(const SkinRecord& from, const SkinRecord& to, float share) {
-  std::vector<std::pair<float, std::uint16_t>> weights;
-  const auto add = [&](const SkinRecord& skin, float part) {
-    for (std::size_t k = 0; k < kInfluences; ++k) {
-      const float weight = part * float(skin.weight[k]);
-      if (weight <= 0) continue;
-      const auto known = std::ranges::find(weights, skin.bone[k], &std::pair<float, std::uint16_t>::second);
-      if (known != weights.end()) known->first += weight;
-      if (known == weights.end()) weights.emplace_back(weight, skin.bone[k]);
-    }
-  };
-  add(from, 1 - share);
-  add(to, share);
-  std::ranges::sort(weights, [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first > b.first : a.second < b.second;
-  });
-  if (weights.size() > kInfluences) weights.resize(kInfluences);
-  float sum = 0;
-  for (const auto& [weight, bone] : weights) sum += weight;
-  SkinRecord skin{};
-  int left = 255;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    skin.bone[k] = weights[k].second;
-    skin.weight[k] = std::uint8_t(std::floor(weights[k].first / sum * 255));
-    left -= skin.weight[k];
-  }
-  skin.weight[0] = std::uint8_t(skin.weight[0] + left);
-  return skin;
+  std::vector<BoneWeight> weights;
+  for (std::size_t k = 0; k < std::size(from.bone); ++k)
+    add_weight(weights, from.bone[k], (1 - share) * from.weight[k]);
+  for (std::size_t k = 0; k < std::size(to.bone); ++k) add_weight(weights, to.bone[k], share * to.weight[k]);
+  return quantize_skin({std::move(weights)}).front();
 }
 
 }  // namespace
