@@ -82,6 +82,7 @@ struct Solver {
   std::uint32_t scratch_from = 0;     ///< if that has more bones than this.
   bool carries_frames = false;        ///< Bones may twist.
   bool has_substeps = false;
+  bool may_be_uneven = false;                ///< Its rows may have chains of unlike length: see kRowEnds.
   const CharacterCode* character = nullptr;  ///< Null: not for hair on a character.
   bool reads_asked = false;  ///< Friction as the artist asked for, whatever the chain was given to have one motion.
 

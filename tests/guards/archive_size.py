@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """How many bytes of code and constants a program takes of a shipped archive: .text, .rodata and .data, after strip, of the
-members that the linker's map says it took. The archives that it needs beside are measured too, without a limit, and each as
+members that the linker's map says it took. What several of these have, as templates, the linker takes once. The archives that it needs beside are measured too, without a limit, and each as
 a whole.
 
 usage: archive_size.py LIMIT MAP AR STRIP OBJDUMP ARCHIVE [NEEDED...] | --self-test AR STRIP OBJDUMP COMPILER
@@ -16,6 +16,8 @@ COUNTED = re.compile(r"\.(text|rodata|data)(\.|$)")
 # In the map: /where/libcoif_sim.a(hair.cpp.o), and who asked for it.
 MEMBER = re.compile(r"^(?:\S*/)?([^/\s]+\.a)\(([^)\s]+)\)", re.MULTILINE)
 SECTION = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s")
+# In a table of symbols: one that is weak, and its section.
+WEAK = re.compile(r"^[0-9a-f]+  ?w\s+\S*\s+(\.\S+)\s", re.MULTILINE)
 
 
 def output(*command, folder=None):
@@ -23,15 +25,23 @@ def output(*command, folder=None):
 
 
 def code_bytes(ar, strip, objdump, archive):
-    """Bytes of the counted sections of each member."""
-    sizes = {}
+    """The counted sections of each member: (name, whether others may have the same, bytes)."""
+    found = {}
     with tempfile.TemporaryDirectory() as folder:
         output(ar, "x", str(Path(archive).resolve()), folder=folder)
         for member in sorted(Path(folder).iterdir()):
             output(strip, "--strip-unneeded", member)
+            weak = set(WEAK.findall(output(objdump, "-t", member)))
             sections = filter(None, map(SECTION.match, output(objdump, "-h", "-w", member).splitlines()))
-            sizes[member.name] = sum(int(found[2], 16) for found in sections if COUNTED.match(found[1]))
-    return sizes
+            found[member.name] = [(name, name in weak, int(size, 16))
+                                  for name, size in (section.groups() for section in sections) if COUNTED.match(name)]
+    return found
+
+
+def size_of(members):
+    """Bytes of their sections, those that several may have counted once."""
+    shared = {name: size for sections in members for name, is_shared, size in sections if is_shared}
+    return sum(shared.values()) + sum(size for sections in members for _, is_shared, size in sections if not is_shared)
 
 
 def check(limit, link_map, ar, strip, objdump, archives):
@@ -40,9 +50,9 @@ def check(limit, link_map, ar, strip, objdump, archives):
     lines, bad = [], []
     for archive in archives:
         name = Path(archive).name
-        sizes = code_bytes(ar, strip, objdump, archive)
-        linked = sum(size for member, size in sizes.items() if (name, member) in taken)
-        lines.append(f"{name}: {linked} bytes linked, {sum(sizes.values())} in all")
+        members = code_bytes(ar, strip, objdump, archive)
+        linked = size_of([sections for member, sections in members.items() if (name, member) in taken])
+        lines.append(f"{name}: {linked} bytes linked, {size_of(members.values())} in all")
         if linked == 0:
             bad.append(f"{name}: nothing of it is linked: nothing was measured")
         if archive == archives[0]:
@@ -53,19 +63,24 @@ def check(limit, link_map, ar, strip, objdump, archives):
 
 
 def self_test(ar, strip, objdump, compiler):
-    """Of an archive of two members a program takes the one it names; only that counts."""
+    """Of an archive a program takes the members it names; only those count, and what two of them have counts once."""
+    both = "inline __attribute__((noinline)) int both(int x) { asm(\".skip 3000\"); return x; }\n"
     sources = {
+        "one": both + "int one(int x) { return both(x); }\n",
+        "two": both + "int two(int x) { return both(x); }\n",
+        "twins": "int one(int); int two(int); int main() { return one(0) + two(0); }\n",
         "named": "extern const char table[3000]; const char table[3000] = {1}; int f(int x) { return x * table[x]; }\n",
         "unnamed": "extern const char other[9000]; const char other[9000] = {1};\n",
         "main": "int f(int); int main() { return f(0); }\n",
         "alone": "int main() {}\n"}
-    cases = [("main", 3300, False), ("main", 2999, True), ("alone", 3300, True)]
+    cases = [("main", 3300, False), ("main", 2999, True), ("alone", 3300, True), ("twins", 3300, False),
+             ("twins", 2999, True)]
     bad = []
     with tempfile.TemporaryDirectory() as folder:
         for name, text in sources.items():
             Path(folder, f"{name}.cpp").write_text(text)
             output(compiler, "-Os", "-g", "-ffunction-sections", "-fdata-sections", "-c", f"{name}.cpp", folder=folder)
-        output(ar, "cr", "case.a", "named.o", "unnamed.o", folder=folder)
+        output(ar, "cr", "case.a", "named.o", "unnamed.o", "one.o", "two.o", folder=folder)
         for program, limit, must_fail in cases:
             output(compiler, f"{program}.o", "case.a", f"-Wl,-Map={program}.map", "-o", program, folder=folder)
             found = check(limit, Path(folder, f"{program}.map"), ar, strip, objdump, [Path(folder, "case.a")])[1]

@@ -86,6 +86,28 @@ inline TestRig tuned_features() {
   return rig;
 }
 
+/// Strands of 1 to `longest` bones, two of each.
+inline TestRig uneven_strands(ChainModel model, int longest, float torsion, bool is_limited) {
+  TestRig rig;
+  rig.model = model;
+  for (int bones = 1; bones <= longest; ++bones) {
+    for (const float side : {-0.06f, 0.06f}) {
+      rig.add_strand(bones, {.joint = {side, 0.01f * float(bones), -0.09f},
+                             .rest_direction = {0, -0.8f, -0.6f},
+                             .length = 0.06f,
+                             .friction = 0.5f * float(bones % 3),
+                             .hit_radius = 0.004f,
+                             .stiffness = 40 + 15 * float(bones),
+                             .damping = 3,
+                             .torsion = torsion});
+    }
+  }
+  rig.add_sphere({0, 0, 0}, 0.1f);
+  rig.add_plane({0, -0.25f, 0}, {0, 1, 0});
+  for (std::uint32_t bone = 1; is_limited && bone < rig.bones.size(); ++bone) rig.limit(bone, LimitKind::kCone, 0.4f);
+  return rig;
+}
+
 inline AssetContents mixed_strands() {
   AssetContents mixed = passive_strands(4, 3, 0).contents();
   mixed.chains[1].model = mixed.chains[2].model = ChainModel::kCascade;
@@ -94,12 +116,15 @@ inline AssetContents mixed_strands() {
 }
 
 /// Hair of every kind: both models, twisting and not, bounded and not, with few and with many colliders, tuned for several rates, without any
-/// chain. Several have chains of one shape.
+/// chain. Several have chains of one shape, and of one shape but for their lengths.
 inline std::vector<AssetContents> many_kinds() {
   std::vector<AssetContents> kinds;
-  for (const TestRig& rig :
-       {feature_rig(), tuned_features(), nine_bone_rig(), other_nine_bones(), crowded_nine_bones(), limited_strands(),
-        half_limited_strands(), soft_strands(), passive_strands(2, 12, 90), TestRig()}) {
+  for (const TestRig& rig : {feature_rig(), tuned_features(), nine_bone_rig(), other_nine_bones(), crowded_nine_bones(),
+                             limited_strands(), half_limited_strands(), soft_strands(), passive_strands(2, 12, 90),
+                             TestRig(), uneven_strands(ChainModel::kPassive, 9, kShortestArc, false),
+                             uneven_strands(ChainModel::kPassive, 4, kShortestArc, true),
+                             uneven_strands(ChainModel::kCascade, 5, kShortestArc, false),
+                             uneven_strands(ChainModel::kCascade, 9, 4, true)}) {
     kinds.push_back(rig.contents());
   }
   kinds.push_back(mixed_strands());

@@ -127,6 +127,20 @@ HWY_INLINE void stay_rigid(D d, hn::Mask<D> rigid, const Carrier<D>& from, const
   direction = choose<D>(rigid, by_parent, direction);
 }
 
+/// Lanes that have the bone, where some have not.
+template <class D>
+HWY_INLINE hn::Mask<D> has_bone(D d, const RowStep& row, std::size_t bone, std::size_t lane) {
+  return hn::Lt(hn::Iota(d, float(lane)), hn::Set(d, float(row.bones[bone].lanes)));
+}
+
+/// `value`, and zero where the bone is no chain's last one.
+template <class D>
+HWY_INLINE V<D> of_last_bones(D d, const RowStep& row, std::size_t bone, std::size_t lane, V<D> value) {
+  if (HWY_LIKELY((row.bones[bone].features & kRowEnds) == 0)) return value;
+  const auto here = hn::IfThenElseZero(has_bone(d, row, bone, lane), value);
+  return bone + 1 == row.bones.size() ? here : hn::IfThenZeroElse(has_bone(d, row, bone + 1, lane), here);
+}
+
 /// Of a joint that moves rigidly with the head; `joint` in head space, `turn` the head's rotation at the end of the step.
 template <class D>
 HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M3<D>& turn, const V3<D>& joint,
@@ -148,8 +162,9 @@ HWY_INLINE void joint_on_head(D d, const RowStep& row, std::size_t lane, const M
 /// Section 4, of a bone of a row that is bounded: turns `now` and `direction`, which is now.direction in head space, to where the
 /// limit about the frame of `from` allows it. `limited` is what colliders need for the same. Returns where the bone was beyond.
 template <class D>
-HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone, const Carrier<D>& from,
-                                     LimitedBone<V<D>>& limited, BoneMotion<D>& now, V3<D>& direction) {
+HWY_INLINE hn::Mask<D> keep_in_limit(D d, const RowStep& row, std::size_t lane, std::size_t bone,
+                                     const Carrier<D>& from, LimitedBone<V<D>>& limited, BoneMotion<D>& now,
+                                     V3<D>& direction) {
   V3<D> turned[3] = {direction, now.direction, now.velocity};  // copies: what is in registers stays there
   limited.row = &row;
   limited.lane = lane;

@@ -32,13 +32,11 @@ class CoifChain {
         state_(static_cast<CoifState*>(row.state)),
         lane_(lane),
         turn_(load(d, row.move->from_head, lane)),
-        motion_(hn::Zero(d)) {
-    const std::size_t left = row.lanes - lane;
-    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
-  }
+        motion_(hn::Zero(d)) {}
 
   HWY_INLINE void run() {
-    for (std::size_t i = 0; i < row_.bones.size(); ++i) advance(i);
+    const std::size_t count = bones_from(row_, lane_);
+    for (std::size_t i = 0; i < count; ++i) advance(i);
     store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
   }
 
@@ -166,8 +164,7 @@ class CoifChain {
   const CoifCoefficients* const coefficients_;
   CoifState* const state_;
   const std::size_t lane_;
-  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
-  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_;
   Carrier<D> joint_;
   Carrier<D> posed_;
@@ -244,15 +241,17 @@ HWY_INLINE void CoifChain<D>::advance(std::size_t i) {
   store(d_, target.arm, state.arm, lane_);
   store(d_, without_trace(d_, now.velocity), state.velocity, lane_);
   if (row_.palette != nullptr) {
-    store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i, used_);
+    store_matrix(d_, bent.frame, load(d_, bone.joint, lane_), from.position, row_.palette + lane_, i,
+                 lanes_of_bone(row_, i, lane_));
+  }
+  if ((shape.features & (kRowHasChildren | kRowEnds)) != kRowHasChildren) {
+    const V3<D> velocity = sub(d_, add(d_, from.velocity, now.velocity), load(d_, row_.move->velocity, lane_));
+    motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
   }
   if (shape.features & kRowHasChildren) {
     // Last, since it may take the place of what the bone itself hangs from.
     leave_carrier(carriers_[shape.slot], state, from, now, before, speed_before, swing, spin, length, per_length,
                   bent.frame, direction);
-  } else {
-    const V3<D> velocity = sub(d_, add(d_, from.velocity, now.velocity), load(d_, row_.move->velocity, lane_));
-    motion_ = hn::Add(motion_, dot(d_, velocity, velocity));
   }
 }
 

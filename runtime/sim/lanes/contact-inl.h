@@ -125,9 +125,9 @@ HWY_INLINE hn::Mask<D> keep_in_limit(D d, hn::Mask<D> here, TouchingBone<D>& bon
 /// what leads into those. `set` has the colliders of all lanes. Returns the lanes that touched any: only in them the
 /// bone is another.
 template <class D>
-COIF_RARE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
-                                    const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,
-                                    TouchingBone<D>& bone) {
+COIF_RARE_ONCE hn::Mask<D> keep_clear(D d, const PlacedColliders& colliders, std::uint32_t set,
+                                      const BoneLanes& constants, std::size_t lane, hn::Mask<D> reached,
+                                      TouchingBone<D>& bone) {
   const auto one = hn::Set(d, 1.0f);
   auto takes_part = reached, moved = hn::AndNot(reached, reached);
   const int rounds = HWY_LIKELY(bone.limited == nullptr) ? kContactRounds : kLimitedRounds;

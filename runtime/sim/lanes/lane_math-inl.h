@@ -28,6 +28,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 #define COIF_RARE HWY_NOINLINE __attribute__((cold))
 #endif
 
+/// Of one that is large: g++ would make a copy for each model.
+#ifndef COIF_RARE_ONCE
+#if defined(__GNUC__) && !defined(__clang__)
+#define COIF_RARE_ONCE COIF_RARE __attribute__((noclone))
+#else
+#define COIF_RARE_ONCE COIF_RARE
+#endif
+#endif
+
 /// As many lanes as the instruction set has, 16 at most. Sizeless vectors (SVE) cannot be members; NEON serves there.
 using Widest = hn::CappedTag<float, kLanes>;
 using Single = hn::CappedTag<float, 1>;

@@ -141,6 +141,13 @@ struct PassiveLinks {
     mass = {own, zero, zero, own, zero, own};
     push = force = {zero, zero, zero};
   }
+
+  /// In these lanes the bone is not there: nothing pulls.
+  HWY_INLINE void let_go(hn::Mask<D> missing) {
+    force = {hn::IfThenZeroElse(missing, force.x), hn::IfThenZeroElse(missing, force.y),
+             hn::IfThenZeroElse(missing, force.z)};
+    yields = hn::IfThenZeroElse(missing, yields);
+  }
 };
 
 /// Nothing of it outlives a step.

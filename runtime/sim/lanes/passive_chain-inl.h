@@ -35,21 +35,18 @@ class PassiveChain {
         state_(static_cast<PassiveState*>(row.state)),
         bones_(bones),
         lane_(lane),
+        count_(bones_from(row, lane)),
         method_(d, method),
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)),
-        most_twisting_(hn::Zero(d)) {
-    const std::size_t left = row.lanes - lane;
-    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
-  }
+        most_twisting_(hn::Zero(d)) {}
 
   HWY_INLINE void run() {
-    const std::size_t count = row_.bones.size();
     turn_bones();
-    for (std::size_t i = 0; i < count; ++i) settle(i);
-    for (std::size_t i = count; i-- > 0;) gather_momentum(i);
-    for (std::size_t i = 0; i < count; ++i) keep_links(i);
+    for (std::size_t i = 0; i < count_; ++i) settle(i);
+    for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
+    for (std::size_t i = 0; i < count_; ++i) keep_links(i);
     calm_what_is_wild();
     store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
   }
@@ -86,6 +83,7 @@ class PassiveChain {
     return pose == nullptr ? rigid : hn::Or(rigid, is_posed(d_, *pose, lane_));
   }
 
+  [[nodiscard]] HWY_INLINE bool ends(std::size_t i) const { return (row_.bones[i].features & kRowEnds) != 0; }
   HWY_INLINE void guess(std::size_t i);
   HWY_INLINE void find_forces(std::size_t i);
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
@@ -108,9 +106,9 @@ class PassiveChain {
   PassiveState* const state_;
   PassiveBone<D>* const bones_;
   const std::size_t lane_;
+  const std::size_t count_;  ///< Bones.
   const PassiveNumbers<D> method_;
-  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
-  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
@@ -268,7 +266,9 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
   bone.turn[1] = hn::Neg(hn::Add(hn::Mul(bone.inverse[1], first), hn::Mul(bone.inverse[2], second)));
   const V3<D> change = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
   bone.shift = add_scaled(d_, bone.shift, change, load(d_, row_.constants[i].length, lane_));
-  farthest2_ = hn::Max(farthest2_, dot(d_, change, change));
+  auto change2 = dot(d_, change, change);
+  if (HWY_UNLIKELY(ends(i))) change2 = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), change2);
+  farthest2_ = hn::Max(farthest2_, change2);
   set_where(d_, moving, direction_or(d_, add(d_, bone.direction, change), bone.direction), bone.direction);
 }
 
@@ -277,16 +277,15 @@ HWY_INLINE void PassiveChain<D>::turn_bone(std::size_t i, hn::Mask<D> moving) {
 /// stops by itself. (One loop, so that the code is there once.)
 template <class D>
 HWY_INLINE void PassiveChain<D>::turn_bones() {
-  const std::size_t count = row_.bones.size();
   auto moving = hn::Eq(turn_.x.x, turn_.x.x);
   for (int round = 0;; ++round) {
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
       if (round == 0) guess(i);
       find_forces(i);
     }
     farthest2_ = hn::Zero(d_);
-    for (std::size_t i = count; i-- > 0;) eliminate(i);
-    for (std::size_t i = 0; i < count; ++i) turn_bone(i, moving);
+    for (std::size_t i = count_; i-- > 0;) eliminate(i);
+    for (std::size_t i = 0; i < count_; ++i) turn_bone(i, moving);
     if (round == 0) moving = hn::Gt(most_twisting_, hn::Set(d_, kLeastTwisting));
     moving = hn::And(moving, hn::Gt(farthest2_, hn::Set(d_, kSettled2)));
     if (round == kMostRounds || HWY_LIKELY(hn::AllFalse(d_, moving))) return;

@@ -63,7 +63,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
   if (shape.features & kRowCollides) {
-    held = hn::Or(held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
+    held = hn::Or(
+        held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
@@ -89,7 +90,8 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
   const auto spin = spin_of_arc(d_, arm, now.direction, from.angular_velocity, swing, bent.per_fold);
   if (row_.palette != nullptr) {
-    store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i, used_);
+    store_matrix(d_, bent.frame, load(d_, constants.joint, lane_), from.position, row_.palette + lane_, i,
+                 lanes_of_bone(row_, i, lane_));
   }
   bone.shift = scale(d_, sub(d_, now.direction, direction), length);
   if (!is_first(i)) bone.shift = add(d_, bone.shift, parent_of(i).shift);
@@ -115,18 +117,18 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   const V3<D> wind = sub(d_, bone.tail.velocity, air_of(d_, row_, lane_, bone));
   bone.links.force = add(d_, bone.links.force,
                          add_scaled(d_, bone.load, wind, hn::Mul(length, load(d_, coefficients_[i].friction, lane_))));
-  const auto tension = hn::Neg(dot(d_, bone.links.force, bone.direction));
-  store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
   const Symmetric3<D> inverse = inverse_of(d_, bone.links.mass);
   bone.links.by_pull = times(d_, inverse, bone.direction);
   bone.links.by_push = times(d_, inverse, bone.links.push);
-  const auto yields = hn::Div(hn::Set(d_, 1.0f), dot(d_, bone.direction, bone.links.by_pull));
+  bone.links.yields = hn::Div(hn::Set(d_, 1.0f), dot(d_, bone.direction, bone.links.by_pull));
+  if (HWY_UNLIKELY(ends(i))) bone.links.let_go(hn::Not(has_bone(d_, row_, i, lane_)));
+  const auto tension = hn::Neg(dot(d_, bone.links.force, bone.direction));
+  store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
   const auto opening = dot(d_, bone.direction, sub(d_, bone.tail.velocity, bone.links.start_velocity));
-  bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), yields);
-  bone.links.yields = yields;
+  bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), bone.links.yields);
   if (is_first(i)) return;
   PassiveLinks<D>& links = parent_of(i).links;
-  const V3<D> firm = scale(d_, bone.direction, yields);
+  const V3<D> firm = scale(d_, bone.direction, bone.links.yields);
   links.mass = add_outer(d_, links.mass, firm, bone.direction);
   links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
   links.force = add(d_, links.force, bone.links.force);
@@ -147,10 +149,12 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   store(d_, without_trace(d_, relative), state_[i].velocity, lane_);
   const auto per_length = load(d_, row_.constants[i].per_length, lane_);
   const V3<D> turning = sub(d_, scale(d_, relative, per_length), with_head(bone.direction));
-  fastest2_ = hn::Max(fastest2_, dot(d_, turning, turning));
-  if (row_.bones[i].features & kRowHasChildren) return;
+  auto turning2 = dot(d_, turning, turning);
+  if (HWY_UNLIKELY(ends(i))) turning2 = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), turning2);
+  fastest2_ = hn::Max(fastest2_, turning2);
+  if ((row_.bones[i].features & (kRowHasChildren | kRowEnds)) == kRowHasChildren) return;
   const V3<D> velocity = sub(d_, bone.tail.velocity, load(d_, row_.move->velocity, lane_));
-  motion_ = hn::Add(motion_, dot(d_, velocity, velocity));
+  motion_ = hn::Add(motion_, of_last_bones(d_, row_, i, lane_, dot(d_, velocity, velocity)));
 }
 
 /// A chain of which some bone turns so fast against the head that no step of this length can follow it would go on to rattle,
@@ -162,7 +166,7 @@ HWY_INLINE void PassiveChain<D>::calm_what_is_wild() {
   if (HWY_LIKELY(hn::AllFalse(d_, is_wild))) return;
   const auto kept = hn::Div(limit, hn::Sqrt(fastest2_)), zero = hn::Zero(d_);
   const V3<D> none{zero, zero, zero};
-  for (std::size_t i = 0; i < row_.bones.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     PassiveState& state = state_[i];
     const V3<D> velocity = load(d_, state.velocity, lane_);
     const V3<D> rigid = scale(d_, with_head(bones_[i].direction), load(d_, row_.constants[i].length, lane_));

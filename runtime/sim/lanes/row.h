@@ -18,8 +18,9 @@ enum RowFeature : std::uint32_t {
   kRowSharesPull = 1u << 4,  ///< The default direction is not the parent's alone.
   kRowTwists = 1u << 5,
   kRowFeelsAir = 1u << 6,
-  kRowLeans = 1u << 7,  ///< The default direction is not the rest direction.
+  kRowLeans = 1u << 7,      ///< The default direction is not the rest direction.
   kRowIsBounded = 1u << 8,  ///< By a LimitRecord; kRowHasLimit is about DynamicsRecord::angle_limit.
+  kRowEnds = 1u << 9,       ///< The chains of some lanes end here or have ended before, those of others go on.
 };
 
 /// One bone of all chains in a row.
@@ -32,6 +33,7 @@ struct RowBone {
   std::uint8_t fewest_levels = 0;  ///< In how many levels of detail the bone is simulated: in the lane with fewest,
   std::uint8_t most_levels = 0;    ///< and in the one with most.
   std::uint16_t children = 0;      ///< Bones that hang from it.
+  std::uint8_t lanes = kLanes;     ///< The first so many lanes have the bone; no more than of the bones before.
 };
 
 struct RowCharacter;
@@ -61,5 +63,18 @@ struct RowStep {
   Mat34* const* palette = nullptr;
   Lanes* motion = nullptr;  ///< Added to: the squared speeds of the bones against their starts, (m/s)^2.
 };
+
+/// How many bones the longest chain has of the vector that begins with this lane.
+[[nodiscard]] inline std::size_t bones_from(const RowStep& row, std::size_t lane) {
+  std::size_t count = row.bones.size();
+  while (count > 0 && row.bones[count - 1].lanes <= lane) --count;
+  return count;
+}
+
+/// In how many lanes, of those from `lane` on, a matrix of this bone is wanted.
+[[nodiscard]] inline std::size_t lanes_of_bone(const RowStep& row, std::size_t bone, std::size_t lane) {
+  const std::size_t lanes = row.bones[bone].lanes < row.lanes ? row.bones[bone].lanes : row.lanes;
+  return lanes > lane ? lanes - lane : 0;
+}
 
 }  // namespace coif

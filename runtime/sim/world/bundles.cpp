@@ -2,6 +2,8 @@
 
 #include "../memory_carver.h"
 
+#include <cstring>
+
 namespace coif {
 namespace {
 
@@ -46,10 +48,14 @@ std::size_t bundle_bytes(const ChainShape& shape) {
   return bundle_bytes(*shape.solver, shape.bones.size(), shape.twists, shape.is_bounded);
 }
 
-/// What a bundle keeps for each lane and bone: sixteen numbers side by side, again and again.
+/// What a bundle keeps for each bone and lane: sixteen numbers side by side, again and again.
 struct LaneArray {
   void* begin = nullptr;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;  ///< Of a bone; 0 where there is none.
+
+  [[nodiscard]] unsigned char* of_bone(std::size_t bone) const {
+    return static_cast<unsigned char*>(begin) + bone * bytes;
+  }
 };
 
 constexpr std::size_t kArrays = 5;
@@ -58,89 +64,62 @@ struct LaneArrays {
 };
 
 LaneArrays arrays_of(const ChainShape& shape, const Bundle& bundle) {
-  const std::size_t bones = shape.bones.size();
-  return {{{bundle.constants, bones * sizeof(BoneLanes)},
-           {bundle.coefficients, bones * shape.solver->coefficient_bytes},
-           {bundle.state, bones * shape.solver->state_bytes},
-           {bundle.twist, shape.twists ? bones * sizeof(TwistState) : 0},
-           {bundle.limits, shape.is_bounded ? bones * sizeof(LimitLanes) : 0}}};
+  return {{{bundle.constants, sizeof(BoneLanes)},
+           {bundle.coefficients, shape.solver->coefficient_bytes},
+           {bundle.state, shape.solver->state_bytes},
+           {bundle.twist, shape.twists ? sizeof(TwistState) : 0},
+           {bundle.limits, shape.is_bounded ? sizeof(LimitLanes) : 0}}};
 }
 
-/// Lanes that nobody uses compute along: numbers that are none would be slow.
-void repeat_first_lane(const ChainShape& shape, const Bundle& bundle) {
-  const LaneArrays arrays = arrays_of(shape, bundle);
-  for (const LaneArray& array : arrays.all) {
-    for (std::uint32_t i = 1; i < kLanes; ++i) copy_lane(array.begin, 0, array.begin, i, array.bytes);
-  }
-}
-
-void move_lane(const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
+void move_lane(WorldState& world, const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
+  const std::uint32_t head = from.part->head[from.lane], chain = from.part->chain[from.lane];
+  const std::size_t bones = world.assets[world.heads[head].asset].asset.chains()[chain].bone_count;
   const LaneArrays source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
   for (std::size_t k = 0; k < kArrays; ++k) {
-    copy_lane(source.all[k].begin, from.lane, goal.all[k].begin, to.lane, source.all[k].bytes);
+    copy_lane(source.all[k].begin, from.lane, goal.all[k].begin, to.lane, bones * source.all[k].bytes);
   }
-  to.part->head[to.lane] = from.part->head[from.lane];
-  to.part->chain[to.lane] = from.part->chain[from.lane];
-  to.part->is_loose = true;
+  to.part->head[to.lane] = head;
+  to.part->chain[to.lane] = chain;
+  world.heads[head].places[chain] = to;
+  to.part->is_loose = from.part->is_loose = true;
   if (from.part->version != to.part->version) to.part->version = 0;
 }
 
-/// What no lane has asked for anything yet.
-void clear_bones(const ChainShape& shape, RowBone* bones) {
-  for (std::size_t i = 0; i < shape.bones.size(); ++i) {
-    bones[i] = shape.bones[i];
-    bones[i].fewest_levels = kMaxLods;
+/// Into lane `to` and those after it.
+void repeat_first_lane(unsigned char* lanes, std::size_t bytes, std::uint32_t to) {
+  for (std::size_t at = 0; at < bytes; at += sizeof(Lanes)) {
+    for (std::size_t i = to; i < kLanes; ++i) std::memcpy(lanes + at + i * sizeof(float), lanes + at, sizeof(float));
   }
 }
 
-/// Writes what is constant of a chain into its lane, and what it asks for into the bundle's bones.
-void write_constants(const WornAsset& worn, const ChainShape& shape, const ChainRecord& chain, const ChainPlace& to) {
-  Bundle& bundle = *to.part;
-  for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
-    const std::uint32_t bone = chain.first_bone + i;
-    RowBone& wanted = bundle.bones[i];
-    const std::uint32_t others = wanted.colliders;
-    add_bone(worn.asset, bone, to.lane, wanted, bundle.constants[i]);
-    std::uint32_t& own = bundle.constants[i].colliders[to.lane];
-    own <<= worn.first_collider;
-    wanted.colliders = others | own;
-    if (wanted.colliders == 0) wanted.features &= ~std::uint32_t(kRowCollides);
-    if (bundle.limits == nullptr) continue;
-    const bool has_limits = !worn.asset.limits().empty();
-    set_limit(has_limits ? worn.asset.limits()[bone] : LimitRecord{}, to.lane, bundle.limits[i]);
-  }
-  if (shape.solver->complete_lane != nullptr) shape.solver->complete_lane(shape.bones, to.lane, bundle.constants);
+ChainPlace after(const ChainPlace& place) {
+  return place.lane + 1 < kLanes ? ChainPlace{place.part, place.lane + 1} : ChainPlace{place.part->next, 0};
+}
+ChainPlace before(const ChainPlace& place) {
+  return place.lane > 0 ? ChainPlace{place.part, place.lane - 1} : ChainPlace{place.part->previous, kLanes - 1};
 }
 
-void write_coefficients(const WornAsset& worn, const ChainShape& shape, const ChainRecord& chain,
-                        const ChainPlace& to) {
-  const std::size_t bytes = shape.solver->coefficient_bytes;
-  for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
-    const std::uint32_t motion = worn.motion_of[chain.first_bone + i];
-    const std::byte* const from = worn.coefficients + motion / kLanes * worn.coefficient_bytes;
-    copy_lane(from, motion % kLanes, to.part->coefficients + i * bytes, to.lane, bytes);
+/// The last lane of this length, of which there are some.
+ChainPlace last_of(const ChainShape& shape, std::uint32_t length) {
+  for (std::uint32_t next = length + 1; next < kLengths; ++next) {
+    if (shape.counts[next] != 0) return before(shape.first[next]);
   }
+  return shape.bundles.back();
 }
 
-/// Features and colliders of those that are there.
-void gather_wants(const WorldState& world, const ChainShape& shape, Bundle& bundle) {
-  clear_bones(shape, bundle.bones);
-  for (std::uint32_t lane = 0; lane < bundle.count; ++lane) {
-    const Asset& asset = world.assets[world.heads[bundle.head[lane]].asset].asset;
-    const std::uint32_t first = asset.chains()[bundle.chain[lane]].first_bone;
-    for (std::uint32_t i = 0; i < shape.bones.size(); ++i) {
-      RowBone& wanted = bundle.bones[i];
-      const auto levels = std::uint8_t(bundle.constants[i].levels[lane]);
-      wanted.features |= features_of(asset.bones()[first + i], asset.dynamics()[first + i]);
-      wanted.colliders |= bundle.constants[i].colliders[lane];
-      if (levels < wanted.fewest_levels) wanted.fewest_levels = levels;
-      if (levels > wanted.most_levels) wanted.most_levels = levels;
-    }
-  }
-  for (std::uint32_t i = 0; i < shape.bones.size(); ++i) {
-    if (bundle.bones[i].colliders == 0) bundle.bones[i].features &= ~std::uint32_t(kRowCollides);
-  }
-  bundle.is_loose = false;
+/// Of ChainShape::counts.
+std::uint32_t length_index(const ChainShape& shape, std::uint32_t bones) {
+  return std::uint32_t(shape.bones.size()) - bones;
+}
+
+/// One bone of a lane.
+ChainLane bone_lane(const ChainShape& shape, const ChainPlace& place, std::size_t bone) {
+  ChainLane lane = chain_lane(shape, place, 1);
+  lane.bones = shape.bones.subspan(bone, 1);
+  lane.constants += bone;
+  lane.state = static_cast<std::byte*>(lane.state) + bone * shape.solver->state_bytes;
+  if (shape.twists) lane.twist += bone;
+  return lane;
 }
 
 }  // namespace
@@ -167,60 +146,62 @@ void remove_member(WorldState& world, ChainShape& shape) {
   if (Bundle* const spare = shape.bundles.take_spare()) world.heap.give_back(spare, bundle_bytes(shape));
 }
 
-ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place) {
+void fill_missing_bones(const ChainShape& shape, Bundle& bundle) {
+  const LaneArrays arrays = arrays_of(shape, bundle);
+  for (std::size_t i = 0; i < bundle.longest; ++i) {
+    const std::uint32_t lanes = bundle.bones[i].lanes;
+    if (lanes == kLanes) continue;
+    for (const LaneArray& array : arrays.all) repeat_first_lane(array.of_bone(i), array.bytes, lanes);
+    for (std::uint32_t lane = lanes; lane < kLanes; ++lane) bundle.constants[i].colliders[lane] = 0;
+    for (std::uint32_t lane = lanes; lane < bundle.count; ++lane) {
+      bundle.constants[i].levels[lane] = 0;
+      if (bundle.limits != nullptr) set_limit({}, lane, bundle.limits[i]);
+      shape.solver->put_to_rest(bone_lane(shape, {&bundle, lane}, i), Quat{});
+    }
+  }
+  bundle.has_all_bones = true;
+}
+
+ChainPlace push_lane(WorldState& world, ChainShape& shape, std::uint32_t bones) {
+  const std::uint32_t own = length_index(shape, bones);
+  ChainPlace free = shape.bundles.push();
+  if (free.part->count == 1) free.part->version = shape.pace->version;
+  free.part->is_loose = true;
+  // Of each shorter length the first goes behind the last.
+  for (std::uint32_t length = kLengths - 1; length > own; --length) {
+    if (shape.counts[length] == 0) continue;
+    const ChainPlace moved = shape.first[length];
+    move_lane(world, shape, moved, free);
+    shape.first[length] = after(moved);
+    free = moved;
+  }
+  if (shape.counts[own]++ == 0) shape.first[own] = free;
+  return free;
+}
+
+void pop_lane(WorldState& world, ChainShape& shape, std::uint32_t bones, ChainPlace lane) {
+  const std::uint32_t own = length_index(shape, bones);
+  ChainPlace gap = lane;
+  for (std::uint32_t length = own; length < kLengths; ++length) {
+    if (shape.counts[length] == 0) continue;
+    const ChainPlace last = last_of(shape, length);
+    if (last.part != gap.part || last.lane != gap.lane) move_lane(world, shape, last, gap);
+    if (length != own) shape.first[length] = gap;
+    gap = last;
+  }
+  --shape.counts[own];
+  gap.part->is_loose = true;
+  shape.bundles.pop();
+}
+
+ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place, std::uint32_t bones) {
   ChainLane chain;
-  chain.bones = {place.part->bones, shape.bones.size()};
+  chain.bones = shape.bones.first(bones < place.part->longest ? place.part->longest : bones);
   chain.constants = place.part->constants;
   chain.state = place.part->state;
   chain.twist = place.part->twist;
   chain.constant_lane = chain.state_lane = place.lane;
   return chain;
-}
-
-void push_chain(WorldState& world, std::uint32_t head, std::uint32_t chain) {
-  WornHead& worn_head = world.heads[head];
-  const WornAsset& worn = world.assets[worn_head.asset];
-  ChainShape& shape = *worn.shapes[chain];
-  const ChainRecord& record = worn.asset.chains()[chain];
-  const ChainPlace place = shape.bundles.push();
-  Bundle& bundle = *place.part;
-  const bool is_first = bundle.count == 1;
-  if (is_first) {
-    clear_bones(shape, bundle.bones);
-    bundle.is_loose = false;
-    bundle.version = shape.pace->version;
-  }
-  bundle.head[place.lane] = head;
-  bundle.chain[place.lane] = chain;
-  write_constants(worn, shape, record, place);
-  const bool is_known = worn.version == shape.pace->version && shape.pace->version != 0;
-  if (is_known) write_coefficients(worn, shape, record, place);
-  if (!is_known) bundle.version = 0;
-  shape.solver->put_to_rest(chain_lane(shape, place), Quat{});
-  if (is_first) repeat_first_lane(shape, bundle);
-  worn_head.places[chain] = place;
-}
-
-void pop_chain(WorldState& world, std::uint32_t head, std::uint32_t chain) {
-  WornHead& worn_head = world.heads[head];
-  ChainShape& shape = *world.assets[worn_head.asset].shapes[chain];
-  const ChainPlace hole = worn_head.places[chain], last = shape.bundles.back();
-  if (hole.part != last.part || hole.lane != last.lane) {
-    move_lane(shape, last, hole);
-    world.heads[last.part->head[last.lane]].places[last.part->chain[last.lane]] = hole;
-  }
-  last.part->is_loose = true;
-  shape.bundles.pop();
-}
-
-void refresh(const WorldState& world, const ChainShape& shape, Bundle& bundle) {
-  if (bundle.is_loose) gather_wants(world, shape, bundle);
-  if (bundle.version == shape.pace->version) return;
-  for (std::uint32_t lane = 0; lane < bundle.count; ++lane) {
-    const WornAsset& worn = world.assets[world.heads[bundle.head[lane]].asset];
-    write_coefficients(worn, shape, worn.asset.chains()[bundle.chain[lane]], {&bundle, lane});
-  }
-  bundle.version = shape.pace->version;
 }
 
 }  // namespace coif

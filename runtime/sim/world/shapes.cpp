@@ -2,6 +2,8 @@
 
 #include "../memory_carver.h"
 
+#include <algorithm>
+
 namespace coif {
 namespace {
 
@@ -36,13 +38,32 @@ RowBone common_bone(const Asset& asset, const Solver& solver, const ChainRecord&
   return bone;
 }
 
+/// Chains of unlike length may stand side by side where each bone hangs from the one before, and all are of a kind.
+bool may_be_uneven(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
+  if (!solver.may_be_uneven) return false;
+  const std::uint32_t features = common_features(asset, solver, chain);
+  for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
+    if (parent_in_chain(asset.bones(), chain, i) != std::int32_t(i) - 1) return false;
+    if (common_features(asset, solver, chain.first_bone + i) != features) return false;
+  }
+  return true;
+}
+
+/// Bones of the chain's shape.
+std::uint32_t shape_bones(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
+  if (!may_be_uneven(asset, solver, chain)) return chain.bone_count;
+  return (chain.bone_count + kLengths - 1) / kLengths * kLengths;
+}
+
 bool is_like(const RowBone& bone, const RowBone& other) {
   return bone.parent == other.parent && ((bone.features ^ other.features) & kInCommon) == 0;
 }
 
 bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& solver, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
-  if (shape.solver != &solver || shape.pace != worn.pace || shape.bones.size() != chain.bone_count) return false;
+  if (shape.solver != &solver || shape.pace != worn.pace) return false;
+  if (shape.is_uneven != may_be_uneven(asset, solver, chain)) return false;
+  if (shape.bones.size() != shape_bones(asset, solver, chain)) return false;
   const bool has_others = shape.touching != 0 && shape.colliders != worn.colliders;
   if (has_others && touches_colliders(asset, chain)) return false;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
@@ -54,9 +75,11 @@ bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& sol
 /// The same of two chains of an asset that nobody wears yet.
 bool have_one_shape(const Asset& asset, const Solver& asked, const ChainRecord& a, const ChainRecord& b) {
   const Solver& solver = solver_for(asked, a);
-  if (&solver_for(asked, b) != &solver || a.bone_count != b.bone_count) return false;
+  if (&solver_for(asked, b) != &solver) return false;
+  if (may_be_uneven(asset, solver, a) != may_be_uneven(asset, solver, b)) return false;
+  if (shape_bones(asset, solver, a) != shape_bones(asset, solver, b)) return false;
   if (touches_colliders(asset, a) != touches_colliders(asset, b)) return false;
-  for (std::uint32_t i = 0; i < a.bone_count; ++i) {
+  for (std::uint32_t i = 0; i < std::min(a.bone_count, b.bone_count); ++i) {
     if (!is_like(common_bone(asset, solver, a, i), common_bone(asset, solver, b, i))) return false;
   }
   return true;
@@ -76,22 +99,28 @@ std::size_t shape_bytes(std::size_t bones) {
 }
 
 ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainRecord& chain) {
-  std::byte* const memory = world.heap.take(shape_bytes(chain.bone_count));
+  const Asset& asset = worn.asset;
+  const Solver& solver = solver_for(*world.solver, chain);
+  const std::uint32_t bones = shape_bones(asset, solver, chain);
+  std::byte* const memory = world.heap.take(shape_bytes(bones));
   if (memory == nullptr) return nullptr;
   MemoryCarver carver(memory);
   std::span<ChainShape> made;
   std::span<RowBone> pattern;
-  carve(carver, chain.bone_count, made, pattern);
-  const Asset& asset = worn.asset;
+  carve(carver, bones, made, pattern);
   ChainShape& shape = made[0];
-  shape.solver = &solver_for(*world.solver, chain);
+  shape.solver = &solver;
   const WidthSets sets(world.widest);
   for (std::uint32_t w = 0; w < kWidths; ++w) shape.steps[w] = shape.solver->row_code(sets.set[w]);
   shape.pace = worn.pace;
-  for (std::uint32_t i = 0; i < chain.bone_count; ++i) pattern[i] = common_bone(asset, *shape.solver, chain, i);
-  const std::uint32_t features = common_features(asset, *shape.solver, chain);
+  const std::uint32_t features = common_features(asset, solver, chain);
+  for (std::uint32_t i = 0; i < bones; ++i) {
+    if (i < chain.bone_count) pattern[i] = common_bone(asset, solver, chain, i);
+    if (i >= chain.bone_count) pattern[i] = {.features = features, .parent = std::int32_t(i) - 1};
+  }
   shape.twists = (features & kRowTwists) != 0;
   shape.is_bounded = (features & kRowIsBounded) != 0;
+  shape.is_uneven = may_be_uneven(asset, solver, chain);
   assign_slots(pattern);
   shape.bones = pattern;
   shape.next = world.shapes;
@@ -99,14 +128,15 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   return &shape;
 }
 
-/// What so many neighbours of one shape, of which `chain` is one, take.
+/// What so many chains of one shape, of which `chain` is one, take.
 std::size_t chain_bytes(const Asset& asset, const Solver& asked, const ChainRecord& chain, std::uint64_t count) {
   const Solver& solver = solver_for(asked, chain);
   const std::uint32_t features = common_features(asset, solver, chain);
   const bool twists = (features & kRowTwists) != 0, is_bounded = (features & kRowIsBounded) != 0;
-  const std::size_t bundle = bundle_bytes(solver, chain.bone_count, twists, is_bounded);
+  const std::uint32_t bones = shape_bones(asset, solver, chain);
+  const std::size_t bundle = bundle_bytes(solver, bones, twists, is_bounded);
   const auto bundles = std::size_t((count + kLanes - 1) / kLanes);
-  return WorldHeap::rounded(shape_bytes(chain.bone_count)) + bundles * WorldHeap::rounded(bundle);
+  return WorldHeap::rounded(shape_bytes(bones)) + bundles * WorldHeap::rounded(bundle);
 }
 
 void leave_shape(WorldState& world, ChainShape& shape, bool touches) {
@@ -154,11 +184,11 @@ void leave_shapes(WorldState& world, const WornAsset& worn) {
 std::size_t bytes_of_chains(const Asset& asset, std::uint32_t heads, const Solver& asked) {
   std::size_t bytes = 0;
   const auto chains = asset.chains();
-  for (std::size_t first = 0; first < chains.size();) {
-    std::size_t end = first + 1;
-    while (end < chains.size() && have_one_shape(asset, asked, chains[first], chains[end])) ++end;
-    bytes += chain_bytes(asset, asked, chains[first], std::uint64_t(end - first) * heads);
-    first = end;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const auto is_alike = [&](const ChainRecord& other) { return have_one_shape(asset, asked, other, chains[c]); };
+    const auto here = chains.begin() + std::ptrdiff_t(c);
+    if (std::any_of(chains.begin(), here, is_alike)) continue;  // counted with the first
+    bytes += chain_bytes(asset, asked, chains[c], std::uint64_t(std::count_if(here, chains.end(), is_alike)) * heads);
   }
   return bytes;
 }

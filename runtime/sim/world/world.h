@@ -2,7 +2,8 @@
 // All that a HairWorld keeps in the caller's memory.
 //
 // A *shape* is what chains have in common that may stand side by side. Its chains' lanes lie in *bundles* of sixteen, whatever heads and assets
-// they are of; a bundle is stepped as a row is (row.h). Heads lie in blocks of sixteen by their *pace*: what their assets say of
+// they are of; a bundle is stepped as a row is (row.h). Chains of one shape may be of unlike length: longer ones come first, so that hardly
+// any bundle has lanes that end before others. Heads lie in blocks of sixteen by their *pace*: what their assets say of
 // how a step is made. A head that sleeps leaves its block and bundles, and keeps its numbers itself.
 
 #include "../placed_colliders.h"
@@ -50,13 +51,15 @@ struct ColliderTable {
   PlacedColliders placed;
 };
 
-/// Sixteen chains of one shape. Arrays have an entry for each bone.
+/// Sixteen chains of one shape. Arrays have an entry for each bone of the shape; see fill_missing_bones().
 struct Bundle {
   Bundle* previous = nullptr;
   Bundle* next = nullptr;
   std::uint32_t count = 0;
-  std::uint32_t version = 0;  ///< HeadPace::version of the coefficients of all lanes; 0: of some there are none.
-  bool is_loose = false;      ///< Some lane has left: `bones` may ask for more than those that are there.
+  std::uint32_t version = 0;   ///< HeadPace::version of the coefficients of all lanes; 0: of some there are none.
+  std::uint32_t longest = 0;   ///< Bones of the longest chain; known unless is_loose.
+  bool is_loose = false;       ///< Lanes have come or gone: `bones` is yet to say what those ask for that are there.
+  bool has_all_bones = false;  ///< What fill_missing_bones() does has been done.
   std::uint32_t head[kLanes] = {};
   std::uint32_t chain[kLanes] = {};  ///< Of the head's asset.
   RowBone* bones = nullptr;
@@ -69,6 +72,9 @@ struct Bundle {
   Lanes motion{};                ///< See RowStep; of the last part of the step.
 };
 
+/// So many lengths there are in one shape, the longest and those that are shorter by one bone, two, and so on.
+inline constexpr std::uint32_t kLengths = 8;
+
 /// Chains that may stand side by side.
 struct ChainShape {
   ChainShape* next = nullptr;
@@ -77,10 +83,13 @@ struct ChainShape {
   HeadPace* pace = nullptr;
   const ColliderTable* colliders = nullptr;  ///< Of those that touch any.
   bool twists = false, is_bounded = false;
+  bool is_uneven = false;          ///< Chains may be shorter than `bones`.
   std::uint32_t users = 0;         ///< Chains of assets,
   std::uint32_t touching = 0;      ///< and those of them that touch colliders.
   std::span<const RowBone> bones;  ///< Without any lane: parents, slots, what all lanes have in common.
   DenseList<Bundle> bundles;
+  std::uint32_t counts[kLengths] = {};       ///< Lanes of each length, which lie in this order,
+  DenseList<Bundle>::Place first[kLengths];  ///< and where each length begins that has any.
 };
 
 struct WornAsset {
@@ -184,13 +193,26 @@ void renew_motions(const WorldState& world, WornAsset& worn);
 /// Makes room for one more chain; false where there is no memory.
 [[nodiscard]] bool add_member(WorldState& world, ChainShape& shape);
 void remove_member(WorldState& world, ChainShape& shape);
+/// A lane for a chain of so many bones, behind those that are no shorter; some of the others move. What it has is yet to be written.
+[[nodiscard]] ChainPlace push_lane(WorldState& world, ChainShape& shape, std::uint32_t bones);
+/// Takes away the lane of a chain of so many bones; some of the others move.
+void pop_lane(WorldState& world, ChainShape& shape, std::uint32_t bones, ChainPlace lane);
+/// Lanes compute along where their chain has ended, or there is none: numbers that are none would be slow. There they have those of the
+/// first lane, touch nothing, and are at rest and held to their parents as in a level of detail without them.
+void fill_missing_bones(const ChainShape& shape, Bundle& bundle);
+/// Of a chain of so many bones, and of those after them that compute along: what is nowhere would spread.
+[[nodiscard]] ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place, std::uint32_t bones);
+
+// worn_chains.cpp
+
 /// Gives a chain of a head a lane, of which the state is yet to be written.
 void push_chain(WorldState& world, std::uint32_t head, std::uint32_t chain);
-/// Takes the chain's lane away; the last one of its shape takes its place.
 void pop_chain(WorldState& world, std::uint32_t head, std::uint32_t chain);
-/// Makes good what has become of a bundle's lanes since it was last stepped: features, coefficients.
-void refresh(const WorldState& world, const ChainShape& shape, Bundle& bundle);
-[[nodiscard]] ChainLane chain_lane(const ChainShape& shape, const ChainPlace& place);
+/// Makes a loose bundle's bones say what those of its lanes ask for.
+void gather_wants(const WorldState& world, const ChainShape& shape, Bundle& bundle);
+/// Of lanes that have come, or under other terms.
+void renew_coefficients(const WorldState& world, const ChainShape& shape, Bundle& bundle);
+[[nodiscard]] std::uint32_t bones_in(const WorldState& world, const Bundle& bundle, std::uint32_t lane);
 
 // world_heads.cpp
 
@@ -211,8 +233,10 @@ void turn_hair(WorldState& world, WornHead& head, const Quat& by);
 /// Calls visit(shape, ChainLane) for each chain of a head that is awake.
 template <typename Visit>
 void for_each_chain(const WorldState& world, const WornHead& head, const Visit& visit) {
-  const auto shapes = world.assets[head.asset].shapes;
-  for (std::size_t c = 0; c < shapes.size(); ++c) visit(*shapes[c], chain_lane(*shapes[c], head.places[c]));
+  const WornAsset& worn = world.assets[head.asset];
+  for (std::size_t c = 0; c < worn.shapes.size(); ++c) {
+    visit(*worn.shapes[c], chain_lane(*worn.shapes[c], head.places[c], worn.asset.chains()[c].bone_count));
+  }
 }
 
 // world_step.cpp

@@ -97,10 +97,11 @@ void move_head(WorldState& world, std::uint32_t head, DenseList<WorldBlock>& fro
 template <typename Copy>
 void for_each_kept(const WorldState& world, const WornHead& head, const Copy& copy) {
   float* kept = head.kept.data();
-  const auto shapes = world.assets[head.asset].shapes;
+  const WornAsset& worn = world.assets[head.asset];
+  const auto shapes = worn.shapes;
   for (std::size_t c = 0; c < shapes.size(); ++c) {
     const ChainPlace& place = head.places[c];
-    const std::size_t bones = shapes[c]->bones.size();
+    const std::size_t bones = worn.asset.chains()[c].bone_count;
     const std::size_t state = bones * shapes[c]->solver->state_bytes, twist = bones * sizeof(TwistState);
     copy(place.part->state, place.lane, kept, state);
     kept += state / sizeof(Lanes);

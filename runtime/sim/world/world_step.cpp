@@ -67,14 +67,14 @@ void begin_pace(WorldState& world, HeadPace& pace) {
 void share_out(WorldState& world) {
   std::uint32_t steps = 0, work = kJobBones;
   for (const ChainShape* shape = world.shapes; shape != nullptr; shape = shape->next) {
-    const std::uint32_t own = std::uint32_t(shape->bones.size()) * shape->pace->parts.count;
     for (Bundle* bundle = shape->bundles.first; bundle != nullptr && bundle->count != 0; bundle = bundle->next) {
+      if (bundle->is_loose) gather_wants(world, *shape, *bundle);
       if (work >= kJobBones) {
         world.jobs[world.job_count++] = steps;
         work = 0;
       }
       world.steps[steps++] = {shape, bundle};
-      work += own;
+      work += bundle->longest * shape->pace->parts.count;
     }
   }
   world.jobs[world.job_count] = steps;
@@ -119,14 +119,16 @@ void gather_heads(const WorldState& world, const Bundle& bundle, LaneHeads& lane
   }
 }
 
-void turn_lanes(const ChainShape& shape, Bundle& bundle, const Lanes4& by) {
-  for (std::uint32_t i = 0; i < bundle.count; ++i) shape.solver->turn(chain_lane(shape, {&bundle, i}), lane(by, i));
+void turn_lanes(const WorldState& world, const ChainShape& shape, Bundle& bundle, const Lanes4& by) {
+  for (std::uint32_t i = 0; i < bundle.count; ++i) {
+    shape.solver->turn(chain_lane(shape, {&bundle, i}, bones_in(world, bundle, i)), lane(by, i));
+  }
 }
 
 /// All of it but where matrices go, and whose.
 RowStep row_step(const WorldState& world, const ChainShape& shape, Bundle& bundle, const MoveLanes& move) {
   RowStep row;
-  row.bones = {bundle.bones, shape.bones.size()};
+  row.bones = {bundle.bones, bundle.longest};
   row.constants = bundle.constants;
   row.limits = bundle.limits;
   row.keep_in_limit = world.keep_in_limit[width_for(bundle.count)];
@@ -143,7 +145,8 @@ RowStep row_step(const WorldState& world, const ChainShape& shape, Bundle& bundl
 }
 
 void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundle, LaneHeads& lanes) {
-  refresh(world, shape, bundle);
+  renew_coefficients(world, shape, bundle);
+  if (!bundle.has_all_bones) fill_missing_bones(shape, bundle);
   gather_heads(world, bundle, lanes);
   Mat34* palettes[kLanes];  // of lanes in use
   for (std::uint32_t i = 0; i < bundle.count; ++i) {
@@ -158,7 +161,7 @@ void step_bundle(const WorldState& world, const ChainShape& shape, Bundle& bundl
   RowStep row = row_step(world, shape, bundle, move);
   for (std::uint32_t part = 0; part < parts.count; ++part) {
     heads.move(lanes.heads, bundle.count, lanes.step, parts, part, move, carried);
-    if (parts.inertia < 1.0f) turn_lanes(shape, bundle, carried);
+    if (parts.inertia < 1.0f) turn_lanes(world, shape, bundle, carried);
     bundle.motion = Lanes{};
     row.palette = part + 1 == parts.count ? palettes : nullptr;
     shape.steps[width](row);
