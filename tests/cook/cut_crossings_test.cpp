@@ -65,7 +65,8 @@ SeenCrossings seen(const AssetContents& contents, unsigned threads = 2) {
   SampleSettings settings;
   settings.lines = 400;
   settings.threads = threads;
-  return find_seen_crossings(hair, posed_positions(opened.asset(), {}), {{order}, {}}, {0.95f, true, 0.02f}, settings);
+  const HairPositions positions = posed_positions(opened.asset(), {});
+  return CrossingSearch(hair, positions, {{order}, {}}, {0.95f, true, 0.02f}, settings).look(1);
 }
 
 TEST(SplitMesh, SplitsBothSidesOfASeam) {

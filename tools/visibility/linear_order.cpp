@@ -1,8 +1,9 @@
 #include "visibility/linear_order.h"
 
+#include "visibility/unit_lists.h"
+
 #include <algorithm>
-#include <array>
-#include <set>
+#include <cmath>
 #include <utility>
 
 namespace coif {
@@ -18,19 +19,29 @@ std::size_t unit_range(std::span<const Vote> votes, std::span<const std::uint32_
   return std::size_t(largest) + 1;
 }
 
+struct Opinion {
+  std::uint32_t other;
+  float before;  ///< Saved where the unit is drawn before the other.
+};
+
+UnitLists<Opinion> opinions_of(std::span<const Vote> votes, std::size_t units) {
+  return {units, [votes](const auto& add) {
+            for (const Vote& vote : votes) {
+              add(vote.first, {vote.second, vote.weight});
+              add(vote.second, {vote.first, -vote.weight});
+            }
+          }};
+}
+
 class InsertionSearch {
  public:
   InsertionSearch(std::span<const Vote> votes, UnitOrder order)
       : order_(std::move(order)),
-        opinions_(unit_range(votes, order_)),
+        opinions_(opinions_of(votes, unit_range(votes, order_))),
         place_(places_in(order_, opinions_.size())),
-        is_settled_(opinions_.size(), false) {
+        is_settled_(opinions_.size(), 0) {
     double total = 0;
-    for (const Vote& vote : votes) {
-      opinions_[vote.first].push_back({vote.second, vote.weight});
-      opinions_[vote.second].push_back({vote.first, -vote.weight});
-      total += double(std::abs(vote.weight));
-    }
+    for (const Vote& vote : votes) total += double(std::abs(vote.weight));
     least_gain_ = kLeastGain * total;
   }
 
@@ -39,7 +50,7 @@ class InsertionSearch {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
       bool moved = false;
       for (const std::uint32_t unit : units) {
-        if (!is_settled_[unit]) moved = settle(unit) || moved;
+        if (is_settled_[unit] == 0) moved = settle(unit) || moved;
       }
       if (!moved) break;
     }
@@ -47,10 +58,6 @@ class InsertionSearch {
   }
 
  private:
-  struct Opinion {
-    std::uint32_t other;
-    float before;  ///< Saved where the unit is drawn before the other.
-  };
   struct Step {
     std::uint32_t place;
     float gain;  ///< Of going past the other from where the unit is.
@@ -60,11 +67,7 @@ class InsertionSearch {
   /// all others are does not matter.
   bool settle(std::uint32_t unit) {
     const std::uint32_t here = place_[unit];
-    steps_.clear();
-    for (const Opinion& opinion : opinions_[unit]) {
-      const std::uint32_t place = place_[opinion.other];
-      steps_.push_back({place, place < here ? opinion.before : -opinion.before});
-    }
+    find_steps(unit);
     std::ranges::sort(steps_, {}, &Step::place);
     const auto middle = std::ranges::lower_bound(steps_, here, {}, &Step::place);
     double best = least_gain_, gain = 0;
@@ -78,11 +81,25 @@ class InsertionSearch {
       gain += double(step->gain);
       if (gain > best) best = gain, target = step->place;
     }
-    is_settled_[unit] = true;
+    is_settled_[unit] = 1;
     if (target == here) return false;
     move(here, target);
-    for (const Opinion& opinion : opinions_[unit]) is_settled_[opinion.other] = false;
+    for (const Opinion& opinion : opinions_.of(unit)) is_settled_[opinion.other] = 0;
     return true;
+  }
+
+  /// Those that a best move may take: on either side no further than the last one that gains. Mostly there are none, or few.
+  void find_steps(std::uint32_t unit) {
+    const std::uint32_t here = place_[unit];
+    std::uint32_t first = here, last = here;
+    steps_.clear();
+    for (const Opinion& opinion : opinions_.of(unit)) {
+      const std::uint32_t place = place_[opinion.other];
+      const float gain = place < here ? opinion.before : -opinion.before;
+      steps_.push_back({place, gain});
+      if (gain > 0) first = std::min(first, place), last = std::max(last, place);
+    }
+    std::erase_if(steps_, [=](const Step& step) { return step.place < first || step.place > last; });
   }
 
   void move(std::uint32_t from, std::uint32_t to) {
@@ -93,9 +110,9 @@ class InsertionSearch {
   }
 
   UnitOrder order_;
-  std::vector<std::vector<Opinion>> opinions_;
+  UnitLists<Opinion> opinions_;
   std::vector<std::uint32_t> place_;
-  std::vector<bool> is_settled_;
+  std::vector<std::uint8_t> is_settled_;
   std::vector<Step> steps_;
   double least_gain_ = 0;
 };
@@ -116,7 +133,8 @@ double votes_against_places(std::span<const Vote> votes, std::span<const std::ui
   double lost = 0;
   for (const Vote& vote : votes) {
     const bool first_before = place[vote.first] < place[vote.second];
-    if (first_before != (vote.weight > 0)) lost += double(std::abs(vote.weight));
+    // Without a branch, which would be foretold wrongly half the time.
+    lost += first_before != (vote.weight > 0) ? double(std::abs(vote.weight)) : 0.0;
   }
   return lost;
 }
@@ -134,92 +152,6 @@ UnitOrder order_by_sums(std::span<const Vote> votes, std::span<const std::uint32
   UnitOrder order(units.begin(), units.end());
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t unit) { return before[unit]; });
   return order;
-}
-
-namespace {
-
-constexpr std::size_t kCacheSize = 16;
-
-/// The vertices shaded last, first in, first out, as simple hardware keeps them.
-class VertexCache {
- public:
-  VertexCache() { vertices_.fill(kNone); }
-
-  [[nodiscard]] bool has(std::uint32_t vertex) const { return std::ranges::find(vertices_, vertex) != vertices_.end(); }
-  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
-
-  /// Shades what is missing.
-  void shade(const HairSurface::Triangle& triangle) {
-    for (const std::uint32_t vertex : triangle.vertex) {
-      if (!has(vertex)) vertices_[next_++ % kCacheSize] = vertex;
-    }
-  }
-
- private:
-  std::array<std::uint32_t, kCacheSize> vertices_;
-  std::size_t next_ = 0;
-};
-
-class CacheOrder {
- public:
-  CacheOrder(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order)
-      : hair_(hair), place_(places_in(order, order.size())), held_by_(order.size(), 0), holds_(order.size()) {
-    for (const Vote& vote : votes) {
-      const bool in_order = place_[vote.first] < place_[vote.second];
-      const std::uint32_t before = in_order ? vote.first : vote.second, after = in_order ? vote.second : vote.first;
-      holds_[before].push_back(after);
-      ++held_by_[after];
-    }
-    of_vertex_.resize(hair.uvs.size());
-    for (const std::uint32_t t : order) {
-      for (const std::uint32_t vertex : hair.triangles[t].vertex) of_vertex_[vertex].push_back(t);
-      if (held_by_[t] == 0) free_.insert({place_[t], t});
-    }
-  }
-
-  UnitOrder run() {
-    UnitOrder result;
-    while (!free_.empty()) {
-      const std::uint32_t t = next();
-      free_.erase({place_[t], t});
-      result.push_back(t);
-      cache_.shade(hair_.triangles[t]);
-      for (const std::uint32_t after : holds_[t]) {
-        if (--held_by_[after] == 0) free_.insert({place_[after], after});
-      }
-    }
-    return result;
-  }
-
- private:
-  [[nodiscard]] std::uint32_t next() const {
-    std::uint32_t best = free_.begin()->second;
-    int most = 0;
-    for (const std::uint32_t vertex : cache_.vertices()) {
-      if (vertex == kNone) continue;
-      for (const std::uint32_t t : of_vertex_[vertex]) {
-        if (!free_.contains({place_[t], t})) continue;
-        const int shared =
-            int(std::ranges::count_if(hair_.triangles[t].vertex, [this](std::uint32_t v) { return cache_.has(v); }));
-        if (shared > most || (shared == most && place_[t] < place_[best])) most = shared, best = t;
-      }
-    }
-    return best;
-  }
-
-  const HairSurface& hair_;
-  std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> held_by_;  ///< How many must come before each and have not yet.
-  std::vector<std::vector<std::uint32_t>> holds_;
-  std::vector<std::vector<std::uint32_t>> of_vertex_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> free_;  ///< By place.
-  VertexCache cache_;
-};
-
-}  // namespace
-
-UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order) {
-  return CacheOrder(hair, votes, order).run();
 }
 
 }  // namespace coif

@@ -33,6 +33,7 @@ class Clustering {
   }
 
   [[nodiscard]] CellOrders found_clusters(const UnitOrder& start, std::size_t count) const {
+    if (count == 1) return {{start}, {}};
     std::vector<UnitOrder> own(kViewCells);
     std::vector<Losses> lost(kViewCells);
     parallel_for(kViewCells, threads_, [&](std::size_t cell) {

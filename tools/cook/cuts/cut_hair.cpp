@@ -28,11 +28,10 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
                              std::size_t most_added, const SampleSettings& settings,
                              const std::function<double()>& share_of_order) {
   // A glance tells most hair from that where crossings matter.
-  SampleSettings glance = settings;
-  glance.views_per_cell = 1;
-  Crossings result = figures_of(find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, glance));
+  CrossingSearch search(hair, positions, drawn.by_view, drawn.rule, settings);
+  Crossings result = figures_of(search.look(1));
   if (gain_of(result.share) < kLeastGain) return result;
-  const SeenCrossings seen = find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, settings);
+  const SeenCrossings seen = search.look(settings.views_per_cell);
   result = figures_of(seen);
   const double of_order = share_of_order();
   if (gain_of(of_order * result.share) < kLeastGain) return result;

@@ -4,8 +4,11 @@
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
 
+#include <coif/view_cells.h>
+
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,9 +34,34 @@ struct SeenCrossings {
   double lost = 0;  ///< What the orders lose, that included.
 };
 
-/// Looks at the hair along as many lines, from as many sides and with the threads that `settings` say. `orders`: of all triangles.
-[[nodiscard]] SeenCrossings find_seen_crossings(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                                                const CellOrders& orders, const DrawRule& rule,
-                                                const SampleSettings& settings);
+/// Looks at the hair from all sides for what crosses.
+class CrossingSearch {
+ public:
+  /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all triangles. Keeps references
+  /// to the hair and its positions.
+  CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const CellOrders& orders,
+                 const DrawRule& rule, const SampleSettings& settings);
+
+  /// From so many sides of each cell; those that it was looked at from before are not taken again.
+  [[nodiscard]] SeenCrossings look(std::size_t views_per_cell);
+
+ private:
+  struct View {
+    std::vector<CrossingSample> samples;
+    std::vector<std::uint64_t> crossing;  ///< Pairs of triangles.
+    double unavoidable = 0, lost = 0;
+  };
+  [[nodiscard]] View view_of(std::size_t number) const;
+  [[nodiscard]] View crossings_in(const FragmentView& view, std::size_t number) const;
+
+  const HairSurface& hair_;
+  std::span<const Eigen::Vector3f> positions_;
+  DrawRule rule_;
+  SampleSettings settings_;
+  std::array<std::uint8_t, kViewCells> order_of_;
+  std::vector<std::vector<std::uint32_t>> places_;  ///< Of each triangle in each order.
+  std::vector<View> views_;                         ///< Those of a cell follow each other.
+  std::size_t looked_at_ = 0;                       ///< Of each cell.
+};
 
 }  // namespace coif
