@@ -38,6 +38,11 @@ AlphaTexture::AlphaTexture(const Asset& asset) {
   }
 }
 
+void AlphaTexture::set_texels(std::size_t mip, std::span<const std::uint8_t> rgba) {
+  std::vector<std::uint8_t>& alpha = levels_[mip].alpha;
+  for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = rgba[4 * i + 3];
+}
+
 MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vector2f& dy) const {
   if (levels_.empty()) return {};
   const Eigen::Vector2f size(float(levels_[0].width), float(levels_[0].height));

@@ -31,6 +31,9 @@ class AlphaTexture {
 
   [[nodiscard]] float at(const Eigen::Vector2f& uv, const MipChoice& mip) const;
 
+  /// Gives a mip the alpha of these RGBA texels, as many as it has.
+  void set_texels(std::size_t mip, std::span<const std::uint8_t> rgba);
+
  private:
   struct Level {
     int width = 0;
