@@ -42,7 +42,7 @@ struct CellOrders {
   std::array<std::uint8_t, kViewCells> order_of{};
 
   /// The votes of all cells that draw with one of them.
-  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells) const;
+  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, unsigned threads = 1) const;
 };
 
 /// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of all cells'

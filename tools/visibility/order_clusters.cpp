@@ -115,7 +115,8 @@ class Clustering {
     parallel_for(result_.orders.size(), threads_, [&](std::size_t k) {
       const bool is_used = std::ranges::find(result_.order_of, std::uint8_t(k)) != result_.order_of.end();
       if (!is_used || !has_changed(k)) return;
-      result_.orders[k] = improve_order(result_.votes_on(k, cells_), std::move(result_.orders[k]));
+      result_.orders[k] = improve_order(result_.votes_on(k, cells_, threads_ / std::uint32_t(result_.orders.size())),
+                                        std::move(result_.orders[k]));
     });
     improved_for_.assign(result_.order_of.begin(), result_.order_of.end());
   }
@@ -141,12 +142,12 @@ class Clustering {
 
 }  // namespace
 
-std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells) const {
-  std::vector<std::vector<Vote>> votes;
+std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells, unsigned threads) const {
+  std::vector<std::span<const Vote>> votes;
   for (std::size_t cell = 0; cell < kViewCells; ++cell) {
-    if (order_of[cell] == order) votes.push_back(cells[cell]);
+    if (order_of[cell] == order) votes.emplace_back(cells[cell]);
   }
-  return sum_of(votes);
+  return sum_of(votes, threads);
 }
 
 CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, unsigned threads) {

@@ -36,7 +36,7 @@ struct Vote {
 /// What votes on units say of groups of them, such as triangles' patches: as votes_of() with the groups for units.
 [[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
 
-/// The sums of several lists of votes.
-[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists);
+/// The sums of several lists of votes, each as votes_of() makes it. `threads`: without influence on the result.
+[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists, unsigned threads = 1);
 
 }  // namespace coif

@@ -153,7 +153,7 @@ class OrderSearch {
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
         std::vector<std::vector<Vote>> of_views;
         for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
-        votes[rule][cell] = sum_of(of_views);
+        votes[rule][cell] = sum_of(std::vector<std::span<const Vote>>(of_views.begin(), of_views.end()));
       }
     });
     return votes;
@@ -161,10 +161,14 @@ class OrderSearch {
 
   [[nodiscard]] UnitOrder best_single(const CellVotes& cells, const UnitOrder& start) const {
     CellVotes of_patches;
-    for (std::size_t cell = 0; cell < kViewCells; ++cell) of_patches[cell] = votes_of_groups(cells[cell], patch_of_);
-    const std::vector<Vote> all = sum_of(of_patches);
-    UnitOrder from_start = improve_order(all, start);
-    UnitOrder from_sums = improve_order(all, order_by_sums(all, head_));
+    parallel_for(kViewCells, settings_.threads,
+                 [&](std::size_t cell) { of_patches[cell] = votes_of_groups(cells[cell], patch_of_); });
+    const std::vector<Vote> all =
+        sum_of(std::vector<std::span<const Vote>>(of_patches.begin(), of_patches.end()), settings_.threads);
+    std::array<UnitOrder, 2> starts{start, order_by_sums(all, head_)};
+    parallel_for(starts.size(), settings_.threads,
+                 [&](std::size_t i) { starts[i] = improve_order(all, std::move(starts[i])); });
+    auto& [from_start, from_sums] = starts;
     const bool sums_win = votes_against(all, from_sums) < votes_against(all, from_start);
     return sums_win ? std::move(from_sums) : std::move(from_start);
   }
@@ -194,8 +198,9 @@ class OrderSearch {
   /// The same, as far as votes tell, with more vertices shared between triangles.
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
+    const unsigned inner = settings_.threads / unsigned(shared.orders.size());
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
-      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells), shared.orders[k]);
+      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells, inner), shared.orders[k]);
     });
     return shared;
   }
