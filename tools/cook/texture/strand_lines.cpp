@@ -54,10 +54,10 @@ struct Ends {
   }
 };
 
-double squared_step(const Image& image, std::size_t from, std::size_t to) {
-  double sum = 0;
+int squared_step(const Image& image, std::size_t from, std::size_t to) {
+  int sum = 0;
   for (std::uint32_t c = 0; c < image.channels; ++c) {
-    const double step = double(image.texels[image.channels * from + c]) - image.texels[image.channels * to + c];
+    const int step = int(image.texels[image.channels * from + c]) - int(image.texels[image.channels * to + c]);
     sum += step * step;
   }
   return sum;
