@@ -13,6 +13,7 @@ struct DrawRule {
   float opaque_threshold = 0.95f;  ///< Layers from this alpha on are solid, and sorted by depth.
   bool faces_together = false;     ///< The others are blended in one go; else back faces before front faces.
   float discard_threshold = 0;     ///< Fainter layers are not drawn.
+  bool operator==(const DrawRule&) const = default;
 };
 
 /// PSNR of a picture with this squared error, summed over so many pixels; at most 99.

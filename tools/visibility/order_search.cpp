@@ -64,11 +64,12 @@ CellOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t>
 class OrderSearch {
  public:
   OrderSearch(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
-              const UnitOrder& head, const OrderSearchSettings& settings)
+              const UnitOrder& head, const OrderSearchSettings& settings, const RestVotes& seen)
       : hair_(hair),
         poses_(poses),
         settings_(settings),
         head_(head),
+        seen_(seen),
         judge_(judge_of(hair, judged, settings)),
         patch_of_(patches_of(hair)) {}
 
@@ -149,14 +150,28 @@ class OrderSearch {
     const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
     std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      const std::vector<SampledView> views = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
+      std::vector<std::vector<std::vector<Vote>>> of_views(rules.size());
+      for (std::uint32_t v = 0; v < wanted.views_per_cell; ++v) {
+        std::optional<SampledView> view;
+        for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+          if (const std::vector<Vote>* seen = seen_at_rest(rules[rule], std::uint32_t(cell), v)) {
+            of_views[rule].push_back(*seen);
+            continue;
+          }
+          if (!view) view = sample_view(hair_, poses_, wanted, std::uint32_t(cell), v);
+          of_views[rule].push_back(votes_of(view->lines, own, rules[rule]));
+        }
+      }
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
-        std::vector<std::vector<Vote>> of_views;
-        for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
-        votes[rule][cell] = sum_of(std::vector<std::span<const Vote>>(of_views.begin(), of_views.end()));
+        votes[rule][cell] = sum_of(std::vector<std::span<const Vote>>(of_views[rule].begin(), of_views[rule].end()));
       }
     });
     return votes;
+  }
+
+  [[nodiscard]] const std::vector<Vote>* seen_at_rest(const DrawRule& rule, std::uint32_t cell,
+                                                      std::uint32_t view) const {
+    return pose_of_view(cell, view, poses_.size()) == 0 ? seen_.find(rule, cell, view) : nullptr;
   }
 
   [[nodiscard]] UnitOrder best_single(const CellVotes& cells, const UnitOrder& start) const {
@@ -209,6 +224,7 @@ class OrderSearch {
   std::span<const HairPositions> poses_;
   const OrderSearchSettings& settings_;
   const UnitOrder& head_;
+  const RestVotes& seen_;
   OrderJudge judge_;
   std::vector<std::uint32_t> patch_of_;  ///< Of each triangle.
   FoundOrders best_;
@@ -223,7 +239,7 @@ JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> pose
 
 FoundOrders search_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
-  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(nullptr);
+  return OrderSearch(hair, judged, poses, by_head_distance, settings, {}).run(nullptr);
 }
 
 double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
@@ -235,8 +251,8 @@ double share_of_order(const HairSurface& hair, const JudgedHair& judged, const F
 
 FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const FoundOrders& found,
-                          const OrderSearchSettings& settings) {
-  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(&found);
+                          const OrderSearchSettings& settings, const RestVotes& seen) {
+  return OrderSearch(hair, judged, poses, by_head_distance, settings, seen).run(&found);
 }
 
 OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,

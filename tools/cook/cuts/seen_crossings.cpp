@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace coif {
@@ -69,7 +70,10 @@ CrossingSearch::CrossingSearch(const HairSurface& hair, std::span<const Eigen::V
       rule_(rule),
       settings_(settings),
       order_of_(orders.order_of),
-      views_(kViewCells * settings.views_per_cell) {
+      views_(kViewCells * settings.views_per_cell),
+      own_(hair.triangles.size()),
+      votes_(rule, settings.views_per_cell) {
+  std::iota(own_.begin(), own_.end(), 0u);
   for (const UnitOrder& order : orders.orders) places_.push_back(places_in(order, order.size()));
 }
 
@@ -98,15 +102,22 @@ SeenCrossings CrossingSearch::look(std::size_t views_per_cell) {
   return all;
 }
 
-CrossingSearch::View CrossingSearch::view_of(std::size_t number) const {
+CrossingSearch::View CrossingSearch::view_of(std::size_t number) {
   const auto cell = std::uint32_t(number / settings_.views_per_cell);
+  const auto turn = std::uint32_t(number % settings_.views_per_cell) + settings_.seed;
   ViewGrid grid;
-  grid.towards_eye = direction_in_cell(cell, std::uint32_t(number % settings_.views_per_cell) + settings_.seed);
+  grid.towards_eye = direction_in_cell(cell, turn);
   grid.spacing = line_spacing(positions_, settings_.lines);
   grid.pixel = settings_.pixel;
   grid.solid_alpha = rule_.opaque_threshold;
   grid.past_head = false;
-  return crossings_in(FragmentView(hair_, positions_, grid), number);
+  const FragmentView view(hair_, positions_, grid);
+  constexpr std::size_t kPoses = 2;  // of hair that moves: rest takes every other turn
+  if (pose_of_view(cell, turn, kPoses) == 0) {
+    const SightLines lines(view, rule_.opaque_threshold);
+    votes_.keep(cell, number % settings_.views_per_cell, votes_of(lines, own_, rule_));
+  }
+  return crossings_in(view, number);
 }
 
 CrossingSearch::View CrossingSearch::crossings_in(const FragmentView& view, std::size_t number) const {

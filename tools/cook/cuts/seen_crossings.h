@@ -3,6 +3,7 @@
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
+#include "visibility/rest_votes.h"
 
 #include <coif/view_cells.h>
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -45,13 +47,16 @@ class CrossingSearch {
   /// From so many sides of each cell; those that it was looked at from before are not taken again.
   [[nodiscard]] SeenCrossings look(std::size_t views_per_cell);
 
+  /// Votes of those of its views that orders are found from, too (pose_of_view()). They are not here afterwards.
+  [[nodiscard]] RestVotes take_votes() { return std::move(votes_); }
+
  private:
   struct View {
     std::vector<CrossingSample> samples;
     std::vector<std::uint64_t> crossing;  ///< Pairs of triangles.
     double unavoidable = 0, lost = 0;
   };
-  [[nodiscard]] View view_of(std::size_t number) const;
+  [[nodiscard]] View view_of(std::size_t number);
   [[nodiscard]] View crossings_in(const FragmentView& view, std::size_t number) const;
 
   const HairSurface& hair_;
@@ -62,6 +67,8 @@ class CrossingSearch {
   std::vector<std::vector<std::uint32_t>> places_;  ///< Of each triangle in each order.
   std::vector<View> views_;                         ///< Those of a cell follow each other.
   std::size_t looked_at_ = 0;                       ///< Of each cell.
+  std::vector<std::uint32_t> own_;                  ///< Each triangle's own number.
+  RestVotes votes_;
 };
 
 }  // namespace coif

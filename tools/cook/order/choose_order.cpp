@@ -89,10 +89,11 @@ class OrderChoice {
   }
 
   /// `quick`: by quick_search(), of this hair or of the same before it was cut.
-  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold) const {
+  /// `seen`: of this hair with this threshold.
+  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold, const RestVotes& seen) const {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
-    FoundOrders found = refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings);
+    FoundOrders found = refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings, seen);
     if (threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
@@ -264,7 +265,7 @@ tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::sp
     if (!poses) return tl::unexpected(poses.error());
     choice.emplace(recipe, threads, contents, opened->asset(), *poses, alpha);
   }
-  const FoundOrders found = choice->refine(quick, threshold);
+  const FoundOrders found = choice->refine(quick, threshold, crossings.votes);
   apply_orders(found, contents);
   note_orders(found, choice->usual_threshold(), findings);
   if (choice->share_of_lines() < 1) {
