@@ -88,6 +88,8 @@ TEST(LinearOrder, UnitsWithoutVotesStayInOrder) {
   std::erase_if(order, [](std::uint32_t unit) { return unit % 2 == 1; });
   EXPECT_EQ(order, (UnitOrder{0, 2, 4}));
   EXPECT_EQ(improve_order({}, UnitOrder{4, 2, 0}), (UnitOrder{4, 2, 0})) << "units need not be all";
+  const std::vector<Vote> others = {{0, 2, 1.0f}, {1, 2, 9.0f}, {2, 3, -9.0f}};
+  EXPECT_EQ(improve_order(others, UnitOrder{4, 2, 0}), (UnitOrder{4, 0, 2})) << "votes on others do not count";
 }
 
 // Which pairs of layers vote, and with what weight.

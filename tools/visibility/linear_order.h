@@ -26,8 +26,8 @@ using UnitOrder = std::vector<std::uint32_t>;
 
 /// The units `order` has, in an order that loses no more than that one does: each unit is taken out and put back where it loses
 /// least, until no move helps (insertion neighbourhood, Laguna, Marti and Campos 1999, "Intensification and diversification
-/// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes and, for each
-/// unit that moves, the number of units.
+/// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes. Those on units that the order does
+/// not have do not count.
 [[nodiscard]] UnitOrder improve_order(std::span<const Vote> votes, UnitOrder order);
 
 /// Units by what votes say of each in sum: those that others want before them come late. A start for improve_order().
