@@ -27,18 +27,18 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
                              std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
                              std::size_t most_added, const SampleSettings& settings,
                              const std::function<double()>& share_of_order) {
-  // A glance tells most hair from that where crossings matter.
-  const auto uncut = [](Crossings crossings, CrossingSearch& search) {
+  CrossingSearch search(hair, positions, drawn.by_view, drawn.rule, settings);
+  const auto uncut = [&](Crossings crossings) {
     crossings.votes = search.take_votes();
     return crossings;
   };
-  CrossingSearch search(hair, positions, drawn.by_view, drawn.rule, settings);
+  // A glance tells most hair from that where crossings matter.
   Crossings result = figures_of(search.look(1));
-  if (gain_of(result.share) < kLeastGain) return uncut(std::move(result), search);
+  if (gain_of(result.share) < kLeastGain) return uncut(std::move(result));
   const SeenCrossings seen = search.look(settings.views_per_cell);
   result = figures_of(seen);
   const double of_order = share_of_order();
-  if (gain_of(of_order * result.share) < kLeastGain) return uncut(std::move(result), search);
+  if (gain_of(of_order * result.share) < kLeastGain) return uncut(std::move(result));
   CutSettings cutting;
   cutting.most_added = most_added;
   cutting.shortest_edge = line_spacing(positions, settings.lines);
@@ -46,7 +46,7 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
   SplitMesh mesh(contents);
   const CutResult cut = cut_crossings(seen, cutting, mesh);
   const double gain = gain_of(of_order * cut.gained / seen.lost);
-  if (gain < kLeastGain) return uncut(std::move(result), search);
+  if (gain < kLeastGain) return uncut(std::move(result));
   CutHair made{contents, drawn, cut.cuts, cut.added, gain};
   const std::vector<std::uint32_t> origin = mesh.write_to(made.contents);
   for (UnitOrder& order : made.orders.by_view.orders) order = triangles_in_order(order, origin);
