@@ -71,8 +71,10 @@ TEST(BakeTextures, MipsKeepTheCoverageOfWhatTheHairShowsAtTheThresholdInUse) {
     contents.textures = textures.stored.records;
     contents.texels = textures.stored.texels;
     contents.material = {pack_material(color, textures, left_half(), recipe)};
+    const auto asked_for = mips_for_threshold(textures.used, contents, contents.material[0].opaque_threshold);
     keep_coverage(textures.used, contents);
     const auto mips = base_color_mips(contents);
+    for (std::size_t level = 0; level < mips.size(); ++level) EXPECT_EQ(asked_for[level].texels, mips[level].texels);
     const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
     const auto used = make_mips(used_texels(left_half(), kSide, kSide), kSide, TexelMeaning::kNumbers);
     const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], thresholds);

@@ -65,7 +65,8 @@ SeenCrossings seen(const AssetContents& contents, unsigned threads = 2) {
   SampleSettings settings;
   settings.lines = 400;
   settings.threads = threads;
-  return find_seen_crossings(hair, posed_positions(opened.asset(), {}), {{order}, {}}, {0.95f, true, 0.02f}, settings);
+  const HairPositions positions = posed_positions(opened.asset(), {});
+  return CrossingSearch(hair, positions, {{order}, {}}, {0.95f, true, 0.02f}, settings).look(1);
 }
 
 TEST(SplitMesh, SplitsBothSidesOfASeam) {
@@ -146,6 +147,51 @@ TEST(SeenCrossings, NoMatterHowManyThreads) {
   EXPECT_EQ(one.lost, three.lost);
   ASSERT_EQ(one.samples.size(), three.samples.size());
   for (std::size_t i = 0; i < one.samples.size(); ++i) EXPECT_EQ(one.samples[i].near, three.samples[i].near);
+}
+
+TEST(SeenCrossings, LookingFurtherIsLookingFromAllSides) {
+  const OpenedAsset opened(crossing_cards());
+  const HairSurface hair(opened.asset());
+  const HairPositions positions = posed_positions(opened.asset(), {});
+  SampleSettings settings;
+  settings.lines = 400;
+  settings.views_per_cell = 3;
+  const CellOrders orders{{{0, 1, 2, 3}}, {}};
+  CrossingSearch at_once(hair, positions, orders, {0.95f, true, 0.02f}, settings);
+  CrossingSearch by_steps(hair, positions, orders, {0.95f, true, 0.02f}, settings);
+  const SeenCrossings glance = by_steps.look(1), further = by_steps.look(3), all = at_once.look(3);
+  EXPECT_LT(glance.samples.size(), all.samples.size());
+  EXPECT_EQ(further.lost, all.lost);
+  EXPECT_EQ(further.pairs, all.pairs);
+  ASSERT_EQ(further.samples.size(), all.samples.size());
+  for (std::size_t i = 0; i < all.samples.size(); ++i) EXPECT_EQ(further.samples[i].view, all.samples[i].view);
+}
+
+TEST(SeenCrossings, OrdersAreRefinedTheSameFromWhatWasSeen) {
+  const OpenedAsset opened(crossing_cards());
+  const SeenHair hair(opened.asset());
+  const std::vector<HairPositions> poses = {posed_positions(opened.asset(), {})};
+  OrderSearchSettings settings;
+  settings.views_per_cell = 2;
+  settings.lines_per_view = 400;
+  settings.min_gain = 0;
+  const JudgedHair judged = judged_hair(hair, poses, settings);
+  const UnitOrder head = {0, 1};
+  const FoundOrders quick = search_orders(hair.surface, judged, poses, head, settings);
+  ASSERT_FALSE(quick.by_view.orders.empty());
+  SampleSettings samples;
+  samples.lines = settings.lines_per_view;
+  samples.views_per_cell = settings.views_per_cell;
+  CrossingSearch search(hair.surface, poses.front(), quick.by_view, quick.rule, samples);
+  (void)search.look(2);
+  const RestVotes votes = search.take_votes();
+  ASSERT_NE(votes.find(quick.rule, 0, 0), nullptr);
+  EXPECT_FALSE(votes.find(quick.rule, 0, 0)->empty());
+  EXPECT_EQ(votes.find({0.5f, quick.rule.faces_together, 0}, 0, 0), nullptr) << "of another rule";
+  const FoundOrders anew = refine_orders(hair.surface, judged, poses, head, quick, settings);
+  const FoundOrders from_seen = refine_orders(hair.surface, judged, poses, head, quick, settings, votes);
+  EXPECT_EQ(anew.by_view.orders, from_seen.by_view.orders);
+  EXPECT_EQ(anew.by_view.order_of, from_seen.by_view.order_of);
 }
 
 TEST(CutCrossings, CutCardsHaveAnOrderFromEverySide) {

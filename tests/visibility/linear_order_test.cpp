@@ -1,11 +1,14 @@
-#include "models/card_asset.h"
 #include "visibility/linear_order.h"
+#include "models/card_asset.h"
 #include "visibility/order_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace coif::linear_order_test {
@@ -85,6 +88,8 @@ TEST(LinearOrder, UnitsWithoutVotesStayInOrder) {
   std::erase_if(order, [](std::uint32_t unit) { return unit % 2 == 1; });
   EXPECT_EQ(order, (UnitOrder{0, 2, 4}));
   EXPECT_EQ(improve_order({}, UnitOrder{4, 2, 0}), (UnitOrder{4, 2, 0})) << "units need not be all";
+  const std::vector<Vote> others = {{0, 2, 1.0f}, {1, 2, 9.0f}, {2, 3, -9.0f}};
+  EXPECT_EQ(improve_order(others, UnitOrder{4, 2, 0}), (UnitOrder{4, 0, 2})) << "votes on others do not count";
 }
 
 // Which pairs of layers vote, and with what weight.
@@ -158,11 +163,30 @@ TEST(OrderVotes, SolidLayersAreSortedByDepthAndHideWhatIsBehind) {
 }
 
 TEST(OrderVotes, VotesOfAPairAddUpAndMayCancel) {
-  const std::vector<std::vector<Vote>> lists = {{{0, 1, 2.0f}, {1, 2, 1.0f}}, {{0, 1, -2.0f}, {1, 2, 0.5f}}};
-  const auto sum = sum_of(lists);
+  const std::vector<Vote> one = {{0, 1, 2.0f}, {1, 2, 1.0f}}, other = {{0, 1, -2.0f}, {1, 2, 0.5f}};
+  const auto sum = sum_of(std::vector<std::span<const Vote>>{one, other});
   ASSERT_EQ(sum.size(), 1u);
   EXPECT_EQ(sum[0].first, 1u);
   EXPECT_FLOAT_EQ(sum[0].weight, 1.5f);
+}
+
+TEST(OrderVotes, ManyAddUpAsFewDoWhateverTheNumberOfThreads) {
+  const std::vector<Vote> one = mixed_votes(1200, 3), other = mixed_votes(900, 8), none;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, float> wanted;
+  for (const std::vector<Vote>* votes : {&one, &other}) {
+    for (const Vote& vote : *votes) wanted[{vote.first, vote.second}] += vote.weight;
+  }
+  std::erase_if(wanted, [](const auto& pair) { return pair.second == 0; });
+  const std::vector<std::span<const Vote>> lists = {one, none, other};
+  for (const unsigned threads : {1u, 3u}) {
+    const std::vector<Vote> sum = sum_of(lists, threads);
+    ASSERT_EQ(sum.size(), wanted.size());
+    auto pair = wanted.begin();
+    for (std::size_t i = 0; i < sum.size(); ++i, ++pair) {
+      ASSERT_EQ(std::pair(sum[i].first, sum[i].second), pair->first) << "sorted, one of each";
+      ASSERT_EQ(sum[i].weight, pair->second);
+    }
+  }
 }
 
 TEST(OrderError, PsnrFallsByTenPerTenfoldError) {

@@ -140,6 +140,10 @@ struct SampleSettings {
 /// The pose that a cell's view is taken in.
 [[nodiscard]] std::uint32_t pose_of_view(std::uint32_t cell, std::uint32_t view, std::size_t poses);
 
+/// The view of a cell with that number, of settings.views_per_cell.
+[[nodiscard]] SampledView sample_view(const HairSurface& hair, std::span<const HairPositions> poses,
+                                      const SampleSettings& settings, std::uint32_t cell, std::uint32_t number);
+
 /// Views in directions that fill a cell evenly. They take the poses by turns; every cell begins with another, the first
 /// pose, at rest, comes every other time.
 [[nodiscard]] std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,

@@ -24,23 +24,47 @@ constexpr auto kAlphaOf = [] {
   return alpha;
 }();
 
+/// A texture coordinate within its turn: less its floor, but without std::floor(), which is a call where a processor need not have an
+/// instruction for it.
+float within_turn(float value) {
+  constexpr float kAllWhole = 1 << kFloatDigits;
+  if (!(std::abs(value) < kAllWhole)) return 0;
+  const auto towards_zero = float(int(value));
+  return value - (towards_zero - (value < towards_zero ? 1.0f : 0.0f));
+}
+
 }  // namespace
+
+AlphaTexture::Level::Level(std::uint32_t width, std::uint32_t height)
+    : width_(float(width)), height_(float(height)), stride_(width + 2), alpha_(stride_ * (height + 2)) {}
+
+void AlphaTexture::Level::set_texels(std::span<const std::uint8_t> rgba) {
+  const std::size_t width = stride_ - 2, height = alpha_.size() / stride_ - 2;
+  for (std::size_t row = 0; row < height + 2; ++row) {
+    const std::uint8_t* const from = &rgba[4 * width * ((row + height - 1) % height)];
+    std::uint8_t* const to = &alpha_[row * stride_];
+    for (std::size_t x = 0; x < width; ++x) to[x + 1] = from[4 * x + 3];
+    to[0] = to[width];
+    to[width + 1] = to[1];
+  }
+}
 
 AlphaTexture::AlphaTexture(const Asset& asset) {
   if (asset.material() != nullptr) factor_ = asset.material()->base_color[3];
   const TextureRecord* texture = asset.texture(TextureRole::kBaseColor);
   if (texture == nullptr) return;
   for (std::uint32_t mip = 0; mip < texture->mip_count; ++mip) {
-    Level level{int(std::max(1u, texture->width >> mip)), int(std::max(1u, texture->height >> mip)), {}};
     const auto texels = asset.texels(*texture, mip);
-    for (std::size_t i = 3; i < texels.size(); i += 4) level.alpha.push_back(std::uint8_t(texels[i]));
-    levels_.push_back(std::move(level));
+    levels_.emplace_back(std::max(1u, texture->width >> mip), std::max(1u, texture->height >> mip));
+    levels_.back().set_texels({reinterpret_cast<const std::uint8_t*>(texels.data()), texels.size()});
   }
 }
 
+void AlphaTexture::set_texels(std::size_t mip, std::span<const std::uint8_t> rgba) { levels_[mip].set_texels(rgba); }
+
 MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vector2f& dy) const {
   if (levels_.empty()) return {};
-  const Eigen::Vector2f size(float(levels_[0].width), float(levels_[0].height));
+  const Eigen::Vector2f size = levels_[0].size();
   const float square = std::max(dx.cwiseProduct(size).squaredNorm(), dy.cwiseProduct(size).squaredNorm());
   const float texels = std::sqrt(square);
   const int octave = int(std::bit_cast<std::uint32_t>(texels) >> kFloatDigits) - kFloatBias;
@@ -51,29 +75,23 @@ MipChoice AlphaTexture::choose_mip(const Eigen::Vector2f& dx, const Eigen::Vecto
   return mip;
 }
 
+float AlphaTexture::Level::at(float u, float v) const {
+  const float x = u * width_ - 0.5f, y = v * height_ - 0.5f;
+  const int column = int(x) - (x < 0 ? 1 : 0), row = int(y) - (y < 0 ? 1 : 0);
+  const float right = x - float(column), down = y - float(row);
+  const std::uint8_t* const upper = &alpha_[std::size_t(row + 1) * stride_ + std::size_t(column + 1)];
+  const std::uint8_t* const lower = upper + stride_;
+  const float above = kAlphaOf[upper[0]] + right * (kAlphaOf[upper[1]] - kAlphaOf[upper[0]]);
+  const float below = kAlphaOf[lower[0]] + right * (kAlphaOf[lower[1]] - kAlphaOf[lower[0]]);
+  return above + down * (below - above);
+}
+
 float AlphaTexture::at(const Eigen::Vector2f& uv, const MipChoice& mip) const {
-  using Eigen::Array4f, Eigen::Array4i;
   if (levels_.empty()) return std::min(factor_, 1.0f);
-  const Level& near = levels_[mip.level];
-  const Level& next = mip.next > 0 ? levels_[mip.level + 1] : near;
-  // Column and row in the one mip, column and row in the other.
-  const Array4i size(near.width, near.height, next.width, next.height);
-  const Array4f turns(uv.x(), uv.y(), uv.x(), uv.y());
-  const Array4f texel = (turns - turns.floor()) * size.cast<float>() - 0.5f;
-  const Array4f below = texel.floor(), share = texel - below;
-  const Array4i whole = below.cast<int>(), after = whole + 1;
-  const Array4i first = (whole < 0).select(size - 1, whole), second = (after >= size).select(0, after);
-  const auto alpha = [](const Level& level, int x, int y) {
-    return kAlphaOf[level.alpha[std::size_t(y) * std::size_t(level.width) + std::size_t(x)]];
-  };
-  const Array4f left(alpha(near, first[0], first[1]), alpha(near, first[0], second[1]), alpha(next, first[2], first[3]),
-                     alpha(next, first[2], second[3]));
-  const Array4f right(alpha(near, second[0], first[1]), alpha(near, second[0], second[1]),
-                      alpha(next, second[2], first[3]), alpha(next, second[2], second[3]));
-  const Array4f in_row = left + Array4f(share[0], share[0], share[2], share[2]) * (right - left);
-  const float of_near = in_row[0] + share[1] * (in_row[1] - in_row[0]);
-  const float of_next = in_row[2] + share[3] * (in_row[3] - in_row[2]);
-  return std::clamp((of_near + mip.next * (of_next - of_near)) * factor_, 0.0f, 1.0f);
+  const float u = within_turn(uv.x()), v = within_turn(uv.y());
+  float alpha = levels_[mip.level].at(u, v);
+  if (mip.next > 0) alpha += mip.next * (levels_[mip.level + 1].at(u, v) - alpha);
+  return std::clamp(alpha * factor_, 0.0f, 1.0f);
 }
 
 float solid_depth(std::span<const ColliderRecord> solids, const Eigen::Vector3f& origin, const Eigen::Vector3f& along) {

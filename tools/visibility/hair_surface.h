@@ -31,11 +31,24 @@ class AlphaTexture {
 
   [[nodiscard]] float at(const Eigen::Vector2f& uv, const MipChoice& mip) const;
 
+  /// Gives a mip the alpha of these RGBA texels, as many as it has.
+  void set_texels(std::size_t mip, std::span<const std::uint8_t> rgba);
+
  private:
-  struct Level {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> alpha;  ///< As stored: a quarter of the memory that is read.
+  /// With one texel more at each end of every row and column, which is that at the other end, as texels repeat.
+  class Level {
+   public:
+    Level(std::uint32_t width, std::uint32_t height);
+    void set_texels(std::span<const std::uint8_t> rgba);
+
+    [[nodiscard]] Eigen::Vector2f size() const { return {width_, height_}; }
+    /// Filtered, at texture coordinates within 0..1.
+    [[nodiscard]] float at(float u, float v) const;
+
+   private:
+    float width_, height_;
+    std::size_t stride_;
+    std::vector<std::uint8_t> alpha_;  ///< As stored: a quarter of the memory that is read.
   };
   std::vector<Level> levels_;
   float factor_ = 1;

@@ -1,8 +1,9 @@
 #include "visibility/linear_order.h"
 
+#include "visibility/unit_lists.h"
+
 #include <algorithm>
-#include <array>
-#include <set>
+#include <cmath>
 #include <utility>
 
 namespace coif {
@@ -18,39 +19,115 @@ std::size_t unit_range(std::span<const Vote> votes, std::span<const std::uint32_
   return std::size_t(largest) + 1;
 }
 
-class InsertionSearch {
+struct Opinion {
+  std::uint32_t other;
+  float before;  ///< Saved where the unit is drawn before the other.
+};
+
+UnitLists<Opinion> opinions_of(std::span<const Vote> votes, std::size_t units) {
+  return {units, [votes](const auto& add) {
+            for (const Vote& vote : votes) {
+              add(vote.first, {vote.second, vote.weight});
+              add(vote.second, {vote.first, -vote.weight});
+            }
+          }};
+}
+
+/// An order that units move in without those between them being touched: a list in which each has a number that rises along it
+/// (Dietz and Sleator 1987, "Two algorithms for maintaining order in a list", in its simplest form).
+class MovingOrder {
  public:
-  InsertionSearch(std::span<const Vote> votes, UnitOrder order)
-      : order_(std::move(order)),
-        opinions_(unit_range(votes, order_)),
-        place_(places_in(order_, opinions_.size())),
-        is_settled_(opinions_.size(), false) {
-    double total = 0;
-    for (const Vote& vote : votes) {
-      opinions_[vote.first].push_back({vote.second, vote.weight});
-      opinions_[vote.second].push_back({vote.first, -vote.weight});
-      total += double(std::abs(vote.weight));
+  /// `units`: how many numbers there are of units.
+  MovingOrder(std::span<const std::uint32_t> order, std::size_t units)
+      : end_(std::uint32_t(units)),
+        count_(order.size()),
+        place_(units, kNowhere),
+        before_(units + 1),
+        after_(units + 1) {
+    std::uint32_t last = end_;
+    for (const std::uint32_t unit : order) {
+      before_[unit] = last;
+      after_[last] = unit;
+      last = unit;
     }
-    least_gain_ = kLeastGain * total;
+    before_[end_] = last;
+    after_[last] = end_;
+    spread();
   }
 
-  UnitOrder run() && {
-    const UnitOrder units = order_;
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-      bool moved = false;
-      for (const std::uint32_t unit : units) {
-        if (!is_settled_[unit]) moved = settle(unit) || moved;
-      }
-      if (!moved) break;
-    }
-    return std::move(order_);
+  static constexpr std::uint32_t kNowhere = 0;  ///< Of units that the order does not have.
+  [[nodiscard]] std::uint32_t place(std::uint32_t unit) const { return place_[unit]; }
+
+  void move_before(std::uint32_t unit, std::uint32_t other) {
+    take_out(unit);
+    put_between(before_[other], unit, other);
+  }
+  void move_after(std::uint32_t unit, std::uint32_t other) {
+    take_out(unit);
+    put_between(other, unit, after_[other]);
+  }
+
+  [[nodiscard]] UnitOrder units() const {
+    UnitOrder order;
+    order.reserve(count_);
+    for (std::uint32_t unit = after_[end_]; unit != end_; unit = after_[unit]) order.push_back(unit);
+    return order;
   }
 
  private:
-  struct Opinion {
-    std::uint32_t other;
-    float before;  ///< Saved where the unit is drawn before the other.
-  };
+  static constexpr std::uint64_t kPlaces = std::uint64_t{1} << 32;
+
+  /// All as far apart as can be.
+  void spread() {
+    const std::uint64_t step = kPlaces / (count_ + 1);
+    std::uint64_t place = 0;
+    for (std::uint32_t unit = after_[end_]; unit != end_; unit = after_[unit])
+      place_[unit] = std::uint32_t(place += step);
+  }
+
+  void take_out(std::uint32_t unit) {
+    after_[before_[unit]] = after_[unit];
+    before_[after_[unit]] = before_[unit];
+  }
+
+  void put_between(std::uint32_t low, std::uint32_t unit, std::uint32_t high) {
+    after_[low] = before_[high] = unit;
+    before_[unit] = low;
+    after_[unit] = high;
+    const std::uint64_t from = low == end_ ? 0 : place_[low], to = high == end_ ? kPlaces : place_[high];
+    place_[unit] = std::uint32_t((from + to) / 2);
+    if (place_[unit] == from) spread();
+  }
+
+  std::uint32_t end_;  ///< Stands before the first unit and after the last one.
+  std::size_t count_;
+  std::vector<std::uint32_t> place_, before_, after_;
+};
+
+class InsertionSearch {
+ public:
+  InsertionSearch(std::span<const Vote> votes, const UnitOrder& order)
+      : units_(order),
+        opinions_(opinions_of(votes, unit_range(votes, order))),
+        order_(order, opinions_.size()),
+        is_settled_(opinions_.size(), 0) {
+    double total = 0;
+    for (const Vote& vote : votes) total += double(std::abs(vote.weight));
+    least_gain_ = kLeastGain * total;
+  }
+
+  UnitOrder run() {
+    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+      bool moved = false;
+      for (const std::uint32_t unit : units_) {
+        if (is_settled_[unit] == 0) moved = settle(unit) || moved;
+      }
+      if (!moved) break;
+    }
+    return order_.units();
+  }
+
+ private:
   struct Step {
     std::uint32_t place;
     float gain;  ///< Of going past the other from where the unit is.
@@ -59,12 +136,8 @@ class InsertionSearch {
   /// Puts the unit where it loses least; false where it is there. Then it stays there until one moves that it has an opinion on: where
   /// all others are does not matter.
   bool settle(std::uint32_t unit) {
-    const std::uint32_t here = place_[unit];
-    steps_.clear();
-    for (const Opinion& opinion : opinions_[unit]) {
-      const std::uint32_t place = place_[opinion.other];
-      steps_.push_back({place, place < here ? opinion.before : -opinion.before});
-    }
+    const std::uint32_t here = order_.place(unit);
+    find_steps(unit);
     std::ranges::sort(steps_, {}, &Step::place);
     const auto middle = std::ranges::lower_bound(steps_, here, {}, &Step::place);
     double best = least_gain_, gain = 0;
@@ -78,24 +151,44 @@ class InsertionSearch {
       gain += double(step->gain);
       if (gain > best) best = gain, target = step->place;
     }
-    is_settled_[unit] = true;
+    is_settled_[unit] = 1;
     if (target == here) return false;
-    move(here, target);
-    for (const Opinion& opinion : opinions_[unit]) is_settled_[opinion.other] = false;
+    move(unit, target);
     return true;
   }
 
-  void move(std::uint32_t from, std::uint32_t to) {
-    const auto begin = order_.begin();
-    if (to < from) std::rotate(begin + to, begin + from, begin + from + 1);
-    if (to > from) std::rotate(begin + from, begin + from + 1, begin + to + 1);
-    for (std::uint32_t i = std::min(from, to); i <= std::max(from, to); ++i) place_[order_[i]] = i;
+  /// Those that a best move may take: on either side no further than the last one that gains. Mostly there are none, or few.
+  void find_steps(std::uint32_t unit) {
+    const std::uint32_t here = order_.place(unit);
+    std::uint32_t first = here, last = here;
+    steps_.clear();
+    for (const Opinion& opinion : opinions_.of(unit)) {
+      const std::uint32_t place = order_.place(opinion.other);
+      if (place == MovingOrder::kNowhere) continue;
+      const float gain = place < here ? opinion.before : -opinion.before;
+      steps_.push_back({place, gain});
+      if (gain > 0) first = std::min(first, place), last = std::max(last, place);
+    }
+    std::erase_if(steps_, [=](const Step& step) { return step.place < first || step.place > last; });
   }
 
-  UnitOrder order_;
-  std::vector<std::vector<Opinion>> opinions_;
-  std::vector<std::uint32_t> place_;
-  std::vector<bool> is_settled_;
+  /// Past the one at the place, which it has an opinion on.
+  void move(std::uint32_t unit, std::uint32_t target) {
+    const auto opinions = opinions_.of(unit);
+    const auto at_target = [&](const Opinion& opinion) { return order_.place(opinion.other) == target; };
+    const std::uint32_t other = std::ranges::find_if(opinions, at_target)->other;
+    if (target < order_.place(unit)) {
+      order_.move_before(unit, other);
+    } else {
+      order_.move_after(unit, other);
+    }
+    for (const Opinion& opinion : opinions) is_settled_[opinion.other] = 0;
+  }
+
+  UnitOrder units_;  ///< In the order in which they are looked at.
+  UnitLists<Opinion> opinions_;
+  MovingOrder order_;
+  std::vector<std::uint8_t> is_settled_;
   std::vector<Step> steps_;
   double least_gain_ = 0;
 };
@@ -116,14 +209,13 @@ double votes_against_places(std::span<const Vote> votes, std::span<const std::ui
   double lost = 0;
   for (const Vote& vote : votes) {
     const bool first_before = place[vote.first] < place[vote.second];
-    if (first_before != (vote.weight > 0)) lost += double(std::abs(vote.weight));
+    // Without a branch, which would be foretold wrongly half the time.
+    lost += first_before != (vote.weight > 0) ? double(std::abs(vote.weight)) : 0.0;
   }
   return lost;
 }
 
-UnitOrder improve_order(std::span<const Vote> votes, UnitOrder order) {
-  return InsertionSearch(votes, std::move(order)).run();
-}
+UnitOrder improve_order(std::span<const Vote> votes, UnitOrder order) { return InsertionSearch(votes, order).run(); }
 
 UnitOrder order_by_sums(std::span<const Vote> votes, std::span<const std::uint32_t> units) {
   std::vector<double> before(unit_range(votes, units), 0);
@@ -134,92 +226,6 @@ UnitOrder order_by_sums(std::span<const Vote> votes, std::span<const std::uint32
   UnitOrder order(units.begin(), units.end());
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t unit) { return before[unit]; });
   return order;
-}
-
-namespace {
-
-constexpr std::size_t kCacheSize = 16;
-
-/// The vertices shaded last, first in, first out, as simple hardware keeps them.
-class VertexCache {
- public:
-  VertexCache() { vertices_.fill(kNone); }
-
-  [[nodiscard]] bool has(std::uint32_t vertex) const { return std::ranges::find(vertices_, vertex) != vertices_.end(); }
-  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
-
-  /// Shades what is missing.
-  void shade(const HairSurface::Triangle& triangle) {
-    for (const std::uint32_t vertex : triangle.vertex) {
-      if (!has(vertex)) vertices_[next_++ % kCacheSize] = vertex;
-    }
-  }
-
- private:
-  std::array<std::uint32_t, kCacheSize> vertices_;
-  std::size_t next_ = 0;
-};
-
-class CacheOrder {
- public:
-  CacheOrder(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order)
-      : hair_(hair), place_(places_in(order, order.size())), held_by_(order.size(), 0), holds_(order.size()) {
-    for (const Vote& vote : votes) {
-      const bool in_order = place_[vote.first] < place_[vote.second];
-      const std::uint32_t before = in_order ? vote.first : vote.second, after = in_order ? vote.second : vote.first;
-      holds_[before].push_back(after);
-      ++held_by_[after];
-    }
-    of_vertex_.resize(hair.uvs.size());
-    for (const std::uint32_t t : order) {
-      for (const std::uint32_t vertex : hair.triangles[t].vertex) of_vertex_[vertex].push_back(t);
-      if (held_by_[t] == 0) free_.insert({place_[t], t});
-    }
-  }
-
-  UnitOrder run() {
-    UnitOrder result;
-    while (!free_.empty()) {
-      const std::uint32_t t = next();
-      free_.erase({place_[t], t});
-      result.push_back(t);
-      cache_.shade(hair_.triangles[t]);
-      for (const std::uint32_t after : holds_[t]) {
-        if (--held_by_[after] == 0) free_.insert({place_[after], after});
-      }
-    }
-    return result;
-  }
-
- private:
-  [[nodiscard]] std::uint32_t next() const {
-    std::uint32_t best = free_.begin()->second;
-    int most = 0;
-    for (const std::uint32_t vertex : cache_.vertices()) {
-      if (vertex == kNone) continue;
-      for (const std::uint32_t t : of_vertex_[vertex]) {
-        if (!free_.contains({place_[t], t})) continue;
-        const int shared =
-            int(std::ranges::count_if(hair_.triangles[t].vertex, [this](std::uint32_t v) { return cache_.has(v); }));
-        if (shared > most || (shared == most && place_[t] < place_[best])) most = shared, best = t;
-      }
-    }
-    return best;
-  }
-
-  const HairSurface& hair_;
-  std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> held_by_;  ///< How many must come before each and have not yet.
-  std::vector<std::vector<std::uint32_t>> holds_;
-  std::vector<std::vector<std::uint32_t>> of_vertex_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> free_;  ///< By place.
-  VertexCache cache_;
-};
-
-}  // namespace
-
-UnitOrder order_for_cache(const HairSurface& hair, std::span<const Vote> votes, const UnitOrder& order) {
-  return CacheOrder(hair, votes, order).run();
 }
 
 }  // namespace coif

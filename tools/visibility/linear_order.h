@@ -26,8 +26,8 @@ using UnitOrder = std::vector<std::uint32_t>;
 
 /// The units `order` has, in an order that loses no more than that one does: each unit is taken out and put back where it loses
 /// least, until no move helps (insertion neighbourhood, Laguna, Marti and Campos 1999, "Intensification and diversification
-/// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes and, for each
-/// unit that moves, the number of units.
+/// with elite tabu search solutions for the linear ordering problem"). A sweep costs the number of votes. Those on units that the order does
+/// not have do not count.
 [[nodiscard]] UnitOrder improve_order(std::span<const Vote> votes, UnitOrder order);
 
 /// Units by what votes say of each in sum: those that others want before them come late. A start for improve_order().
@@ -42,7 +42,7 @@ struct CellOrders {
   std::array<std::uint8_t, kViewCells> order_of{};
 
   /// The votes of all cells that draw with one of them.
-  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells) const;
+  [[nodiscard]] std::vector<Vote> votes_on(std::size_t order, const CellVotes& cells, unsigned threads = 1) const;
 };
 
 /// At most `count` orders for all cells, of the units that `start` has. The cells whose own order would save most of all cells'

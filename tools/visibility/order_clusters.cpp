@@ -4,6 +4,7 @@
 #include "visibility/fragment_view.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace coif {
@@ -33,6 +34,7 @@ class Clustering {
   }
 
   [[nodiscard]] CellOrders found_clusters(const UnitOrder& start, std::size_t count) const {
+    if (count == 1) return {{start}, {}};
     std::vector<UnitOrder> own(kViewCells);
     std::vector<Losses> lost(kViewCells);
     parallel_for(kViewCells, threads_, [&](std::size_t cell) {
@@ -111,12 +113,24 @@ class Clustering {
       }
       return false;
     };
-    parallel_for(result_.orders.size(), threads_, [&](std::size_t k) {
+    const std::vector<std::size_t> by_work = most_votes_first();
+    parallel_for(by_work.size(), threads_, [&](std::size_t i) {
+      const std::size_t k = by_work[i];
       const bool is_used = std::ranges::find(result_.order_of, std::uint8_t(k)) != result_.order_of.end();
       if (!is_used || !has_changed(k)) return;
-      result_.orders[k] = improve_order(result_.votes_on(k, cells_), std::move(result_.orders[k]));
+      result_.orders[k] = improve_order(result_.votes_on(k, cells_, threads_ / std::uint32_t(result_.orders.size())),
+                                        std::move(result_.orders[k]));
     });
     improved_for_.assign(result_.order_of.begin(), result_.order_of.end());
+  }
+
+  /// Orders, so that no thread begins with the largest when the others are done.
+  [[nodiscard]] std::vector<std::size_t> most_votes_first() const {
+    std::vector<std::size_t> votes(result_.orders.size(), 0), orders(result_.orders.size());
+    for (std::size_t cell = 0; cell < kViewCells; ++cell) votes[result_.order_of[cell]] += cells_[cell].size();
+    std::iota(orders.begin(), orders.end(), std::size_t{0});
+    std::ranges::stable_sort(orders, std::greater{}, [&](std::size_t k) { return votes[k]; });
+    return orders;
   }
 
   void drop_unused() {
@@ -140,12 +154,12 @@ class Clustering {
 
 }  // namespace
 
-std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells) const {
-  std::vector<std::vector<Vote>> votes;
+std::vector<Vote> CellOrders::votes_on(std::size_t order, const CellVotes& cells, unsigned threads) const {
+  std::vector<std::span<const Vote>> votes;
   for (std::size_t cell = 0; cell < kViewCells; ++cell) {
-    if (order_of[cell] == order) votes.push_back(cells[cell]);
+    if (order_of[cell] == order) votes.emplace_back(cells[cell]);
   }
-  return sum_of(votes);
+  return sum_of(votes, threads);
 }
 
 CellOrders cluster_orders(const CellVotes& cells, const UnitOrder& start, std::size_t count, unsigned threads) {

@@ -13,6 +13,7 @@ struct DrawRule {
   float opaque_threshold = 0.95f;  ///< Layers from this alpha on are solid, and sorted by depth.
   bool faces_together = false;     ///< The others are blended in one go; else back faces before front faces.
   float discard_threshold = 0;     ///< Fainter layers are not drawn.
+  bool operator==(const DrawRule&) const = default;
 };
 
 /// PSNR of a picture with this squared error, summed over so many pixels; at most 99.
@@ -36,7 +37,7 @@ struct Vote {
 /// What votes on units say of groups of them, such as triangles' patches: as votes_of() with the groups for units.
 [[nodiscard]] std::vector<Vote> votes_of_groups(std::span<const Vote> votes, std::span<const std::uint32_t> group_of);
 
-/// The sums of several lists of votes.
-[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::vector<Vote>> lists);
+/// The sums of several lists of votes, each as votes_of() makes it. `threads`: without influence on the result.
+[[nodiscard]] std::vector<Vote> sum_of(std::span<const std::span<const Vote>> lists, unsigned threads = 1);
 
 }  // namespace coif

@@ -64,11 +64,12 @@ CellOrders single_order(const UnitOrder& patches, std::span<const std::uint32_t>
 class OrderSearch {
  public:
   OrderSearch(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
-              const UnitOrder& head, const OrderSearchSettings& settings)
+              const UnitOrder& head, const OrderSearchSettings& settings, const RestVotes& seen)
       : hair_(hair),
         poses_(poses),
         settings_(settings),
         head_(head),
+        seen_(seen),
         judge_(judge_of(hair, judged, settings)),
         patch_of_(patches_of(hair)) {}
 
@@ -149,22 +150,40 @@ class OrderSearch {
     const SampleSettings wanted = samples_wanted(settings_, settings_.views_per_cell, 0);
     std::vector<CellVotes> votes(rules.size());
     parallel_for(kViewCells, settings_.threads, [&](std::size_t cell) {
-      const std::vector<SampledView> views = sample_cell(hair_, poses_, wanted, std::uint32_t(cell));
+      std::vector<std::vector<std::vector<Vote>>> of_views(rules.size());
+      for (std::uint32_t v = 0; v < wanted.views_per_cell; ++v) {
+        std::optional<SampledView> view;
+        for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+          if (const std::vector<Vote>* seen = seen_at_rest(rules[rule], std::uint32_t(cell), v)) {
+            of_views[rule].push_back(*seen);
+            continue;
+          }
+          if (!view) view = sample_view(hair_, poses_, wanted, std::uint32_t(cell), v);
+          of_views[rule].push_back(votes_of(view->lines, own, rules[rule]));
+        }
+      }
       for (std::size_t rule = 0; rule < rules.size(); ++rule) {
-        std::vector<std::vector<Vote>> of_views;
-        for (const SampledView& view : views) of_views.push_back(votes_of(view.lines, own, rules[rule]));
-        votes[rule][cell] = sum_of(of_views);
+        votes[rule][cell] = sum_of(std::vector<std::span<const Vote>>(of_views[rule].begin(), of_views[rule].end()));
       }
     });
     return votes;
   }
 
+  [[nodiscard]] const std::vector<Vote>* seen_at_rest(const DrawRule& rule, std::uint32_t cell,
+                                                      std::uint32_t view) const {
+    return pose_of_view(cell, view, poses_.size()) == 0 ? seen_.find(rule, cell, view) : nullptr;
+  }
+
   [[nodiscard]] UnitOrder best_single(const CellVotes& cells, const UnitOrder& start) const {
     CellVotes of_patches;
-    for (std::size_t cell = 0; cell < kViewCells; ++cell) of_patches[cell] = votes_of_groups(cells[cell], patch_of_);
-    const std::vector<Vote> all = sum_of(of_patches);
-    UnitOrder from_start = improve_order(all, start);
-    UnitOrder from_sums = improve_order(all, order_by_sums(all, head_));
+    parallel_for(kViewCells, settings_.threads,
+                 [&](std::size_t cell) { of_patches[cell] = votes_of_groups(cells[cell], patch_of_); });
+    const std::vector<Vote> all =
+        sum_of(std::vector<std::span<const Vote>>(of_patches.begin(), of_patches.end()), settings_.threads);
+    std::array<UnitOrder, 2> starts{start, order_by_sums(all, head_)};
+    parallel_for(starts.size(), settings_.threads,
+                 [&](std::size_t i) { starts[i] = improve_order(all, std::move(starts[i])); });
+    auto& [from_start, from_sums] = starts;
     const bool sums_win = votes_against(all, from_sums) < votes_against(all, from_start);
     return sums_win ? std::move(from_sums) : std::move(from_start);
   }
@@ -194,8 +213,9 @@ class OrderSearch {
   /// The same, as far as votes tell, with more vertices shared between triangles.
   [[nodiscard]] CellOrders for_cache(const CellOrders& clusters, const CellVotes& cells) const {
     CellOrders shared = clusters;
+    const unsigned inner = settings_.threads / unsigned(shared.orders.size());
     parallel_for(shared.orders.size(), settings_.threads, [&](std::size_t k) {
-      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells), shared.orders[k]);
+      shared.orders[k] = order_for_cache(hair_, clusters.votes_on(k, cells, inner), shared.orders[k]);
     });
     return shared;
   }
@@ -204,6 +224,7 @@ class OrderSearch {
   std::span<const HairPositions> poses_;
   const OrderSearchSettings& settings_;
   const UnitOrder& head_;
+  const RestVotes& seen_;
   OrderJudge judge_;
   std::vector<std::uint32_t> patch_of_;  ///< Of each triangle.
   FoundOrders best_;
@@ -218,7 +239,7 @@ JudgedHair judged_hair(const SeenHair& hair, std::span<const HairPositions> pose
 
 FoundOrders search_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const OrderSearchSettings& settings) {
-  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(nullptr);
+  return OrderSearch(hair, judged, poses, by_head_distance, settings, {}).run(nullptr);
 }
 
 double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,
@@ -230,8 +251,8 @@ double share_of_order(const HairSurface& hair, const JudgedHair& judged, const F
 
 FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged, std::span<const HairPositions> poses,
                           const UnitOrder& by_head_distance, const FoundOrders& found,
-                          const OrderSearchSettings& settings) {
-  return OrderSearch(hair, judged, poses, by_head_distance, settings).run(&found);
+                          const OrderSearchSettings& settings, const RestVotes& seen) {
+  return OrderSearch(hair, judged, poses, by_head_distance, settings, seen).run(&found);
 }
 
 OrderQuality judge_orders(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,

@@ -4,6 +4,7 @@
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
 #include "visibility/order_judge.h"
+#include "visibility/rest_votes.h"
 
 #include <optional>
 #include <vector>
@@ -52,10 +53,12 @@ struct FoundOrders {
                                         const OrderSearchSettings& settings);
 
 /// The same from where a search with fewer views got to, with its faces and no more orders than it found: most of a search's
-/// time goes into finding which directions belong together, and few views tell that as well.
+/// time goes into finding which directions belong together, and few views tell that as well. `seen`: votes of the same hair in its
+/// first pose, along as many lines, that need not be found again.
 [[nodiscard]] FoundOrders refine_orders(const HairSurface& hair, const JudgedHair& judged,
                                         std::span<const HairPositions> poses, const UnitOrder& by_head_distance,
-                                        const FoundOrders& found, const OrderSearchSettings& settings);
+                                        const FoundOrders& found, const OrderSearchSettings& settings,
+                                        const RestVotes& seen = {});
 
 /// Of the squared error of pictures in orders by direction, found with any threshold, the share that the best order would not have.
 [[nodiscard]] double share_of_order(const HairSurface& hair, const JudgedHair& judged, const FoundOrders& orders,

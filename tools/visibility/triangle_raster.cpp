@@ -191,8 +191,8 @@ MipChoice TriangleRaster::mip() const {
 
 void TriangleRaster::visit_lines(const Met& box) {
   // A line is inside where none of the three areas is negative; from column to column and row to row they grow evenly.
-  std::int64_t inside[3], by_column[3], by_row[3];
-  for (int k = 0; k < 3; ++k) {
+  Areas inside, by_column, by_row;
+  for (std::size_t k = 0; k < 3; ++k) {
     const Corner &a = corner_[(k + 1) % 3], &b = corner_[(k + 2) % 3];
     inside[k] = edge(a, b, std::int64_t(box.first_column) * kSteps, std::int64_t(box.first_row) * kSteps);
     owns_[k] = owns_edge(a, b);
@@ -200,27 +200,46 @@ void TriangleRaster::visit_lines(const Met& box) {
     by_column[k] = -std::int64_t(b.y - a.y) * kSteps;
     by_row[k] = std::int64_t(b.x - a.x) * kSteps;
   }
-  const std::int64_t step0 = by_column[0], step1 = by_column[1], step2 = by_column[2];
+  const auto columns = std::size_t(box.last_column - box.first_column + 1);
+  const bool is_small = columns * std::size_t(box.last_row - box.first_row + 1) <= kFewLines;
+  std::size_t line = std::size_t(box.first_row) * frame_.columns + std::size_t(box.first_column);
+  inside_count_ = 0;
   for (std::int32_t row = box.first_row; row <= box.last_row; ++row) {
-    std::int64_t at0 = inside[0], at1 = inside[1], at2 = inside[2];
-    const std::size_t line = std::size_t(row) * frame_.columns;
-    std::int32_t column = box.first_column;
-    const auto go_on = [&] {
-      at0 += step0;
-      at1 += step1;
-      at2 += step2;
-      ++column;
-    };
-    while (column <= box.last_column && (at0 | at1 | at2) < 0) go_on();
-    for (; column <= box.last_column && (at0 | at1 | at2) >= 0; go_on()) {
-      visit(line + std::size_t(column), {at0, at1, at2});
+    if (is_small) {
+      note_row(line, columns, inside, by_column);
+    } else {
+      visit_row(line, columns, inside, by_column);
     }
-    for (int k = 0; k < 3; ++k) inside[k] += by_row[k];
+    line += frame_.columns;
+    for (std::size_t k = 0; k < 3; ++k) inside[k] += by_row[k];
   }
+  for (std::size_t i = 0; i < inside_count_; ++i) visit(inside_[i].line, inside_[i].areas);
+}
+
+/// Most triangles have some lines in their boxes and fewer inside, of which no branch foretells where they begin: all are written
+/// down, and those inside kept.
+void TriangleRaster::note_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column) {
+  std::size_t count = inside_count_;
+  for (std::size_t column = 0; column < columns; ++column) {
+    inside_[count] = {line + column, at};
+    count += (at[0] | at[1] | at[2]) >= 0 ? 1 : 0;
+    for (std::size_t k = 0; k < 3; ++k) at[k] += by_column[k];
+  }
+  inside_count_ = count;
+}
+
+void TriangleRaster::visit_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column) {
+  std::size_t column = 0;
+  const auto go_on = [&] {
+    for (std::size_t k = 0; k < 3; ++k) at[k] += by_column[k];
+    ++column;
+  };
+  while (column < columns && (at[0] | at[1] | at[2]) < 0) go_on();
+  for (; column < columns && (at[0] | at[1] | at[2]) >= 0; go_on()) visit(line + column, at);
 }
 
 /// A line that meets the triangle. `inside`: twice the areas that it makes with the edges, less 1 with those that are not owned.
-void TriangleRaster::visit(std::size_t line, std::array<std::int64_t, 3> inside) {
+void TriangleRaster::visit(std::size_t line, const Areas& inside) {
   float& covered = covered_from(line);
   if (nearest_ > covered) return;
   if (!is_met_) meet();

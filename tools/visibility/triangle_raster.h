@@ -52,6 +52,14 @@ class TriangleRaster {
     std::int32_t first_column, last_column, first_row, last_row;
   };
 
+  /// Twice those that a line makes with the three edges, less 1 with those that are not owned.
+  using Areas = std::array<std::int64_t, 3>;
+  struct InsideLine {
+    std::size_t line;
+    Areas areas;
+  };
+  static constexpr std::size_t kFewLines = 64;
+
   [[nodiscard]] static std::int64_t edge(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y);
   [[nodiscard]] static bool owns_edge(const Corner& a, const Corner& b);
   [[nodiscard]] std::vector<Met> met_triangles() const;
@@ -62,7 +70,9 @@ class TriangleRaster {
   void meet();
   [[nodiscard]] MipChoice mip() const;
   void visit_lines(const Met& box);
-  void visit(std::size_t line, std::array<std::int64_t, 3> inside);
+  void note_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column);
+  void visit_row(std::size_t line, std::size_t columns, Areas at, const Areas& by_column);
+  void visit(std::size_t line, const Areas& inside);
 
   const HairSurface& hair_;
   std::span<const Eigen::Vector3f> positions_;
@@ -89,6 +99,8 @@ class TriangleRaster {
   Eigen::Vector3f point_[3];
   Eigen::Vector2f uv_[3];
   MipChoice mip_;
+  std::array<InsideLine, kFewLines + 1> inside_;  ///< Lines inside it, and room for one that is not.
+  std::size_t inside_count_ = 0;
 };
 
 }  // namespace coif

@@ -78,21 +78,25 @@ Eigen::Vector3f direction_in_cell(std::uint32_t cell, std::uint32_t index) {
   return direction.normalized();
 }
 
+SampledView sample_view(const HairSurface& hair, std::span<const HairPositions> poses, const SampleSettings& settings,
+                        std::uint32_t cell, std::uint32_t number) {
+  const std::uint32_t turn = number + settings.seed;
+  const std::uint32_t pose = pose_of_view(cell, turn, poses.size());
+  ViewGrid grid;
+  grid.towards_eye = direction_in_cell(cell, turn);
+  grid.spacing = line_spacing(poses.front(), settings.lines);
+  grid.pixel = settings.pixel;
+  grid.solid_alpha = settings.solid_alpha;
+  grid.past_head = false;
+  const FragmentView view(hair, poses[pose], grid);
+  return {cell, pose, SightLines(view, settings.solid_alpha)};
+}
+
 std::vector<SampledView> sample_cell(const HairSurface& hair, std::span<const HairPositions> poses,
                                      const SampleSettings& settings, std::uint32_t cell) {
-  const float spacing = line_spacing(poses.front(), settings.lines);
   std::vector<SampledView> views;
   for (std::uint32_t i = 0; i < settings.views_per_cell; ++i) {
-    const std::uint32_t turn = i + settings.seed;
-    const std::uint32_t pose = pose_of_view(cell, turn, poses.size());
-    ViewGrid grid;
-    grid.towards_eye = direction_in_cell(cell, turn);
-    grid.spacing = spacing;
-    grid.pixel = settings.pixel;
-    grid.solid_alpha = settings.solid_alpha;
-    grid.past_head = false;
-    const FragmentView view(hair, poses[pose], grid);
-    views.push_back({cell, pose, SightLines(view, settings.solid_alpha)});
+    views.push_back(sample_view(hair, poses, settings, cell, i));
   }
   return views;
 }

@@ -18,7 +18,7 @@ constexpr double kLeastGainOfHundredth = 0.01;  ///< dB that each further hundre
 double gain_of(double share) { return -10 * std::log10(1 - std::min(share, 0.99)); }
 
 Crossings figures_of(const SeenCrossings& seen) {
-  return {seen.pairs, seen.lost > 0 ? seen.unavoidable / seen.lost : 0, std::nullopt};
+  return {seen.pairs, seen.lost > 0 ? seen.unavoidable / seen.lost : 0, std::nullopt, {}};
 }
 
 }  // namespace
@@ -27,15 +27,18 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
                              std::span<const Eigen::Vector3f> positions, const FoundOrders& drawn,
                              std::size_t most_added, const SampleSettings& settings,
                              const std::function<double()>& share_of_order) {
+  CrossingSearch search(hair, positions, drawn.by_view, drawn.rule, settings);
+  const auto uncut = [&](Crossings crossings) {
+    crossings.votes = search.take_votes();
+    return crossings;
+  };
   // A glance tells most hair from that where crossings matter.
-  SampleSettings glance = settings;
-  glance.views_per_cell = 1;
-  Crossings result = figures_of(find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, glance));
-  if (gain_of(result.share) < kLeastGain) return result;
-  const SeenCrossings seen = find_seen_crossings(hair, positions, drawn.by_view, drawn.rule, settings);
+  Crossings result = figures_of(search.look(1));
+  if (gain_of(result.share) < kLeastGain) return uncut(std::move(result));
+  const SeenCrossings seen = search.look(settings.views_per_cell);
   result = figures_of(seen);
   const double of_order = share_of_order();
-  if (gain_of(of_order * result.share) < kLeastGain) return result;
+  if (gain_of(of_order * result.share) < kLeastGain) return uncut(std::move(result));
   CutSettings cutting;
   cutting.most_added = most_added;
   cutting.shortest_edge = line_spacing(positions, settings.lines);
@@ -43,7 +46,7 @@ Crossings cut_where_crossing(const AssetContents& contents, const HairSurface& h
   SplitMesh mesh(contents);
   const CutResult cut = cut_crossings(seen, cutting, mesh);
   const double gain = gain_of(of_order * cut.gained / seen.lost);
-  if (gain < kLeastGain) return result;
+  if (gain < kLeastGain) return uncut(std::move(result));
   CutHair made{contents, drawn, cut.cuts, cut.added, gain};
   const std::vector<std::uint32_t> origin = mesh.write_to(made.contents);
   for (UnitOrder& order : made.orders.by_view.orders) order = triangles_in_order(order, origin);

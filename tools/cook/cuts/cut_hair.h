@@ -2,6 +2,7 @@
 
 #include "cook/cuts/split_mesh.h"
 #include "visibility/order_search.h"
+#include "visibility/rest_votes.h"
 #include "write/asset_writer.h"
 
 #include <Eigen/Core>
@@ -29,6 +30,7 @@ struct Crossings {
   std::size_t pairs = 0;       ///< Triangles of which neither is before the other all over some picture.
   double share = 0;            ///< Of what pictures in these orders lose by wrong order: what no order could help.
   std::optional<CutHair> cut;  ///< None where cutting would gain too little.
+  RestVotes votes;             ///< Of what was looked at, where nothing is cut.
 };
 
 /// Cuts the hair of `contents`, drawn as `hair` is in the orders by direction and by the rule of `drawn`, where this puts most right

@@ -2,9 +2,8 @@
 
 #include "base/parallel_for.h"
 
-#include <coif/view_cells.h>
-
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace coif {
@@ -19,12 +18,6 @@ struct LayerPair {
   float near_depth, far_depth;
   float weight;
   bool lower_is_near;
-};
-
-struct ViewPairs {
-  std::vector<CrossingSample> samples;
-  std::vector<std::uint64_t> crossing;  ///< Pairs of triangles.
-  double unavoidable = 0, lost = 0;
 };
 
 std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) {
@@ -68,13 +61,71 @@ CrossingSample sample_of(const LayerPair& pair, const FragmentView& view, std::u
           pair.weight};
 }
 
-/// `place`: of each triangle in the order that the view is drawn with.
-ViewPairs pairs_of(const FragmentView& view, std::uint32_t number, std::span<const std::uint32_t> place,
-                   const DrawRule& rule) {
+}  // namespace
+
+CrossingSearch::CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
+                               const CellOrders& orders, const DrawRule& rule, const SampleSettings& settings)
+    : hair_(hair),
+      positions_(positions),
+      rule_(rule),
+      settings_(settings),
+      order_of_(orders.order_of),
+      views_(kViewCells * settings.views_per_cell),
+      own_(hair.triangles.size()),
+      votes_(rule, settings.views_per_cell) {
+  std::iota(own_.begin(), own_.end(), 0u);
+  for (const UnitOrder& order : orders.orders) places_.push_back(places_in(order, order.size()));
+}
+
+SeenCrossings CrossingSearch::look(std::size_t views_per_cell) {
+  const std::size_t wanted = std::min(views_per_cell, settings_.views_per_cell);
+  const auto number_of = [&](std::size_t cell, std::size_t i) { return cell * settings_.views_per_cell + i; };
+  if (wanted > looked_at_) {
+    const std::size_t missing = wanted - looked_at_;
+    parallel_for(kViewCells * missing, settings_.threads, [&](std::size_t v) {
+      const std::size_t number = number_of(v / missing, looked_at_ + v % missing);
+      views_[number] = view_of(number);
+    });
+    looked_at_ = wanted;
+  }
+  SeenCrossings all;
+  std::vector<std::uint64_t> crossing;
+  for (std::size_t v = 0; v < kViewCells * wanted; ++v) {
+    const View& view = views_[number_of(v / wanted, v % wanted)];
+    all.samples.insert(all.samples.end(), view.samples.begin(), view.samples.end());
+    crossing.insert(crossing.end(), view.crossing.begin(), view.crossing.end());
+    all.unavoidable += view.unavoidable;
+    all.lost += view.lost;
+  }
+  std::ranges::sort(crossing);
+  all.pairs = std::size_t(std::ranges::unique(crossing).begin() - crossing.begin());
+  return all;
+}
+
+CrossingSearch::View CrossingSearch::view_of(std::size_t number) {
+  const auto cell = std::uint32_t(number / settings_.views_per_cell);
+  const auto turn = std::uint32_t(number % settings_.views_per_cell) + settings_.seed;
+  ViewGrid grid;
+  grid.towards_eye = direction_in_cell(cell, turn);
+  grid.spacing = line_spacing(positions_, settings_.lines);
+  grid.pixel = settings_.pixel;
+  grid.solid_alpha = rule_.opaque_threshold;
+  grid.past_head = false;
+  const FragmentView view(hair_, positions_, grid);
+  constexpr std::size_t kPoses = 2;  // of hair that moves: rest takes every other turn
+  if (pose_of_view(cell, turn, kPoses) == 0) {
+    const SightLines lines(view, rule_.opaque_threshold);
+    votes_.keep(cell, number % settings_.views_per_cell, votes_of(lines, own_, rule_));
+  }
+  return crossings_in(view, number);
+}
+
+CrossingSearch::View CrossingSearch::crossings_in(const FragmentView& view, std::size_t number) const {
+  const std::span<const std::uint32_t> place = places_[order_of_[number / settings_.views_per_cell]];
   std::vector<LayerPair> pairs;
-  for (std::size_t i = 0; i < view.line_count(); ++i) add_pairs(view, i, rule, pairs);
+  for (std::size_t i = 0; i < view.line_count(); ++i) add_pairs(view, i, rule_, pairs);
   std::ranges::stable_sort(pairs, {}, &LayerPair::triangles);
-  ViewPairs found;
+  View found;
   for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
     double low_near = 0, high_near = 0;
     for (; end < pairs.size() && pairs[end].triangles == pairs[begin].triangles; ++end) {
@@ -86,40 +137,11 @@ ViewPairs pairs_of(const FragmentView& view, std::uint32_t number, std::span<con
     if (least <= 0) continue;
     found.unavoidable += least;
     found.crossing.push_back(pairs[begin].triangles);
-    for (std::size_t i = begin; i < end; ++i) found.samples.push_back(sample_of(pairs[i], view, number));
+    for (std::size_t i = begin; i < end; ++i) {
+      found.samples.push_back(sample_of(pairs[i], view, std::uint32_t(number)));
+    }
   }
   return found;
-}
-
-}  // namespace
-
-SeenCrossings find_seen_crossings(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                                  const CellOrders& orders, const DrawRule& rule, const SampleSettings& settings) {
-  const float spacing = line_spacing(positions, settings.lines);
-  std::vector<std::vector<std::uint32_t>> places;
-  for (const UnitOrder& order : orders.orders) places.push_back(places_in(order, order.size()));
-  std::vector<ViewPairs> views(kViewCells * settings.views_per_cell);
-  parallel_for(views.size(), settings.threads, [&](std::size_t v) {
-    const auto cell = std::uint32_t(v / settings.views_per_cell);
-    ViewGrid grid;
-    grid.towards_eye = direction_in_cell(cell, std::uint32_t(v % settings.views_per_cell) + settings.seed);
-    grid.spacing = spacing;
-    grid.pixel = settings.pixel;
-    grid.solid_alpha = rule.opaque_threshold;
-    const FragmentView view(hair, positions, grid);
-    views[v] = pairs_of(view, std::uint32_t(v), places[orders.order_of[cell]], rule);
-  });
-  SeenCrossings all;
-  std::vector<std::uint64_t> crossing;
-  for (const ViewPairs& view : views) {
-    all.samples.insert(all.samples.end(), view.samples.begin(), view.samples.end());
-    crossing.insert(crossing.end(), view.crossing.begin(), view.crossing.end());
-    all.unavoidable += view.unavoidable;
-    all.lost += view.lost;
-  }
-  std::ranges::sort(crossing);
-  all.pairs = std::size_t(std::ranges::unique(crossing).begin() - crossing.begin());
-  return all;
 }
 
 }  // namespace coif

@@ -3,12 +3,17 @@
 #include "visibility/fragment_view.h"
 #include "visibility/linear_order.h"
 #include "visibility/order_error.h"
+#include "visibility/rest_votes.h"
+
+#include <coif/view_cells.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace coif {
@@ -31,9 +36,39 @@ struct SeenCrossings {
   double lost = 0;  ///< What the orders lose, that included.
 };
 
-/// Looks at the hair along as many lines, from as many sides and with the threads that `settings` say. `orders`: of all triangles.
-[[nodiscard]] SeenCrossings find_seen_crossings(const HairSurface& hair, std::span<const Eigen::Vector3f> positions,
-                                                const CellOrders& orders, const DrawRule& rule,
-                                                const SampleSettings& settings);
+/// Looks at the hair from all sides for what crosses.
+class CrossingSearch {
+ public:
+  /// Along as many lines, from as many sides at most, and with the threads that `settings` say. `orders`: of all triangles. Keeps references
+  /// to the hair and its positions.
+  CrossingSearch(const HairSurface& hair, std::span<const Eigen::Vector3f> positions, const CellOrders& orders,
+                 const DrawRule& rule, const SampleSettings& settings);
+
+  /// From so many sides of each cell; those that it was looked at from before are not taken again.
+  [[nodiscard]] SeenCrossings look(std::size_t views_per_cell);
+
+  /// Votes of those of its views that orders are found from, too (pose_of_view()). They are not here afterwards.
+  [[nodiscard]] RestVotes take_votes() { return std::move(votes_); }
+
+ private:
+  struct View {
+    std::vector<CrossingSample> samples;
+    std::vector<std::uint64_t> crossing;  ///< Pairs of triangles.
+    double unavoidable = 0, lost = 0;
+  };
+  [[nodiscard]] View view_of(std::size_t number);
+  [[nodiscard]] View crossings_in(const FragmentView& view, std::size_t number) const;
+
+  const HairSurface& hair_;
+  std::span<const Eigen::Vector3f> positions_;
+  DrawRule rule_;
+  SampleSettings settings_;
+  std::array<std::uint8_t, kViewCells> order_of_;
+  std::vector<std::vector<std::uint32_t>> places_;  ///< Of each triangle in each order.
+  std::vector<View> views_;                         ///< Those of a cell follow each other.
+  std::size_t looked_at_ = 0;                       ///< Of each cell.
+  std::vector<std::uint32_t> own_;                  ///< Each triangle's own number.
+  RestVotes votes_;
+};
 
 }  // namespace coif

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace coif {
@@ -108,19 +109,34 @@ struct Examined {
   double difference = 0;  ///< As Outcome::difference, of the chain that it changes most.
 };
 
-Examined examine_group(const AssetContents& contents, const ChainGroup& group, std::span<const AskedMotions> asked,
-                       const Conditioning& candidate) {
-  Examined examined;
-  for (std::size_t k = 0; k < group.telling.size(); ++k) {
-    const ChainTrial trial = examine(contents, group.telling[k], candidate);
-    if (!trial.finding.is_good) return {false};
-    examined.difference = std::max(examined.difference, rms_apart(asked[k].rig, trial.runs, asked[k].runs));
+/// Of some of kCandidates. Chains of all of them are examined beside each other, no further one of a candidate that is not good.
+std::vector<Examined> examine_group(const AssetContents& contents, const ChainGroup& group,
+                                    std::span<const AskedMotions> asked, std::span<const Conditioning> candidates,
+                                    unsigned threads) {
+  std::vector<std::atomic<bool>> is_bad(candidates.size());
+  std::vector<double> differences(candidates.size() * group.telling.size(), 0);
+  parallel_for(differences.size(), threads, [&](std::size_t task) {
+    const std::size_t k = task / candidates.size(), i = task % candidates.size();
+    if (is_bad[i]) return;
+    const ChainTrial trial = examine(contents, group.telling[k], candidates[i]);
+    if (!trial.finding.is_good) {
+      is_bad[i] = true;
+    } else {
+      differences[task] = rms_apart(asked[k].rig, trial.runs, asked[k].runs);
+    }
+  });
+  std::vector<Examined> examined;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    examined.push_back({!is_bad[i], 0});
+    for (std::size_t task = i; task < differences.size(); task += candidates.size()) {
+      examined[i].difference = std::max(examined[i].difference, differences[task]);
+    }
   }
   return examined;
 }
 
-/// Of the candidates under which every telling chain is good, the one that changes its motion least. Each thread examines a
-/// candidate, and what they find counts in the order of the candidates: it does not depend on how many there are.
+/// Of the candidates under which every telling chain is good, the one that changes its motion least. As many are examined at a
+/// time as there are threads, and what they find counts in the order of the candidates: it does not depend on how many there are.
 Outcome search(const AssetContents& contents, const ChainGroup& group, unsigned threads) {
   std::vector<AskedMotions> asked;
   for (const std::uint32_t chain : group.telling) asked.push_back(artists_motions(contents, chain, threads));
@@ -128,9 +144,9 @@ Outcome search(const AssetContents& contents, const ChainGroup& group, unsigned 
   std::size_t good = 0;
   const std::size_t enough = enough_good(contents.chains[group.telling[0]].bone_count);
   for (std::size_t first = 0; first < std::size(kCandidates) && good < enough; first += threads) {
-    std::vector<Examined> batch(std::min<std::size_t>(threads, std::size(kCandidates) - first));
-    parallel_for(batch.size(), threads,
-                 [&](std::size_t i) { batch[i] = examine_group(contents, group, asked, kCandidates[first + i]); });
+    const std::span<const Conditioning> all(kCandidates);
+    const auto tried = all.subspan(first, std::min<std::size_t>(threads, all.size() - first));
+    const std::vector<Examined> batch = examine_group(contents, group, asked, tried, threads);
     for (std::size_t i = 0; i < batch.size() && good < enough; ++i) {
       if (!batch[i].is_good) continue;
       if (good == 0 || batch[i].difference < outcome.difference) {

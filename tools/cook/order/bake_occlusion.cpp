@@ -91,10 +91,12 @@ class LitSide {
  private:
   [[nodiscard]] float along(std::size_t line, const Receiver& receiver) const {
     const float depth = -receiver.point.dot(towards_);
+    const Vector3f origin = view_.place(line, 0);
     float passes = 1;
     for (const Fragment& fragment : view_.line(line)) {
       if (fragment.depth >= depth || passes < kNoLight) break;
-      if (!is_own(fragment, view_.place(line, fragment.depth) - receiver.point, receiver)) passes *= 1 - fragment.alpha;
+      const Vector3f place = origin - fragment.depth * towards_;
+      if (!is_own(fragment, place - receiver.point, receiver)) passes *= 1 - fragment.alpha;
     }
     return passes;
   }

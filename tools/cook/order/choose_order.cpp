@@ -4,7 +4,7 @@
 #include "cook/cuts/cut_hair.h"
 #include "cook/order/order_notes.h"
 #include "cook/order/order_poses.h"
-#include "cook/texture/alpha.h"
+#include "cook/order/threshold_alpha.h"
 #include "lab/rig.h"
 #include "visibility/order_search.h"
 
@@ -47,22 +47,17 @@ UnitOrder by_head_distance(std::span<const PatchRecord> patches) {
   return order;
 }
 
-/// The hair as it is drawn with some opaque threshold.
-HairSurface with_threshold(AssetContents contents, std::span<const Image> used, float threshold) {
-  contents.material.front().opaque_threshold = threshold;
-  keep_coverage(used, contents);
-  return HairSurface(OpenedAsset(contents).asset());
-}
-
 class OrderChoice {
  public:
-  OrderChoice(const Recipe& recipe, std::span<const Image> used, unsigned threads, const AssetContents& contents,
-              std::span<const HairPositions> poses)
+  /// `asset`: the contents, opened.
+  OrderChoice(const Recipe& recipe, unsigned threads, const AssetContents& contents, const Asset& asset,
+              std::span<const HairPositions> poses, ThresholdAlpha& alpha)
       : recipe_(recipe),
-        used_(used),
         contents_(contents),
         poses_(poses),
-        head_(by_head_distance(OpenedAsset(contents).asset().lod_patches(0))),
+        alpha_(alpha),
+        hair_(asset),
+        head_(by_head_distance(asset.lod_patches(0))),
         usual_threshold_(contents.material.front().opaque_threshold) {
     settings_.max_orders = most_orders();
     settings_.min_gain = recipe.order_method == "views" ? 0 : recipe.order_min_gain;
@@ -72,7 +67,7 @@ class OrderChoice {
     const std::size_t wanted = std::clamp(triangles / kTrianglesPerView, kFewestViews, kMostViews);
     settings_.views_per_cell = std::clamp<std::size_t>(kMostWork / triangles, 1, wanted);
     limit_work();
-    judged_.emplace(judged_hair(SeenHair(OpenedAsset(contents).asset()), poses, settings_));
+    judged_.emplace(judged_hair(hair_, poses, settings_));
   }
 
   /// With as many views as tell which directions belong together, and layers of all alphas that may be blended.
@@ -84,8 +79,8 @@ class OrderChoice {
     quick.judge_views_per_cell = kQuickJudgeViews;
     quick.views_per_cell = std::min(kQuickViews, settings_.views_per_cell);
     quick.lines_per_view = std::min(kQuickLines, settings_.lines_per_view);
-    const HairSurface hair = with_threshold(contents_, used_, quick.opaque_threshold);
-    return search_orders(hair, *judged_, poses_, head_, quick);
+    if (recipe_.opaque_threshold == 0) prepare_first(quick.opaque_threshold);
+    return search_orders(with_threshold(quick.opaque_threshold), *judged_, poses_, head_, quick);
   }
 
   /// The recipe's, or what those orders look best with.
@@ -94,11 +89,11 @@ class OrderChoice {
   }
 
   /// `quick`: by quick_search(), of this hair or of the same before it was cut.
-  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold) const {
+  /// `seen`: of this hair with this threshold.
+  [[nodiscard]] FoundOrders refine(const FoundOrders& quick, float threshold, const RestVotes& seen) const {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
-    const HairSurface hair = with_threshold(contents_, used_, threshold);
-    FoundOrders found = refine_orders(hair, *judged_, poses_, head_, quick, settings);
+    FoundOrders found = refine_orders(with_threshold(threshold), *judged_, poses_, head_, quick, settings, seen);
     if (threshold == usual_threshold_) return found;  // which was compared with it
     const FoundOrders head = by_head();
     found.head = head.head;
@@ -108,7 +103,7 @@ class OrderChoice {
   /// Where triangles cross, seen by as many views as the quick search has.
   [[nodiscard]] Crossings find_crossings(const FoundOrders& quick, float threshold) const {
     if (recipe_.order_cut_budget == 0 || quick.by_view.orders.empty()) return {};
-    const HairSurface hair = with_threshold(contents_, used_, threshold);
+    const HairSurface hair = with_threshold(threshold);
     FoundOrders drawn = quick;
     drawn.rule.opaque_threshold = threshold;
     SampleSettings samples;
@@ -129,6 +124,13 @@ class OrderChoice {
   [[nodiscard]] double share_of_lines() const { return share_of_lines_; }
 
  private:
+  /// The hair as it is drawn with some opaque threshold.
+  [[nodiscard]] HairSurface with_threshold(float threshold) const {
+    HairSurface hair = hair_.surface;
+    hair.alpha = alpha_.at(threshold);
+    return hair;
+  }
+
   /// Fewer views and, by as much, fewer lines in each.
   void limit_work() {
     const HairPositions& rest = poses_.front();
@@ -161,7 +163,7 @@ class OrderChoice {
     OrderSearchSettings settings = settings_;
     settings.opaque_threshold = threshold;
     settings.judge_views_per_cell = views_per_cell;
-    return judge_orders(with_threshold(contents_, used_, threshold), *judged_, orders, settings);
+    return judge_orders(with_threshold(threshold), *judged_, orders, settings);
   }
 
   /// The thesis's way, with the usual threshold.
@@ -173,14 +175,29 @@ class OrderChoice {
     return head;
   }
 
+  [[nodiscard]] auto thresholds_above() const {
+    return kThresholds | std::views::filter([this](float t) { return t > usual_threshold_ + kSameThreshold; });
+  }
+  /// The highest first.
+  [[nodiscard]] auto thresholds_below() const {
+    return kThresholds | std::views::reverse |
+           std::views::filter([this](float t) { return t < usual_threshold_ - kSameThreshold; });
+  }
+
+  /// What the quick search and the first steps of best_threshold() will ask for in any case.
+  void prepare_first(float quick) const {
+    std::vector<float> first{quick, usual_threshold_};
+    for (const float threshold : thresholds_above() | std::views::take(1)) first.push_back(threshold);
+    for (const float threshold : thresholds_below() | std::views::take(1)) first.push_back(threshold);
+    alpha_.prepare(first);
+  }
+
   /// Upwards and downwards from the usual one as long as it helps. Lower thresholds hide more of what should shine through,
   /// and leave less to be sorted and blended: where both are worth the same it is the lower one.
   [[nodiscard]] float best_threshold(const FoundOrders& orders) const {
     const Judged usual{usual_threshold_, worth(orders, usual_threshold_)};
-    const auto above = [&](float threshold) { return threshold > usual_threshold_ + kSameThreshold; };
-    const auto below = [&](float threshold) { return threshold < usual_threshold_ - kSameThreshold; };
-    const Judged higher = climb(orders, usual, kThresholds | std::views::filter(above));
-    const Judged lower = climb(orders, usual, kThresholds | std::views::reverse | std::views::filter(below));
+    const Judged higher = climb(orders, usual, thresholds_above());
+    const Judged lower = climb(orders, usual, thresholds_below());
     return lower.worth >= higher.worth ? lower.threshold : higher.threshold;
   }
 
@@ -206,13 +223,14 @@ class OrderChoice {
   }
 
   const Recipe& recipe_;
-  std::span<const Image> used_;
   const AssetContents& contents_;
   std::span<const HairPositions> poses_;
+  ThresholdAlpha& alpha_;
+  SeenHair hair_;  ///< Its mips have their own alpha yet.
   UnitOrder head_;
   float usual_threshold_;
   OrderSearchSettings settings_;
-  std::optional<JudgedHair> judged_;  ///< Its mips have their own alpha yet.
+  std::optional<JudgedHair> judged_;
   double share_of_lines_ = 1;
 };
 
@@ -229,11 +247,12 @@ tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::sp
                     triangles, kMostTriangles));
     return {};
   }
-  const OpenedAsset opened(contents);
-  if (!opened.asset().is_open()) return {};  // the cooker says why where it opens what it wrote
-  auto poses = find_order_poses(opened.asset(), recipe.order_solver);
+  std::optional<OpenedAsset> opened(std::in_place, contents);
+  if (!opened->asset().is_open()) return {};  // the cooker says why where it opens what it wrote
+  auto poses = find_order_poses(opened->asset(), recipe.order_solver);
   if (!poses) return tl::unexpected(poses.error());
-  std::optional<OrderChoice> choice(std::in_place, recipe, used, threads, contents, *poses);
+  ThresholdAlpha alpha(contents, used, AlphaTexture(opened->asset()), threads);
+  std::optional<OrderChoice> choice(std::in_place, recipe, threads, contents, opened->asset(), *poses, alpha);
   FoundOrders quick = choice->quick_search();
   const float threshold = choice->threshold_for(quick);
   Crossings crossings = choice->find_crossings(quick, threshold);
@@ -241,11 +260,12 @@ tl::expected<OrderFigures, ToolError> choose_order(const Recipe& recipe, std::sp
   if (crossings.cut) {
     contents = std::move(crossings.cut->contents);
     quick = std::move(crossings.cut->orders);
-    poses = find_order_poses(OpenedAsset(contents).asset(), recipe.order_solver);
+    opened.emplace(contents);
+    poses = find_order_poses(opened->asset(), recipe.order_solver);
     if (!poses) return tl::unexpected(poses.error());
-    choice.emplace(recipe, used, threads, contents, *poses);
+    choice.emplace(recipe, threads, contents, opened->asset(), *poses, alpha);
   }
-  const FoundOrders found = choice->refine(quick, threshold);
+  const FoundOrders found = choice->refine(quick, threshold, crossings.votes);
   apply_orders(found, contents);
   note_orders(found, choice->usual_threshold(), findings);
   if (choice->share_of_lines() < 1) {

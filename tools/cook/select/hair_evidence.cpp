@@ -47,15 +47,26 @@ std::vector<bool> nodes_of_meshes(const SourceModel& source) {
   return carries_mesh;
 }
 
+/// Which nodes are what.
+struct NodeKinds {
+  const std::vector<bool>& hair_bones;
+  std::vector<bool> of_eyes, of_head;
+};
+
+std::vector<bool> nodes_of_eyes(const SourceModel& source) {
+  std::vector<bool> of_eyes;
+  for (const SourceNode& node : source.nodes) of_eyes.push_back(is_called_eye(node.name));
+  return of_eyes;
+}
+
 /// Adds one vertex of the piece to its evidence; shares are sums until they are divided.
 /// Returns the vertex's share of hair bones.
-double add_vertex(const SourceModel& source, const SourceMesh& mesh, std::uint32_t v,
-                  const std::vector<bool>& hair_bones, const std::vector<bool>& of_head, PieceEvidence& piece) {
+double add_vertex(const SourceMesh& mesh, std::uint32_t v, const NodeKinds& kinds, PieceEvidence& piece) {
   double hair = 0;
   const auto add = [&](std::uint32_t node, double weight) {
-    if (hair_bones[node]) hair += weight;
-    if (is_called_eye(source.nodes[node].name)) piece.eye_bone_share += weight;
-    if (of_head[node]) piece.head_share += weight;
+    if (kinds.hair_bones[node]) hair += weight;
+    if (kinds.of_eyes[node]) piece.eye_bone_share += weight;
+    if (kinds.of_head[node]) piece.head_share += weight;
   };
   if (mesh.influence_begin.empty()) {
     add(mesh.node, 1);
@@ -157,13 +168,13 @@ std::vector<PieceEvidence> weigh_pieces(const SourceModel& source, const SourceM
                                         const std::vector<bool>& hair_bones, std::uint32_t head_node) {
   std::vector<PieceEvidence> evidence(pieces.count);
   for (PieceEvidence& piece : evidence) piece.height = -1.0e30;
-  const std::vector<bool> of_head = nodes_below(source, head_node);
+  const NodeKinds kinds{hair_bones, nodes_of_eyes(source), nodes_below(source, head_node)};
   for (std::size_t t = 0; t < pieces.piece_of.size(); ++t) {
     PieceEvidence& piece = evidence[pieces.piece_of[t]];
     ++piece.triangles;
     double hair = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      hair += add_vertex(source, mesh, mesh.triangles[3 * t + k], hair_bones, of_head, piece);
+      hair += add_vertex(mesh, mesh.triangles[3 * t + k], kinds, piece);
     }
     piece.largest_triangle_share = std::max(piece.largest_triangle_share, hair / 3);
   }

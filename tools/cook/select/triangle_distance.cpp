@@ -1,6 +1,7 @@
 #include "cook/select/triangle_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -76,9 +77,21 @@ TriangleGrid::TriangleGrid(std::span<const Eigen::Vector3f> positions, std::span
   }
 }
 
+namespace {
+
+/// Whether all of the triangle's box is farther from the point than that, by more than rounding.
+bool is_farther(const Eigen::Vector3f& point, const std::array<Eigen::Vector3f, 3>& corner, double squared) {
+  constexpr double kSlack = 1 - 1.0e-9;
+  const Vector3d low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]).cast<double>();
+  const Vector3d high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]).cast<double>();
+  const Vector3d p = point.cast<double>();
+  return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm() * kSlack > squared;
+}
+
+}  // namespace
+
 template <typename Counts>
 double TriangleGrid::nearest(const Eigen::Vector3f& point, double enough, const Counts& counts) const {
-  const auto corner = [&](std::size_t i) -> Eigen::Vector3d { return positions_[triangles_[i]].cast<double>(); };
   const Cube home = cube_of(point);
   double least = reach_ * reach_;
   for (int i = 0; i < 27; ++i) {
@@ -88,8 +101,13 @@ double TriangleGrid::nearest(const Eigen::Vector3f& point, double enough, const 
     for (std::uint32_t t : cube->second) {
       if (!counts(t)) continue;
       const std::size_t first = 3 * std::size_t(t);
-      least =
-          std::min(least, squared_distance(point.cast<double>(), corner(first), corner(first + 1), corner(first + 2)));
+      const std::array<Eigen::Vector3f, 3> corner = {positions_[triangles_[first]], positions_[triangles_[first + 1]],
+                                                     positions_[triangles_[first + 2]]};
+      // For most triangles of the cubes around a point their boxes tell that another one is nearer.
+      if (!is_farther(point, corner, least)) {
+        least = std::min(least, squared_distance(point.cast<double>(), corner[0].cast<double>(),
+                                                 corner[1].cast<double>(), corner[2].cast<double>()));
+      }
       if (least < enough * enough) return std::sqrt(least);
     }
   }

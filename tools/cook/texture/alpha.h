@@ -52,6 +52,10 @@ void keep_alpha_coverage(std::span<Image> mips, std::span<const Image> used, con
 /// Base colour of `contents` as images, largest mip first; empty without such a texture.
 [[nodiscard]] std::vector<Image> base_color_mips(const AssetContents& contents);
 
+/// Those as keep_coverage() would leave them with this opaque threshold instead of the material's own.
+[[nodiscard]] std::vector<Image> mips_for_threshold(std::span<const Image> used, const AssetContents& contents,
+                                                    float opaque_threshold);
+
 /// Gives the smaller mips of the base colour the coverage that the largest has at the material's thresholds (see
 /// keep_alpha_coverage()). The last thing done to the texels: until here all mips have plainly averaged alpha, and
 /// whoever chooses the threshold sees what the artist painted. `used` says for each mip which texels the hair shows;

@@ -1,51 +1,42 @@
 #include "cook/texture/alpha.h"
+
+#include "cook/texture/alpha_plane.h"
 #include "cook/texture/transparency.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace coif {
 namespace {
 
 constexpr double kRounding = 1.0e-3;  ///< Of 255.
-constexpr std::uint16_t kShares =
-    16;                      ///< Of a sample: nine of its texel, three of two neighbours each, one of the third.
+constexpr int kShares = 16;  ///< Of a sample: nine of its texel, three of two neighbours each, one of the third.
 constexpr int kSamples = 4;  ///< Of a texel.
-
-/// Alphas of a row of texels, and of those beside it: the last one before the first, and the first after the last.
-using AlphaRow = std::vector<std::uint16_t>;
-
-AlphaRow alpha_row(const Image& image, std::uint32_t y) {
-  AlphaRow row(image.width + 2);
-  const std::uint8_t* const texels = &image.texels[4 * std::size_t(y) * image.width];
-  for (std::uint32_t x = 0; x < image.width; ++x) row[x + 1] = texels[4 * std::size_t(x) + 3];
-  row.front() = row[image.width];
-  row.back() = row[1];
-  return row;
-}
 
 class Sums {
  public:
   explicit Sums(const AlphaThresholds& thresholds)
-      : opaque_(std::uint16_t(least_passing(thresholds.opaque))),
-        discard_(std::uint16_t(least_passing(thresholds.discard))) {}
+      : opaque_(std::int16_t(least_passing(thresholds.opaque))),
+        discard_(std::int16_t(least_passing(thresholds.discard))) {}
 
-  void add_texels(const AlphaRow& row, const std::uint8_t* weights) {
-    std::uint32_t weight = 0, opaque = 0;
-    for (std::size_t x = 0; x + 2 < row.size(); ++x) {
+  /// In a plain loop of small numbers, which compilers make vector operations of; so is that of add_samples().
+  void add_texels(const std::int16_t* row, std::span<const std::int16_t> weights) {
+    std::int32_t weight = 0, opaque = 0;
+    for (std::size_t x = 0; x < weights.size(); ++x) {
+      const auto passing = std::int16_t(row[x] >= opaque_ ? weights[x] : 0);
       weight += weights[x];
-      opaque += row[x + 1] >= opaque_ ? weights[x] : 0u;
+      opaque += passing;
     }
-    weight_ += weight;
-    opaque_texels_ += opaque;
+    weight_ += std::uint64_t(weight);
+    opaque_texels_ += std::uint64_t(opaque);
   }
 
   /// Samples a quarter of a texel off the texels' middles, towards the row beside and both sides.
-  void add_samples(const AlphaRow& row, const AlphaRow& beside, const std::uint8_t* weights) {
-    add_samples(row, beside, weights, 0);
-    add_samples(row, beside, weights, 2);
+  void add_samples(const std::int16_t* row, const std::int16_t* beside, std::span<const std::int16_t> weights) {
+    add_samples(row, beside, weights, -1);
+    add_samples(row, beside, weights, 1);
   }
 
   [[nodiscard]] AlphaCoverage result() const {
@@ -56,49 +47,66 @@ class Sums {
   }
 
  private:
-  /// In a plain loop of small numbers, which compilers make vector operations of.
-  void add_samples(const AlphaRow& row, const AlphaRow& beside, const std::uint8_t* weights, std::size_t side) {
-    const auto opaque = std::uint16_t(opaque_ * kShares), discard = std::uint16_t(discard_ * kShares);
-    std::uint32_t opaque_sum = 0;
-    std::uint64_t blended = 0;
+  void add_samples(const std::int16_t* row, const std::int16_t* beside, std::span<const std::int16_t> weights,
+                   std::ptrdiff_t side) {
+    const auto opaque = std::int16_t(opaque_ * kShares), discard = std::int16_t(discard_ * kShares);
     constexpr std::size_t kBatch = 1024;  // sums of so many fit 32 bits
-    for (std::size_t begin = 0; begin + 2 < row.size(); begin += kBatch) {
-      const std::size_t end = std::min(begin + kBatch, row.size() - 2);
-      std::uint32_t batch = 0;
+    for (std::size_t begin = 0; begin < weights.size(); begin += kBatch) {
+      const std::size_t end = std::min(begin + kBatch, weights.size());
+      const std::int16_t *to_side = row + side, *beside_to_side = beside + side;
+      std::int32_t opaque_sum = 0, blended = 0;
       for (std::size_t x = begin; x < end; ++x) {
-        const auto alpha = std::uint16_t(9 * row[x + 1] + 3 * (row[x + side] + beside[x + 1]) + beside[x + side]);
-        const bool is_opaque = alpha >= opaque, is_drawn = alpha >= discard;
-        opaque_sum += is_opaque ? weights[x] : 0u;
-        batch += is_drawn && !is_opaque ? std::uint32_t(weights[x]) * alpha : 0u;
+        const auto alpha = std::int16_t(9 * row[x] + 3 * (to_side[x] + beside[x]) + beside_to_side[x]);
+        const auto solid_weight = std::int16_t(alpha >= opaque ? weights[x] : 0);
+        const auto blended_alpha = std::int16_t(alpha >= discard && alpha < opaque ? alpha : 0);
+        opaque_sum += solid_weight;
+        blended += std::int32_t(weights[x]) * std::int32_t(blended_alpha);
       }
-      blended += batch;
+      opaque_samples_ += std::uint64_t(opaque_sum);
+      blended_ += std::uint64_t(blended);
     }
-    opaque_samples_ += opaque_sum;
-    blended_ += blended;
   }
 
-  std::uint16_t opaque_, discard_;
+  std::int16_t opaque_, discard_;
   std::uint64_t weight_ = 0, opaque_texels_ = 0, opaque_samples_ = 0, blended_ = 0;
 };
 
 }  // namespace
 
+AlphaPlane::AlphaPlane(const Image& image, std::uint32_t channel)
+    : width(image.width), height(image.height), numbers(std::size_t(image.width + 2) * image.height) {
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::uint8_t* const texels = &image.texels[std::size_t(image.channels) * y * width];
+    std::int16_t* const to = row(y);
+    for (std::uint32_t x = 0; x < width; ++x) to[x] = texels[std::size_t(image.channels) * x + channel];
+  }
+  close_rows();
+}
+
+void AlphaPlane::close_rows() {
+  if (width == 0) return;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    std::int16_t* const texels = row(y);
+    texels[-1] = texels[width - 1];
+    texels[width] = texels[0];
+  }
+}
+
 int least_passing(double threshold) { return int(std::clamp(std::ceil(threshold * 255 - kRounding), 0.0, 256.0)); }
 
-AlphaCoverage alpha_coverage(const Image& image, const Image& used, const AlphaThresholds& thresholds) {
+AlphaCoverage alpha_coverage(const AlphaPlane& alpha, const AlphaPlane& used, const AlphaThresholds& thresholds) {
   Sums sums(thresholds);
-  const std::uint32_t height = image.height;
-  if (height == 0) return {};
-  AlphaRow above = alpha_row(image, height - 1), row = alpha_row(image, 0);
-  for (std::uint32_t y = 0; y < height; ++y) {
-    AlphaRow below = alpha_row(image, (y + 1) % height);
-    const std::uint8_t* const weights = &used.texels[std::size_t(y) * image.width];
-    sums.add_texels(row, weights);
-    sums.add_samples(row, above, weights);
-    sums.add_samples(row, below, weights);
-    above = std::exchange(row, std::move(below));
+  for (std::uint32_t y = 0; y < alpha.height; ++y) {
+    const std::span weights(used.row(y), alpha.width);
+    sums.add_texels(alpha.row(y), weights);
+    sums.add_samples(alpha.row(y), alpha.row((y + alpha.height - 1) % alpha.height), weights);
+    sums.add_samples(alpha.row(y), alpha.row((y + 1) % alpha.height), weights);
   }
   return sums.result();
+}
+
+AlphaCoverage alpha_coverage(const Image& image, const Image& used, const AlphaThresholds& thresholds) {
+  return alpha_coverage(AlphaPlane(image, 3), AlphaPlane(used, 0), thresholds);
 }
 
 namespace {

@@ -1,5 +1,7 @@
 #include "cook/texture/alpha.h"
 
+#include "cook/texture/alpha_plane.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,7 +75,8 @@ class MipAlpha {
  public:
   MipAlpha(Image& mip, const Image& used, const AlphaThresholds& thresholds, double solid_share)
       : mip_(mip),
-        used_(used),
+        alpha_(mip, 3),
+        used_(used, 0),
         thresholds_(thresholds),
         rank_(ranks(mip)),
         from_(solid_from(rank_, used, solid_share)) {
@@ -91,6 +94,10 @@ class MipAlpha {
       search(blend_factor_, wanted.opacity, &AlphaCoverage::opacity);
     }
     apply();
+    for (std::uint32_t y = 0; y < mip_.height; ++y) {
+      std::uint8_t* const texels = &mip_.texels[4 * std::size_t(y) * mip_.width];
+      for (std::uint32_t x = 0; x < mip_.width; ++x) texels[4 * std::size_t(x) + 3] = std::uint8_t(alpha_.row(y)[x]);
+    }
   }
 
  private:
@@ -100,7 +107,7 @@ class MipAlpha {
     double low = 0, high = largest_factor_;
     for (int step = 0; step <= kSearchSteps; ++step) {
       apply();
-      const double found = alpha_coverage(mip_, used_, thresholds_).*figure;
+      const double found = alpha_coverage(alpha_, used_, thresholds_).*figure;
       if (std::abs(found - wanted) < kCloseEnough * wanted) return;
       (found < wanted ? low : high) = factor;
       factor = 0.5 * (low + high);
@@ -108,19 +115,23 @@ class MipAlpha {
   }
 
   void apply() {
-    std::array<std::array<std::uint8_t, 256>, 2> alpha_of{};
+    std::array<std::array<std::int16_t, 256>, 2> alpha_of{};
     for (std::size_t alpha = 0; alpha < 256; ++alpha) {
       const auto scaled = [&](double factor) { return std::floor(double(alpha) * factor + 0.5); };
-      alpha_of[0][alpha] = std::uint8_t(std::min<double>(scaled(blend_factor_), least() - 1));
-      alpha_of[1][alpha] = std::uint8_t(std::clamp<double>(scaled(solid_factor_), least(), 255));
+      alpha_of[0][alpha] = std::int16_t(std::min<double>(scaled(blend_factor_), least() - 1));
+      alpha_of[1][alpha] = std::int16_t(std::clamp<double>(scaled(solid_factor_), least(), 255));
     }
-    for (std::size_t i = 0; i < rank_.size(); ++i) {
-      mip_.texels[4 * i + 3] = alpha_of[rank_[i] >= from_ ? 1 : 0][rank_[i] >> 24];
+    for (std::uint32_t y = 0; y < alpha_.height; ++y) {
+      const std::uint32_t* const rank = &rank_[std::size_t(y) * alpha_.width];
+      std::int16_t* const alpha = alpha_.row(y);
+      for (std::uint32_t x = 0; x < alpha_.width; ++x) alpha[x] = alpha_of[rank[x] >= from_ ? 1 : 0][rank[x] >> 24];
     }
+    alpha_.close_rows();
   }
 
   Image& mip_;
-  const Image& used_;
+  AlphaPlane alpha_;  ///< Of the mip, as the factors make it.
+  AlphaPlane used_;
   AlphaThresholds thresholds_;
   std::vector<std::uint32_t> rank_;
   std::uint32_t from_;
@@ -160,9 +171,9 @@ double share_off(double found, double wanted, double texels) {
 }
 
 /// Of the base texture's texels; nothing where the hair is opaque whatever they say.
-std::optional<AlphaThresholds> thresholds_in_use(const AssetContents& contents) {
-  if (find_base_color(contents) == nullptr || contents.material.empty()) return {};
-  const AlphaThresholds thresholds = thresholds_in_texture(contents.material[0]);
+std::optional<AlphaThresholds> thresholds_in_use(const AssetContents& contents, const MaterialRecord& material) {
+  if (find_base_color(contents) == nullptr) return {};
+  const AlphaThresholds thresholds = thresholds_in_texture(material);
   return least_passing(thresholds.opaque) == 0 ? std::nullopt : std::optional(thresholds);
 }
 
@@ -183,20 +194,29 @@ std::vector<Image> base_color_mips(const AssetContents& contents) {
   return mips;
 }
 
-void keep_coverage(std::span<const Image> used, AssetContents& contents) {
-  const auto thresholds = thresholds_in_use(contents);
-  if (!thresholds) return;
+std::vector<Image> mips_for_threshold(std::span<const Image> used, const AssetContents& contents,
+                                      float opaque_threshold) {
   std::vector<Image> mips = base_color_mips(contents);
-  keep_alpha_coverage(mips, used, *thresholds);
-  std::byte* to = contents.texels.data() + find_base_color(contents)->offset;
-  for (const Image& mip : mips) {
+  if (contents.material.empty()) return mips;
+  MaterialRecord material = contents.material[0];
+  material.opaque_threshold = opaque_threshold;
+  if (const auto thresholds = thresholds_in_use(contents, material)) keep_alpha_coverage(mips, used, *thresholds);
+  return mips;
+}
+
+void keep_coverage(std::span<const Image> used, AssetContents& contents) {
+  const TextureRecord* const record = find_base_color(contents);
+  if (record == nullptr || contents.material.empty()) return;
+  std::byte* to = contents.texels.data() + record->offset;
+  for (const Image& mip : mips_for_threshold(used, contents, contents.material[0].opaque_threshold)) {
     std::memcpy(to, mip.texels.data(), mip.texels.size());
     to += mip.texels.size();
   }
 }
 
 void report_coverage(std::span<const Image> used, const AssetContents& contents, Findings& findings) {
-  const auto thresholds = thresholds_in_use(contents);
+  if (contents.material.empty()) return;
+  const auto thresholds = thresholds_in_use(contents, contents.material[0]);
   if (!thresholds) return;
   const std::vector<Image> mips = base_color_mips(contents);
   const AlphaCoverage wanted = alpha_coverage(mips[0], used[0], *thresholds);

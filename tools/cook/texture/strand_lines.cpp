@@ -54,25 +54,23 @@ struct Ends {
   }
 };
 
-double squared_step(const Image& image, std::size_t from, std::size_t to) {
-  double sum = 0;
+int squared_step(const Image& image, std::size_t from, std::size_t to) {
+  int sum = 0;
   for (std::uint32_t c = 0; c < image.channels; ++c) {
-    const double step = double(image.texels[image.channels * from + c]) - image.texels[image.channels * to + c];
+    const int step = int(image.texels[image.channels * from + c]) - int(image.texels[image.channels * to + c]);
     sum += step * step;
   }
   return sum;
 }
 
 void ask(const Image& image, const Vector2f& uv, Votes& votes) {
-  const auto at = [&](int dx, int dy) {
-    const std::size_t x = repeated(uv.x() + float(dx) / float(image.width), image.width);
-    const std::size_t y = repeated(uv.y() + float(dy) / float(image.height), image.height);
-    return y * image.width + x;
-  };
+  const std::size_t column = repeated(uv.x(), image.width), row = repeated(uv.y(), image.height) * image.width;
   double along_u = 0, along_v = 0;
   for (int step = -kReach; step <= kReach; ++step) {
-    along_u += squared_step(image, at(0, 0), at(step, 0));
-    along_v += squared_step(image, at(0, 0), at(0, step));
+    const std::size_t other_column = repeated(uv.x() + float(step) / float(image.width), image.width);
+    const std::size_t other_row = repeated(uv.y() + float(step) / float(image.height), image.height) * image.width;
+    along_u += squared_step(image, row + column, row + other_column);
+    along_v += squared_step(image, row + column, other_row + column);
   }
   votes.asked += 1;
   if (along_u + along_v < kSteep * kSteep) return;

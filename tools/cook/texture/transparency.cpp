@@ -206,7 +206,9 @@ void mark_row(double low, double high, std::uint32_t y, Image& used) {
   std::uint8_t* row = &used.texels[std::size_t(y) * used.width];
   const auto count = std::uint32_t(std::min<double>(std::floor(high) - std::floor(low) + 1, used.width));
   const std::uint32_t first = wrapped(std::floor(low), used.width);
-  for (std::uint32_t i = 0; i < count; ++i) row[(first + i) % used.width] = 255;
+  const std::uint32_t to_end = std::min(count, used.width - first);
+  std::fill_n(row + first, to_end, std::uint8_t{255});
+  std::fill_n(row, count - to_end, std::uint8_t{255});  // what goes on from the other side
 }
 
 /// Returns false where no other triangle can add to what is used: broken files repeat a large texture in every one.

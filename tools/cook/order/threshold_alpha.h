@@ -1,0 +1,33 @@
+#pragma once
+
+#include "cook/texture/image.h"
+#include "visibility/hair_surface.h"
+#include "write/asset_writer.h"
+
+#include <map>
+#include <span>
+
+namespace coif {
+
+/// Alpha of the hair as it is drawn with one or another opaque threshold, for each of which mips keep their coverage
+/// (mips_for_threshold()). Each is made once.
+class ThresholdAlpha {
+ public:
+  /// `plain`: of the contents as they are. Keeps references to contents and `used`, whose texels must not change.
+  ThresholdAlpha(const AssetContents& contents, std::span<const Image> used, AlphaTexture plain, unsigned threads)
+      : contents_(contents), used_(used), plain_(std::move(plain)), threads_(threads) {}
+
+  /// Makes those that are missing, beside each other.
+  void prepare(std::span<const float> thresholds);
+
+  [[nodiscard]] const AlphaTexture& at(float threshold);
+
+ private:
+  const AssetContents& contents_;
+  std::span<const Image> used_;
+  AlphaTexture plain_;
+  unsigned threads_;
+  std::map<float, AlphaTexture> made_;
+};
+
+}  // namespace coif
