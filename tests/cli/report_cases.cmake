@@ -35,6 +35,11 @@ coif_cli_case(report_accuracy_json EXIT 0 SAMPLE WRITES out.json TIMEOUT 300
        rows,1,penetration_max_pct rows,1,pareto spread,0,frame_rate_spread_pct reference,0,motion
        reference,0,self_difference_pct settle,0,settle_error_pct chosen
   ARGS report ${COIF_COOKED_SAMPLE} ${short} -o out.json --format json)
+coif_cli_case(report_accuracy_of_told_velocities EXIT 0 SAMPLE TIMEOUT 300
+  STDOUT "bob.coif: .*told how fast the head arrives" ARGS report ${COIF_COOKED_SAMPLE} accuracy ${short} --velocities)
+coif_cli_case(report_velocities_for_cost EXIT 1
+  STDERR "coif report: error: --velocities is for 'coif report FILE.coif accuracy' only; leave it out"
+  ARGS report a.coif cost --velocities)
 coif_cli_case(report_stability_page EXIT 0 SAMPLE WRITES out.html TIMEOUT 300
   STDOUT "bob.coif: [0-9]+ bones, .*\n  thesis +[0-9]+ .*cases of stress.*out.html: written"
   ARGS report ${COIF_COOKED_SAMPLE} stability --solver thesis -o out.html)

@@ -69,6 +69,20 @@ TEST_F(AccuracyTest, ErrorFallsWithTheFrameRateAndWithSubsteps) {
   EXPECT_GT(error(60, 2), 0);
 }
 
+TEST_F(AccuracyTest, ToldVelocitiesTakeOutWhatSubstepsCannot) {
+  AccuracySettings settings = quick();
+  settings.motions = {Motion::kCharge};
+  settings.fps = {30};
+  settings.substeps = {16};
+  settings.solvers = {"coif", "thesis"};
+  const auto guessed = measure(settings);
+  settings.tells_velocities = true;
+  const auto told = measure(settings);
+  ASSERT_TRUE(guessed && told);
+  EXPECT_LT(told->rows[0].rms_error_pct, 0.2 * guessed->rows[0].rms_error_pct);
+  EXPECT_EQ(told->rows[1].rms_error_pct, guessed->rows[1].rms_error_pct) << "Algorithm 1 has no use for them";
+}
+
 TEST_F(AccuracyTest, FrontOfEachMotionAndRateIsWhatNothingBeats) {
   const auto report = measure(quick());
   ASSERT_TRUE(report);

@@ -76,6 +76,8 @@ std::vector<const CLI::Option*> add_accuracy_options(CLI::App& app, ReportOption
           app.add_option("--seconds", accuracy.seconds, "Length of each motion")
               ->check(CLI::Range(0.1, 60.0))
               ->capture_default_str(),
+          app.add_flag("--velocities", accuracy.tells_velocities,
+                       "Tell the runtime with each pose how fast the head moves, as hosts may that know it"),
           app.add_option("--budget", accuracy.budget_rms_pct, "RMS error that is good enough, % of a chain's length")
               ->check(CLI::Range(0.001, 1000.0))
               ->capture_default_str()};

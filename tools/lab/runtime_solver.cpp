@@ -44,7 +44,7 @@ bool RuntimeSolver::step(const HeadPose& head, double dt) {
   return hair_.set_head(0, head) == Status::kOk && hair_.step(settings_) == Status::kOk;
 }
 
-bool RuntimeSolver::step(const HeadPose& head, const HeadVelocity& velocity, double dt) {
+bool RuntimeSolver::step_told(const HeadPose& head, const HeadVelocity& velocity, double dt) {
   settings_.dt = float(dt);
   return hair_.set_head(0, head, velocity) == Status::kOk && hair_.step(settings_) == Status::kOk;
 }

@@ -46,6 +46,11 @@ class ChainSolver {
   /// Moves the head to `head` within `dt` seconds. False where the solver refuses the input and keeps its state.
   [[nodiscard]] virtual bool step(const HeadPose& head, double dt) = 0;
 
+  /// The same where the host also knows how fast the head arrives; most solvers have no use for it.
+  [[nodiscard]] virtual bool step_told(const HeadPose& head, const HeadVelocity& /*velocity*/, double dt) {
+    return step(head, dt);
+  }
+
   /// Tails of the simulated bones, head space, metres; the order of Rig::bones. May hold NaN after a step that exploded.
   [[nodiscard]] virtual std::span<const Eigen::Vector3d> bone_ends() const = 0;
 };
@@ -61,8 +66,7 @@ class RuntimeSolver final : public ChainSolver {
   [[nodiscard]] bool set_colliders(std::span<const MovingCollider> colliders) override;
   [[nodiscard]] bool set_body(std::span<const BodyPose> bones) override;
   [[nodiscard]] bool step(const HeadPose& head, double dt) override;
-  /// As a host that knows how fast the head moves.
-  [[nodiscard]] bool step(const HeadPose& head, const HeadVelocity& velocity, double dt);
+  [[nodiscard]] bool step_told(const HeadPose& head, const HeadVelocity& velocity, double dt) override;
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override;
   /// Of all the asset's bones, as Hair::palette().
   [[nodiscard]] std::span<const Mat34> palette() const { return hair_.palette(0); }

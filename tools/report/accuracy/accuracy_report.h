@@ -152,6 +152,7 @@ struct AccuracyReport {
   std::vector<StrokeRow> stroke;       ///< Of the whole suite with `coif`; else empty.
   double passive_share = 0;            ///< Of the bones: in the model in which bones hold back their parents.
   double conditioned_share = 0;        ///< Of the bones: given other numbers than the artist's, so as to have one motion.
+  bool tells_velocities = false;       ///< To rows; not to swings and strokes.
   std::optional<ChosenSolver> chosen;  ///< Empty where nothing meets the budget.
   double budget_rms_pct = kNoNumber;   ///< The error budget that `chosen` meets.
 };
@@ -173,7 +174,7 @@ void mark_fronts(std::span<AccuracyRow> rows);
 [[nodiscard]] std::string setting_text(const std::string& solver, std::uint32_t substeps);
 
 /// `coif report accuracy` for other programs: the heading, then rows, spread, reference, own_reference, settle, swings,
-/// stroke, conditioned_share and chosen, which is null where no setting meets the budget. The keys are those of the columns.
+/// stroke, conditioned_share, tells_velocities and chosen, which is null where no setting meets the budget. The keys are those of the columns.
 [[nodiscard]] nlohmann::ordered_json accuracy_json(const ReportHeading& heading, const AccuracyReport& report);
 
 /// `coif report accuracy` for a terminal: the summary, and of each solver what is on the Pareto front or least wrong.

@@ -38,6 +38,7 @@ class AccuracyMeasurement {
     const double bones = double(std::max<std::size_t>(sample_.rig.bones.size(), 1));
     report_.passive_share = double(passive) / bones;
     report_.conditioned_share = double(changed) / bones;
+    report_.tells_velocities = settings_.tells_velocities;
     tell("swings");
     report_.swings = measure_swings(asset_);
     if (settings_.motions.empty() && !settings_.clip && has_ours(solvers)) {
@@ -66,7 +67,9 @@ class AccuracyMeasurement {
                         {.sample_times = frame_times(settings_.fps, settings_.seconds), .threads = all_threads()});
     report_.reference.push_back({motion.name, reference.self_difference_pct(), reference.steps_per_second()});
     std::vector<FramePoses> frames;
-    for (const double fps : settings_.fps) frames.emplace_back(*motion.path, fps, settings_.seconds);
+    for (const double fps : settings_.fps) {
+      frames.emplace_back(*motion.path, fps, settings_.seconds, settings_.tells_velocities);
+    }
     const std::size_t first_row = report_.rows.size();
     for (const MeasuredSolver* solver : solvers) {
       tell(fmt::format("{}, {}", solver->name, motion.name));

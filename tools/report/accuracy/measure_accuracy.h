@@ -34,6 +34,7 @@ struct AccuracySettings {
   double seconds = 4;                            ///< Of each motion, at most 60.
   std::vector<std::string> solvers;              ///< Names; empty: as chosen_solvers() says.
   double budget_rms_pct = 2;                     ///< What AccuracyReport::chosen has to meet.
+  bool tells_velocities = false;                 ///< Of the head; solvers that have no use for them ignore them.
 };
 
 /// Runs every solver through every motion at every frame rate beside a converged reference. Takes seconds to minutes.
@@ -43,11 +44,12 @@ tl::expected<AccuracyReport, ToolError> measure_accuracy(const Asset& asset, con
 
 /// A head's poses, frame by frame from time 0, as a game has them.
 struct FramePoses {
-  FramePoses(const HeadPath& path, double fps, double seconds);
+  FramePoses(const HeadPath& path, double fps, double seconds, bool tells_velocities = false);
 
   double fps;
   std::vector<double> times;  ///< Seconds; the first is 0.
   std::vector<HeadPose> poses;
+  std::vector<HeadVelocity> velocities;  ///< With which the head arrives; empty where the game tells none.
 };
 
 /// Times of all frames at all rates, ascending, each once.

@@ -48,11 +48,14 @@ std::vector<Vector3d> tips_at_rest(const Rig& rig) {
 
 }  // namespace
 
-FramePoses::FramePoses(const HeadPath& path, double frames_per_second, double seconds) : fps(frames_per_second) {
+FramePoses::FramePoses(const HeadPath& path, double frames_per_second, double seconds, bool tells_velocities)
+    : fps(frames_per_second) {
+  constexpr double kLittle = 1.0e-6;  // frames: at a corner the head arrives as fast as it came
   const auto count = long(std::floor(seconds * fps + 1.0e-6));
   for (long i = 0; i <= count; ++i) {
     times.push_back(double(i) / fps);
     poses.push_back(path.pose(times.back()));
+    if (tells_velocities) velocities.push_back(velocity_of(path.at(times.back(), times.back() - kLittle / fps)));
   }
 }
 
@@ -68,13 +71,22 @@ std::vector<double> frame_times(std::span<const double> rates, double seconds) {
   return times;
 }
 
+namespace {
+
+bool take_step(ChainSolver& solver, const FramePoses& frames, std::size_t frame) {
+  const double dt = frames.times[frame] - frames.times[frame - 1];
+  if (frames.velocities.empty()) return solver.step(frames.poses[frame], dt);
+  return solver.step_told(frames.poses[frame], frames.velocities[frame], dt);
+}
+
+}  // namespace
+
 MotionTrial try_motion(ChainSolver& solver, const Rig& rig, const FramePoses& frames) {
   MotionTrial trial;
   ConstraintMeter meter(rig);
   solver.reset(frames.poses.front());
   for (std::size_t i = 1; i < frames.poses.size(); ++i) {
-    trial.is_finite = solver.step(frames.poses[i], frames.times[i] - frames.times[i - 1]) &&
-                      keep_tips(rig, solver.bone_ends(), trial.tips);
+    trial.is_finite = take_step(solver, frames, i) && keep_tips(rig, solver.bone_ends(), trial.tips);
     if (!trial.is_finite) break;
     meter.look(solver.bone_ends());
   }
@@ -157,7 +169,7 @@ double time_steps(SolverAtWork& at_work, const FramePoses& frames) {
     while (frame < frames.poses.size() && taken < kEnough) {
       const std::size_t until = std::min(frame + kBatch, frames.poses.size());
       for (; frame < until; ++frame) {
-        if (!at_work.solver->step(frames.poses[frame], frames.times[frame] - frames.times[frame - 1])) return kNan;
+        if (!take_step(*at_work.solver, frames, frame)) return kNan;
       }
       taken = Clock::now() - begin;
     }

@@ -75,6 +75,9 @@ class SampledSolver final : public ChainSolver {
   }
   [[nodiscard]] bool set_body(std::span<const BodyPose> bones) override { return whole_->set_body(bones); }
   [[nodiscard]] bool step(const HeadPose& head, double dt) override { return whole_->step(head, dt); }
+  [[nodiscard]] bool step_told(const HeadPose& head, const HeadVelocity& velocity, double dt) override {
+    return whole_->step_told(head, velocity, dt);
+  }
   [[nodiscard]] std::span<const Eigen::Vector3d> bone_ends() const override {
     const auto all = whole_->bone_ends();
     for (std::size_t i = 0; i < bones_.size(); ++i) ends_[i] = all[bones_[i]];
