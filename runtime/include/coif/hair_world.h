@@ -37,8 +37,8 @@ struct WorldDesc {
 struct WorldState;
 
 /// Heads with hair of many assets, which come and go while a game runs, stepped together: chains of equal shape stand side by side
-/// whatever asset and head they are of, and whatever their lengths. Forty heads of fifteen assets take about half of the time of a Hair for each asset (tests/bench); many
-/// heads of one asset take less in a Hair.
+/// whatever asset and head they are of, and whatever their lengths. Forty heads of fifteen assets take about half of the time of a Hair for
+/// each asset (tests/bench); many heads of one asset take less in a Hair.
 ///
 /// Each head has the same bits, in every step, as it has in a Hair of its asset alone that is told the same: whatever else is
 /// there, comes and goes, on every instruction set, and in every order of jobs.

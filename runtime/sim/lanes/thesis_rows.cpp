@@ -24,10 +24,7 @@ class ThesisChain {
         state_(static_cast<ThesisState*>(row.state)),
         lane_(lane),
         turn_(load(d, row.move->from_head, lane)),
-        motion_(hn::Zero(d)) {
-    const std::size_t left = row.lanes - lane;
-    used_ = left < hn::Lanes(d) ? left : hn::Lanes(d);
-  }
+        motion_(hn::Zero(d)) {}
 
   HWY_INLINE void run() {
     for (std::size_t i = 0; i < row_.bones.size(); ++i) fall_and_pull(i);
@@ -133,7 +130,8 @@ class ThesisChain {
     const V3<D> tail = rotate_back(d_, turn_, position);
     const V3<D> direction = direction_or(d_, sub(d_, tail, parent.position), by_parent);
     const M3<D> frame = bend(d_, parent.frame, rest, by_parent, direction).frame;
-    store_matrix(d_, frame, load(d_, bone.joint, lane_), parent.position, row_.palette + lane_, i, used_);
+    store_matrix(d_, frame, load(d_, bone.joint, lane_), parent.position, row_.palette + lane_, i,
+                 lanes_of_bone(row_, i, lane_));
     if (!(shape.features & kRowHasChildren)) return;
     copy(d_, frame, parents_[shape.slot].frame);
     copy(d_, tail, parents_[shape.slot].position);
@@ -166,8 +164,7 @@ class ThesisChain {
   const ThesisCoefficients* const coefficients_;
   ThesisState* const state_;
   const std::size_t lane_;
-  std::size_t used_ = 0;  ///< Lanes of this part that are in use.
-  const M3<D> turn_;      ///< World from head space, at the end of the step.
+  const M3<D> turn_;  ///< World from head space, at the end of the step.
   V<D> motion_;
   Parent joint_;
   Parent parents_[kMaxOpenBones];

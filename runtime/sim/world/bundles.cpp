@@ -73,7 +73,7 @@ LaneArrays arrays_of(const ChainShape& shape, const Bundle& bundle) {
 
 void move_lane(WorldState& world, const ChainShape& shape, const ChainPlace& from, const ChainPlace& to) {
   const std::uint32_t head = from.part->head[from.lane], chain = from.part->chain[from.lane];
-  const std::size_t bones = world.assets[world.heads[head].asset].asset.chains()[chain].bone_count;
+  const std::size_t bones = bones_in(world, *from.part, from.lane);
   const LaneArrays source = arrays_of(shape, *from.part), goal = arrays_of(shape, *to.part);
   for (std::size_t k = 0; k < kArrays; ++k) {
     copy_lane(source.all[k].begin, from.lane, goal.all[k].begin, to.lane, bones * source.all[k].bytes);

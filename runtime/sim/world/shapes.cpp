@@ -49,10 +49,17 @@ bool may_be_uneven(const Asset& asset, const Solver& solver, const ChainRecord& 
   return true;
 }
 
-/// Bones of the chain's shape.
-std::uint32_t shape_bones(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
-  if (!may_be_uneven(asset, solver, chain)) return chain.bone_count;
-  return (chain.bone_count + kLengths - 1) / kLengths * kLengths;
+/// What a shape has room for.
+struct ShapeRoom {
+  std::uint32_t bones = 0;  ///< At most.
+  bool is_uneven = false;   ///< Or fewer.
+
+  bool operator==(const ShapeRoom&) const = default;
+};
+
+ShapeRoom room_for(const Asset& asset, const Solver& solver, const ChainRecord& chain) {
+  if (!may_be_uneven(asset, solver, chain)) return {chain.bone_count, false};
+  return {(chain.bone_count + kLengths - 1) / kLengths * kLengths, true};
 }
 
 bool is_like(const RowBone& bone, const RowBone& other) {
@@ -62,8 +69,7 @@ bool is_like(const RowBone& bone, const RowBone& other) {
 bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& solver, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
   if (shape.solver != &solver || shape.pace != worn.pace) return false;
-  if (shape.is_uneven != may_be_uneven(asset, solver, chain)) return false;
-  if (shape.bones.size() != shape_bones(asset, solver, chain)) return false;
+  if (ShapeRoom{std::uint32_t(shape.bones.size()), shape.is_uneven} != room_for(asset, solver, chain)) return false;
   const bool has_others = shape.touching != 0 && shape.colliders != worn.colliders;
   if (has_others && touches_colliders(asset, chain)) return false;
   for (std::uint32_t i = 0; i < chain.bone_count; ++i) {
@@ -76,8 +82,7 @@ bool has_shape(const ChainShape& shape, const WornAsset& worn, const Solver& sol
 bool have_one_shape(const Asset& asset, const Solver& asked, const ChainRecord& a, const ChainRecord& b) {
   const Solver& solver = solver_for(asked, a);
   if (&solver_for(asked, b) != &solver) return false;
-  if (may_be_uneven(asset, solver, a) != may_be_uneven(asset, solver, b)) return false;
-  if (shape_bones(asset, solver, a) != shape_bones(asset, solver, b)) return false;
+  if (room_for(asset, solver, a) != room_for(asset, solver, b)) return false;
   if (touches_colliders(asset, a) != touches_colliders(asset, b)) return false;
   for (std::uint32_t i = 0; i < std::min(a.bone_count, b.bone_count); ++i) {
     if (!is_like(common_bone(asset, solver, a, i), common_bone(asset, solver, b, i))) return false;
@@ -101,7 +106,7 @@ std::size_t shape_bytes(std::size_t bones) {
 ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainRecord& chain) {
   const Asset& asset = worn.asset;
   const Solver& solver = solver_for(*world.solver, chain);
-  const std::uint32_t bones = shape_bones(asset, solver, chain);
+  const auto [bones, is_uneven] = room_for(asset, solver, chain);
   std::byte* const memory = world.heap.take(shape_bytes(bones));
   if (memory == nullptr) return nullptr;
   MemoryCarver carver(memory);
@@ -120,7 +125,7 @@ ChainShape* make_shape(WorldState& world, const WornAsset& worn, const ChainReco
   }
   shape.twists = (features & kRowTwists) != 0;
   shape.is_bounded = (features & kRowIsBounded) != 0;
-  shape.is_uneven = may_be_uneven(asset, solver, chain);
+  shape.is_uneven = is_uneven;
   assign_slots(pattern);
   shape.bones = pattern;
   shape.next = world.shapes;
@@ -133,7 +138,7 @@ std::size_t chain_bytes(const Asset& asset, const Solver& asked, const ChainReco
   const Solver& solver = solver_for(asked, chain);
   const std::uint32_t features = common_features(asset, solver, chain);
   const bool twists = (features & kRowTwists) != 0, is_bounded = (features & kRowIsBounded) != 0;
-  const std::uint32_t bones = shape_bones(asset, solver, chain);
+  const std::uint32_t bones = room_for(asset, solver, chain).bones;
   const std::size_t bundle = bundle_bytes(solver, bones, twists, is_bounded);
   const auto bundles = std::size_t((count + kLanes - 1) / kLanes);
   return WorldHeap::rounded(shape_bytes(bones)) + bundles * WorldHeap::rounded(bundle);

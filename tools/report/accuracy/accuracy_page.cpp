@@ -264,7 +264,7 @@ std::string accuracy_page(const ReportHeading& heading, const AccuracyReport& re
   page.heading("How exact is the reference?");
   page.paragraph(reference_summary(report));
   page.table(page_table(reference_columns(report.budget_rms_pct), report.reference));
-  for (const std::string& sentence : {own_reference_summary(report), numbers_read(report)}) {
+  for (const std::string& sentence : {own_reference_summary(report), numbers_read(report), velocities_told(report)}) {
     if (!sentence.empty()) page.paragraph(sentence);
   }
   page.paragraph("The same of the other methods' own models: each run twice, the second time with steps of double length.");

@@ -199,6 +199,8 @@ void mark_fronts(std::span<AccuracyRow> rows);
 /// Whose motions are no one motion, and which numbers were read; empty where there is nothing to say.
 [[nodiscard]] std::string own_reference_summary(const AccuracyReport& report);
 [[nodiscard]] std::string numbers_read(const AccuracyReport& report);
+/// Who knows how fast the head moves; empty where nobody does.
+[[nodiscard]] std::string velocities_told(const AccuracyReport& report);
 
 /// The longest chain's tip over time, when the head charges.
 [[nodiscard]] Figure swing_figure(const SwingPath& path);
