@@ -27,7 +27,7 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   PassiveState& state = state_[i];
   const auto length = load(d_, constants.length, lane_);
   const V3<D> before = load(d_, state.direction, lane_), direction = bone.direction;
-  bone.tail.way = add_scaled(d_, from.way, sub(d_, direction, before), length);
+  bone.tail.way = add_scaled(d_, from.way, bone.moved, length);
   const PassivePace<D> pace = method_.pace(d_, bone.tail.way, bone.tail.velocity_before,
                                            load(d_, state.acceleration, lane_), load(d_, state.lagged, lane_));
   const V3<D> rest = load(d_, constants.rest, lane_), by_parent = rotate(d_, from.frame, rest);
