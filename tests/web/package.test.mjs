@@ -33,10 +33,18 @@ test('what C refuses is thrown as it says it, and what it has no word for is nam
   const before = Float32Array.from(hair.palette(0));
   refused(() => hair.step({ dt: NaN }), /time step/, 'COIF_BAD_TIME_STEP');
   refused(() => hair.setHead(0, { rotation: [0, 0, 0, 2] }), /pose/, 'COIF_BAD_POSE');
+  refused(() => hair.setHead(0, { scale: 0 }), /scale is outside of 0.05 to 20/, 'COIF_BAD_SCALE');
   refused(() => hair.setHead(1, {}), /instance/, 'COIF_BAD_INDEX');
   refused(() => hair.palette(7), /instance/, 'COIF_BAD_INDEX');
   refused(() => hair.setColliders(0, [{ radius: 1 }]), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setColliders(0, new Array(17).fill({ radius: 1 })), /created without/, 'COIF_NOT_ASKED');
+  hair.setColliders(0, []);
+  refused(() => hair.setBody(0, []), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setPose(0), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setAir(0, {}), /created without/, 'COIF_NOT_ASKED');
   refused(() => hair.setGusts({}), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setDynamics(0, {}), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.chooseDynamics(0, 1), /created without/, 'COIF_NOT_ASKED');
   refused(() => hair.step({ dampng: 1 }), /'dampng' is no member of StepSettings; it has dt, /);
   refused(() => hair.setHead(0, { position: [1, 2] }), /'position' needs 3 numbers/);
   refused(() => asset.createHair({ solver: 'fast' }), /'solver' is fast; it must be one of coif, thesis/);

@@ -159,8 +159,8 @@ class COIF_API Hair {
   /// Exact need of create() for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
-  /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
-  /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
+  /// Every instance starts in its rest pose with the head at the identity pose, until its first pose puts it elsewhere, see
+  /// set_head(). The asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
   /// open), kBadArgument (desc), kMemoryTooSmall (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
@@ -168,8 +168,11 @@ class COIF_API Hair {
   [[nodiscard]] std::uint32_t bone_count() const;
 
   /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity, a scale out of its
-  /// range or a rotation whose length is off one by more than 1e-3; smaller errors are normalised away.
+  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity or a rotation whose length is
+  /// off one by more than 1e-3 (smaller errors are normalised away), kBadScale for a scale out of its range.
+  ///
+  /// The first pose that an instance is told after create() puts the head there, as teleport() does, wherever that is, and
+  /// so do all others before the next step. What comes after that step is movement.
   ///
   /// Scale: all that is in the asset, lengths and colliders, and all that comes out, matrices and bone ends, is in metres of the
   /// hair itself, of which a metre is `scale` of the world's. What comes from the world (the head's way, gravity, wind, moving
@@ -180,10 +183,12 @@ class COIF_API Hair {
 
   /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
   /// poses: the head's path is then exact to one order more, at sharp turns above all. kBadPose for what is not finite, too.
+  /// A head that is put somewhere, by its first pose or by teleport(), has this velocity from the start of the step on, and its
+  /// hair with it.
   Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
 
   /// The first set_head() of every instance at once, instance_count() poses: for crowds of which most stand. A pose with the same
-  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose where one or more are bad: those heads
+  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose or kBadScale where one or more are bad: those heads
   /// stay where they were told to be, the others are set.
   Status set_heads(std::span<const HeadPose> poses);
 
@@ -279,7 +284,8 @@ class COIF_API Hair {
   [[nodiscard]] std::size_t saved_bytes() const;
   /// kSizeMismatch unless there is room for exactly saved_bytes().
   Status save(std::span<std::byte> bytes) const;
-  /// kForeignState or kDamagedState for what this crowd did not or could not have saved: then it stays as it is.
+  /// kForeignState or kDamagedState for what this crowd did not or could not have saved: then it stays as it is. Every
+  /// number is checked as settings and poses are, and the parts against each other: bytes from anywhere do no harm.
   Status restore(std::span<const std::byte> bytes);
 
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under
