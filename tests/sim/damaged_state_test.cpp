@@ -199,6 +199,24 @@ TEST(DamagedState, PartsThatDoNotBelongTogetherAreRefused) {
   EXPECT_LT(taken, tried * 2 / 5);
 }
 
+/// The last digit of where a head goes, or of where it was told to be.
+TEST(DamagedState, AHeadGoesNowhereButWhereItWasTold) {
+  TestHair test(rig(), {.instances = 2});
+  const double place = 123.456;
+  ASSERT_EQ(test.hair.set_head(1, {{0, place, 0}, {}}), Status::kOk);
+  const Bytes good = saved(test.hair);
+  Victim victim({.instances = 2});
+  int found = 0;
+  for (std::size_t at = kContentAt; at + sizeof place <= good.size(); ++at) {
+    if (std::memcmp(&good[at], &place, sizeof place) != 0) continue;
+    ++found;
+    Bytes bad = good;
+    bad[at] ^= std::byte{1};
+    EXPECT_FALSE(victim.takes(bad)) << found;
+  }
+  EXPECT_EQ(found, 2);
+}
+
 TEST(DamagedState, OfBytesFromNowhereNoneAreTaken) {
   for (const HairDesc& desc : crowds()) {
     TestHair source(rig(), desc);

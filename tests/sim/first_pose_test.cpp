@@ -174,6 +174,17 @@ TEST(FirstPose, WithAVelocityHasItFromTheStart) {
   expect_goes_along(&kThesisSolver, {{0.4f, 0, -0.3f}, {}}, 2e-3f);
 }
 
+/// Bones at a right angle to the axis are not left behind where the head begins to turn: a step at 2 rad/s would leave them 5 mm.
+TEST(FirstPose, WithAnAngularVelocityTakesBonesAlong) {
+  for (const Solver* const solver : kSolvers) {
+    NewHair test({.solver = solver});
+    const auto before = test.ends();
+    ASSERT_EQ(test.hair.set_head(0, {{}, turned_about({1, 0, 0}, 0.5)}, {{}, {2, 0, 0}}), Status::kOk);
+    ASSERT_EQ(test.hair.step(weightless()), Status::kOk);
+    EXPECT_LT(largest_distance(test.ends(), before), 5e-4f);
+  }
+}
+
 TEST(FirstPose, OfATeleportWithAVelocityHairGoesOnAsItWas) {
   for (const Solver* const solver : {&kCascadeSolver, &kPassiveSolver}) {
     NewHair test({.solver = solver});

@@ -40,7 +40,12 @@ test('what C refuses is thrown as it says it, and what it has no word for is nam
   refused(() => hair.setColliders(0, new Array(17).fill({ radius: 1 })), /created without/, 'COIF_NOT_ASKED');
   hair.setColliders(0, []);
   refused(() => hair.setBody(0, []), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setBody(0, new Array(40).fill({})), /created without/, 'COIF_NOT_ASKED');
   refused(() => hair.setPose(0), /created without/, 'COIF_NOT_ASKED');
+  refused(() => hair.setPose(0, new Array(4 * hair.boneCount + 4).fill(0), [1]), /created without/, 'COIF_NOT_ASKED');
+  const posed = asset.createHair({ solver: 'character', followsPoses: true });
+  refused(() => posed.setPose(0, [0, 0, 0, 1, 0], [1]), /do not belong together/, 'COIF_SIZE_MISMATCH');
+  posed.dispose();
   refused(() => hair.setAir(0, {}), /created without/, 'COIF_NOT_ASKED');
   refused(() => hair.setGusts({}), /created without/, 'COIF_NOT_ASKED');
   refused(() => hair.setDynamics(0, {}), /created without/, 'COIF_NOT_ASKED');
