@@ -57,7 +57,8 @@ coif_status coif_hair_set_body(coif_hair* hair, uint32_t instance, const coif_bo
 coif_status coif_hair_set_pose(coif_hair* hair, uint32_t instance, const coif_quat* rotations, uint32_t rotation_count,
                                const float* weights, uint32_t weight_count) {
   if (hair == nullptr) return COIF_NOT_CREATED;
-  if ((rotations == nullptr && rotation_count > 0) || (weights == nullptr && weight_count > 0)) return COIF_BAD_ARGUMENT;
+  if ((rotations == nullptr && rotation_count > 0) || (weights == nullptr && weight_count > 0))
+    return COIF_BAD_ARGUMENT;
   return code(hair->hair.set_pose(instance, span_of<coif::Quat>(rotations, rotation_count),
                                   span_of<float>(weights, weight_count)));
 }

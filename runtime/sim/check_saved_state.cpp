@@ -2,11 +2,10 @@
 #include "check_saved_state.h"
 
 #include "head_lanes.h"
+#include "saved_chains.h"
 #include "saved_collider.h"
 #include "saved_lane.h"
 #include "step_settings.h"
-
-#include <coif/asset.h>
 
 #include <cmath>
 #include <cstring>
@@ -14,38 +13,6 @@
 
 namespace coif {
 namespace {
-
-class SavedBytes {
- public:
-  explicit SavedBytes(std::span<const std::byte> content) : at_(content.data()) {}
-
-  template <typename T>
-  T take() {
-    T value;
-    std::memcpy(&value, take(sizeof value), sizeof value);
-    return value;
-  }
-  const std::byte* take(std::size_t bytes) {
-    const std::byte* const from = at_;
-    at_ += bytes;
-    return from;
-  }
-  /// One lane of `bytes` bytes of Lanes.
-  SavedLane take_lane(std::size_t bytes) { return SavedLane(take(bytes / sizeof(Lanes) * sizeof(float))); }
-  /// False unless it is 0 or 1.
-  bool take_flag(bool& flag) {
-    const auto byte = take<std::uint8_t>();
-    flag = byte != 0;
-    return byte <= 1;
-  }
-
- private:
-  const std::byte* at_;
-};
-
-bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
-
-bool same_bits(const void* a, const void* b, std::size_t bytes) { return std::memcmp(a, b, bytes) == 0; }
 
 /// Of one instance; a bool is 0 or 1.
 bool is_detail(const CrowdState& crowd, SavedBytes& bytes) {
@@ -124,7 +91,8 @@ bool goes_where_told(const SavedHead& head) {
   if (make_unit(pose, unit) != Status::kOk) return false;
   const Quat next = head.lanes.quaternion(offsetof(HeadLanes, next_rotation));
   const float per_scale = 1.0f / unit.scale;
-  return same_bits(unit.position, head.next_position, sizeof unit.position) && same_bits(&unit.rotation, &next, sizeof next) &&
+  return same_bits(unit.position, head.next_position, sizeof unit.position) &&
+         same_bits(&unit.rotation, &next, sizeof next) &&
          head.lanes.number(offsetof(HeadLanes, per_scale)) == per_scale;
 }
 
@@ -141,44 +109,6 @@ bool may_be_asleep(const SavedHead& head) {
   const SavedLane& lanes = head.lanes;
   return lanes.vector(offsetof(HeadLanes, way)) == Vec3{} && lanes.number(offsetof(HeadLanes, is_told)) == 0.0f &&
          lanes.quaternion(offsetof(HeadLanes, rotation)) == lanes.quaternion(offsetof(HeadLanes, next_rotation));
-}
-
-/// A turn and a way: columns of length one at right angles.
-bool is_rigid(const Mat34& matrix) {
-  Vec3 column[3];
-  for (int k = 0; k < 3; ++k) column[k] = {matrix.m[0][k], matrix.m[1][k], matrix.m[2][k]};
-  const bool is_square = is_unit_direction(column[0]) && is_unit_direction(column[1]) &&
-                         std::fabs(dot(column[0], column[1])) <= kSavedUnitTolerance &&
-                         length(cross(column[0], column[1]) - column[2]) <= 4 * kSavedUnitTolerance;
-  return is_square && is_finite(Vec3{matrix.m[0][3], matrix.m[1][3], matrix.m[2][3]});
-}
-
-/// Farthest that a bone's start can be from its head's position, metres: all bones in one line. Particles may go where they go.
-float farthest_start(const CrowdState& crowd) {
-  float most = 0, lengths = 0;
-  for (const BoneRecord& bone : crowd.asset.bones()) {
-    const float joint = length(to_vec3(bone.joint));
-    most = joint > most ? joint : most;
-    lengths += bone.length;
-  }
-  bool keeps_places = false;
-  for (const Row& row : crowd.rows) keeps_places = keeps_places || row.solver->keeps_places;
-  return keeps_places ? std::numeric_limits<float>::max() : 1.01f * (most + lengths) + 1e-3f;
-}
-
-bool is_palette(const CrowdState& crowd, float farthest, SavedBytes& bytes) {
-  for (const BoneRecord& bone : crowd.asset.bones()) {
-    const auto matrix = bytes.take<Mat34>();
-    if (!is_rigid(matrix)) return false;
-    Vec3 start;
-    float* const to[3] = {&start.x, &start.y, &start.z};
-    for (int row = 0; row < 3; ++row) {
-      const Vec3 turn{matrix.m[row][0], matrix.m[row][1], matrix.m[row][2]};
-      *to[row] = dot(turn, to_vec3(bone.joint)) + matrix.m[row][3];
-    }
-    if (!(length(start) <= farthest)) return false;
-  }
-  return true;
 }
 
 /// In a place of the body's the collider that the asset has there; nothing in a place where none is.
@@ -211,61 +141,6 @@ bool are_told_colliders(const CrowdState& crowd, SavedBytes& bytes) {
   return true;
 }
 
-bool is_rest_pose(const SavedLane& pose, std::size_t at, const Vec3& pull) {
-  const Quat none, before = pose.quaternion(at + offsetof(PoseLanes, before)), now = pose.quaternion(at + offsetof(PoseLanes, now));
-  return same_bits(&before, &none, sizeof none) && same_bits(&now, &none, sizeof none) &&
-         pose.vector(at + offsetof(PoseLanes, pull_before)) == pull &&
-         pose.vector(at + offsetof(PoseLanes, pull_now)) == pull && pose.number(at + offsetof(PoseLanes, weight)) == 1.0f;
-}
-
-bool is_followed_pose(const SavedLane& pose, std::size_t at) {
-  return is_unit(pose.quaternion(at + offsetof(PoseLanes, before))) && is_unit(pose.quaternion(at + offsetof(PoseLanes, now))) &&
-         is_unit_direction(pose.vector(at + offsetof(PoseLanes, pull_before))) &&
-         is_unit_direction(pose.vector(at + offsetof(PoseLanes, pull_now))) && is_share(pose.number(at + offsetof(PoseLanes, weight)));
-}
-
-/// A lane of a row: its bones' states one after the other, and what rows of solvers that need more have behind them.
-bool are_states(const CrowdState& crowd, const Row& row, const SavedLane& lane) {
-  const std::size_t own = row.bone_count * row.solver->state_bytes, all = row.bone_count * crowd.state_bytes;
-  if (!lane.are_finite(0, own) || !lane.are_zero(own, all - own)) return false;
-  for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-    if (!row.solver->could_be(lane, i * row.solver->state_bytes)) return false;
-  }
-  return true;
-}
-
-bool are_twists(const Row& row, const SavedLane& lane) {
-  if (!row.solver->carries_frames) return lane.are_zero(0, row.bone_count * sizeof(TwistState));
-  for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-    const std::size_t at = i * sizeof(TwistState);
-    const float cosine = lane.number(at + offsetof(TwistState, cosine)), sine = lane.number(at + offsetof(TwistState, sine));
-    if (!is_unit_direction(lane.vector(at + offsetof(TwistState, before)))) return false;
-    if (!is_unit_direction({cosine, sine, 0})) return false;
-  }
-  return true;
-}
-
-/// The numbers of one head's chains.
-bool are_chains(const CrowdState& crowd, bool is_posed, SavedBytes& bytes) {
-  for (const Row& row : crowd.rows) {
-    const std::uint32_t lanes = crowd.order == LaneOrder::kHeads ? 1 : row.chain_count;
-    for (std::uint32_t k = 0; k < lanes; ++k) {
-      if (!are_states(crowd, row, bytes.take_lane(row.bone_count * crowd.state_bytes))) return false;
-      if (!crowd.character.poses.empty()) {
-        const SavedLane pose = bytes.take_lane(row.bone_count * sizeof(PoseLanes));
-        for (std::uint32_t i = 0; i < row.bone_count; ++i) {
-          const std::size_t at = i * sizeof(PoseLanes);
-          const Vec3 pull = lane(crowd.constants[row.first_bone + i].pull, k);
-          if (!(is_posed ? is_followed_pose(pose, at) : is_rest_pose(pose, at, pull))) return false;
-        }
-      }
-      if (crowd.twists.empty()) continue;
-      if (!are_twists(row, bytes.take_lane(row.bone_count * sizeof(TwistState)))) return false;
-    }
-  }
-  return true;
-}
-
 bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedBytes& bytes) {
   SavedHead head{bytes.take_lane(offsetof(HeadLanes, next_position)), {}, {}};
   for (double& metres : head.next_position) metres = bytes.take<double>();
@@ -274,9 +149,9 @@ bool is_instance(const CrowdState& crowd, bool is_asleep, float farthest, SavedB
   head.told = bytes.take<HeadPose>();
   if (!is_head(head) || may_sleep) return false;  // those that may, do so before a step ends
   if (is_asleep && (teleports || is_lost || !may_be_asleep(head))) return false;
-  if (!is_palette(crowd, farthest, bytes) || !are_told_colliders(crowd, bytes)) return false;
+  if (!is_saved_palette(crowd, farthest, bytes) || !are_told_colliders(crowd, bytes)) return false;
   if (!crowd.character.is_posed.empty() && !bytes.take_flag(is_posed)) return false;
-  return are_chains(crowd, is_posed, bytes);
+  return are_saved_chains(crowd, is_posed, bytes);
 }
 
 }  // namespace
@@ -286,7 +161,7 @@ bool could_be_saved(const CrowdState& crowd, std::span<const std::byte> content)
   SavedBytes details(content), bytes(content);
   (void)bytes.take(crowd.details.size_bytes() + crowd.sets.size());
   if (!is_time(bytes) || !is_air(crowd, bytes)) return false;
-  const float farthest = farthest_start(crowd);
+  const float farthest = farthest_bone_start(crowd);
   for (std::uint32_t instance = 0; instance < crowd.instance_count(); ++instance) {
     const bool is_asleep = details.take(sizeof(InstanceDetail))[offsetof(InstanceDetail, asleep)] != std::byte{0};
     if (!is_instance(crowd, is_asleep, farthest, bytes)) return false;

@@ -1,12 +1,14 @@
 #pragma once
-// One lane of numbers as a saved state has them: a float for each Lanes, in their order.
+// The numbers of a saved state: of one lane a float for each Lanes, in their order.
 
 #include "lanes/lane_layout.h"
 #include "vector_math.h"
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <span>
 
 namespace coif {
 
@@ -49,6 +51,39 @@ class SavedLane {
  private:
   const std::byte* from_;
 };
+
+/// What was written one number after the other.
+class SavedBytes {
+ public:
+  explicit SavedBytes(std::span<const std::byte> content) : at_(content.data()) {}
+
+  template <typename T>
+  T take() {
+    T value;
+    std::memcpy(&value, take(sizeof value), sizeof value);
+    return value;
+  }
+  const std::byte* take(std::size_t bytes) {
+    const std::byte* const from = at_;
+    at_ += bytes;
+    return from;
+  }
+  /// One lane of `bytes` bytes of Lanes.
+  SavedLane take_lane(std::size_t bytes) { return SavedLane(take(bytes / sizeof(Lanes) * sizeof(float))); }
+  /// False unless it is 0 or 1.
+  bool take_flag(bool& flag) {
+    const auto byte = take<std::uint8_t>();
+    flag = byte != 0;
+    return byte <= 1;
+  }
+
+ private:
+  const std::byte* at_;
+};
+
+inline bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
+
+inline bool same_bits(const void* a, const void* b, std::size_t bytes) { return std::memcmp(a, b, bytes) == 0; }
 
 /// False for anything with a NaN or an infinity.
 inline bool is_unit_direction(const Vec3& v) { return std::fabs(length(v) - 1.0f) <= kSavedUnitTolerance; }

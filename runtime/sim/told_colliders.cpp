@@ -14,8 +14,7 @@ namespace {
 
 bool same_velocity(const MovingCollider& a, const MovingCollider& b) {
   if (a.is_velocity_known != b.is_velocity_known) return false;
-  return !a.is_velocity_known ||
-         (a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular);
+  return !a.is_velocity_known || (a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular);
 }
 
 bool same_collider(const MovingCollider& a, const MovingCollider& b) {

@@ -52,7 +52,8 @@ std::vector<std::uint32_t> comb_with_stem_last(std::uint32_t stem) {
 
 TEST(OpenChains, EachBeginsWhereTheOneBeforeItEnds) {
   for (const std::uint32_t first : {0u, 1u, 3u, 5u, 0x40000000u, kNone}) {
-    EXPECT_EQ(refusal([&](AssetContents& contents) { contents.chains[0].first_bone = first; }), LoadCode::kChainCover) << first;
+    EXPECT_EQ(refusal([&](AssetContents& contents) { contents.chains[0].first_bone = first; }), LoadCode::kChainCover)
+        << first;
   }
 }
 

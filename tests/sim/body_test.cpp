@@ -33,11 +33,11 @@ TestRig rig_with_arm(ChainModel model) {
 /// The same collider, told by the game: `way` metres from its rest.
 MovingCollider told(const TestRig& rig, const Vec3& way, float scale) {
   const ColliderRecord& record = rig.body_colliders[0];
-  MovingCollider collider{.shape = ColliderShape::kCapsule,
-                          .center = {double(scale * (record.center[0] + way.x)),
-                                     double(scale * (record.center[1] + way.y)),
-                                     double(scale * (record.center[2] + way.z))},
-                          .axis = {0, 0, 0.2f * scale}};
+  MovingCollider collider{
+      .shape = ColliderShape::kCapsule,
+      .center = {double(scale * (record.center[0] + way.x)), double(scale * (record.center[1] + way.y)),
+                 double(scale * (record.center[2] + way.z))},
+      .axis = {0, 0, 0.2f * scale}};
   collider.radius = 0.04f * scale;
   return collider;
 }

@@ -43,7 +43,10 @@ TestRig rig() {
   TestRig rig = nine_bone_rig();
   for (std::size_t i = 1; i < rig.dynamics.size(); ++i) rig.dynamics[i].torsion = i % 2 == 0 ? 4.0f : kShortestArc;
   rig.body_bones.push_back({0, {0, -0.3f, 0}, {0, 0, 0, 1}});
-  rig.body_colliders.push_back({.shape = ColliderShape::kSphere, .center = {0, -0.3f, 0}, .radii = {0.05f, 0.05f, 0.05f}, .rotation = {0, 0, 0, 1}});
+  rig.body_colliders.push_back({.shape = ColliderShape::kSphere,
+                                .center = {0, -0.3f, 0},
+                                .radii = {0.05f, 0.05f, 0.05f},
+                                .rotation = {0, 0, 0, 1}});
   return rig;
 }
 
@@ -55,8 +58,14 @@ std::vector<HairDesc> crowds() {
     }
   }
   for (const Solver* const solver : {&kCharacterSolver, &kCharacterCascadeSolver}) {
-    all.push_back({.instances = 2, .solver = solver, .dynamics_sets = 2, .moving_colliders = 2, .follows_body = true,
-                   .follows_poses = true, .has_own_air = true, .feels_gusts = true});
+    all.push_back({.instances = 2,
+                   .solver = solver,
+                   .dynamics_sets = 2,
+                   .moving_colliders = 2,
+                   .follows_body = true,
+                   .follows_poses = true,
+                   .has_own_air = true,
+                   .feels_gusts = true});
   }
   return all;
 }
@@ -154,7 +163,8 @@ TEST(DamagedState, WhereSomeNumberIsNoneItIsRefused) {
       where += is_taken ? ' ' + std::to_string(at - kContentAt) : "";
     }
     // Any bits do in what a host writes into HeadPose::reserved and where a head with a velocity is, which is not in its pose.
-    EXPECT_LE(taken, 3 * desc.instances) << "heads " << desc.instances << ", bytes" << where << " of " << good.size() - kContentAt;
+    EXPECT_LE(taken, 3 * desc.instances) << "heads " << desc.instances << ", bytes" << where << " of "
+                                         << good.size() - kContentAt;
   }
 }
 
@@ -188,7 +198,8 @@ TEST(DamagedState, PartsThatDoNotBelongTogetherAreRefused) {
   Violence random(5);
   for (int i = 0; i < 3000 && !HasFailure(); ++i) {  // words that stand where others belong
     const std::size_t words = (good.size() - kContentAt) / 4;
-    const auto from = kContentAt + 4 * std::size_t(random.between(0, double(words))), to = kContentAt + 4 * std::size_t(random.between(0, double(words)));
+    const auto from = kContentAt + 4 * std::size_t(random.between(0, double(words))),
+               to = kContentAt + 4 * std::size_t(random.between(0, double(words)));
     if (std::memcmp(&good[from], &good[to], 4) == 0) continue;
     Bytes bad = good;
     std::memcpy(&bad[to], &good[from], 4);

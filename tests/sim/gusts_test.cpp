@@ -84,7 +84,8 @@ TEST(GustField, WavesAreAsStrongAsTheirLengthsSay) {
   const GustWaves waves = waves_of(gusts);
   double sum = 0, length_of_one = 0;
   for (std::uint32_t i = 0; i < kGustWaves; ++i) {
-    const double strength = length(waves.air[i]), per_metre = std::hypot(waves.turns[i][0], waves.turns[i][1], waves.turns[i][2]);
+    const double strength = length(waves.air[i]),
+                 per_metre = std::hypot(waves.turns[i][0], waves.turns[i][1], waves.turns[i][2]);
     sum += strength;
     if (i == 0) length_of_one = strength;
     EXPECT_NEAR(per_metre, std::pow(1.6, i) / double(gusts.length), 1e-6) << i;

@@ -13,7 +13,10 @@ namespace coif::not_asked_test {
 TestRig rig() {
   TestRig rig = nine_bone_rig();
   rig.body_bones.push_back({0, {0, -0.3f, 0}, {0, 0, 0, 1}});
-  rig.body_colliders.push_back({.shape = ColliderShape::kSphere, .center = {0, -0.3f, 0}, .radii = {0.05f, 0.05f, 0.05f}, .rotation = {0, 0, 0, 1}});
+  rig.body_colliders.push_back({.shape = ColliderShape::kSphere,
+                                .center = {0, -0.3f, 0},
+                                .radii = {0.05f, 0.05f, 0.05f},
+                                .rotation = {0, 0, 0, 1}});
   return rig;
 }
 
@@ -26,8 +29,14 @@ std::vector<HairDesc> descriptions() {
   for (const Solver* const solver : {&kCharacterSolver, &kCharacterCascadeSolver}) {
     HairDesc desc{.instances = 2, .solver = solver};
     all.push_back(desc);
-    desc = {.instances = 2, .solver = solver, .dynamics_sets = 2, .moving_colliders = 2, .follows_body = true,
-            .follows_poses = true, .has_own_air = true, .feels_gusts = true};
+    desc = {.instances = 2,
+            .solver = solver,
+            .dynamics_sets = 2,
+            .moving_colliders = 2,
+            .follows_body = true,
+            .follows_poses = true,
+            .has_own_air = true,
+            .feels_gusts = true};
     all.push_back(desc);
     for (int without = 0; without < 6; ++without) {
       HairDesc less = desc;

@@ -78,7 +78,8 @@ TEST(Impulse, ACapsuleEndsAtBothOfItsEnds) {
   for (const Solver* const solver : kSolvers) {
     for (const float side : {-1.0f, 1.0f}) {  // the hair is 0.5 m beyond the one end, or beyond the other
       const double near = side < 0 ? -1 : 0.5;
-      const Impulse beside{.center = {near, -0.2, 0}, .axis = {0.5f, 0, 0}, .radius = 0.45f, .speed = 4, .velocity = {1, 1, 1}};
+      const Impulse beside{
+          .center = {near, -0.2, 0}, .axis = {0.5f, 0, 0}, .radius = 0.45f, .speed = 4, .velocity = {1, 1, 1}};
       TestHair test(loose(), {.solver = solver});
       for (const Vec3& speed : speeds_after(test, beside)) EXPECT_LT(length_of(speed), 0.05f);
       Impulse through = beside;

@@ -103,9 +103,8 @@ TEST(ToldColliders, WakeAScaledHeadWithinItsScaledReach) {
     HeadPose head;
     head.scale = float(scale);
     for (TestHair* const test : {&game, &body}) ASSERT_EQ(test->hair.reset(0, head), Status::kOk);
-    const double of_game = waking_distance(game, [&](double z) {
-      ASSERT_EQ(game.hair.set_colliders(0, std::vector{ball(0, 0, z, 0.5f)}), Status::kOk);
-    });
+    const double of_game = waking_distance(
+        game, [&](double z) { ASSERT_EQ(game.hair.set_colliders(0, std::vector{ball(0, 0, z, 0.5f)}), Status::kOk); });
     const double of_body = waking_distance(body, [&](double z) {
       ASSERT_EQ(body.hair.set_body(0, std::vector{BodyPose{{0, 0, z}, {}}}), Status::kOk);
     });
