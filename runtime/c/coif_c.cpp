@@ -226,7 +226,8 @@ coif_status coif_hair_settle(coif_hair* hair, const uint32_t* instances, uint32_
                              const coif_step_settings* settings) {
   if (hair == nullptr) return COIF_NOT_CREATED;
   if (settings == nullptr) return COIF_BAD_ARGUMENT;
-  const std::span<const uint32_t> chosen(instances, instances == nullptr ? 0 : count);
+  if (instances == nullptr && count > 0) return COIF_BAD_ARGUMENT;
+  const std::span<const uint32_t> chosen(instances, count);
   return code(hair->hair.settle(chosen, seconds, settings_of(*settings)));
 }
 

@@ -70,9 +70,10 @@ uint32_t coif_hair_bone_count(const coif_hair* hair);
 /* Static for as long as the asset; empty where the asset has no names or no such bone. */
 const char* coif_hair_bone_name(const coif_hair* hair, uint32_t bone);
 
+/* The first pose that a head is told puts it there; then the hair feels every way. */
 coif_status coif_hair_set_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose);
 /* Every instance's at once, instance_count() poses; those that did not change cost next to nothing. COIF_SIZE_MISMATCH: nothing
- * is set. COIF_BAD_POSE: heads whose pose is bad stay where they were told to be, the others are set. */
+ * is set. COIF_BAD_POSE or COIF_BAD_SCALE: heads whose pose is bad stay where they were told to be, the others are set. */
 coif_status coif_hair_set_heads(coif_hair* hair, const coif_head_pose* poses, size_t count);
 /* The same as coif_hair_set_head() for a host that knows how fast the head moves when it arrives. */
 coif_status coif_hair_set_moving_head(coif_hair* hair, uint32_t instance, const coif_head_pose* pose,

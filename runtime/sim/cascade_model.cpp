@@ -1,4 +1,5 @@
 #include "models.h"
+#include "saved_lane.h"
 #include "vector_math.h"
 
 namespace coif {
@@ -88,6 +89,11 @@ void calm(const ChainLane& chain) {
     set_lane(state_of(chain)[i].velocity, chain.state_lane, Vec3{});
     state_of(chain)[i].spin.v[chain.state_lane] = 0.0f;
   }
+}
+
+bool could_be(const SavedLane& lane, std::size_t at) {
+  return is_unit_direction(lane.vector(at + offsetof(CoifState, direction))) &&
+         length(lane.vector(at + offsetof(CoifState, arm))) <= 1.0f + kSavedUnitTolerance;
 }
 
 }  // namespace cascade

@@ -1,5 +1,6 @@
 #include "crowd.h"
 
+#include "chain_motion.h"
 #include "head_lanes.h"
 
 namespace coif {
@@ -45,7 +46,14 @@ void turn_hair(CrowdState& crowd, std::uint32_t slot, const Quat& by) {
 }
 
 void jump(CrowdState& crowd, std::uint32_t slot, float dt) {
-  turn_hair(crowd, slot, jump_head(crowd.blocks[slot / kLanes].heads, slot % kLanes, dt));
+  HeadLanes& heads = crowd.blocks[slot / kLanes].heads;
+  const HairJump by = jump_head(heads, slot % kLanes, dt);
+  turn_hair(crowd, slot, by.turn);
+  if (by.velocity == Vec3{} && by.turning == Vec3{}) return;
+  const Vec3 velocity = by.velocity * heads.per_scale.v[slot % kLanes];
+  for_each_chain(crowd, slot, [&](const Solver& solver, const ChainRecord&, const ChainLane& chain) {
+    add_motion(solver, chain, velocity, by.turning);
+  });
 }
 
 }  // namespace coif

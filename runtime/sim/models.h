@@ -10,6 +10,7 @@ void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, flo
 void put_to_rest(const ChainLane& chain, const Quat& head_rotation);
 void turn(const ChainLane& chain, const Quat& by);
 void calm(const ChainLane& chain);
+bool could_be(const SavedLane& lane, std::size_t at);
 }  // namespace cascade
 
 namespace passive {
@@ -17,6 +18,7 @@ void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, flo
 void put_to_rest(const ChainLane& chain, const Quat& head_rotation);
 void turn(const ChainLane& chain, const Quat& by);
 void calm(const ChainLane& chain);
+bool could_be(const SavedLane& lane, std::size_t at);
 }  // namespace passive
 
 }  // namespace coif

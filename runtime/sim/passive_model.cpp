@@ -1,5 +1,6 @@
 #include "models.h"
 #include "passive_method.h"
+#include "saved_lane.h"
 #include "vector_math.h"
 
 namespace coif {
@@ -54,6 +55,11 @@ void calm(const ChainLane& chain) {
       set_lane(*vector, chain.state_lane, Vec3{});
     }
   }
+}
+
+bool could_be(const SavedLane& lane, std::size_t at) {
+  return is_unit_direction(lane.vector(at + offsetof(PassiveState, direction))) &&
+         lane.number(at + offsetof(PassiveState, tension)) >= 0.0f;
 }
 
 }  // namespace passive

@@ -128,10 +128,10 @@ TEST(Scale, OfBadOnesHairStaysAsItWas) {
   for (const float scale : {0.0f, -1.0f, 0.049f, 20.1f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
     HeadPose pose{{1, 2, 3}, {}};
     pose.scale = scale;
-    EXPECT_EQ(test.hair.set_head(0, pose), Status::kBadPose);
-    EXPECT_EQ(test.hair.set_heads({&pose, 1}), Status::kBadPose);
-    EXPECT_EQ(test.hair.reset(0, pose), Status::kBadPose);
-    EXPECT_EQ(test.hair.teleport(0, pose), Status::kBadPose);
+    EXPECT_EQ(test.hair.set_head(0, pose), Status::kBadScale);
+    EXPECT_EQ(test.hair.set_heads({&pose, 1}), Status::kBadScale);
+    EXPECT_EQ(test.hair.reset(0, pose), Status::kBadScale);
+    EXPECT_EQ(test.hair.teleport(0, pose), Status::kBadScale);
   }
   EXPECT_EQ(test.memory_copy(), before);
   for (const float scale : {0.05f, 20.0f}) {

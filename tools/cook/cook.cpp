@@ -14,7 +14,7 @@
 #include "cook/size/settle_size.h"
 #include "cook/strands/strand_direction.h"
 #include "cook/texture/alpha.h"
-#include "cook/texture/hair_views.h"
+#include "cook/texture/patch_coverage.h"
 #include "cook/texture/strand_lines.h"
 
 #include <algorithm>

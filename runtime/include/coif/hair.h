@@ -138,12 +138,11 @@ struct MemoryNeed {
 
 struct CrowdState;
 
-/// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory
-/// once, create() carves it up. Not thread safe but for run_job(); different Hair objects are independent.
+/// A crowd of instances of one asset: state, simulation, bone matrices. Allocates nothing: the caller gives memory once, create() carves
+/// it up. Not thread safe but for run_job(); different Hair objects are independent.
 ///
-/// Results do not depend on the instruction set, on how many instances there are and in which order they were touched,
-/// nor on which thread runs which job, and how that thread rounds: the same bits everywhere. Where the host lets
-/// floating-point exceptions trap, nothing here does.
+/// Results do not depend on the instruction set, on how many instances there are and in which order they were touched, nor on which
+/// thread runs which job, and how that thread rounds: the same bits everywhere. Where floating-point exceptions trap, nothing here does.
 class COIF_API Hair {
  public:
   Hair() = default;
@@ -159,17 +158,18 @@ class COIF_API Hair {
   /// Exact need of create() for this asset; zero bytes for arguments that create() refuses.
   [[nodiscard]] static MemoryNeed memory_need(const Asset& asset, const HairDesc& desc);
 
-  /// Every instance starts in its rest pose with the head at the identity pose; call reset() to start elsewhere. The
-  /// asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
+  /// Every instance starts in its rest pose with the head at the identity pose, until its first pose puts it elsewhere, see
+  /// set_head(). The asset's bytes and `memory` must outlive this object; the Asset itself need not. Errors: kAssetLacksData (not
   /// open), kBadArgument (desc), kMemoryTooSmall (or not aligned).
   Status create(const Asset& asset, const HairDesc& desc, std::span<std::byte> memory);
 
   [[nodiscard]] std::uint32_t instance_count() const;
   [[nodiscard]] std::uint32_t bone_count() const;
 
-  /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels
-  /// that: call teleport() or reset() for a head that jumps. kBadPose for a NaN, an infinity, a scale out of its
-  /// range or a rotation whose length is off one by more than 1e-3; smaller errors are normalised away.
+  /// Where the head is at the end of the next step. The step moves it there from where it was, and the hair feels that: call teleport() or
+  /// reset() for a head that jumps. The first pose that an instance is told after create() puts the head there, as teleport() does, and so
+  /// do all others before the next step. kBadPose for a NaN, an infinity or a rotation whose length is off one by more than 1e-3 (smaller
+  /// errors are normalised away), kBadScale for a scale out of its range.
   ///
   /// Scale: all that is in the asset, lengths and colliders, and all that comes out, matrices and bone ends, is in metres of the
   /// hair itself, of which a metre is `scale` of the world's. What comes from the world (the head's way, gravity, wind, moving
@@ -178,13 +178,14 @@ class COIF_API Hair {
   /// motion along. Of the settings, teleport_distance is the world's, sleep_speed the hair's.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
-  /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
-  /// poses: the head's path is then exact to one order more, at sharp turns above all. kBadPose for what is not finite, too.
+  /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three poses: the path
+  /// is then exact to one order more, at sharp turns above all. A head that is put somewhere, by its first pose or by teleport(), has this
+  /// velocity from the step's start on, and its hair with it. kBadPose for what is not finite, too.
   Status set_head(std::uint32_t instance, const HeadPose& pose, const HeadVelocity& velocity);
 
   /// The first set_head() of every instance at once, instance_count() poses: for crowds of which most stand. A pose with the same
-  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose where one or more are bad: those heads
-  /// stay where they were told to be, the others are set.
+  /// bits as the last one costs a comparison. kSizeMismatch, and nothing is set; kBadPose or kBadScale where one or more are bad: those
+  /// heads stay where they were told to be, the others are set.
   Status set_heads(std::span<const HeadPose> poses);
 
   /// Puts the head at `pose` and the hair into its rest pose there, at rest, and renews its matrices.
@@ -204,11 +205,10 @@ class COIF_API Hair {
   /// moves by light years, gravity of 1e30) is put back into its rest pose, at rest; the others are not affected.
   Status step(const StepSettings& settings);
 
-  /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any
-  /// order, on any threads, at the same time; then finish_step(). Nothing else may be called in between, and begin_step()
-  /// leaves no jobs where it returns an error.
-  /// A job is sixteen heads. One that stays on its thread from step to step finds its numbers in that core's cache: give
-  /// each thread its own share first, and let it take from the others' only then.
+  /// The same in parts, for a host's own scheduler: begin_step(), then run_job() once for each of job_count() jobs, in any order, on any
+  /// threads, at the same time; then finish_step(). Nothing else may be called in between. After an error there are no jobs.
+  /// A job is sixteen heads. One that stays on its thread from step to step finds its numbers in that core's cache: give each thread
+  /// its own share first, and let it take from the others' only then.
   Status begin_step(const StepSettings& settings);
   [[nodiscard]] std::uint32_t job_count() const;
   void run_job(std::uint32_t job);
@@ -279,7 +279,7 @@ class COIF_API Hair {
   [[nodiscard]] std::size_t saved_bytes() const;
   /// kSizeMismatch unless there is room for exactly saved_bytes().
   Status save(std::span<std::byte> bytes) const;
-  /// kForeignState or kDamagedState for what this crowd did not or could not have saved: then it stays as it is.
+  /// kForeignState or kDamagedState for what this crowd could not have saved, in every number and part: then it stays as it is.
   Status restore(std::span<const std::byte> bytes);
 
   /// Skinning matrices, bone_count() of them: rest pose in head space -> current pose in head space. Draw them under
