@@ -61,11 +61,17 @@ struct HairDesc {
 
 /// What acts on all instances during a step.
 struct Environment {
-  Vec3 gravity{0.0f, -9.81f, 0.0f};  ///< World, m/s^2.
+  /// World axes, m/s^2. It acts in the hair's own metres: on a head of the scale s hair weighs s times as much in the world's, so that
+  /// it hangs as it was modelled whatever the scale. See `true_gravity` and Hair::set_head().
+  Vec3 gravity{0.0f, -9.81f, 0.0f};
   Vec3 wind{};                       ///< Velocity of the air, world, m/s.
   /// Of what the asset says that the air around a head takes on of its velocity (SkeletonRecord::air_lag), this share, 0..1. At 0 the
   /// air stands still in the world, as for a head in the open, and friction pulls the hair back at speed.
   float air_follow = 1.0f;
+  /// 0 or 1. 1: `gravity` acts in the world's metres, on heads of every scale alike. Hair of a large head is then stiffer against its
+  /// weight than it was modelled and stands off, hair of a small head sags, and both swing as slowly or as fast as pendulums of their
+  /// size. No bool, whose padding would be saved with the state.
+  std::uint32_t true_gravity = 0;
 };
 
 /// So large that hair is rigid or stands still in its air; beyond it are only mistakes.
@@ -172,10 +178,12 @@ class COIF_API Hair {
   /// range or a rotation whose length is off one by more than 1e-3; smaller errors are normalised away.
   ///
   /// Scale: all that is in the asset, lengths and colliders, and all that comes out, matrices and bone ends, is in metres of the
-  /// hair itself, of which a metre is `scale` of the world's. What comes from the world (the head's way, gravity, wind, moving
-  /// colliders) is divided by the scale that the head has at the end of the step; time constants stay. So a head twice as large under
-  /// twice the gravity, on twice as long ways, moves alike to the bit, and one that grows takes its hair's shape and
-  /// motion along. Of the settings, teleport_distance is the world's, sleep_speed the hair's.
+  /// hair itself, of which a metre is `scale` of the world's. Places and ways in the world (the head's way, wind, gusts, moving
+  /// colliders, pushes) are divided by the scale that the head has at the end of the step. Gravity is not, unless
+  /// Environment::true_gravity says so, and time constants stay. So hair of every scale hangs as it was modelled: a head that stands or
+  /// turns in place in still air moves its hair alike, to the bit, whatever its scale; and a head twice as large on ways twice as
+  /// long, in wind twice as fast, does so too. One that grows takes its hair's shape and motion along. Of the settings,
+  /// teleport_distance is the world's, sleep_speed the hair's.
   Status set_head(std::uint32_t instance, const HeadPose& pose);
 
   /// The same for a host that knows how fast the head moves when it arrives, which otherwise is taken from its last three
