@@ -65,7 +65,8 @@ StepParts parts_of(const StepPace& pace, const StepSettings& settings, const Fra
 
 bool rests_under_both(const StepSettings& a, const StepSettings& b) {
   return a.environment.gravity == b.environment.gravity && a.environment.true_gravity == b.environment.true_gravity &&
-         a.environment.wind == b.environment.wind && same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after && a.sleep_speed == b.sleep_speed;
+         a.environment.wind == b.environment.wind && same(a.dynamics, b.dynamics) && a.sleep_after == b.sleep_after &&
+         a.sleep_speed == b.sleep_speed;
 }
 
 bool fits(const DynamicsScale& scale) {

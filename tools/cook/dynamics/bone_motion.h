@@ -7,7 +7,7 @@
 #include "lab/rig.h"
 
 #include <coif/asset_records.h>
-#include <coif/hair.h>
+#include <coif/step_settings.h>
 
 #include <cstddef>
 #include <optional>
