@@ -39,13 +39,14 @@ typedef struct coif_step_settings {
   float dt; /* seconds, any finite number from 0 on; long ones see coif/hair.h */
   uint32_t substeps;
   uint32_t iterations;
-  coif_vec3 gravity; /* world, m/s^2 */
+  coif_vec3 gravity; /* world axes, m/s^2; see true_gravity */
   coif_vec3 wind;    /* world, m/s */
   float air_follow;  /* 0..1, of what the asset says */
   float stiffness, damping, friction; /* factors */
   float inertia;
   float teleport_distance, teleport_angle;
   float sleep_after, sleep_speed;
+  uint32_t true_gravity; /* 0 or 1. 0: gravity follows each head's scale; 1: it is the same for heads of every scale */
 } coif_step_settings;
 
 typedef struct coif_detail {

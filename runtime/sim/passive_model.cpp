@@ -13,9 +13,7 @@ PassiveState* state_of(const ChainLane& chain) { return static_cast<PassiveState
 namespace passive {
 
 void set_coefficients(const StepTerms& step, const DynamicsRecord& dynamics, float, const CoefficientLanes& to) {
-  const double stiffness = double(dynamics.stiffness) * double(step.scale.stiffness);
-  const double damping = double(dynamics.damping) * double(step.scale.damping);
-  const double friction = double(dynamics.friction) * double(step.scale.friction);
+  const auto [stiffness, damping, friction] = bone_motion(step, dynamics);
   const double dt = double(step.dt);
   const PassiveMethod method(dt);
   PassiveCoefficients& c = *static_cast<PassiveCoefficients*>(to.coefficients);

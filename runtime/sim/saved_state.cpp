@@ -57,7 +57,7 @@ std::uint64_t signature_of(const CrowdState& crowd) {
 
 // Written as they lie in memory: nothing between their members.
 static_assert(sizeof(Gusts) == 28 && sizeof(HeadAir) == 16 && sizeof(GustWaves) == 384);
-static_assert(sizeof(StepSettings) == 18 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
+static_assert(sizeof(StepSettings) == 19 * sizeof(float) && sizeof(InstanceDetail) == 5 && sizeof(HeadPose) == 48);
 
 /// Where bytes go to or come from; the same walk through the state does all three, so that they cannot disagree.
 struct Counting {

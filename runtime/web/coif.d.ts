@@ -169,7 +169,7 @@ export interface StepSettings {
   dt?: number; // seconds, 1/60
   substeps?: number; // 0: as many as the asset was tuned for
   iterations?: number;
-  gravity?: Vec3; // world, m/s^2
+  gravity?: Vec3; // world axes, m/s^2; it goes with each head's scale, so that hair hangs as it was modelled
   wind?: Vec3; // world, m/s
   airFollow?: number;
   stiffness?: number;
@@ -180,6 +180,7 @@ export interface StepSettings {
   teleportAngle?: number;
   sleepAfter?: number;
   sleepSpeed?: number;
+  trueGravity?: boolean; // gravity is that of the world on heads of every scale; false
 }
 export interface MovingCollider {
   shape?: 'sphere' | 'ellipsoid' | 'capsule' | 'plane' | 'tapered-capsule' | 'box';

@@ -105,6 +105,8 @@ TEST_F(CSimulation, MovesHairToTheSameBits) {
     if (solver == COIF_SOLVER_PASSIVE) desc.solver = &kPassiveSolver;
     TestHair same(nine_bone_rig(), desc);
     ASSERT_EQ(coif_hair_bone_count(hair_), same.hair.bone_count());
+    StepSettings settings;
+    settings.environment.true_gravity = settings_.true_gravity = solver == COIF_SOLVER_PASSIVE ? 1 : 0;
     for (int frame = 1; frame <= 30; ++frame) {
       HeadPose pose = wander(frame / 60.0);
       pose.scale = 1.25f;
@@ -118,7 +120,7 @@ TEST_F(CSimulation, MovesHairToTheSameBits) {
         ASSERT_EQ(same.hair.set_head(1, pose), Status::kOk);
       }
       ASSERT_EQ(coif_hair_step(hair_, &settings_), COIF_OK);
-      ASSERT_EQ(same.hair.step({}), Status::kOk);
+      ASSERT_EQ(same.hair.step(settings), Status::kOk);
     }
     const auto palette = same.hair.palette(1);
     EXPECT_EQ(std::memcmp(coif_hair_palette(hair_, 1), palette.data(), palette.size_bytes()), 0);
@@ -151,6 +153,7 @@ TEST_F(CSimulation, DefaultsAreThoseOfTheOtherInterface) {
   EXPECT_EQ(settings_.stiffness, usual.dynamics.stiffness);
   EXPECT_EQ(settings_.teleport_angle, usual.teleport_angle);
   EXPECT_EQ(settings_.sleep_speed, usual.sleep_speed);
+  EXPECT_EQ(settings_.true_gravity, usual.environment.true_gravity);
   coif_head_pose pose;
   coif_head_pose_init(&pose);
   EXPECT_EQ(pose.rotation[3], HeadPose{}.rotation.w);

@@ -7,6 +7,7 @@
 #include "lab/rig.h"
 
 #include <coif/asset_records.h>
+#include <coif/step_settings.h>
 
 #include <cstddef>
 #include <optional>
@@ -17,10 +18,6 @@ namespace coif {
 
 inline constexpr double kGravity = 9.81;  ///< m/s^2
 
-/// Baked stiffness (1/s^2) and damping or friction (1/s) end here: such a bone sags by 3 micrometres under its own weight
-/// and looks rigid at every frame rate, and the reference has to resolve it: with more, tuning would take minutes.
-inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
-
 /// What damping is measured by: the square root of the stiffness of a bone of `length` metres, 1/s. Gravity stiffens a
 /// hanging bone as a pendulum, and so does the head's own acceleration, taken to be as large.
 [[nodiscard]] double natural_rate(const DynamicsRecord& record, double length);
@@ -29,7 +26,7 @@ inline constexpr double kMostStiffness = 4.0e6, kMostDamping = 1.0e4;
 /// alone does more.
 [[nodiscard]] double damping_for(double ratio, double length, const DynamicsRecord& record);
 
-/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity. `ratio`: share of critical
+/// Stiffness and damping of `record` from its resistance, authoring rate, friction and gravity, up to kMostStiffness and kMostDamping. `ratio`: share of critical
 /// damping; none: what the resistance brings.
 void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord& record);
 
