@@ -1,6 +1,7 @@
 #include "base/parallel_for.h"
 #include "cook/dynamics/chain_groups.h"
 #include "cook/dynamics/chain_trial.h"
+#include "cook/dynamics/cook_suite.h"
 #include "cook/dynamics/settle_dynamics.h"
 #include "lab/measure_runtime.h"
 #include "lab/rig.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace coif {
@@ -76,9 +78,9 @@ class Bench {
     settings.steps_per_second = kCoarsestSteps;
     settings.most_steps_per_second = 5760;
     settings.wanted_self_difference_pct = 0.1;  // a seventh of the smallest error that is usually asked for
-    known_.resize(all_motions().size());
+    known_.resize(std::size(kCookSuite));
     parallel_for(known_.size(), threads_, [&](std::size_t m) {
-      const Motion motion = all_motions()[m].motion;
+      const Motion motion = kCookSuite[m];
       known_[m] = {motion, solve_reference(rig_, {}, *path_of(motion), settings)};
     });
   }
@@ -229,8 +231,18 @@ std::string describe(const TriedRate& trial) {
       tuning.substep_rate > tuning.slowest_rate ? fmt::format("sub-steps of {:g} Hz", tuning.substep_rate)
                                                 : std::string("one step a frame"),
       tuning.slowest_rate, tuning.fastest_rate, 100 * tuning.reached_error, 100 * trial.worst_second,
-      100 * trial.max_error, all_motions()[trial.worst_motion].name, tuning.met == 1 ? "" : ", the least to be had",
+      100 * trial.max_error, name_of(kCookSuite[trial.worst_motion]), tuning.met == 1 ? "" : ", the least to be had",
       tuning.cost / 1000);
+}
+
+std::vector<MotionNameRecord> suite_names() {
+  std::vector<MotionNameRecord> names;
+  for (const Motion motion : kCookSuite) {
+    const std::string_view name = name_of(motion);
+    MotionNameRecord& record = names.emplace_back();
+    std::copy_n(name.begin(), std::min(name.size(), sizeof record.name - 1), record.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -256,7 +268,7 @@ tl::expected<TunedSolver, ToolError> tune_solver(const AssetContents& contents, 
   }
   if (best.tuning.met == 0 && (!budget.is_usual || budget.cost > 0)) return tl::unexpected(over_budget(budget, least));
   findings.note(describe(best));
-  return TunedSolver{{best.tuning}, bench.table()};
+  return TunedSolver{{best.tuning}, bench.table(), suite_names()};
 }
 
 }  // namespace coif
