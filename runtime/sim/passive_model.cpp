@@ -56,8 +56,9 @@ void calm(const ChainLane& chain) {
 }
 
 bool could_be(const SavedLane& lane, std::size_t at) {
+  const float bent = lane.number(at + offsetof(PassiveState, bent));
   return is_unit_direction(lane.vector(at + offsetof(PassiveState, direction))) &&
-         lane.number(at + offsetof(PassiveState, tension)) >= 0.0f;
+         lane.number(at + offsetof(PassiveState, tension)) >= 0.0f && (bent >= 0.0f || bent == kNotBent);
 }
 
 }  // namespace passive

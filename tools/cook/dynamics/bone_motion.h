@@ -37,10 +37,22 @@ void bake_oscillator(std::optional<double> ratio, double length, DynamicsRecord&
 /// 1/s: how fast bone `i` swings with this stiffness and what hangs from it, in the passive model.
 [[nodiscard]] double swing_rate(const Rig& rig, std::span<const Carried> carried, std::size_t i, double stiffness);
 
-/// Stiffness, damping (this share of what keeps the joint from swinging past) and, for Algorithm 1, resistance of `record`, which is bone
-/// `i` of the rig.
-void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, double bending_length, double ratio,
+/// How hair moves that nobody gave numbers to.
+struct NaturalMotion {
+  double bending_length = 0;  ///< Metres.
+  double damping_ratio = 0;   ///< Share of what keeps a joint from swinging past its rest.
+  /// Only the bending is damped, not the swinging: a tied bundle has no neighbours along which it rubs as it swings. The ratio is then
+  /// that of the joint's stiffness alone, as seen at the rate at which it swings: half of the bending's loss factor.
+  bool is_tied = false;
+};
+
+/// Stiffness, damping and, for Algorithm 1, resistance of `record`, which is bone `i` of the rig.
+void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t i, const NaturalMotion& motion,
                   DynamicsRecord& record);
+
+/// 1/s: the preset's for loose locks. A tied bundle is thicker, and has as much less surface for its mass that air pulls at, and
+/// no neighbours.
+[[nodiscard]] double friction_of(const HairPreset& preset, bool is_tied);
 
 /// Leans the pull of each bone of the rig for which `takes` is true against the weight that it carries, so that it rests as modelled
 /// under an upright head. A bone too soft for that is made as stiff as it takes, its damping with it. `bones`, `records` and
