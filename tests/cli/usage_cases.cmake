@@ -45,7 +45,7 @@ coif_cli_case(simulate_half_a_wind EXIT 1 STDERR "coif simulate: error: --wind: 
   ARGS simulate a.coif --motion nod --wind 3,0 -o out.csv)
 coif_cli_case(simulate_gusts_of_four_numbers EXIT 1 STDERR "coif simulate: error: --gusts: '4,1,3,2' is not AMPLITUDE"
   ARGS simulate a.coif --motion nod --gusts 4,1,3,2 -o out.csv)
-coif_cli_case(simulate_gusts_in_the_cascade EXIT 1 STDERR "coif simulate: error: --gusts is for the solver coif only; leave --solver out"
+coif_cli_case(simulate_gusts_in_the_cascade EXIT 1 STDERR "coif simulate: error: --gusts: hair feels gusts with --solver coif alone"
   SAMPLE ARGS simulate ${COIF_COOKED_SAMPLE} --motion nod --gusts 4 --solver cascade -o out.csv)
 foreach(lengths "0.016,0" "0.016,1.1" "0.016," "fast" "nan")
   string(MAKE_C_IDENTIFIER "simulate_frame_lengths_${lengths}" name)

@@ -80,7 +80,7 @@ tl::expected<std::string, ToolError> choose_motion(const SimulateOptions& option
 
 tl::expected<void, ToolError> choose_gusts(const GustOptions& chosen, RecordingSettings& recording) {
   if (chosen.amplitude <= 0) return {};
-  if (recording.solver != &kCoifSolver) return usage("--gusts is for the solver coif only; leave --solver out");
+  if (recording.solver != &kCoifSolver) return usage("--gusts: hair feels gusts with --solver coif alone");
   recording.company.gusts = gusts_in(recording.step.environment.wind, chosen);
   return {};
 }
