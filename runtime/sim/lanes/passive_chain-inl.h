@@ -22,6 +22,10 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostRounds = 8;  ///< After the first.
 
+/// Under a faster head a chain's energy is not booked: what the head gives is more than what a step could make.
+constexpr float kSlowHead = 0.1f;  ///< m/s
+constexpr float kSlowTurn = 1.0f;  ///< rad/s
+
 /// Radians that Newton's method may leave undone in a step of `dt` seconds: as a force that is always the same, but no less than what
 /// single precision sees.
 constexpr float may_leave(float dt) {
@@ -57,7 +61,7 @@ class PassiveChain {
     for (std::size_t i = 0; i < count_; ++i) settle(i);
     for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count_; ++i) keep_links(i);
-    balance();
+    if (keeps_book_) balance();
     calm_what_is_wild();
     store(d_, hn::Add(load(d_, *row_.motion, lane_), motion_), *row_.motion, lane_);
   }
@@ -137,7 +141,9 @@ class PassiveChain {
   V3<D> speeding_up_, spinning_up_;      ///< The head's accelerations, m/s^2 and 1/s^2,
   V3<D> steadily_, turning_;             ///< and mean velocities.
   hn::Mask<D> is_still_;                 ///< The head's.
-  hn::Mask<D> watched_;                  ///< Where the energy is, and nothing adds to it that the book does not know.
+  bool keeps_book_;                      ///< Some lane is watched.
+  hn::Mask<D> was_watched_;              ///< Where the energy is booked,
+  hn::Mask<D> watched_;                  ///< and nothing adds to it that the book does not know.
   V<D> had_, has_;                       ///< Twice the energy of the motion against the head, joules: before the step, and after.
   V<D> gained_, unsure_;                 ///< What bending and all other forces gave in between, and how much of that is unsure.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
@@ -168,10 +174,14 @@ HWY_INLINE void PassiveChain<D>::look_at_head() {
   set_where(d_, has_turned, column(before.x.x, before.y.x, before.z.x), carried_.x);
   set_where(d_, has_turned, column(before.x.y, before.y.y, before.z.y), carried_.y);
   set_where(d_, has_turned, column(before.x.z, before.y.z, before.z.z), carried_.z);
-  watched_ = hn::Eq(one, row_.is_linked ? zero : one);
-  if constexpr (kOnCharacter<D>) {
-    if (row_.character->poses != nullptr) watched_ = hn::Eq(one, zero);
-  }
+  const auto fastest = [&](const V3<D>& a, const V3<D>& b) { return hn::Max(dot(d_, a, a), dot(d_, b, b)); };
+  const auto is_slow = hn::And(hn::Lt(fastest(velocity, velocity_before), hn::Set(d_, kSlowHead * kSlowHead)),
+                               hn::Lt(fastest(spin, spin_before), hn::Set(d_, kSlowTurn * kSlowTurn)));
+  bool may_be = !row_.is_linked;
+  if constexpr (kOnCharacter<D>) may_be = may_be && row_.character->poses == nullptr;
+  watched_ = hn::And(is_slow, may_be ? hn::Eq(one, one) : hn::Eq(one, zero));
+  was_watched_ = watched_;
+  keeps_book_ = !hn::AllFalse(d_, watched_);
 }
 
 /// A first guess of the step's end, in which no direction turns by more than about 55 degrees.
@@ -193,7 +203,7 @@ HWY_INLINE void PassiveChain<D>::guess(std::size_t i) {
   bone.moved = {zero, zero, zero};
   bone.turn_by(d_, scale(d_, turn, hn::Sqrt(hn::Div(one, hn::Add(one, hn::Add(turn2, turn2))))), hn::Eq(one, one));
   bone.tail.velocity_before = add(d_, from.velocity_before, relative);
-  open_book(i, before, relative);
+  if (keeps_book_) open_book(i, before, relative);
 }
 
 /// The forces where the bone is thought to be at the end of the step.

@@ -93,7 +93,8 @@ HWY_INLINE void PassiveChain<D>::enter_way(std::size_t i, const Carrier<D>& from
   const auto bent = bent_to(i, direction, arc, pull), was_bent = load(d_, state.bent, lane_);
   const auto is_rigid = hn::Eq(mass, hn::Zero(d_)), was_put = hn::Lt(was_bent, hn::Zero(d_));
   watched_ = hn::And(watched_, hn::Or(is_rigid, hn::Not(was_put)));
-  store(d_, hn::IfThenElse(is_rigid, hn::Set(d_, kNotBent), bent), state.bent, lane_);
+  const auto is_known = hn::And(was_watched_, hn::Not(is_rigid));
+  store(d_, hn::IfThenElse(is_known, bent, hn::Set(d_, kNotBent)), state.bent, lane_);
   auto stiffness = hn::Mul(load(d_, c.stiffness, lane_), load(d_, constants.carried, lane_));
   stiffness = hn::IfThenZeroElse(is_rigid, stiffness);
   gained_ = hn::Add(gained_, hn::Mul(stiffness, hn::Sub(bent, was_bent)));

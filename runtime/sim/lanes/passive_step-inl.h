@@ -107,7 +107,11 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   bone.tail.velocity = end_velocity;
   bone.tail.angular_velocity = add_scaled(d_, swing, now.direction, spin);
   bone.tail.position = add_scaled(d_, from.position, in_head, length);
-  enter_way(i, from, arm, now.direction);
+  if (keeps_book_) {
+    enter_way(i, from, arm, now.direction);
+  } else {
+    store(d_, hn::Set(d_, kNotBent), state.bent, lane_);
+  }
   copy(d_, bent.frame, bone.tail.frame);
 }
 
@@ -152,7 +156,7 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
   store(d_, without_trace(d_, relative), state_[i].velocity, lane_);
   const auto per_length = load(d_, row_.constants[i].per_length, lane_);
   const V3<D> turning = sub(d_, scale(d_, relative, per_length), with_head(bone.direction));
-  enter_motion(i, turning);
+  if (keeps_book_) enter_motion(i, turning);
   auto turning2 = dot(d_, turning, turning);
   if (HWY_UNLIKELY(ends(i))) turning2 = hn::IfThenElseZero(has_bone(d_, row_, i, lane_), turning2);
   fastest2_ = hn::Max(fastest2_, turning2);
