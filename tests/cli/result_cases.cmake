@@ -16,6 +16,10 @@ coif_cli_case(info_json_shows_tuning EXIT 0 SAMPLE
        quality,0,frame_rate quality,0,substeps quality,0,rms_error_pct quality,0,max_error_pct quality,0,stretch_pct
        quality,0,penetration_pct quality,0,nominal_ns quality,0,worst_motion quality,2,frame_rate
   ARGS info ${COIF_COOKED_SAMPLE} --format json)
+coif_cli_case(info_of_an_older_asset EXIT 0 STDOUT "worst motion\n +[0-9]+ .*  (still|nod|turn|charge|run|jump|tumble|teleport|bow|lie)\n"
+  ARGS info ${PROJECT_SOURCE_DIR}/sample_assets/versions/1.0.coif)
+coif_cli_case(simulate_jog EXIT 0 SAMPLE WRITES jog.csv STDOUT "jog.csv: motion jog, 61 frames of [0-9]+ bones at 30 per second"
+  ARGS simulate ${COIF_COOKED_SAMPLE} --motion jog --fps 30 --seconds 2 -o jog.csv)
 coif_cli_case(info_text_file EXIT 3 STDERR "coif info: error: notes.coif: not a cooked hair asset; give a file written by"
   TEXT notes.coif "this text is long enough for a header" ARGS info notes.coif)
 

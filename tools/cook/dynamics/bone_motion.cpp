@@ -55,7 +55,7 @@ void bake_natural(const Rig& rig, std::span<const Carried> carried, std::size_t 
 }
 
 double friction_of(const HairPreset& preset, bool is_tied) {
-  constexpr double kTied = 0.3;
+  constexpr double kTied = 0.4;
   return is_tied ? kTied * preset.friction : preset.friction;
 }
 
