@@ -1,6 +1,7 @@
 #include "lab/passive_model.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -29,6 +30,9 @@ Matrix3d symmetric_inverse(const Matrix3d& m) {
   inverse << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   return scale * inverse;
 }
+
+/// Of a contact, against a bone's: one without a lever cannot be helped.
+constexpr double kSoftness = 1.0e-9;
 
 double mass_of(const RigBone& bone) { return bone.length; }
 
@@ -160,21 +164,49 @@ void PassiveModel::rates(const SolverScene& scene, const HeadState& head, std::s
   }
 }
 
-void PassiveModel::keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states) {
+/// By Gauss's principle, with all bonds in one dense matrix, as chains are short. A contact that would have to pull is left out, the
+/// strongest first.
+void PassiveModel::keep_links(const HeadState& head, std::span<const BoneContact> contacts,
+                              std::span<BoneMotion> motions, std::span<BoneState> states) {
+  const auto links = Eigen::Index(bones_.size());
+  std::vector<BoneContact> held(contacts.begin(), contacts.end());
   BoneMotion joint;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     bends_[i].direction = turned(motions[i].frame, bones_[i].rest_direction);
-    links_[i] = {mass_of(bones_[i]) * Matrix3d::Identity(), Vector3d::Zero(), Vector3d::Zero()};
   }
-  for (std::size_t i = bones_.size(); i-- > 0;) {
-    const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
-    gather(i, bends_[i].direction.dot(motions[i].velocity - parent.velocity));
+  for (;;) {
+    const Eigen::Index count = links + Eigen::Index(held.size());
+    Eigen::MatrixXd bonds = Eigen::MatrixXd::Zero(count, 3 * links), mobile = bonds;  // and bonds over mass
+    Eigen::VectorXd excess(count);
+    const auto bind = [&](Eigen::Index row, std::size_t i, const Vector3d& way, double share, double wanted) {
+      const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
+      const auto put = [&](std::size_t k, const Vector3d& part) {
+        bonds.block<1, 3>(row, 3 * Eigen::Index(k)) = part.transpose();
+        mobile.block<1, 3>(row, 3 * Eigen::Index(k)) = part.transpose() / mass_of(bones_[k]);
+      };
+      put(i, share * way);
+      const Vector3d of_start = (row < links ? -1.0 : 1 - share) * way;
+      if (bones_[i].parent >= 0) put(std::size_t(bones_[i].parent), of_start);
+      excess[row] = share * way.dot(motions[i].velocity) + of_start.dot(parent.velocity) - wanted;
+    };
+    for (Eigen::Index i = 0; i < links; ++i) bind(i, std::size_t(i), bends_[std::size_t(i)].direction, 1, 0);
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      bind(links + Eigen::Index(k), held[k].bone, held[k].normal, held[k].share, held[k].normal.dot(held[k].surface));
+    }
+    Eigen::MatrixXd yields = bonds * mobile.transpose();
+    for (Eigen::Index k = links; k < count; ++k) yields(k, k) += kSoftness * yields(0, 0);
+    const Eigen::VectorXd impulses = yields.ldlt().solve(-excess);
+    Eigen::Index worst = links;
+    for (Eigen::Index k = links; k < count; ++k) worst = impulses[k] < impulses[worst] ? k : worst;
+    if (worst < count && impulses[worst] < 0) {
+      held.erase(held.begin() + (worst - links));
+      continue;
+    }
+    const Eigen::VectorXd changes = mobile.transpose() * impulses;
+    for (std::size_t i = 0; i < bones_.size(); ++i) motions[i].velocity += changes.segment<3>(3 * Eigen::Index(i));
+    break;
   }
-  std::vector<Vector3d>& changes = forces_;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
-    const bool is_first = bones_[i].parent < 0;
-    changes[i] = release(i, is_first ? Vector3d::Zero() : changes[std::size_t(bones_[i].parent)]);
-    motions[i].velocity += changes[i];
     const BoneMotion& parent = carrier(bones_, i, head, motions, joint);
     states[i].turning = across((motions[i].velocity - parent.velocity) / bones_[i].length, bends_[i].direction);
   }

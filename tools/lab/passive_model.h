@@ -33,8 +33,9 @@ class PassiveModel {
   void rates(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states,
              std::span<BoneMotion> motions, std::span<BoneRates> rates);
 
-  /// The velocities nearest to those of `motions`, by mass, that stretch no bone; `states` turn with them.
-  void keep_links(const HeadState& head, std::span<BoneMotion> motions, std::span<BoneState> states);
+  /// The velocities nearest to those of `motions`, by mass, that stretch no bone and lead into no collider; `states` turn with them.
+  void keep_links(const HeadState& head, std::span<const BoneContact> contacts, std::span<BoneMotion> motions,
+                  std::span<BoneState> states);
 
   /// Kinetic energy, and that of weight and bending, joules; against the head's rotation and gravity of `scene`.
   [[nodiscard]] double energy(const SolverScene& scene, const HeadState& head, std::span<const BoneState> states) const;

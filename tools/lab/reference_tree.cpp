@@ -167,6 +167,7 @@ void ReferenceTree::untwist_all(const Quaterniond& head_rotation) {
 }
 
 void ReferenceTree::hold(const HeadState& head) {
+  contacts_.clear();
   std::size_t begin = 0, level = 0;
   for (std::size_t i = 0; i < bones_.size(); ++i) {
     hold_bone(i, head);
@@ -174,7 +175,9 @@ void ReferenceTree::hold(const HeadState& head) {
     hold_links(begin, i + 1, head);
     begin = level_ends_[level++];
   }
-  if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) passive_->keep_links(head, motions_, states_);
+  if (passive_ && std::ranges::find(moved_, char(1)) != moved_.end()) {
+    passive_->keep_links(head, contacts_, motions_, states_);
+  }
 }
 
 void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
@@ -188,9 +191,9 @@ void ReferenceTree::hold_bone(std::size_t i, const HeadState& head) {
   if (moved_[i]) follow_parent(bone, parent, free_motions_[up], head, before_[i], passive_ == nullptr, states_[i]);
   const bool at_limit = hold_limit(bone, parent, head, states_[i]);
   const bool at_bounds = hold_bounds(bone, parent, states_[i]);
-  bool held = hold_colliders(bone, parent, head, states_[i]) || at_limit || at_bounds;
-  held = hold_bounds(bone, parent, states_[i]) || held;
-  if (held) moved_[i] = true;
+  const bool touches = hold_colliders(i, parent, head);
+  const bool held = hold_bounds(bone, parent, states_[i]) || at_limit || at_bounds;
+  if (held || touches) moved_[i] = true;
   untwist(bone, parent.frame, states_[i]);
   motions_[i] = motion_of(bone, parent, states_[i]);
   // keep_links() shall find what each particle brings along, not what its new direction leaves of that.
@@ -208,7 +211,7 @@ void ReferenceTree::hold_links(std::size_t begin, std::size_t end, const HeadSta
     const BoneMotion parent = start_of(i);
     moved_[i] = true;
     // Colliders last: as in the runtime, where both cannot be.
-    (void)hold_colliders(bones_[i], parent, head, states_[i]);
+    (void)hold_colliders(i, parent, head);
     (void)hold_bounds(bones_[i], parent, states_[i]);
     untwist(bones_[i], parent.frame, states_[i]);
     motions_[i] = motion_of(bones_[i], parent, states_[i]);
@@ -251,9 +254,10 @@ bool ReferenceTree::hold_bounds(const RigBone& bone, const BoneMotion& parent, B
   return true;
 }
 
-bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent, const HeadState& head,
-                                   BoneState& state) const {
+bool ReferenceTree::hold_colliders(std::size_t i, const BoneMotion& parent, const HeadState& head) {
   constexpr int kRounds = 8;  // Where colliders overlap, leaving one may enter another.
+  const RigBone& bone = bones_[i];
+  BoneState& state = states_[i];
   if (bone.colliders == 0) return false;
   const Quaterniond to_head = head.rotation.conjugate();
   HairSegment segment{turned(to_head, parent.end), turned(to_head, turned(state.frame, bone.rest_direction)),
@@ -266,7 +270,13 @@ bool ReferenceTree::hold_colliders(const RigBone& bone, const BoneMotion& parent
       if (!turn_clear(solids_[std::size_t(std::countr_zero(left))], segment, contact)) continue;
       touched = touches = true;
       turn_to(turned(head.rotation, segment.direction), bone, state);
-      stop_inwards(turned(head.rotation, contact.normal), contact.along, parent, head, bone, state);
+      const Vector3d normal = turned(head.rotation, contact.normal);
+      if (passive_) {
+        const Vector3d point = parent.end + contact.along * turned(state.frame, bone.rest_direction);
+        contacts_.push_back({i, contact.along / bone.length, normal, head.velocity + head.angular_velocity.cross(point)});
+      } else {
+        stop_inwards(normal, contact.along, parent, head, bone, state);
+      }
     }
   }
   return touched;

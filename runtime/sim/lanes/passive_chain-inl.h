@@ -40,10 +40,17 @@ class PassiveChain {
         turn_(load(d, row.move->from_head, lane)),
         motion_(hn::Zero(d)),
         fastest2_(hn::Zero(d)),
-        most_twisting_(hn::Zero(d)) {}
+        most_twisting_(hn::Zero(d)) {
+    for (std::size_t i = 0; i < count_; ++i) collides_ = collides_ || (row.bones[i].features & kRowCollides) != 0;
+  }
 
   HWY_INLINE void run() {
     turn_bones();
+    if (collides_) {
+      const auto touching = find_contacts();
+      touches_ = !hn::AllFalse(d_, touching);
+      if (touches_) hold_at_contacts(touching);
+    }
     for (std::size_t i = 0; i < count_; ++i) settle(i);
     for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count_; ++i) keep_links(i);
@@ -88,8 +95,13 @@ class PassiveChain {
   HWY_INLINE void find_forces(std::size_t i);
   HWY_INLINE void bend_towards_rest(std::size_t i, const Carrier<D>& from, PassiveBone<D>& bone);
   HWY_INLINE void eliminate(std::size_t i);
+  HWY_INLINE void hold_bone(PassiveBone<D>& bone, const V3<D>& first, const V3<D>& second, V<D>& g11, V<D>& g12,
+                            V<D>& g22);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
+  hn::Mask<D> find_contacts();
+  void hold_at_contacts(hn::Mask<D> touching);
+  HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -112,6 +124,7 @@ class PassiveChain {
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
+  bool collides_ = false, touches_ = false, holds_contacts_ = false;
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;
@@ -231,9 +244,10 @@ HWY_INLINE void PassiveChain<D>::eliminate(std::size_t i) {
   const auto both = [&](const V3<D>& side, int k, int l) {
     return hn::Add(dot(d_, side, bone.by_start[l]), dot(d_, l == 0 ? first : second, bone.below.coupling[k]));
   };
-  const auto g11 = hn::Add(hn::Add(both(first, 0, 0), bone.below.stiff[0]), slack);
-  const auto g12 = hn::Add(both(first, 0, 1), bone.below.stiff[1]);
-  const auto g22 = hn::Add(hn::Add(both(second, 1, 1), bone.below.stiff[2]), slack);
+  auto g11 = hn::Add(hn::Add(both(first, 0, 0), bone.below.stiff[0]), slack);
+  auto g12 = hn::Add(both(first, 0, 1), bone.below.stiff[1]);
+  auto g22 = hn::Add(hn::Add(both(second, 1, 1), bone.below.stiff[2]), slack);
+  if (HWY_UNLIKELY(holds_contacts_)) hold_bone(bone, first, second, g11, g12, g22);
   const auto h11 = hn::Add(g11, bone.coupled), h22 = hn::Add(g22, bone.coupled);
   most_twisting_ = hn::Max(most_twisting_, hn::Div(twisting, hn::Min(h11, h22)));
   bone.invert(d_, h11, g12, h22);

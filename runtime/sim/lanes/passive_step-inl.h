@@ -4,6 +4,7 @@
 #include "moving_contact-inl.h"
 #include "palette-inl.h"
 #include "passive_chain-inl.h"
+#include "passive_contact-inl.h"
 #include "row.h"
 
 #if defined(COIF_SIM_LANES_PASSIVE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -63,8 +64,20 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
     held = hn::Or(held, keep_in_limit(d_, row_, lane_, i, hung, limits, now, in_head));
   }
   if (shape.features & kRowCollides) {
-    held = hn::Or(
-        held, keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now, in_head));
+    const V3<D> velocity = now.velocity;
+    Contact<D> contact;
+    contact.normal = in_head;
+    contact.along = hn::Zero(d_);
+    const auto touches = keep_clear_of(d_, row_, lane_, turn_, i, from.position, from.velocity, before, limited, now,
+                                       in_head, &contact);
+    if (!hn::AllFalse(d_, touches)) {
+      const auto is_new = hn::AndNot(bone.touch.holds(d_), touches);
+      bone.touch.set(d_, is_new, rotate(d_, turn_, contact.normal),
+                     hn::Mul(contact.along, load(d_, constants.per_length, lane_)), hn::Zero(d_));
+      if (limited == nullptr) set_where(d_, touches, velocity, now.velocity);
+      held = hn::Or(held, is_new);
+      touches_ = true;
+    }
   }
   if constexpr (kOnCharacter<D>) {
     if (row_.character->collider_count != 0) {
@@ -126,10 +139,16 @@ HWY_INLINE void PassiveChain<D>::gather_momentum(std::size_t i) {
   store(d_, hn::Max(tension, hn::Zero(d_)), state_[i].tension, lane_);
   const auto opening = dot(d_, bone.direction, sub(d_, bone.tail.velocity, bone.links.start_velocity));
   bone.links.pull = hn::Mul(hn::Add(opening, dot(d_, bone.direction, bone.links.by_push)), bone.links.yields);
+  if (HWY_UNLIKELY(touches_)) find_hold(i, inverse, opening);
   if (is_first(i)) return;
   PassiveLinks<D>& links = parent_of(i).links;
   const V3<D> firm = scale(d_, bone.direction, bone.links.yields);
   links.mass = add_outer(d_, links.mass, firm, bone.direction);
+  if (HWY_UNLIKELY(touches_)) {
+    const PassiveHold<D>& hold = bone.hold;
+    links.mass = add_outer(d_, links.mass, scale(d_, hold.lever, hold.yields), hold.lever);
+    links.push = sub_scaled(d_, links.push, hold.lever, hn::Mul(hold.yields, hold.wanted));
+  }
   links.push = add_scaled(d_, links.push, bone.direction, bone.links.pull);
   links.force = add(d_, links.force, bone.links.force);
 }
@@ -142,6 +161,14 @@ HWY_INLINE void PassiveChain<D>::keep_links(std::size_t i) {
     const PassiveBone<D>& parent = parent_of(i);
     pull = hn::Sub(pull, hn::Mul(dot(d_, bone.direction, parent.links.change), bone.links.yields));
     bone.links.start_velocity = parent.tail.velocity;
+  }
+  if (HWY_UNLIKELY(touches_)) {
+    const PassiveHold<D>& hold = bone.hold;
+    auto wanted = hold.wanted;
+    if (!is_first(i)) wanted = hn::Add(wanted, dot(d_, hold.lever, parent_of(i).links.change));
+    const auto push = hn::Neg(hn::Mul(hold.yields, wanted));
+    pull = hn::Add(pull, hn::Mul(push, hold.drag));
+    bone.links.by_push = add_scaled(d_, bone.links.by_push, hold.by_push, push);
   }
   bone.links.change = sub_scaled(d_, bone.links.by_push, bone.links.by_pull, pull);
   bone.tail.velocity = add(d_, bone.tail.velocity, bone.links.change);
