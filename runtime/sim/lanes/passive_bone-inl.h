@@ -208,6 +208,7 @@ struct PassiveBone {
   V<D> inverse[3];  ///< 1 / H: 11, 12, 22.
   V3<D> shift;      ///< Of its end: against the first guess; then of what held it, against where it would freely be.
   V<D> turn[2];
+  V3<D> free;  ///< The direction without contacts.
   PassiveTouch<D> touch;
   PassiveHold<D> hold;
   [[no_unique_address]] BoneAirOf<D> felt;

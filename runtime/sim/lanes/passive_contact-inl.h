@@ -16,6 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace coif {
 namespace HWY_NAMESPACE {
 
+constexpr int kMostReleases = 3;
+
 /// Looks where the bones would lie in their head's colliders if they went freely. Returns the lanes in which some bone would.
 template <class D>
 COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts() {
@@ -109,13 +111,29 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   (void)zero;
 }
 
-/// One round more, in which the contacts hold.
+/// One round more, in which the contacts hold. Those that would have to pull let go, and it is done again.
 template <class D>
 COIF_RARE void PassiveChain<D>::hold_at_contacts(hn::Mask<D> touching) {
-  for (std::size_t i = 0; i < count_; ++i) find_forces(i);
   holds_contacts_ = true;
-  for (std::size_t i = count_; i-- > 0;) eliminate(i);
-  for (std::size_t i = 0; i < count_; ++i) turn_bone(i, touching);
+  for (std::size_t i = 0; i < count_; ++i) copy(d_, bones_[i].direction, bones_[i].free);
+  for (int round = 0;; ++round) {
+    for (std::size_t i = 0; i < count_; ++i) find_forces(i);
+    for (std::size_t i = count_; i-- > 0;) eliminate(i);
+    auto pulls = hn::AndNot(touching, touching);
+    for (std::size_t i = 0; i < count_; ++i) {
+      turn_bone(i, touching);
+      PassiveBone<D>& bone = bones_[i];
+      const V3<D> way = add_scaled(d_, scale(d_, bone.side[0], bone.turn[0]), bone.side[1], bone.turn[1]);
+      V3<D> lifted = scale(d_, way, hn::Mul(bone.touch.share, load(d_, row_.constants[i].length, lane_)));
+      if (!is_first(i)) lifted = add(d_, lifted, parent_of(i).shift);
+      const auto lets_go = hn::And(bone.touch.holds(d_), hn::Gt(dot(d_, bone.touch.normal, lifted), bone.touch.lift));
+      bone.touch.share = hn::IfThenZeroElse(lets_go, bone.touch.share);
+      pulls = hn::Or(pulls, lets_go);
+    }
+    if (HWY_LIKELY(hn::AllFalse(d_, pulls)) || round == kMostReleases) return;
+    touching = pulls;
+    for (std::size_t i = 0; i < count_; ++i) set_where(d_, touching, bones_[i].free, bones_[i].direction);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
