@@ -122,6 +122,7 @@ struct PassiveState {
   Lanes3 acceleration;  ///< Of the particle, as the forces on it say, m/s^2.
   Lanes3 lagged;        ///< The same as the method has it, which lags behind.
   Lanes tension;        ///< Along the bone, newtons for bones of a kilogram a metre; >= 0.
+  Lanes touching;       ///< 1: it lies on a collider of its head, 0: it does not.
 };
 
 /// And what it remembers besides where bones may twist.

@@ -46,11 +46,7 @@ class PassiveChain {
 
   HWY_INLINE void run() {
     turn_bones();
-    if (collides_) {
-      const auto touching = find_contacts();
-      touches_ = !hn::AllFalse(d_, touching);
-      if (touches_) hold_at_contacts(touching);
-    }
+    if (collides_) meet_colliders();
     for (std::size_t i = 0; i < count_; ++i) settle(i);
     for (std::size_t i = count_; i-- > 0;) gather_momentum(i);
     for (std::size_t i = 0; i < count_; ++i) keep_links(i);
@@ -99,9 +95,12 @@ class PassiveChain {
                             V<D>& g22);
   HWY_INLINE void turn_bone(std::size_t i, hn::Mask<D> moving);
   HWY_INLINE void turn_bones();
-  hn::Mask<D> find_contacts();
+  hn::Mask<D> find_contacts(bool all);
+  [[nodiscard]] HWY_INLINE hn::Mask<D> lay_on(std::size_t i) const;
+  HWY_INLINE void meet_colliders();
   void hold_at_contacts(hn::Mask<D> touching);
   HWY_INLINE void find_hold(std::size_t i, const Symmetric3<D>& inverse, V<D> opening);
+  HWY_INLINE PassivePace<D> pace_of(std::size_t i, const V3<D>& own_way, const V3<D>& before, V<D> length);
   HWY_INLINE void settle(std::size_t i);
   HWY_INLINE void gather_momentum(std::size_t i);
   HWY_INLINE void keep_links(std::size_t i);
@@ -124,7 +123,8 @@ class PassiveChain {
   V<D> motion_, fastest2_;
   V<D> most_twisting_;                      ///< Of what the bones are held by.
   V<D> farthest2_;                          ///< Square of the last round's largest turn.
-  bool collides_ = false, touches_ = false, holds_contacts_ = false;
+  bool collides_ = false, touches_ = false, holds_contacts_ = false, hits_ = false;
+  hn::Mask<D> hit_;  ///< If hits_: where some bone comes to lie on a collider.
   std::size_t joint_of_ = ~std::size_t{0};  ///< The bone that hangs from joint_.
   Carrier<D> joint_;
   Carrier<D> posed_;

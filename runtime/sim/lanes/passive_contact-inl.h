@@ -18,9 +18,10 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostReleases = 3;
 
-/// Looks where the bones would lie in their head's colliders if they went freely. Returns the lanes in which some bone would.
+/// Looks where the bones lie in their head's colliders: those alone that did before the step, or all. Returns the lanes in which some
+/// bone does.
 template <class D>
-COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts() {
+COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts(bool all) {
   auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveBone<D>& bone = bones_[i];
@@ -28,8 +29,9 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts() {
     const RowBone& shape = row_.bones[i];
     const auto length = load(d_, row_.constants[i].length, lane_);
     const V3<D> in_head = rotate_back(d_, turn_, bone.direction);
-    bone.touch.clear(d_);
-    if (shape.features & kRowCollides) {
+    const auto asked = hn::Or(lay_on(i), all ? hn::Eq(length, length) : hn::Lt(length, hn::Zero(d_)));
+    if (all) bone.touch.lift = hn::Zero(d_);
+    if ((shape.features & kRowCollides) && !hn::AllFalse(d_, asked)) {
       BoneMotion<D> now{bone.direction, with_head(bone.direction)};
       V3<D> cleared = in_head;
       Contact<D> contact;
@@ -38,17 +40,46 @@ COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts() {
       auto touches = keep_clear_of(d_, row_, lane_, turn_, i, from.position, load(d_, row_.move->velocity, lane_),
                                    load(d_, state_[i].direction, lane_), static_cast<LimitedBone<V<D>>*>(nullptr), now,
                                    cleared, &contact);
+      touches = hn::And(touches, asked);
       if (any_rigid(i)) touches = hn::AndNot(rigid_lanes(i), touches);
       if (!hn::AllFalse(d_, touches)) {
         const auto lift = hn::Mul(dot(d_, contact.normal, sub(d_, cleared, in_head)), contact.along);
+        const auto is_new = hn::AndNot(bone.touch.holds(d_), touches);
         bone.touch.set(d_, touches, rotate(d_, turn_, contact.normal),
                        hn::Mul(contact.along, load(d_, row_.constants[i].per_length, lane_)), lift);
-        touching = hn::Or(touching, touches);
+        touching = hn::Or(touching, hn::And(is_new, bone.touch.holds(d_)));
       }
     }
     bone.tail.position = add_scaled(d_, from.position, in_head, length);
   }
   return touching;
+}
+
+/// Where the bone lay on a collider before the step.
+template <class D>
+HWY_INLINE hn::Mask<D> PassiveChain<D>::lay_on(std::size_t i) const {
+  return hn::Gt(load(d_, state_[i].touching, lane_), hn::Zero(d_));
+}
+
+/// First where bones lay, then where others come to lie.
+template <class D>
+HWY_INLINE void PassiveChain<D>::meet_colliders() {
+  auto lay = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
+  for (std::size_t i = 0; i < count_; ++i) {
+    bones_[i].touch.clear(d_);
+    lay = hn::Or(lay, lay_on(i));
+  }
+  if (!hn::AllFalse(d_, lay)) {
+    const auto touching = find_contacts(false);
+    touches_ = !hn::AllFalse(d_, touching);
+    if (touches_) hold_at_contacts(touching);
+  }
+  const auto touching = find_contacts(true);
+  hits_ = !hn::AllFalse(d_, touching);
+  if (!hits_) return;
+  hit_ = touching;
+  touches_ = true;
+  hold_at_contacts(touching);
 }
 
 /// Adds the contact's firmness to the bone's equations. `first` and `second`: ways of its end as it turns.
