@@ -162,11 +162,12 @@ struct PassiveTouch {
   V3<D> normal;  ///< Unit, world, from the collider to the hair.
   V<D> share;    ///< Of the bone's length, from its start to the place of contact; 0: it touches nothing.
   V<D> lift;     ///< Metres by which that place has to be lifted from where the bone freely is.
+  V<D> leave;    ///< m/s at which it is left again at the end of the step.
 
   HWY_INLINE void clear(D d) {
     const auto zero = hn::Zero(d);
     normal = {zero, zero, zero};
-    share = lift = zero;
+    share = lift = leave = zero;
   }
   HWY_INLINE void set(D d, hn::Mask<D> where, const V3<D>& out, V<D> place, V<D> way) {
     set_where(d, where, out, normal);

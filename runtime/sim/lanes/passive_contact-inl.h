@@ -18,39 +18,135 @@ namespace HWY_NAMESPACE {
 
 constexpr int kMostReleases = 3;
 
-/// Looks where the bones lie in their head's colliders: those alone that did before the step, or all. Returns the lanes in which some
-/// bone does.
+/// How near a bone is to a collider, in head space.
 template <class D>
-COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts(bool all) {
+COIF_RARE void find_gap(D d, const PlacedCollider& collider, const V3<D>& start, const V3<D>& direction, V<D> length,
+                        V<D> hit_radius, Deepest<D>& at) {
+  if (collider.keeps_inside || collider.shape == ColliderShape::kPlane) {
+    at.along = length;
+    const V3<D> end = sub(d, add_scaled(d, start, direction, length), same(d, collider.center));
+    if (!collider.keeps_inside) {
+      copy(d, same(d, collider.axis), at.normal);
+      at.gap = hn::Sub(dot(d, end, at.normal), hit_radius);
+      return;
+    }
+    const auto share = collider.shape == ColliderShape::kSphere ? hn::Zero(d) : nearest_ball(d, collider, end);
+    const V3<D> inwards = sub(d, scale(d, same(d, collider.axis), share), end);
+    const auto radius = hn::Sub(hn::Set(d, collider.radii.x), hn::Mul(hn::Set(d, collider.taper), share));
+    const auto distance = hn::Sqrt(dot(d, inwards, inwards));
+    copy(d, direction_or(d, inwards, direction), at.normal);
+    at.gap = hn::Sub(hn::Max(hn::Sub(radius, hit_radius), hn::Zero(d)), distance);
+    return;
+  }
+  const Solid<D> solid(d, collider, start, length, hit_radius);
+  solid.find_deepest(solid.into(direction), at);
+  const V3<D> normal = solid.out_of(at.normal);
+  copy(d, normal, at.normal);
+}
+
+/// A bone's way in head space, and how fast its ends went before the step, against the head.
+template <class D>
+struct MeetingBone {
+  V3<D> start[2], direction[2];
+  V3<D> velocity[2];  ///< Of its start and its end.
+  V<D> length, hit_radius;
+};
+
+/// When the bone meets the collider within the step, as its distance from it falls evenly faster or slower; and how far it has to be
+/// lifted from where it freely went: it loses the speed at which it comes, and comes to lie if it is pressed on.
+template <class D>
+COIF_RARE void meet_within(D d, const PlacedCollider& collider, const MeetingBone<D>& bone, V<D> dt,
+                           const Deepest<D>& now, hn::Mask<D> asked, PassiveTouch<D>& touch) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  Deepest<D> before;
+  find_gap(d, collider, bone.start[0], bone.direction[0], bone.length, bone.hit_radius, before);
+  const auto share0 = hn::Div(before.along, bone.length), share1 = hn::Div(now.along, bone.length);
+  const V3<D> velocity = add_scaled(d, bone.velocity[0], sub(d, bone.velocity[1], bone.velocity[0]), share0);
+  const auto gap = hn::Max(before.gap, zero), speed = dot(d, before.normal, velocity);
+  const auto half = hn::Div(hn::Sub(hn::Sub(now.gap, gap), hn::Mul(speed, dt)), hn::Mul(dt, dt));  // of its acceleration
+  const auto gain = hn::Add(half, half);
+  const auto speed2 = hn::Sub(hn::Mul(speed, speed), hn::Mul(hn::Mul(hn::Set(d, 2.0f), gain), gap));
+  const auto comes = hn::Sqrt(hn::Max(speed2, zero));
+  // It goes away again within the step.
+  const auto dips = hn::And(hn::And(hn::Lt(speed, zero), hn::Gt(hn::Add(hn::Mul(gain, dt), speed), zero)), hn::Gt(speed2, zero));
+  const auto is_in = hn::Lt(now.gap, zero);
+  const auto meets = hn::And(asked, hn::Or(is_in, hn::And(dips, hn::Gt(before.gap, zero))));
+  const auto first = hn::Div(hn::Add(gap, gap), hn::Max(hn::Sub(comes, speed), hn::Set(d, 1e-12f)));
+  const auto left = hn::Max(hn::Sub(dt, first), zero);
+  const auto leaves = hn::And(hn::And(hn::Gt(gain, zero), hn::Gt(speed2, zero)), hn::Gt(gap, zero));
+  const auto lift = hn::IfThenElse(leaves, hn::Mul(comes, left), hn::Neg(now.gap));
+  const auto lifts = hn::And(meets, hn::Gt(lift, touch.lift));
+  if (hn::AllFalse(d, lifts)) return;
+  const auto part = hn::Min(hn::Div(first, dt), one);
+  const V3<D> then = direction_or(
+      d, add_scaled(d, before.normal, sub(d, now.normal, before.normal), part), now.normal);
+  const auto there = hn::Add(share0, hn::Mul(hn::Sub(share1, share0), part));
+  touch.set(d, lifts, choose<D>(leaves, then, now.normal), hn::IfThenElse(leaves, there, share1), lift);
+  touch.leave = hn::IfThenElse(lifts, hn::IfThenElseZero(leaves, hn::Mul(gain, left)), touch.leave);
+}
+
+/// Looks which bones are in their head's colliders, of those that lay on some before the step, or which of the others come to lie on
+/// them. Returns the lanes in which some bone does.
+template <class D>
+COIF_RARE hn::Mask<D> PassiveChain<D>::find_contacts(bool others) {
   auto touching = hn::Lt(turn_.x.x, hn::Set(d_, -2.0f));
+  const MoveLanes& move = *row_.move;
+  const M3<D> turn_before = load(d_, move.from_head_before, lane_);
   for (std::size_t i = 0; i < count_; ++i) {
     PassiveBone<D>& bone = bones_[i];
     const Carrier<D>& from = carrier_of(i);
     const RowBone& shape = row_.bones[i];
-    const auto length = load(d_, row_.constants[i].length, lane_);
-    const V3<D> in_head = rotate_back(d_, turn_, bone.direction);
-    const auto asked = hn::Or(lay_on(i), all ? hn::Eq(length, length) : hn::Lt(length, hn::Zero(d_)));
-    if (all) bone.touch.lift = hn::Zero(d_);
-    if ((shape.features & kRowCollides) && !hn::AllFalse(d_, asked)) {
-      BoneMotion<D> now{bone.direction, with_head(bone.direction)};
-      V3<D> cleared = in_head;
-      Contact<D> contact;
-      contact.normal = in_head;
-      contact.along = hn::Zero(d_);
-      auto touches = keep_clear_of(d_, row_, lane_, turn_, i, from.position, load(d_, row_.move->velocity, lane_),
-                                   load(d_, state_[i].direction, lane_), static_cast<LimitedBone<V<D>>*>(nullptr), now,
-                                   cleared, &contact);
-      touches = hn::And(touches, asked);
-      if (any_rigid(i)) touches = hn::AndNot(rigid_lanes(i), touches);
-      if (!hn::AllFalse(d_, touches)) {
-        const auto lift = hn::Mul(dot(d_, contact.normal, sub(d_, cleared, in_head)), contact.along);
-        const auto is_new = hn::AndNot(bone.touch.holds(d_), touches);
-        bone.touch.set(d_, touches, rotate(d_, turn_, contact.normal),
-                       hn::Mul(contact.along, load(d_, row_.constants[i].per_length, lane_)), lift);
-        touching = hn::Or(touching, hn::And(is_new, bone.touch.holds(d_)));
-      }
+    MeetingBone<D> meeting;
+    meeting.length = load(d_, row_.constants[i].length, lane_);
+    const V3<D> before = load(d_, state_[i].direction, lane_);
+    copy(d_, from.position, meeting.start[1]);
+    copy(d_, rotate_back(d_, turn_, bone.direction), meeting.direction[1]);
+    bone.tail.way = add_scaled(d_, from.way, sub(d_, bone.direction, before), meeting.length);
+    bone.tail.position = add_scaled(d_, from.position, meeting.direction[1], meeting.length);
+    auto asked = others ? hn::Not(bone.touch.holds(d_)) : lay_on(i);
+    if (any_rigid(i)) asked = hn::AndNot(rigid_lanes(i), asked);
+    if (others) bone.touch.lift = hn::IfThenZeroElse(bone.touch.holds(d_), bone.touch.lift);
+    if ((shape.features & kRowCollides) == 0 || hn::AllFalse(d_, asked)) continue;
+    meeting.hit_radius = load(d_, row_.constants[i].hit_radius, lane_);
+    const PlacedColliders& colliders = *row_.colliders;
+    auto margin = hn::Zero(d_);
+    if (others) {
+      const V3<D> head_velocity = load(d_, move.velocity_before, lane_);
+      const V3<D> head_turning = load(d_, move.angular_velocity_before, lane_);
+      const V3<D> start = sub(d_, rotate(d_, turn_, from.position), sub(d_, from.way, load(d_, move.way, lane_)));
+      const V3<D> end = add_scaled(d_, start, before, meeting.length);
+      const auto against = [&](const V3<D>& velocity, const V3<D>& place) {
+        return rotate_back(d_, turn_before, sub(d_, sub(d_, velocity, head_velocity), cross(d_, head_turning, place)));
+      };
+      copy(d_, rotate_back(d_, turn_before, start), meeting.start[0]);
+      copy(d_, rotate_back(d_, turn_before, before), meeting.direction[0]);
+      copy(d_, against(from.velocity_before, start), meeting.velocity[0]);
+      copy(d_, against(bone.tail.velocity_before, end), meeting.velocity[1]);
+      const auto speed2 = dot(d_, meeting.velocity[1], meeting.velocity[1]);
+      margin = hn::Mul(hn::Sqrt(speed2), hn::Mul(method_.dt, hn::Set(d_, 0.25f)));
     }
-    bone.tail.position = add_scaled(d_, from.position, in_head, length);
+    const auto thickness = hn::Add(meeting.hit_radius, margin);
+    asked = hn::And(asked, in_reach(d_, colliders, shape.colliders, from.position, hn::Add(meeting.length, thickness)));
+    if (HWY_LIKELY(hn::AllFalse(d_, asked))) continue;
+    for (std::uint32_t set = shape.colliders; set != 0; set &= set - 1) {
+      const std::uint32_t c = std::uint32_t(std::countr_zero(set));
+      const auto here = hn::And(hn::And(asked, lanes_with(d_, row_.constants[i], lane_, c)),
+                                reaches(d_, colliders[c], from.position, meeting.direction[1], meeting.length, thickness));
+      if (HWY_LIKELY(hn::AllFalse(d_, here))) continue;
+      Deepest<D> now;
+      find_gap(d_, colliders[c], meeting.start[1], meeting.direction[1], meeting.length, meeting.hit_radius, now);
+      PassiveTouch<D> touch = bone.touch;
+      if (others) {
+        meet_within(d_, colliders[c], meeting, method_.dt, now, here, touch);
+      } else {
+        const auto deeper = hn::And(here, hn::Gt(hn::Neg(now.gap), touch.lift));
+        touch.set(d_, deeper, now.normal, hn::Div(now.along, meeting.length), hn::Neg(now.gap));
+      }
+      const auto changed = hn::Gt(touch.lift, bone.touch.lift);
+      touch.normal = choose<D>(changed, rotate(d_, turn_, touch.normal), bone.touch.normal);
+      bone.touch = touch;
+      touching = hn::Or(touching, hn::And(changed, bone.touch.holds(d_)));
+    }
   }
   return touching;
 }
@@ -138,7 +234,8 @@ HWY_INLINE void PassiveChain<D>::find_hold(std::size_t i, const Symmetric3<D>& i
   const V3<D> tail = add(d_, bone.tail.velocity, bone.links.by_push);
   const V3<D> mixed = add_scaled(d_, scale(d_, tail, share), bone.links.start_velocity, rest);
   const auto stretch = hn::Add(opening, dot(d_, bone.direction, bone.links.by_push));
-  hold.wanted = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), hn::Mul(drag, stretch));
+  const auto leaving = hn::Sub(dot(d_, touch.normal, sub(d_, mixed, surface)), touch.leave);
+  hold.wanted = hn::Sub(leaving, hn::Mul(drag, stretch));
   (void)zero;
 }
 

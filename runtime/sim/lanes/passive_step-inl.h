@@ -113,7 +113,10 @@ HWY_INLINE void PassiveChain<D>::settle(std::size_t i) {
   store(d_, now.direction, state.direction, lane_);
   store(d_, without_trace(d_, acceleration), state.acceleration, lane_);
   store(d_, without_trace(d_, lagged), state.lagged, lane_);
-  if (collides_) store(d_, hn::IfThenElseZero(bone.touch.holds(d_), hn::Set(d_, 1.0f)), state.touching, lane_);
+  if (collides_) {
+    const auto lies = hn::AndNot(hn::Gt(bone.touch.leave, hn::Zero(d_)), bone.touch.holds(d_));
+    store(d_, hn::IfThenElseZero(lies, hn::Set(d_, 1.0f)), state.touching, lane_);
+  }
 
   const Bent<D> bent = bend(d_, from.frame, rest, by_parent, in_head);
   const V3<D> swing = scale(d_, cross(d_, now.direction, now.velocity), load(d_, constants.per_length, lane_));
